@@ -20,8 +20,6 @@ Graph = Mapping[str, set[str]]
 #: to be parted.
 LINES = 400
 LONGER = {
-    "check/identities/generators.py",
-    "check/identities/substitution.py",
     "catalogue/fixed_point/veselova.py",
     "core/laws.py",
     "experiment/file/models.py",
@@ -33,10 +31,6 @@ LONGER = {
     "mechanics/rolling/equations.py",
     "mechanics/rolling/shapes.py",
     "printing/laws.py",
-    "proof/certificates/case_tree.py",
-    "proof/certificates/identities.py",
-    "proof/level/level_set.py",
-    "proof/prover.py",
     "report/drawing/geometry.py",
     "report/figures/time_series.py",
 }

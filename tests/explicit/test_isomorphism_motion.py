@@ -31,17 +31,17 @@ def case(request):
 
 def test_states_there_and_back(case):
     carrier, motion = case
-    again = carrier.back(carrier.there(motion.states))
+    again = carrier.preimage(carrier.image(motion.states))
     assert np.abs(again - motion.states).max() < 1e-14
 
 
 def test_image_is_a_motion_of_the_target(case):
     carrier, motion = case
-    values = {str(s): x for s, x in carrier.values_there(motion.states[0]).items()}
+    values = {str(s): x for s, x in carrier.target_parameters(motion.states[0]).items()}
     taus = np.linspace(0.0, 3.0, 7)
-    start = carrier.there(motion.states[:1])[0]
+    start = carrier.image(motion.states[:1])[0]
     own = integrate(carrier.law.target, start, taus, parameters=values)
-    assert np.abs(carrier.motion_there(motion.dense, taus) - own.states).max() < 1e-12
+    assert np.abs(carrier.target_motion(motion.dense, taus) - own.states).max() < 1e-12
 
 
 def test_motions_there_and_back(case):
@@ -49,18 +49,18 @@ def test_motions_there_and_back(case):
     # as far in τ as the integrated motion reaches
     reach = 20.0 * float(carrier.rate(motion.states).min())
     taus = np.linspace(0.0, reach, 9)
-    images = carrier.motion_there(motion.dense, taus)
-    assert np.abs(images[0] - carrier.there(motion.states[:1])[0]).max() < 1e-15
+    images = carrier.target_motion(motion.dense, taus)
+    assert np.abs(images[0] - carrier.image(motion.states[:1])[0]).max() < 1e-15
 
     def image(tau):
-        return carrier.motion_there(motion.dense, tau)
+        return carrier.target_motion(motion.dense, tau)
 
     times = np.linspace(0.0, 5.0, 6)
-    again = carrier.motion_back(image, times)
+    again = carrier.system_motion(image, times)
     assert np.abs(again - motion.dense(times)).max() < 1e-12
 
 
 def test_negative_times_are_refused(case):
     carrier, motion = case
     with pytest.raises(InputError, match="none may be negative"):
-        carrier.motion_there(motion.dense, [-1.0])
+        carrier.target_motion(motion.dense, [-1.0])

@@ -222,7 +222,7 @@ def test_next_to_a_separatrix_there_are_no_bounds() -> None:
 
 @pytest.mark.slow
 def test_quadrature_agrees_with_gauss(quadrature: RigorousQuadrature) -> None:
-    assert abs(quadrature.at(3) - summed(quadrature, 3)) < 1e-21
+    assert abs(quadrature.integral(3) - summed(quadrature, 3)) < 1e-21
 
 
 def test_bounds_of_a_coarse_quadrature_hold(
@@ -231,18 +231,18 @@ def test_bounds_of_a_coarse_quadrature_hold(
     (coarse,) = quadratures(motion.torus, clock(motion), 3, 100.0)
     assert coarse.coefficients.nrows() < quadrature.coefficients.nrows()
     for tau in (0, 0.5, 7, 100, -33):
-        assert coarse.at(tau).contains(quadrature.at(tau))
-        assert coarse.at(tau).rad() < 1e-3
+        assert coarse.integral(tau).contains(quadrature.integral(tau))
+        assert coarse.integral(tau).rad() < 1e-3
 
 
 def test_mean_is_the_mean(quadrature: RigorousQuadrature) -> None:
-    assert abs(quadrature.at(1e6) / 1e6 - quadrature.mean) < 1e-6
+    assert abs(quadrature.integral(1e6) / 1e6 - quadrature.mean) < 1e-6
     assert quadrature.mean.rad() < 1e-26
 
 
 @pytest.mark.parametrize("tau", [0, 1, -12.5, 1e6])
 def test_inverse_contains_where_it_came_from(quadrature: RigorousQuadrature, tau: float) -> None:
-    found = quadrature.inverse(quadrature.at(tau))
+    found = quadrature.inverse(quadrature.integral(tau))
     assert found.contains(arb(tau))
     assert found.rad() < 1e-20
 
@@ -253,7 +253,7 @@ def test_odd_functions_are_integrated_on_the_same_grid(motion: SeparatedMotion) 
     assert any(found.shift)
     assert found.periods == (1, 1)
     assert found.mean.contains(0)
-    assert abs(found.at(3) - summed(found, 3)) < 1e-21
+    assert abs(found.integral(3) - summed(found, 3)) < 1e-21
 
 
 @pytest.mark.slow
@@ -261,7 +261,7 @@ def test_resonant_motion(motion: SeparatedMotion) -> None:
     with ctx.workprec(BITS):
         torus = replace(motion.torus, V=(arb(2) / 7, arb(1) / 7))
     (found,) = quadratures(torus, clock(motion), 22, 10.0)
-    assert abs(found.at(3) - summed(found, 3)) < 1e-21
+    assert abs(found.integral(3) - summed(found, 3)) < 1e-21
 
 
 # --- states --------------------------------------------------------------------------------

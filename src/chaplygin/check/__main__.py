@@ -10,7 +10,7 @@ import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import NoReturn
 
 from .certificate import check
 from .claim.errors import BadInputError, CheckError
@@ -39,11 +39,11 @@ def main(arguments: Sequence[str]) -> int:
             worst = 2
         for number, one in enumerate(several, 1):
             label = f"{file}, certificate {number}" if isinstance(data, list) else file
-            worst = max(worst, _checked(one, label))
+            worst = max(worst, _exit_status(one, label))
     return worst
 
 
-def _checked(certificate: Any, label: str) -> int:
+def _exit_status(certificate: object, label: str) -> int:
     """Check one certificate, say how it went, and give the exit status for it."""
     try:
         check(certificate)
@@ -57,12 +57,12 @@ def _checked(certificate: Any, label: str) -> int:
     return 0
 
 
-def _read(file: str) -> Any:
+def _read(file: str) -> object:
     try:
         return json.loads(
             Path(file).read_text(encoding="utf-8"),
             object_pairs_hook=_distinct,
-            parse_constant=_refused,
+            parse_constant=_refuse_constant,
         )
     except OSError as error:
         raise BadInputError(f"the file cannot be read: {error.strerror}") from None
@@ -70,15 +70,15 @@ def _read(file: str) -> Any:
         raise BadInputError(f"this is no JSON: {error}") from None
 
 
-def _distinct(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+def _distinct(pairs: list[tuple[str, object]]) -> dict[str, object]:
     """A mapping in which no name stands twice."""
-    made = dict(pairs)
-    if len(made) < len(pairs):
+    mapping = dict(pairs)
+    if len(mapping) < len(pairs):
         raise ValueError("a name stands twice in one mapping")
-    return made
+    return mapping
 
 
-def _refused(word: str) -> Any:
+def _refuse_constant(word: str) -> NoReturn:
     raise ValueError(f"{word} is no number")
 
 

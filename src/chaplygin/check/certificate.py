@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from typing import Any
+from functools import partial
 
 from .claim.claim import Claim, read_claim
 from .claim.errors import BadInputError, CheckError, UndefinedError
@@ -14,10 +14,10 @@ from .claim.separation import check_separation
 from .identities.accuracy import with_precision
 from .identities.basis import Basis, read_basis
 from .identities.case_tree import Node, check_tree
-from .identities.generators import FIELDS, read_ground
 from .identities.proof import Condition, check_left, check_proof, read_region, same
+from .identities.read_generators import FIELDS, read_generators
 from .identities.signs import covers
-from .identities.substitution import CONSISTENCY, LAW, expressed, substituted
+from .identities.substitution import CONSISTENCY, LAW, expressed_variables, statements
 from .witness import check_sample, check_witness
 
 __all__ = ["FORMAT", "check"]
@@ -25,7 +25,7 @@ __all__ = ["FORMAT", "check"]
 FORMAT = "chaplygin certificate 2"
 
 
-def check(certificate: Mapping[str, Any]) -> None:
+def check(certificate: object) -> None:
     """Check a certificate.
 
     Raises
@@ -45,7 +45,7 @@ def check(certificate: Mapping[str, Any]) -> None:
         raise CheckError("a formula or a tree is nested too deep") from None
 
 
-def _check(data: Mapping[str, Any]) -> None:
+def _check(data: Mapping[str, object]) -> None:
     what = "the certificate"
     claim = read_claim(field(data, "claim", what), "the claim")
     verdict = field(data, "verdict", what)
@@ -70,14 +70,14 @@ def _check(data: Mapping[str, Any]) -> None:
     _Proofs(data, claim, conditions).check()
 
 
-def _condition(data: Any, claim: Claim) -> Condition:
+def _condition(data: object, claim: Claim) -> Condition:
     """A condition such as ``x > 0``, ``not x = 0`` or ``x != 0``."""
     words = text(data, "a condition")
     negated = words.startswith("not ")
-    made = words
+    relation = words
     if negated:
-        made = words.removeprefix("not ").replace("=", "==") if "==" not in words else words[4:]
-    parts = parse_condition(made, "a condition")
+        relation = words.removeprefix("not ").replace("=", "==") if "==" not in words else words[4:]
+    parts = parse_condition(relation, "a condition")
     allowed = {(True, "="), (False, ">"), (False, "!=")}
     if len(parts) != 1 or (negated, parts[0][1]) not in allowed:
         raise CheckError(f"the condition {words!r} is neither x > 0 nor x != 0")
@@ -91,7 +91,7 @@ class _Proofs:
     """The proofs of a certificate, each checked, and whether they cover the claim."""
 
     def __init__(
-        self, data: Mapping[str, Any], claim: Claim, conditions: Sequence[Condition]
+        self, data: Mapping[str, object], claim: Claim, conditions: Sequence[Condition]
     ) -> None:
         self.data, self.claim, self.conditions = data, claim, conditions
         self.stated = field(data, "claim", "the certificate")
@@ -116,7 +116,7 @@ class _Proofs:
             return
         self._check_cover(mapping(self.data["cover"], "the cover"))
 
-    def _claim(self, proof: Mapping[str, Any], what: str) -> tuple[Claim, set[str]]:
+    def _claim(self, proof: Mapping[str, object], what: str) -> tuple[Claim, set[str]]:
         """The claim that a proof is one of, and what it says of the claim of the user."""
         if not proof.get("substitution"):
             if "claim" in proof and proof["claim"] != self.stated:
@@ -125,42 +125,42 @@ class _Proofs:
         stated = read_claim(field(proof, "claim", what), f"the claim of {what}")
         region = read_region(proof, self.claim, what)
         change = proof["substitution"]
-        return stated, substituted(self.claim, stated, change, region, self.conditions, what)
+        return stated, statements(self.claim, stated, change, region, self.conditions, what)
 
     def _require(self, numbers: Sequence[int], what: str) -> None:
         """Some proofs treat everything, whatever signs they assume."""
         groups: dict[str, list[int]] = {}
         for i in numbers:
-            groups.setdefault(self._ground_of(i), []).append(i)
+            groups.setdefault(self._generators_of(i), []).append(i)
         done = [
             chosen
             for chosen in groups.values()
             if covers([self.bases[i] for i in chosen], self.conditions)
         ]
         agreed = {
-            expressed(self.proofs[chosen[0]].get("substitution", []))
+            expressed_variables(self.proofs[chosen[0]].get("substitution", []))
             for chosen in done
             if CONSISTENCY in self.roles[chosen[0]]
         }
         for chosen in done:
-            graph = expressed(self.proofs[chosen[0]].get("substitution", []))
+            graph = expressed_variables(self.proofs[chosen[0]].get("substitution", []))
             if LAW in self.roles[chosen[0]] and (not graph or graph in agreed):
                 return
         raise CheckError(f"{what} leave open what holds for some signs, or some points")
 
-    def _ground_of(self, number: int) -> str:
+    def _generators_of(self, number: int) -> str:
         proof = self.proofs[number]
         claim = proof.get("claim", self.stated) if proof.get("substitution") else self.stated
         return json.dumps([claim, proof.get("substitution", []), proof.get("zeros", [])])
 
-    def _check_cover(self, data: Mapping[str, Any]) -> None:
+    def _check_cover(self, data: Mapping[str, object]) -> None:
         only(data, "the cover", *FIELDS, "tree")
         if data.get("signs"):
             raise CheckError("the cover assumes signs")
-        ground = read_ground(data, self.claim, "the cover")
-        basis = with_precision(lambda: read_basis(data, ground, (), "the cover", False))
+        generators = read_generators(data, self.claim, "the cover")
+        basis = with_precision(lambda: read_basis(data, generators, (), "the cover", False))
 
-        def leaf(node: Node, data: Mapping[str, Any], where: str) -> None:
+        def leaf(node: Node, data: Mapping[str, object], where: str) -> None:
             if data["case"] != "proof":
                 check_left(node, data, where, basis, self.conditions)
                 return
@@ -174,14 +174,15 @@ class _Proofs:
                 self._check_region(i, basis, node, where)
             self._require(numbers, f"the proofs at {where}")
 
-        node = Node(ground.ring, basis.equations, basis.nonzero, basis.signs, None, leaf)
+        node = Node(generators.ring, basis.equations, basis.nonzero, basis.signs, None, leaf)
         check_tree(node, field(data, "tree", "the cover"), "the tree of the cover")
 
     def _check_region(self, number: int, basis: Basis, node: Node, where: str) -> None:
-        for words in self.proofs[number].get("region", []):
-            formula = parse(words, f"the region of proof {number}")
-            if not any(
-                with_precision(lambda e=e, f=formula: same(basis, e, f) is not None)
-                for e in node.equations
+        what = f"the region of proof {number}"
+        for words in listed(self.proofs[number].get("region", []), what):
+            formula = parse(words, what)
+            if all(
+                with_precision(partial(same, basis, equation, formula)) is None
+                for equation in node.equations
             ):
                 raise CheckError(f"proof {number} treats a smaller part than {where}")

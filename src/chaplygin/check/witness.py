@@ -1,4 +1,4 @@
-"""Points: of a refutation, where a residual is not zero; or of a proof, where the law is defined.
+"""Points of refutations, with a residual that is not zero, and of proofs.
 
 Coordinates are rational numbers, roots of triangular polynomials that change their sign, or values
 of formulas.  That a condition holds at a point is shown exactly where it is a rational function of
@@ -12,14 +12,13 @@ import json
 import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from typing import Any
 
 from flint import arb, ctx, fmpq
 
 from .claim.claim import Claim
 from .claim.domain import domain
 from .claim.errors import CheckError, UndefinedError
-from .claim.evaluate import Place
+from .claim.evaluate import Point
 from .claim.formulas import Formula, names_in, number, parse
 from .claim.jets import ball
 from .claim.json_data import field, integer, listed, mapping, only, rational, text
@@ -39,7 +38,7 @@ BISECTIONS = 300
 _DECIMAL = re.compile(r"-?\d{1,2000}(\.\d{1,2000})?([eE][+-]?\d{1,4})?")
 
 
-def check_witness(claim: Claim, data: Any) -> None:
+def check_witness(claim: Claim, data: object) -> None:
     """Check a refutation: at a point of the level a residual is certainly not zero."""
     what = "the witness"
     data = mapping(data, what)
@@ -47,24 +46,24 @@ def check_witness(claim: Claim, data: Any) -> None:
     with ctx.workprec(PRECISION):
         point = _Point(claim, field(data, "point", what))
         point.check()
-        values = residuals(claim, point.place)
+        values = residuals(claim, point.evaluate)
         index = integer(field(data, "index", what), f"the index of {what}", 0, len(values) - 1)
         if values[index].contains(0):
             raise CheckError("the residual at the witness is not certainly different from zero")
         stated = field(data, "residual", what)
-        if not _stated(stated).overlaps(values[index]):
+        if not _stated_number(stated).overlaps(values[index]):
             raise CheckError(f"the residual at the witness is not {stated}")
 
 
-def located(claim: Claim, data: Any) -> Place:
+def located(claim: Claim, data: object) -> Point:
     """A point of the level in the domain of the law; CheckError where it is none."""
     with ctx.workprec(PRECISION):
         point = _Point(claim, data)
         point.check()
-        return point.place
+        return point.evaluate
 
 
-def failing(claim: Claim, data: Any) -> tuple[int, str]:
+def failing(claim: Claim, data: object) -> tuple[int, str]:
     """The first residual that is certainly not zero at a point of the level: number and value.
 
     Raises
@@ -75,27 +74,27 @@ def failing(claim: Claim, data: Any) -> tuple[int, str]:
     with ctx.workprec(PRECISION):
         point = _Point(claim, data)
         point.check()
-        for index, value in enumerate(each_residual(claim, point.place)):
+        for index, value in enumerate(each_residual(claim, point.evaluate)):
             if not value.contains(0):
                 return index, str(value.str(30))
     raise CheckError("every residual may be zero at the point")
 
 
-def check_sample(claim: Claim, data: Any, conditions: Sequence[Condition]) -> None:
+def check_sample(claim: Claim, data: object, conditions: Sequence[Condition]) -> None:
     """Check that the law is defined at a point of its level, with the rank that it says."""
     with ctx.workprec(PRECISION):
         point = _Point(claim, data)
         point.check()
         for condition in conditions:
-            value = point.place(condition.formula)
+            value = point.evaluate(condition.formula)
             if not (value > 0 if condition.positive else value != 0):
                 raise CheckError(f"the sample does not satisfy {condition.text}")
-        residuals(claim, point.place)
-        if ranked(claim) and not rank_at_least(claim, point.place):
+        residuals(claim, point.evaluate)
+        if ranked(claim) and not rank_at_least(claim, point.evaluate):
             raise CheckError("at the sample the rank is not as the law says")
 
 
-def _stated(data: Any) -> Any:
+def _stated_number(data: object) -> arb:
     """A number as a text: a fraction, a decimal, or a ball such as ``[1.5 +/- 1e-20]``."""
     words = text(data, "the residual at the witness")
     try:
@@ -108,7 +107,7 @@ def _stated(data: Any) -> Any:
         raise CheckError(f"the residual at the witness, {words!r}, is no number") from None
 
 
-def _decimal(data: Any, what: str) -> Fraction:
+def _decimal(data: object, what: str) -> Fraction:
     words = text(data, what)
     if _DECIMAL.fullmatch(words) is None:
         raise CheckError(f"{what} is no decimal number")
@@ -118,12 +117,12 @@ def _decimal(data: Any, what: str) -> Fraction:
 class _Point:
     """Values of state and parameters, exact where they can be."""
 
-    def __init__(self, claim: Claim, data: Any) -> None:
+    def __init__(self, claim: Claim, data: object) -> None:
         self.claim = claim
         self.system = claim.system
         # another point, other values: they may be small where a root asks for it
         self.functions = Functions(json.dumps(data, sort_keys=True))
-        self.balls: dict[str, Any] = {}
+        self.balls: dict[str, arb] = {}
         self.rationals: dict[str, Fraction] = {}
         self.chain: list[tuple[str, Poly]] = []
         self.ring = Ring(self.system.symbols)
@@ -138,22 +137,22 @@ class _Point:
                 raise CheckError(f"the point does not give {word}")
         self._settle_zeros(zeros)
         settled = {word: number(value) for word, value in self.rationals.items()}
-        self.place = self.system.place(self.balls, self.functions, settled)
+        self.evaluate = self.system.point(self.balls, self.functions, settled)
 
-    def _partial_place(self) -> Place:
+    def _partial_point(self) -> Point:
         settled = {word: number(value) for word, value in self.rationals.items()}
-        return Place(self.balls, self.system.definitions, {}, self.functions, settled)
+        return Point(self.balls, self.system.definitions, {}, self.functions, settled)
 
     def _settle_zeros(self, zeros: list[Formula]) -> None:
         """Values of unspecified functions that a condition says are zero."""
         for zero in list(zeros):
             if self.system.reach(zero.parts) <= {*self.balls, *self.system.definitions}:
-                place = self._partial_place()
+                partial = self._partial_point()
                 word, orders = zero.word
-                self.functions.settle(word, orders, [place(p) for p in zero.parts], arb(0))
+                self.functions.settle(word, orders, [partial(p) for p in zero.parts], arb(0))
                 zeros.remove(zero)
 
-    def _read(self, word: str, data: Any) -> None:
+    def _read(self, word: str, data: object) -> None:
         what = f"the value of {word}"
         if not isinstance(data, Mapping):
             self.rationals[word] = rational(data, what)
@@ -164,13 +163,13 @@ class _Point:
             formula = parse(data["formula"], what)
             if not names_in([formula]) <= {*self.balls, *self.system.definitions, "pi", "E"}:
                 raise CheckError(f"{what} uses what is not known before it")
-            self.balls[word] = self._partial_place()(formula)
+            self.balls[word] = self._partial_point()(formula)
         elif set(data) == {"root"}:
             self._read_root(word, mapping(data["root"], what), what)
         else:
             raise CheckError(f"{what} is neither a number, a root nor a formula")
 
-    def _read_root(self, word: str, data: Mapping[str, Any], what: str) -> None:
+    def _read_root(self, word: str, data: Mapping[str, object], what: str) -> None:
         only(data, what, "poly", "near", "radius")
         stated = mapping(field(data, "poly", what), what)
         only(stated, what, "ring", "terms")
@@ -187,18 +186,18 @@ class _Point:
             raise CheckError(f"{what} has a radius that is not positive")
         self.balls[word] = _root(poly, small, word, self.balls, middle, radius, what)
         table = {n: self.ring.index[n] for n in names}
-        made = {}
+        terms = {}
         for exponents, coefficient in poly.to_dict().items():
             spread = [0] * len(self.ring.names)
             for name, exponent in zip(names, exponents, strict=True):
                 spread[table[name]] = int(exponent)
-            made[tuple(spread)] = coefficient
-        self.chain.append((word, self.ring.context.from_dict(made)))
+            terms[tuple(spread)] = coefficient
+        self.chain.append((word, self.ring.context.from_dict(terms)))
 
     # --- what must hold ------------------------------------------------------------------------
 
     def check(self) -> None:
-        """That the point lies on the level and in the domain of the system and the law."""
+        """Check that the point lies on the level and in the domain of system and law."""
         for condition in self.claim.conditions:
             if not self._vanishes(condition):
                 raise CheckError("the point does not satisfy a condition of the level")
@@ -206,16 +205,16 @@ class _Point:
             if not self._admissible(formula, sign):
                 raise CheckError("the parameters of the point are not admissible")
         for guard in self.system.guards:
-            if not self.place(guard) > 0:
+            if not self.evaluate(guard) > 0:
                 raise CheckError("a guard is not positive at the point")
         settled = {word: number(value) for word, value in self.rationals.items()}
         try:
-            domain(self.claim, settled).values(self.place)
+            domain(self.claim, settled).values(self.evaluate)
         except UndefinedError:
             raise CheckError("the law is not certainly defined at the point") from None
 
     def _admissible(self, formula: Formula, sign: str) -> bool:
-        value = self.place(formula)
+        value = self.evaluate(formula)
         if sign == ">":
             return bool(value > 0)
         if sign == "!=":
@@ -225,7 +224,7 @@ class _Point:
     def _vanishes(self, formula: Formula) -> bool:
         ring = self.ring
 
-        def known(word: str) -> tuple[Poly, Poly] | None:
+        def value_of(word: str) -> tuple[Poly, Poly] | None:
             if word in self.rationals:
                 return ring.constant(self.rationals[word]), ring.constant(1)
             if any(word == main for main, _ in self.chain):
@@ -237,9 +236,9 @@ class _Point:
             **{word: number(value) for word, value in self.rationals.items()},
         }
         try:
-            above, below = quotient(formula, ring, known, definitions)
+            above, below = quotient(formula, ring, value_of, definitions)
         except UndefinedError:
-            value = self.place(formula)
+            value = self.evaluate(formula)
             return bool(value.contains(0) and value.rad() < arb(10) ** -NARROW)
         if not self._value(below) != 0:
             raise CheckError("a condition of the level is not defined at the point")
@@ -247,15 +246,15 @@ class _Point:
             above = self._remainder(above, self._with_rationals(poly), word)
         return bool(above.is_zero())
 
-    def _value(self, poly: Poly) -> Any:
+    def _value(self, poly: Poly) -> arb:
         return self.ring.value(poly, [self.balls[n] for n in self.ring.names])
 
     def _with_rationals(self, poly: Poly) -> Poly:
         table = {
             word: fmpq(value.numerator, value.denominator) for word, value in self.rationals.items()
         }
-        made: Poly = poly.subs({w: v for w, v in table.items() if w in self.ring.index})
-        return made
+        value: Poly = poly.subs({w: v for w, v in table.items() if w in self.ring.index})
+        return value
 
     def _remainder(self, poly: Poly, divisor: Poly, word: str) -> Poly:
         """Remainder of a division in one variable, times powers of the divisor's first factor."""
@@ -276,32 +275,32 @@ def _degree(poly: Poly, position: int) -> int:
 
 
 def _coefficient(ring: Ring, poly: Poly, position: int, degree: int) -> Poly:
-    found = {}
+    terms = {}
     for exponents, coefficient in poly.to_dict().items():
         if exponents[position] == degree:
-            rest = list(map(int, exponents))
-            rest[position] = 0
-            found[tuple(rest)] = coefficient
-    return ring.context.from_dict(found)
+            lower = list(map(int, exponents))
+            lower[position] = 0
+            terms[tuple(lower)] = coefficient
+    return ring.context.from_dict(terms)
 
 
 def _root(
     poly: Poly,
     ring: Ring,
     word: str,
-    balls: Mapping[str, Any],
+    balls: Mapping[str, arb],
     middle: Fraction,
     radius: Fraction,
     what: str,
-) -> Any:
+) -> arb:
     """A ball around a root in an interval at whose ends a polynomial has different signs."""
 
-    def value(at: Any, of: Poly = poly) -> Any:
+    def value(at: arb, of: Poly = poly) -> arb:
         return ring.value(of, [at if n == word else balls[n] for n in ring.names])
 
     def sign(at: Fraction) -> int:
-        found = value(ball(at))
-        return 1 if found > 0 else -1 if found < 0 else 0
+        here = value(ball(at))
+        return 1 if here > 0 else -1 if here < 0 else 0
 
     low, high = middle - radius, middle + radius
     left, right = sign(low), sign(high)
@@ -311,17 +310,17 @@ def _root(
     while high - low > radius / 2**BISECTIONS:
         here = ball(low).union(ball(high))
         if value(here, slope) != 0:
-            return _narrowed(here, value, lambda at: value(at, slope))
+            return _newton_narrowed(here, value, lambda at: value(at, slope))
         # a root may lie at one of the points that part the interval
         points = [low + (high - low) * Fraction(share, 8) for share in (4, 3, 5)]
-        inside = next(((at, found) for at in points if (found := sign(at))), None)
+        inside = next(((at, side) for at in points if (side := sign(at))), None)
         if inside is None:
             break
         low, high = (inside[0], high) if inside[1] == left else (low, inside[0])
     return ball(low).union(ball(high))
 
 
-def _narrowed(here: Any, value: Callable[[Any], Any], slope: Callable[[Any], Any]) -> Any:
+def _newton_narrowed(here: arb, value: Callable[[arb], arb], slope: Callable[[arb], arb]) -> arb:
     """A ball with one root made narrower by Newton's method: the root stays in it."""
     while True:
         middle = here.mid()

@@ -1,4 +1,4 @@
-"""Closed forms: the state of an integrable system at any time, not integrated step by step."""
+"""Closed forms: the state of an integrable system at any time, without steps."""
 
 import lazy_loader
 

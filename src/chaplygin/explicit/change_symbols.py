@@ -1,14 +1,14 @@
-"""A separation told in the symbols of another system that is the same."""
+"""A separation in the symbols of another system with the same field."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
-from ..core.system import System
+from ..core.system import System, flat_pairs
 from ..core.vectors import constant, real_symbol, to_components
 from .genus_two.separation import SeparatedSystem
 
@@ -16,13 +16,12 @@ __all__ = ["in_symbols_of", "translation"]
 
 
 def in_symbols_of(
-    separable: SeparatedSystem, system: System, parameters: Mapping[sp.Symbol, Any]
+    separable: SeparatedSystem, system: System, parameters: Mapping[sp.Symbol, sp.Expr]
 ) -> SeparatedSystem:
     """The separation of a system whose field is that of ``separable.system``.
 
     Parameters
     ----------
-    separable : Separable
     system : System
         With states that follow each other in the same order; its lift to space may be another.
     parameters : mapping of Symbol to formula
@@ -30,52 +29,45 @@ def in_symbols_of(
 
     Returns
     -------
-    Separable
+    SeparatedSystem
         With all formulas in state and parameters of `system`, definitions written out; its laws
         are left out, since they are claimed of the other system.
     """
-    known = {
-        **translation(separable.system, system, parameters),
-        **_constants(separable, system),
-    }
+    known = {**translation(separable.system, system, parameters), **_constants(separable, system)}
     names = dict(zip(separable.system.symbols, system.symbols, strict=True))
 
-    def text(formula: Any) -> Any:
+    def image(formula: sp.Expr) -> sp.Expr:
         value = to_components(sp.sympify(formula))
         made = value.xreplace(known)
         return constant(list(made)) if isinstance(value, sp.MatrixBase) else made
 
-    def each(formulas: Any) -> Any:
-        return tuple(text(formula) for formula in formulas)
+    def images(formulas: Iterable[sp.Expr]) -> Any:
+        return tuple(image(formula) for formula in formulas)
 
     return replace(
         separable,
         system=system,
-        level=each(separable.level),
+        level=images(separable.level),
         constants=tuple(
-            (known.get(symbol, symbol), text(formula)) for symbol, formula in separable.constants
+            (known.get(symbol, symbol), image(formula)) for symbol, formula in separable.constants
         ),
-        direction=text(separable.direction),
-        turning=text(separable.turning),
-        poles=each(separable.poles),
-        weights=each(separable.weights),
-        leading=text(separable.leading),
-        roots=each(separable.roots),
-        speeds=each(separable.speeds),
-        along=None if separable.along is None else each(separable.along),
-        clock=text(separable.clock),
-        state=tuple(
-            (names[symbol], text(part))
-            for name, formula in separable.state
-            for symbol, part in _parts(name, formula)
-        ),
-        fixed=each(separable.fixed),
+        direction=image(separable.direction),
+        turning=image(separable.turning),
+        poles=images(separable.poles),
+        weights=images(separable.weights),
+        leading=image(separable.leading),
+        roots=images(separable.roots),
+        speeds=images(separable.speeds),
+        along=None if separable.along is None else images(separable.along),
+        clock=image(separable.clock),
+        state=tuple((names[symbol], image(part)) for symbol, part in flat_pairs(separable.state)),
+        fixed=images(separable.fixed),
         laws=(),
     )
 
 
 def translation(
-    home: System, system: System, parameters: Mapping[sp.Symbol, Any]
+    home: System, system: System, parameters: Mapping[sp.Symbol, sp.Expr]
 ) -> dict[sp.Symbol, sp.Expr]:
     """State, parameters and definitions of one system in the symbols of another."""
     known: dict[sp.Symbol, sp.Expr] = dict(zip(home.symbols, system.symbols, strict=True))
@@ -87,13 +79,6 @@ def translation(
 
 def _constants(separable: SeparatedSystem, system: System) -> dict[sp.Symbol, sp.Symbol]:
     """New names for constants whose letters mean something else in a system."""
-    taken = {*system.symbols, *system.defaults, *(symbol for symbol, _ in system.steps)}
-    clashes = [symbol for symbol, _ in separable.constants if symbol in taken]
+    names = {*system.symbols, *system.defaults, *(symbol for symbol, _ in system.steps)}
+    clashes = [symbol for symbol, _ in separable.constants if symbol in names]
     return {symbol: real_symbol(f"{symbol}_const") for symbol in clashes}
-
-
-def _parts(name: Any, formula: Any) -> list[tuple[sp.Symbol, Any]]:
-    """A pair of a state name and its formula, by components."""
-    if isinstance(name, sp.Symbol):
-        return [(name, formula)]
-    return list(zip(name.symbols, to_components(formula), strict=True))

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 import sympy as sp
-from flint import ctx
+from flint import arb, ctx
 
 from ..arguments import Numbers, Written, arguments_checked
+from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
 from ..formulas.balls import components, evaluated, number
@@ -28,7 +28,8 @@ BITS = 320
 QUATERNION = 4
 
 
-@dataclass(frozen=True, repr=False)
+# equal to itself alone, so that what is prepared for it can be kept
+@dataclass(frozen=True, repr=False, eq=False)
 class GenusTwo(Solution):
     """A motion on a two-dimensional torus.
 
@@ -36,15 +37,13 @@ class GenusTwo(Solution):
     ----------
     system : System
         Lifted to space where it has a motion.
-    parameters : mapping of Symbol to number
     start : tuple of numbers
         The lifted state at t = 0, as given.
-    prepared : Prepared
     """
 
     system: System
-    parameters: Mapping[sp.Symbol, Any]
-    start: tuple[Any, ...]
+    parameters: Mapping[sp.Symbol, Written]
+    start: tuple[Written, ...]
     prepared: SeparatedMotion
 
     @property
@@ -63,27 +62,27 @@ class GenusTwo(Solution):
         return lift(self.prepared, self.clock, self.start[len(self.separable.system.symbols) :])
 
     @cached_property
-    def _state(self) -> Callable[..., Any]:
+    def _state(self) -> Callable[..., FloatArray]:
         return on_arrays(self.prepared, self.separable.system.symbols)
 
     @arguments_checked
-    def states(self, times: Numbers) -> Any:
+    def states(self, times: Numbers) -> FloatArray:
         """Lifted states (n, size) at `times` (n,), in double precision."""
-        moment = self.clock.at(np.asarray(times, dtype=float))
+        moment = self.clock.torus_point(np.asarray(times, dtype=float))
         reduced = self._state(*self.prepared.torus.values(moment.v))
         if self.lift is None:
             return reduced.T
-        return np.concatenate([reduced, self.lift.at(moment)]).T
+        return np.concatenate([reduced, self.lift.in_space(moment)]).T
 
     @property
     def pace(self) -> float:
-        """How fast the phases grow with time, in turns."""
+        """The rate at which the phases grow with time, in turns."""
         V_1, V_2 = (abs(number(x)) for x in self.prepared.torus.V)
         return (V_1 + V_2) / number(self.clock.mean)
 
     @property
     def left_open(self) -> str:
-        """What of the state :meth:`rigorous` cannot bound, and why, in a sentence; or nothing."""
+        """A sentence on the part of the state that :meth:`rigorous` leaves open; or ""."""
         of = self.separable
         lifted = len(self.start) - len(of.system.symbols)
         if of.system.motion is None or len(of.fixed) > 1:
@@ -102,7 +101,7 @@ class GenusTwo(Solution):
         )
 
     @arguments_checked
-    def rigorous(self, time: Written, digits: int = 30) -> tuple[Any, ...]:
+    def rigorous(self, time: Written, digits: int = 30) -> tuple[arb, ...]:
         """The lifted state at one time as balls."""
         from .rigorous import rigorous_state
 
@@ -128,7 +127,9 @@ def _form(solution: GenusTwo) -> ClosedForm:
     clock = solution.clock
     figures = [
         *(
-            NamedConstant(str(name), motion.values[name], *_told(motion, motion.values[name]))
+            NamedConstant(
+                str(name), motion.values[name], *_meaning_and_unit(motion, motion.values[name])
+            )
             for name, _ in separable.constants
         ),
         *(
@@ -175,8 +176,8 @@ def _form(solution: GenusTwo) -> ClosedForm:
     )
 
 
-def _told(motion: SeparatedMotion, value: Any) -> tuple[str, str]:
-    """Meaning and unit of a constant: those of the integral whose value it is, if there is one."""
+def _meaning_and_unit(motion: SeparatedMotion, value: arb) -> tuple[str, str]:
+    """Meaning and unit of a constant: those of the integral whose value it is."""
     system = motion.separable.system
     known = {**motion.values, **dict(zip(system.symbols, motion.state, strict=True))}
     for name, formula in system.steps:
@@ -188,13 +189,12 @@ def _told(motion: SeparatedMotion, value: Any) -> tuple[str, str]:
 
 
 def solved(
-    separable: SeparatedSystem, values: Mapping[sp.Symbol, Any], start: Sequence[Any]
+    separable: SeparatedSystem, values: Mapping[sp.Symbol, Written], start: Sequence[Written]
 ) -> GenusTwo:
     """Solve one motion of a separable system.
 
     Parameters
     ----------
-    separable : Separable
     values : mapping of Symbol to number
         The parameters of its system, taken as exact numbers.
     start : sequence of numbers

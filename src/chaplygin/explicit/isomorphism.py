@@ -1,4 +1,4 @@
-"""Closed forms carried over an isomorphism, in both directions (Theorems 8 and 10, Proposition 6).
+"""Closed forms carried over an isomorphism (Theorems 8 and 10, Proposition 6).
 
 An isomorphism takes the state x of its system to y(x) in a new time dτ = N(x) dt.  Where it acts on
 a unit vector by stretching the axes, and on a further vector linearly at each value of the first,
@@ -8,7 +8,7 @@ the same curve, the same unit vector ν and another clock.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import Any, TypeAlias
 
@@ -52,9 +52,9 @@ def inverse(system: System, law: Isomorphism) -> Formulas:
         for unit in (v for v in vectors if norm_squared(v) - 1 in system.relations):
             for name, image in images:
                 if image.free_symbols.isdisjoint(_others(system, unit)):
-                    place = _unstretched(system, unit, name, image)
-                    rest = [pair for pair in images if pair[0] != name]
-                    return place | _linear(system, unit, rest, place)
+                    place = _unit_vector(system, unit, name, image)
+                    others = [pair for pair in images if pair[0] != name]
+                    return place | _linear(system, unit, others, place)
     raise InputError(
         f"{system.name}: the isomorphism {law.name!r} has no explicit inverse here; its map must "
         "stretch the axes of a unit vector and be linear in one further vector"
@@ -65,7 +65,7 @@ def _others(system: System, unit: Vector) -> set[sp.Symbol]:
     return set(system.symbols) - set(unit.symbols)
 
 
-def _unstretched(system: System, unit: Vector, name: Vector, image: Any) -> Formulas:
+def _unit_vector(system: System, unit: Vector, name: Vector, image: sp.MatrixExpr) -> Formulas:
     """The unit vector γ with γ_i s_i λ = y_i, for factors s_i free of the state."""
     scales = [part / s for part, s in zip(image, unit.symbols, strict=True)]
     factors = [sp.cancel(scale / scales[0]) for scale in scales]
@@ -79,7 +79,7 @@ def _unstretched(system: System, unit: Vector, name: Vector, image: Any) -> Form
 
 
 def _linear(
-    system: System, unit: Vector, images: list[tuple[Vector, Any]], place: Formulas
+    system: System, unit: Vector, images: list[tuple[Vector, sp.MatrixExpr]], place: Formulas
 ) -> Formulas:
     """The other vector, from the image that is linear in it."""
     (other,) = (v for v in system.state if v != unit)
@@ -90,16 +90,16 @@ def _linear(
     offset = sp.Matrix(image).xreplace({s: sp.S.Zero for s in other.symbols})
     wanted = sp.Matrix(name.symbols) - offset
     if matrix.is_diagonal():
-        found = [w / matrix[i, i] for i, w in enumerate(wanted)]
+        components = [w / matrix[i, i] for i, w in enumerate(wanted)]
     else:
         first, second, third = (matrix.col(i) for i in range(3))
         normals = (second.cross(third), third.cross(first), first.cross(second))
-        found = [wanted.dot(normal) / first.dot(normals[0]) for normal in normals]
-    return {s: f.xreplace(place) for s, f in zip(other.symbols, found, strict=True)}
+        components = [wanted.dot(normal) / first.dot(normals[0]) for normal in normals]
+    return {s: f.xreplace(place) for s, f in zip(other.symbols, components, strict=True)}
 
 
 def inverse_identity(system: System, law: Isomorphism) -> Identity:
-    """That the inverse undoes the map, as a law of `system`."""
+    """The law of `system` that the inverse undoes the map."""
     images = dict(flat_pairs(law.map))
     back = inverse(system, law)
     return Identity(
@@ -115,7 +115,10 @@ def inverse_identity(system: System, law: Isomorphism) -> Identity:
 
 
 def pull_back(
-    system: System, law: Isomorphism, separable: SeparatedSystem, fixed: tuple[Any, ...] = ()
+    system: System,
+    law: Isomorphism,
+    separable: SeparatedSystem,
+    fixed: tuple[sp.MatrixExpr, ...] = (),
 ) -> SeparatedSystem:
     """A system that separates because the target of an isomorphism does.
 
@@ -123,15 +126,14 @@ def pull_back(
     ----------
     system : System
         Of which `law` is claimed.
-    law : Isomorphism
-    separable : Separable
+    separable : SeparatedSystem
         Of the target.
     fixed : tuple of vectors
         Vectors of `system` with a constant direction in space.
 
     Returns
     -------
-    Separable
+    SeparatedSystem
         Of `system`, on the level of `law`.  What the isomorphism makes of the target's parameters
         are constants; a name that `system` has already gets a tilde.
 
@@ -141,18 +143,18 @@ def pull_back(
         If the map has no explicit inverse.
     """
     target = separable.system
-    given = {p for p, _ in law.constants}
-    names = _fresh((*given, *(s for s, _ in separable.constants)), system)
+    parameters = {p for p, _ in law.constants}
+    names = _unused_names((*parameters, *(s for s, _ in separable.constants)), system)
     image = dict(flat_pairs(law.map))
 
-    def text(formula: Any) -> Any:
-        return _put(written_out(target, formula), names | image)
+    def text(formula: sp.Expr) -> sp.Expr:
+        return _substitution(written_out(target, formula), names | image)
 
-    state = {s: _put(f, names) for s, f in flat_pairs(separable.state)}
-    back = {s: _put(f, state) for s, f in inverse(system, law).items()}
-    rate = _put(written_out(system, to_components(law.time)), back)
+    state = {s: _substitution(f, names) for s, f in flat_pairs(separable.state)}
+    back = {s: _substitution(f, state) for s, f in inverse(system, law).items()}
+    rate = _substitution(written_out(system, to_components(law.time)), back)
     return replace(
-        _renamed(separable, text, names),
+        _with_names(separable, text, names),
         name=system.name,
         title=system.title,
         system=system,
@@ -161,7 +163,7 @@ def pull_back(
             *((names[p], to_components(formula)) for p, formula in law.constants),
             *((names[s], text(to_components(formula))) for s, formula in separable.constants),
         ),
-        clock=_put(to_components(separable.clock), names) / rate,
+        clock=_substitution(to_components(separable.clock), names) / rate,
         state=tuple(back.items()),
         fixed=fixed,
         laws=(law,),
@@ -176,13 +178,12 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
     ----------
     system : System
         Of which `law` is claimed.
-    law : Isomorphism
-    separable : Separable
+    separable : SeparatedSystem
         Of `system`.
 
     Returns
     -------
-    Separable
+    SeparatedSystem
         Of the target, for motions that are images: the parameters that the isomorphism gives as
         integrals must have the values of these on the motion.  Parameters of `system` that the
         target does not share become its parameters too; a name that it has gets a tilde.
@@ -196,7 +197,7 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
     shared = {p.symbol for p in law.target.parameters} - named
     further = [p for p in system.parameters if p.symbol not in shared]
     constants = (s for s, _ in separable.constants)
-    names = _fresh((*(p.symbol for p in further), *constants), law.target)
+    names = _unused_names((*(p.symbol for p in further), *constants), law.target)
     target = replace(
         law.target,
         parameters=(
@@ -205,22 +206,24 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
                 replace(
                     p,
                     symbol=names[p.symbol],
-                    admissible=tuple(_put(relation, names) for relation in p.admissible),
+                    admissible=tuple(_substitution(relation, names) for relation in p.admissible),
                 )
                 for p in further
             ),
         ),
     )
-    back = {s: _put(f, names) for s, f in inverse(system, law).items()}
+    back = {s: _substitution(f, names) for s, f in inverse(system, law).items()}
 
-    def text(formula: Any) -> Any:
-        return _put(written_out(system, formula), names | back)
+    def text(formula: sp.Expr) -> sp.Expr:
+        return _substitution(written_out(system, formula), names | back)
 
-    state = {s: _put(written_out(system, f), names) for s, f in flat_pairs(separable.state)}
-    rate = _put(_put(written_out(system, to_components(law.time)), names), state)
+    state = {
+        s: _substitution(written_out(system, f), names) for s, f in flat_pairs(separable.state)
+    }
+    rate = _substitution(_substitution(written_out(system, to_components(law.time)), names), state)
     image = {s: written_out(system, f) for s, f in flat_pairs(law.map)}
     return replace(
-        _renamed(separable, text, names),
+        _with_names(separable, text, names),
         name=target.name,
         title=target.title,
         system=target,
@@ -228,19 +231,21 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
         constants=tuple(
             (names[s], text(to_components(formula))) for s, formula in separable.constants
         ),
-        clock=_put(written_out(system, to_components(separable.clock)), names) * rate,
-        state=tuple((s, _put(_put(f, names), state)) for s, f in image.items()),
+        clock=_substitution(written_out(system, to_components(separable.clock)), names) * rate,
+        state=tuple((s, _substitution(_substitution(f, names), state)) for s, f in image.items()),
         fixed=(),
         laws=(),
         source=law.source,
     )
 
 
-def _renamed(separable: SeparatedSystem, text: Any, names: Formulas) -> SeparatedSystem:
-    """The curve in other names, ν and ν′ told in another state."""
+def _with_names(
+    separable: SeparatedSystem, text: Callable[[sp.Expr], sp.Expr], names: Formulas
+) -> SeparatedSystem:
+    """The curve in other names, with ν and ν′ in another state."""
 
-    def each(formulas: Iterable[Any]) -> Any:
-        return tuple(_put(sp.sympify(formula), names) for formula in formulas)
+    def each(formulas: Iterable[sp.Expr]) -> Any:
+        return tuple(_substitution(sp.sympify(formula), names) for formula in formulas)
 
     return replace(
         separable,
@@ -248,18 +253,18 @@ def _renamed(separable: SeparatedSystem, text: Any, names: Formulas) -> Separate
         turning=text(to_components(separable.turning)),
         poles=each(separable.poles),
         weights=each(separable.weights),
-        leading=_put(sp.sympify(separable.leading), names),
+        leading=_substitution(sp.sympify(separable.leading), names),
         roots=each(separable.roots),
         speeds=each(separable.speeds),
         along=None if separable.along is None else each(separable.along),
     )
 
 
-def _fresh(symbols: Iterable[sp.Symbol], system: System) -> Formulas:
+def _unused_names(symbols: Iterable[sp.Symbol], system: System) -> Formulas:
     """Names for symbols in a system that may use the same ones."""
-    taken = {p.symbol for p in system.parameters} | set(system.symbols)
-    taken |= {s for s, _ in system.steps}
-    return {s: _tilde(s) if s in taken else s for s in symbols}
+    names = {p.symbol for p in system.parameters} | set(system.symbols)
+    names |= {s for s, _ in system.steps}
+    return {s: _tilde(s) if s in names else s for s in symbols}
 
 
 def _tilde(symbol: sp.Symbol) -> sp.Symbol:
@@ -267,11 +272,11 @@ def _tilde(symbol: sp.Symbol) -> sp.Symbol:
     return real_symbol(f"{stem}tilde{bar}{index}")
 
 
-def _put(formula: Any, values: Mapping[sp.Symbol, Any]) -> Any:
+def _substitution(formula: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
     return formula.xreplace(dict(values))
 
 
-def written_out(system: System, formula: Any) -> Any:
+def written_out(system: System, formula: sp.Expr) -> sp.Expr:
     """A formula of a system with its definitions put in."""
     value = to_components(sp.sympify(formula))
     for name, meaning in reversed(system.needed([value])):

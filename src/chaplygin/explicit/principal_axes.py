@@ -1,16 +1,16 @@
-"""Bodies whose axes are not principal: solved in their principal axes, told in their own."""
+"""Bodies in axes that are not principal, solved in their principal axes."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 import sympy as sp
 from flint import acb_mat, arb, arb_mat, ctx
 
 from ..arguments import Numbers, Written, arguments_checked
+from ..core.arrays import FloatArray
 from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric, Vector
 from ..errors import InputError
@@ -19,6 +19,7 @@ from ..mechanics.rolling.equations import Rolling
 from ..mechanics.rolling.shapes import Ball
 from .base.problem import Problem, exact
 from .base.solution import ClosedForm, Solution
+from .rigorous.reconstruction import quaternion_products
 
 __all__ = ["PrincipalAxesSolution", "in_principal_axes", "to_original_axes"]
 
@@ -35,7 +36,6 @@ class PrincipalAxesSolution(Solution):
     ----------
     system : System
         Lifted to space.
-    parameters : mapping of Symbol to number
     inner : Solution
         The motion in the other axes.
     matrix : arb_mat (size, size)
@@ -43,41 +43,41 @@ class PrincipalAxesSolution(Solution):
     """
 
     system: System
-    parameters: Mapping[sp.Symbol, Any]
+    parameters: Mapping[sp.Symbol, Written]
     inner: Solution
-    matrix: Any
+    matrix: arb_mat
 
     @property
     def form(self) -> ClosedForm:
-        """That of the motion in the other axes."""
+        """The value for the motion in the other axes."""
         return self.inner.form
 
     @property
     def pace(self) -> float:
-        """That of the motion in the other axes."""
+        """The value for the motion in the other axes."""
         return self.inner.pace
 
     @property
     def left_open(self) -> str:
-        """That of the motion in the other axes."""
+        """The value for the motion in the other axes."""
         return self.inner.left_open
 
     @arguments_checked
-    def states(self, times: Numbers) -> Any:
+    def states(self, times: Numbers) -> FloatArray:
         """Lifted states at `times` (n,), as an array (n, size), in double precision."""
-        turn = np.array([[number(x) for x in row] for row in self.matrix.tolist()])
+        turn: FloatArray = np.array([[number(x) for x in row] for row in self.matrix.tolist()])
         return self.inner.states(times) @ turn.T
 
     @arguments_checked
-    def rigorous(self, time: Written, digits: int = 30) -> tuple[Any, ...]:
+    def rigorous(self, time: Written, digits: int = 30) -> tuple[arb, ...]:
         """The lifted state at one time as balls that contain the exact one."""
         with ctx.workdps(digits + 30):
             column = arb_mat([[x] for x in self.inner.rigorous(time, digits)])
             return tuple(row[0] for row in (self.matrix * column).tolist())
 
 
-def in_principal_axes(problem: Problem) -> tuple[Problem, Any] | None:
-    """A ball in other axes: those of its inertia, its axis of symmetry last if it is a rubber ball.
+def in_principal_axes(problem: Problem) -> tuple[Problem, arb_mat] | None:
+    """A ball in its principal axes; the axis of symmetry of a rubber ball is last.
 
     Returns
     -------
@@ -109,8 +109,8 @@ def in_principal_axes(problem: Problem) -> tuple[Problem, Any] | None:
         column = arb_mat([[ball(exact(x))] for x in problem.start])
         start = tuple(row[0] for row in (matrix.transpose() * column).tolist())
         turn = [[number(x) for x in row] for row in axes.tolist()]
-        made = _turned(rolling, [number(x) for x in moments], np.array(turn))
-        system = made.system(problem.system.name, problem.system.title)
+        principal = _ball_in_axes(rolling, [number(x) for x in moments], np.array(turn))
+        system = principal.system(problem.system.name, problem.system.title)
         if problem.system.motion is None:
             system = replace(system, motion=None)
         parameters = {
@@ -118,7 +118,7 @@ def in_principal_axes(problem: Problem) -> tuple[Problem, Any] | None:
             **{s: x for s, x in problem.parameters.items() if s in system.defaults},
             **dict(zip(Diagonal("I").symbols, moments, strict=True)),
         }
-        return Problem(system, parameters, start, made), matrix
+        return Problem(system, parameters, start, principal), matrix
 
 
 def _order(problem: Problem, rolling: Rolling) -> tuple[int, int, int] | None:
@@ -131,32 +131,32 @@ def _order(problem: Problem, rolling: Rolling) -> tuple[int, int, int] | None:
     return (1, 2, 0) if second == third else (2, 0, 1)
 
 
-def to_original_axes(problem: Problem, inner: Solution, matrix: Any) -> PrincipalAxesSolution:
+def to_original_axes(problem: Problem, inner: Solution, matrix: arb_mat) -> PrincipalAxesSolution:
     """A solution in principal axes as one in the axes of the problem."""
     lifted = problem.system.lifted() if problem.system.motion else problem.system
     return PrincipalAxesSolution(lifted, problem.parameters, inner, matrix)
 
 
-def _turned(rolling: Rolling, moments: Sequence[float], axes: Any) -> Rolling:
-    """The same ball, described in its principal axes."""
+def _ball_in_axes(rolling: Rolling, moments: Sequence[float], axes: FloatArray) -> Rolling:
+    """The ball, described in its principal axes."""
     body, shape = rolling.body, rolling.body.shape
     first, second, third = moments
     turned = replace(
         body,
         inertia=(first, second, third),
-        shape=replace(shape, centre=_seen(shape.centre, axes)),
-        gyrostat=_seen(body.gyrostat, axes),
+        shape=replace(shape, centre=_along_columns(shape.centre, axes)),
+        gyrostat=_along_columns(body.gyrostat, axes),
     )
     return replace(rolling, body=turned)
 
 
-def _seen(vector: Sequence[float], axes: Any) -> tuple[float, float, float]:
+def _along_columns(vector: Sequence[float], axes: FloatArray) -> tuple[float, float, float]:
     """A vector by its components along the columns of `axes`."""
     x, y, z = (float(part) for part in axes.T @ np.array(vector))
     return x, y, z
 
 
-def _axes(entries: Sequence[Any]) -> tuple[list[Any], Any]:
+def _axes(entries: Sequence[arb]) -> tuple[list[arb], arb_mat]:
     """Principal moments, increasing, and the matrix whose columns are the axes, right-handed."""
     a, b, c, d, e, f = entries
     tensor = acb_mat([[a, b, c], [b, d, e], [c, e, f]])
@@ -179,8 +179,8 @@ def _axes(entries: Sequence[Any]) -> tuple[list[Any], Any]:
     return [values[i].real for i in order], axes
 
 
-def _blocks(lifted: System, axes: Any) -> Any:
-    """What takes a lifted state in principal axes to one in the body's own axes.
+def _blocks(lifted: System, axes: arb_mat) -> arb_mat:
+    """The matrix that takes lifted states in principal axes to the body's own axes.
 
     With u = S u′ for vectors in body axes the attitude is q = q′ s̄, s the quaternion of S.
     """
@@ -198,22 +198,16 @@ def _blocks(lifted: System, axes: Any) -> Any:
     return arb_mat(matrix)
 
 
-def _quaternion(turn: Any) -> tuple[Any, Any, Any, Any]:
+def _quaternion(turn: arb_mat) -> tuple[arb, arb, arb, arb]:
     """The unit quaternion (w, x, y, z) of a rotation matrix, divided by its largest component."""
-    r = turn
-    columns = (
-        (1 + r[0, 0] + r[1, 1] + r[2, 2], r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]),
-        (r[2, 1] - r[1, 2], 1 + r[0, 0] - r[1, 1] - r[2, 2], r[1, 0] + r[0, 1], r[0, 2] + r[2, 0]),
-        (r[0, 2] - r[2, 0], r[1, 0] + r[0, 1], 1 - r[0, 0] + r[1, 1] - r[2, 2], r[2, 1] + r[1, 2]),
-        (r[1, 0] - r[0, 1], r[0, 2] + r[2, 0], r[2, 1] + r[1, 2], 1 - r[0, 0] - r[1, 1] + r[2, 2]),
-    )
+    columns = quaternion_products(turn.tolist())
     largest = max(range(QUATERNION), key=lambda i: number(columns[i][i]))
     length = sum((x * x for x in columns[largest]), arb(0)).sqrt()
     w, x, y, z = (x / length for x in columns[largest])
     return w, x, y, z
 
 
-def _times_conjugate(s: tuple[Any, Any, Any, Any]) -> Any:
+def _times_conjugate(s: tuple[arb, arb, arb, arb]) -> arb_mat:
     """The matrix of p ↦ p s̄ for quaternions (w, x, y, z)."""
     w, x, y, z = s
     return arb_mat([[w, x, y, z], [-x, w, -z, y], [-y, z, w, -x], [-z, -y, x, w]])

@@ -14,11 +14,12 @@ from fractions import Fraction
 from functools import lru_cache
 from importlib import import_module
 from itertools import permutations
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 from flint import arb, ctx, fmpq
 
+from ..arguments import Written
 from ..catalogue import entry
 from ..catalogue.entry import bruns_factor
 from ..core.isomorphism import Isomorphism
@@ -40,7 +41,7 @@ __all__ = ["RECOGNISERS", "Match", "find_match", "solution_of"]
 #: A motion in closed form, or None where it is not of this kind.
 Recogniser: TypeAlias = Callable[[Problem], Solution | None]
 #: Parameters of one system as formulas in those of another.
-Formulas: TypeAlias = Mapping[sp.Symbol, Any]
+Formulas: TypeAlias = Mapping[sp.Symbol, sp.Expr]
 
 #: Systems by the name of their separation whose bodies may have two equal moments.
 TURNING = ("veselova", "rubber-chaplygin-ball")
@@ -60,7 +61,7 @@ def solution_of(problem: Problem) -> Solution:
     NoClosedFormError
         If none is known; the message says what is.
     """
-    problem = problem.checked()
+    problem = problem.well_posed()
     if problem.rolling is None:
         problem = replace(problem, rolling=rolling_of(problem.system, problem.parameters))
     for recogniser in RECOGNISERS:
@@ -76,11 +77,10 @@ def solution_of(problem: Problem) -> Solution:
 
 @dataclass(frozen=True)
 class SeparationEntry:
-    """Where a system that separates on a curve of genus two is told of.
+    """The home of a system that separates on a curve of genus two.
 
     Attributes
     ----------
-    module, function : str
     state : str
         The vectors of its state.
     letters : str
@@ -128,10 +128,10 @@ SEPARABLE = (
 
 
 @lru_cache(maxsize=len(SEPARABLE))
-def _told(place: SeparationEntry) -> SeparatedSystem:
+def _separated_system(place: SeparationEntry) -> SeparatedSystem:
     module = import_module(f".separations.{place.module}", __package__)
-    made: SeparatedSystem = getattr(module, place.function)()
-    return made
+    separable: SeparatedSystem = getattr(module, place.function)()
+    return separable
 
 
 @dataclass(frozen=True)
@@ -140,9 +140,9 @@ class Match:
 
     Attributes
     ----------
-    known : Separable
-        As it is told of.
-    own : Separable
+    known : SeparatedSystem
+        In the symbols of its own system.
+    own : SeparatedSystem
         The same in the symbols of the problem.
     level : tuple of Condition
         What must vanish for it to hold and does not; empty where the start and the parameters
@@ -168,29 +168,29 @@ def find_match(problem: Problem) -> Match | None:
     missed: Match | None = None
     places = [place for place in SEPARABLE if place.may_be(problem)]
     for place in sorted(places, key=lambda place: not place.fits(problem)):
-        known = _told(place)
+        known = _separated_system(place)
         if len(known.system.symbols) != len(problem.system.symbols):
             continue
         for formulas in _matches(problem, known.system):
             if _agree(problem.system, numbers, known.system, formulas):
-                found = _like(problem, known, formulas, RESOLUTION)
-                if not found.level:
-                    return found
-                near = _like(problem, known, formulas, ROUNDED)
+                match = _match(problem, known, formulas, RESOLUTION)
+                if not match.level:
+                    return match
+                near = _match(problem, known, formulas, ROUNDED)
                 rounded = rounded or (None if near.level else near)
                 missed = missed or near
                 break
     return rounded or missed
 
 
-def _like(problem: Problem, known: SeparatedSystem, formulas: Formulas, part: fmpq) -> Match:
+def _match(problem: Problem, known: SeparatedSystem, formulas: Formulas, part: fmpq) -> Match:
     """The likeness of a system, whose level may be missed by a part of the terms."""
     own = in_symbols_of(known, problem.system, formulas)
     names = translation(known.system, problem.system, formulas)
     numbers = {s: sp.Rational(str(exact(x))) for s, x in problem.parameters.items()}
     state = set(problem.system.symbols)
     # what the known system has as a relation may be a condition on the start in the problem's
-    kept = {
+    own_relations = {
         sp.expand(sign * to_components(relation))
         for relation in problem.system.relations
         for sign in (1, -1)
@@ -198,7 +198,7 @@ def _like(problem: Problem, known: SeparatedSystem, formulas: Formulas, part: fm
     relations = [(r, to_components(r).xreplace(names)) for r in known.system.relations]
     conditions = [
         *zip(known.level, own.level, strict=True),
-        *(pair for pair in relations if sp.expand(pair[1]) not in kept),
+        *(pair for pair in relations if sp.expand(pair[1]) not in own_relations),
     ]
     missed, moving = [], []
     for text, formula in conditions:
@@ -216,9 +216,9 @@ def _matches(problem: Problem, target: System) -> Iterator[Formulas]:
     """Ways to read the parameters of a known system in those of a problem."""
     own = {str(symbol): symbol for symbol in problem.parameters}
     wanted = [parameter.symbol for parameter in target.parameters]
-    given = {s: own[str(s)] for s in wanted if str(s) in own} | _field(problem.rolling)
-    if len(given) >= len(wanted) and all(s in given for s in wanted):
-        yield {s: given[s] for s in wanted}
+    readings = {s: own[str(s)] for s in wanted if str(s) in own} | _field(problem.rolling)
+    if len(readings) >= len(wanted) and all(s in readings for s in wanted):
+        yield {s: readings[s] for s in wanted}
     for law in problem.system.laws:
         if isinstance(law, Isomorphism) and law.time == 1:
             text = _written_out(problem.system, law)
@@ -229,7 +229,7 @@ def _matches(problem: Problem, target: System) -> Iterator[Formulas]:
             yield dict(zip(wanted, chosen, strict=True))
 
 
-def _field(rolling: Rolling | None) -> dict[sp.Symbol, Any]:
+def _field(rolling: Rolling | None) -> dict[sp.Symbol, sp.Expr]:
     """The strength of a Bruns field that is given as a potential."""
     if rolling is None or not rolling.body.principal:
         return {}
@@ -259,37 +259,39 @@ def _agree(
     return same_field(system, values, target, there)
 
 
-def _separated(problem: Problem) -> Solution | None:
+def _separable(problem: Problem) -> Solution | None:
     from .degenerate import solved_degenerate
     from .degenerate.uniform_motion import resting
     from .genus_two.curve import DegenerateError
     from .genus_two_solution import solved
 
-    found = find_match(problem)
-    if found is None:
+    match = find_match(problem)
+    if match is None:
         return None
     values = {s: x if isinstance(x, arb) else exact(x) for s, x in problem.parameters.items()}
-    axial = _axial(problem, found, values)
-    if axial is not None or found.level:
+    axial = _axisymmetric(problem, match, values)
+    if axial is not None or match.level:
         return axial
-    # a start has fifty digits: roots that coincide differ by as little, and are told first
+    # a start has fifty digits: roots that coincide differ by as little, and are found first
     solution: Solution | None = resting(problem.system, values, problem.start)
     if solution is None:
-        solution = solved_degenerate(found.own, values, problem.start)
+        solution = solved_degenerate(match.own, values, problem.start)
     if solution is not None:
         return solution
     try:
-        return solved(found.own, values, problem.start)
+        return solved(match.own, values, problem.start)
     except DegenerateError:
         raise degenerate(problem) from None
 
 
-def _axial(problem: Problem, found: Match, values: Mapping[sp.Symbol, Any]) -> Solution | None:
+def _axisymmetric(
+    problem: Problem, match: Match, values: Mapping[sp.Symbol, Written]
+) -> Solution | None:
     """Bodies with two equal moments, and those that turn uniformly."""
     from .degenerate.exact_start import PRECISION
     from .degenerate.recognise_axisymmetric import chaplygin_of_revolution, veselova_of_revolution
 
-    own, name = found.own, found.known.name
+    own, name = match.own, match.known.name
     if problem.system.motion is None or name not in (*TURNING, *ROLLING):
         return None
     with ctx.workprec(PRECISION):
@@ -303,8 +305,12 @@ def _axial(problem: Problem, found: Match, values: Mapping[sp.Symbol, Any]) -> S
 
 
 def _principal(problem: Problem) -> Solution | None:
-    found = in_principal_axes(problem)
-    return None if found is None else to_original_axes(problem, solution_of(found[0]), found[1])
+    principal = in_principal_axes(problem)
+    return (
+        None
+        if principal is None
+        else to_original_axes(problem, solution_of(principal[0]), principal[1])
+    )
 
 
 def _revolution(problem: Problem) -> Solution | None:
@@ -324,4 +330,4 @@ def _top(problem: Problem) -> Solution | None:
     return solve_top(problem.system, problem.start, problem.parameters)
 
 
-RECOGNISERS: tuple[Recogniser, ...] = (_top, _revolution, _principal, _separated)
+RECOGNISERS: tuple[Recogniser, ...] = (_top, _revolution, _principal, _separable)

@@ -1,4 +1,4 @@
-"""What rolls on what, found again in the equations that follow from it."""
+"""Rolling bodies found again in the equations that follow from them."""
 
 from __future__ import annotations
 
@@ -6,6 +6,9 @@ from collections.abc import Iterator, Mapping
 from itertools import product
 from typing import Any
 
+import sympy as sp
+
+from ..arguments import Written
 from ..catalogue import CATALOGUE
 from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric
@@ -20,7 +23,7 @@ __all__ = ["rolling_of"]
 MODELS: tuple[ContactModel, ContactModel] = ("marble", "rubber")
 
 
-def rolling_of(system: System, values: Mapping[Any, Any]) -> Rolling | None:
+def rolling_of(system: System, values: Mapping[sp.Symbol, Written]) -> Rolling | None:
     """The rolling body of which a system holds the equations, with its numbers.
 
     Bodies of the catalogue and balls with any inertia tensor are tried; the equations that they
@@ -28,19 +31,21 @@ def rolling_of(system: System, values: Mapping[Any, Any]) -> Rolling | None:
 
     Parameters
     ----------
-    system : System
     values : mapping of Symbol to number
         Its parameters.
     """
     numbers = {str(symbol): float(value) for symbol, value in values.items()}
     for rolling in _candidates(numbers):
         try:
-            made = rolling.system()
+            system_of_body = rolling.system()
         except InputError:
             # a body and a surface that do not fit
             continue
-        own = {str(symbol): float(value) for symbol, value in made.defaults.items()}
-        formulas = (made.field, made.definitions) == (system.field, system.definitions)
+        own = {str(symbol): float(value) for symbol, value in system_of_body.defaults.items()}
+        formulas = (system_of_body.field, system_of_body.definitions) == (
+            system.field,
+            system.definitions,
+        )
         if formulas and own == numbers:
             return rolling
     return None

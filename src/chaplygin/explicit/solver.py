@@ -18,11 +18,7 @@ __all__ = ["solve"]
 
 
 @arguments_checked
-def solve(
-    system: System,
-    start: Start,
-    parameters: Parameters = None,
-) -> Solution:
+def solve(system: System, start: Start, parameters: Parameters = None) -> Solution:
     """Solve an integrable system from a start.
 
     Parameters

@@ -1,4 +1,4 @@
-"""The density in closed form: σ = Σ e_i log b_i with rational exponents, found by linear algebra.
+"""Densities in closed form: σ = Σ e_i log b_i with rational exponents.
 
 The derivatives of log b_i for known functions b_i are compared with the 1-form at points of the
 body's own numbers; what is found is a guess, which the prover decides.
@@ -10,11 +10,12 @@ import random
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations
-from typing import Any
 
 import numpy as np
 import sympy as sp
+from flint import arb
 
+from ..core.arrays import FloatArray
 from ..core.vectors import (
     Diagonal,
     Symmetric,
@@ -24,6 +25,7 @@ from ..core.vectors import (
     real_symbol,
     to_components,
 )
+from ..formulas.jets import Evaluator
 from ..formulas.number_fields import Balls, ball_precision
 from ..mechanics.rolling.contact import contact
 from ..mechanics.rolling.equations import Rolling
@@ -75,28 +77,28 @@ def _bases(rolling: Rolling) -> tuple[sp.Expr, ...]:
     body = rolling.body
     principal = body.principal
     first = I.symbols[0] if principal else Symmetric("I").symbols[0]
-    found = [*_determinant(principal)]
+    bases = [*_determinant(principal)]
     if rolling.contact == "rubber":
-        found += [*_across(rolling), first + m * dot(r, gamma) ** 2]
+        bases += [*_across(rolling), first + m * dot(r, gamma) ** 2]
     else:
-        found.append(_share(rolling))
+        bases.append(_share(rolling))
     if isinstance(body.shape, Ellipsoid) and principal and not body.shape.turn:
-        found += _of_ellipsoid()
-    return tuple(found)
+        bases += _of_ellipsoid()
+    return tuple(bases)
 
 
 def _of_ellipsoid() -> list[sp.Expr]:
     """α + m r², and (γ, (βB + δE)γ) of the line α + βI_i b_i² + δ(I_i − m b_i²) = 0."""
-    found = [I.symbols[0] - m * b[0] ** 2 + m * norm_squared(r)]
+    bases = [I.symbols[0] - m * b[0] ** 2 + m * norm_squared(r)]
     for i, j in ((0, 1), (1, 2)):
         beta, delta = (
             (I.symbols[i] - m * b[i] ** 2) - (I.symbols[j] - m * b[j] ** 2),
             I.symbols[j] * b[j] ** 2 - I.symbols[i] * b[i] ** 2,
         )
-        found.append(
+        bases.append(
             sp.Add(*((beta * s**2 + delta) * g**2 for s, g in zip(b, gamma.symbols, strict=True)))
         )
-    return found
+    return bases
 
 
 def closed_form(rolling: Rolling, form: OneForm, numbers: Sequence[sp.Expr]) -> Powers | None:
@@ -104,8 +106,6 @@ def closed_form(rolling: Rolling, form: OneForm, numbers: Sequence[sp.Expr]) -> 
 
     Parameters
     ----------
-    rolling : Rolling
-    form : OneForm
     numbers : sequence of sympy.Expr
         The level on which every parameter has its number.
     """
@@ -122,11 +122,11 @@ def closed_form(rolling: Rolling, form: OneForm, numbers: Sequence[sp.Expr]) -> 
     for size in range(1, MOST_FACTORS + 1):
         for chosen in combinations(usable, size):
             part = rows[:, chosen]
-            found = np.linalg.lstsq(part, right, rcond=None)[0]
-            if np.linalg.norm(part @ found - right) > AGREE * np.linalg.norm(right):
+            solution = np.linalg.lstsq(part, right, rcond=None)[0]
+            if np.linalg.norm(part @ solution - right) > AGREE * np.linalg.norm(right):
                 continue
-            exponents = [Fraction(float(e)).limit_denominator(DENOMINATOR) for e in found]
-            if max(abs(float(e) - x) for e, x in zip(exponents, found, strict=True)) < AGREE:
+            exponents = [Fraction(float(e)).limit_denominator(DENOMINATOR) for e in solution]
+            if max(abs(float(e) - x) for e, x in zip(exponents, solution, strict=True)) < AGREE:
                 return tuple(
                     (to_components(bases[i]), form.scale * sp.Rational(e.numerator, e.denominator))
                     for i, e in zip(chosen, exponents, strict=True)
@@ -136,7 +136,7 @@ def closed_form(rolling: Rolling, form: OneForm, numbers: Sequence[sp.Expr]) -> 
 
 def _samples(
     form: OneForm, bases: Sequence[sp.Expr], level: tuple[sp.Expr, ...]
-) -> tuple[Any, Any]:
+) -> tuple[FloatArray, FloatArray]:
     """Derivatives of log b_i, and θ/scale, along tangent vectors at some points."""
     ground = LevelSet(form.system, level)
     dice = random.Random(SEED)
@@ -181,7 +181,7 @@ def _at_point(
     return row, float((total / scale).mid())
 
 
-def _turning(partial: Any, along: Sequence[Any]) -> list[Any]:
+def _turning(partial: Evaluator, along: Sequence[arb]) -> list[arb]:
     """The change of γ along a change of the state, γ or r."""
     jets = [partial(s) for s in gamma.symbols]
     zero = along[0] * 0
@@ -194,24 +194,24 @@ def density(rolling: Rolling, powers: Powers) -> Powers:
     A marble body has the state M, γ, a rubber one ω, γ, and r for γ where its shape is given by
     an equation.
     """
-    found = list(powers)
+    factors_of_density = list(powers)
     principal = rolling.body.principal
     if rolling.contact == "rubber":
         # the momenta across γ have the determinant det Ĩ (γ, Ĩ⁻¹γ) in ω
         factors = (*_determinant(principal), *_across(rolling))
-        found += [(base, sp.S.One) for base in factors]
+        factors_of_density += [(base, sp.S.One) for base in factors]
     implicit = isinstance(rolling.body.shape, Implicit)
     plane = isinstance(rolling.surface, Plane)
     if not plane and not isinstance(rolling.body.shape, Ball):
-        found.append((real_symbol("A_a"), sp.S.One))
+        factors_of_density.append((real_symbol("A_a"), sp.S.One))
     if implicit:
-        found.append((real_symbol("ell"), sp.S.One))
+        factors_of_density.append((real_symbol("ell"), sp.S.One))
         if plane:
-            found.append((real_symbol("kappa"), sp.S.One))
+            factors_of_density.append((real_symbol("kappa"), sp.S.One))
     reach = contact(rolling.body.shape, rolling.surface).r
     written = {} if isinstance(reach, Vector) else dict(zip(r, to_components(reach), strict=True))
     total: dict[sp.Expr, sp.Expr] = {}
-    for base, exponent in found:
+    for base, exponent in factors_of_density:
         formula = to_components(base).xreplace(written)
         total[formula] = total.get(formula, sp.S.Zero) + exponent
     return tuple((base, exponent) for base, exponent in total.items() if exponent != 0)

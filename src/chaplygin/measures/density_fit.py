@@ -34,7 +34,6 @@ def density_from_powers(
 
     Parameters
     ----------
-    given : Lifted
     jacobian : Powers
         From momenta to quasi-velocities.
     level : Level
@@ -54,19 +53,19 @@ def density_from_powers(
             factors[factor] = factors.get(factor, sp.S.Zero) + power * exponent
     theta = [f.xreplace(table) for f in given.theta]
     bases = [f for f in factors if _moves(f, given)]
-    found = _exponents(given, level, theta, bases)
-    if found is None:
+    exponents = _exponents(given, level, theta, bases)
+    if exponents is None:
         for f in theta:
             below = sp.denom(sp.together(expanded(f, steps)))
             bases += [b for b, _ in _factors(below) if _moves(b, given) and b not in bases]
-        found = _exponents(given, level, theta, bases)
-    if found is None:
+        exponents = _exponents(given, level, theta, bases)
+    if exponents is None:
         return None
     total = {
         base: factors.get(base, sp.S.Zero) + exponent
-        for base, exponent in zip(bases, found, strict=True)
+        for base, exponent in zip(bases, exponents, strict=True)
     }
-    sigma = zip(bases, found, strict=True)
+    sigma = zip(bases, exponents, strict=True)
     return (
         tuple((base, exponent) for base, exponent in sigma if exponent != 0),
         tuple((base, exponent) for base, exponent in total.items() if exponent != 0),
@@ -74,14 +73,12 @@ def density_from_powers(
 
 
 def integrated(given: LiftedFields, powers: Powers, level: Level) -> tuple[System, Identity]:
-    """That σ has the derivatives θ along the admissible fields, on the configuration space.
+    """The law that σ has the derivatives θ along the admissible fields.
 
     Parameters
     ----------
-    given : Lifted
     powers : Powers
         e^σ.
-    level : Level
 
     Returns
     -------
@@ -150,15 +147,15 @@ def _exponents(
     rows: list[list[fmpq]] = []
     right: list[fmpq] = []
     dice = random.Random(SEED)
-    home = _settled(given, level)
+    home = _at_level(given, level)
     for _ in range(ATTEMPTS):
         if len(right) >= POINTS * len(theta):
             break
         try:
-            made = _rows(home, theta, bases, dice)
+            at_point = _rows(home, theta, bases, dice)
         except (NoPointError, IrrationalError, ZeroDivisionError):
             continue
-        for row, value in made:
+        for row, value in at_point:
             rows.append(row)
             right.append(value)
     if not right:
@@ -175,7 +172,7 @@ def _exponents(
     return [sp.Rational(int(x.p), int(x.q)) for x in solution]
 
 
-def _settled(given: LiftedFields, level: Level) -> Distribution:
+def _at_level(given: LiftedFields, level: Level) -> Distribution:
     """The admissible fields with the parameters that the level settles put in."""
     table = solved_parameters(level)
     return replace(
@@ -193,7 +190,7 @@ def _rows(
     free = tuple(s for s, _ in home.constants)
     space = home.space(free, (*theta, *bases))
     germs = random_point(space, Rational(), dice).germs(space, 1)
-    made = []
+    rows = []
     logs = []
     for base in bases:
         series = germs.series(base)
@@ -202,5 +199,5 @@ def _rows(
     for field, share in zip(home.frame, theta, strict=True):
         rates = [germs.series(field.get(x, sp.S.Zero)).value for x in home.coordinates]
         row = [sum((a * b for a, b in zip(rates, log, strict=True)), fmpq(0)) for log in logs]
-        made.append((row, germs.series(share).value))
-    return made
+        rows.append((row, germs.series(share).value))
+    return rows

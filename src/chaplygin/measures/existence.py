@@ -1,4 +1,4 @@
-"""Does a system keep a smooth measure whose density depends on the configuration alone? Decided.
+"""Existence of a smooth measure whose density depends on the configuration alone.
 
 On the distribution of a system with linear constraints, with admissible fields η_β, momenta p_β
 and structure functions C projected orthogonally in the kinetic energy, div(e^σ v) = 0 reads
@@ -13,7 +13,6 @@ volumes in nonholonomic mechanics*).  Potentials and gyrostats do not matter.
 from __future__ import annotations
 
 from functools import singledispatch
-from typing import Any
 
 from ..errors import InputError
 from ..mechanics.lagrangian.mechanism import Mechanism
@@ -27,7 +26,7 @@ __all__ = ["Existence", "measure_exists"]
 
 
 @singledispatch
-def measure_exists(given: Any, name: str = "", *, effort: int = EFFORT) -> Existence:
+def measure_exists(given: object, name: str = "", *, effort: int = EFFORT) -> Existence:
     """Decide whether an invariant measure exists whose density depends on the configuration alone.
 
     Parameters

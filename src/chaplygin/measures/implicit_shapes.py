@@ -62,7 +62,7 @@ def log_density_on_surface(
             moved = -(mean * tangent - shape) / gauss
             return np.array([*moved, here[:3] @ tangent])
 
-        found = [
+        roots = [
             float(
                 solve_ivp(
                     rates, (0.0, angle), [*first, 0.0], method="DOP853", rtol=rtol, atol=rtol
@@ -70,13 +70,13 @@ def log_density_on_surface(
             )
             for rtol in TOLERANCES
         ]
-        return found[1], abs(found[1] - found[0])
+        return roots[1], abs(roots[1] - roots[0])
 
     return sigma
 
 
 def _leaving(form: OneForm, direction: np.ndarray) -> np.ndarray:
-    """Where a ray from the geometric centre leaves the body."""
+    """The point at which a ray from the geometric centre leaves the body."""
     system = form.system
     numbers = {p.symbol: p.default for p in system.parameters}
     centre = np.array([numbers.get(c, 0.0) for c in Vector("c").symbols])

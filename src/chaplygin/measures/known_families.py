@@ -80,7 +80,7 @@ _SPHERICAL = "of equal principal moments of inertia (whatever its shape and cent
 
 
 def criterion(rolling: Rolling) -> str:
-    """What is proved of all bodies of this shape, contact and surface."""
+    """The theorem on all bodies of this shape, contact and surface."""
     shape, rubber = rolling.body.shape, rolling.contact == "rubber"
     plane = isinstance(rolling.surface, Plane)
     contact = f"a {rolling.contact}"

@@ -42,7 +42,6 @@ class LiftedFields:
         z.
     base, lifted : Distribution
         Spanned by η_β and by η̂_β.
-    parameters : tuple of Parameter
     """
 
     theta: tuple[sp.Expr, ...]
@@ -83,8 +82,8 @@ def lift(restriction: Restriction) -> LiftedFields:
     ]
     steps = tape.steps([*theta, *(value for field in fields for value in field.values())])
     _check_levels(restriction, fields, dict(steps))
-    taken = {str(s) for s in (*q, *mechanism.frame.w, *parameters, *(s for s, _ in steps))}
-    height = real_symbol(next(n for n in _heights() if n not in taken))
+    names = {str(s) for s in (*q, *mechanism.frame.w, *parameters, *(s for s, _ in steps))}
+    height = real_symbol(next(n for n in _heights() if n not in names))
     constants = tuple((p.symbol, p.default) for p in mechanism.parameters)
 
     def spanned(

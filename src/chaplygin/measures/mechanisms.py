@@ -32,7 +32,7 @@ PATIENCE = EFFORT // 10
 """Term operations for the proof in all variables of the motion; one in the coordinates remains."""
 
 Domain: TypeAlias = tuple[Any, ...]
-Found: TypeAlias = tuple[Level, Measure, Verdict, Domain]
+LevelMeasure: TypeAlias = tuple[Level, Measure, Verdict, Domain]
 
 
 def decide_mechanism(mechanism: Mechanism, name: str, effort: int) -> Existence:
@@ -40,7 +40,6 @@ def decide_mechanism(mechanism: Mechanism, name: str, effort: int) -> Existence:
 
     Parameters
     ----------
-    mechanism : Mechanism
     name : str
         For the reader.
     effort : int
@@ -53,23 +52,23 @@ def decide_mechanism(mechanism: Mechanism, name: str, effort: int) -> Existence:
     base = generic(lifted.base, parameters)
     if generic(lifted.lifted, parameters).final == base.final:
         return _everywhere(restriction, lifted, system, name, effort)
-    found, complete = _levels(restriction, lifted, system, len(base.growth), effort)
+    measures, complete = _levels(restriction, lifted, system, len(base.growth), effort)
     values = {p.symbol: exact_number(p.default) for p in mechanism.parameters}
-    met = [made for made in found if all(c.xreplace(values) == 0 for c in made[0])]
+    met = [measure for measure in measures if all(c.xreplace(values) == 0 for c in measure[0])]
     obstruction = None if met else _obstruction(lifted)
-    if found:
-        _, law, _, domain = (*met, *found)[0]
+    if measures:
+        _, law, _, domain = (*met, *measures)[0]
         return Existence(
             name,
             "conditional",
             density=law,
             system=system,
             domain=domain,
-            conditions=tuple(level for level, *_ in found),
+            conditions=tuple(level for level, *_ in measures),
             complete=complete,
             holds=bool(met),
             obstruction=obstruction,
-            verdicts=tuple(verdict for _, _, verdict, _ in found),
+            verdicts=tuple(verdict for _, _, verdict, _ in measures),
         )
     if obstruction is None:
         return Existence(
@@ -92,9 +91,9 @@ def _everywhere(
     restriction: Restriction, lifted: LiftedFields, system: System, name: str, effort: int
 ) -> Existence:
     """No obstruction at a generic point: the density, if it is found."""
-    made = _measure(restriction, lifted, system, (), effort)
-    if made is not None:
-        law, verdict, domain = made
+    measure = _measure(restriction, lifted, system, (), effort)
+    if measure is not None:
+        law, verdict, domain = measure
         return Existence(
             name, "exists", density=law, system=system, domain=domain, verdicts=(verdict,)
         )
@@ -108,9 +107,9 @@ def _everywhere(
 
 def _levels(
     restriction: Restriction, lifted: LiftedFields, system: System, steps: int, effort: int
-) -> tuple[list[Found], bool]:
+) -> tuple[list[LevelMeasure], bool]:
     """Levels in the parameters on which a measure is proven, and whether there are no others."""
-    proven: list[Found] = []
+    proven: list[LevelMeasure] = []
     complete = False
     try:
         volume = _volume(restriction)
@@ -121,7 +120,7 @@ def _levels(
                 (level, _measure(restriction, lifted, system, level, effort))
                 for level in solved.levels
             ]
-            proven = [(level, *made) for level, made in proofs if made is not None]
+            proven = [(level, *measure) for level, measure in proofs if measure is not None]
             complete = solved.complete and len(proven) == len(proofs)
             if complete:
                 break
@@ -159,10 +158,10 @@ def _measure(
         # the constraints that stay as relations cut out the volume of the velocities
         *((expanded(f, steps), sp.S.One) for f in restriction.nonzero),
     )
-    found = density_from_powers(lifted, jacobian, level)
-    if found is None:
+    fit = density_from_powers(lifted, jacobian, level)
+    if fit is None:
         return None
-    potential, powers = found
+    potential, powers = fit
     powers, domain = positive(powers, _signs(restriction))
     law = Measure(
         "configuration_measure",
@@ -182,7 +181,7 @@ def _measure(
 
 
 def _signs(restriction: Restriction) -> Signs:
-    """What is known of signs in a density: the kinetic form is positive."""
+    """Signs of factors of a density: the kinetic form is positive."""
     mechanism = restriction.mechanism
     return Signs(
         _positive(restriction),

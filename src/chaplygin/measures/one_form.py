@@ -16,6 +16,7 @@ provided that spinning about the normal, which moves no γ, does not change the 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -83,14 +84,14 @@ class OneForm:
     period: Identity
 
     def integrated(self, powers: Powers) -> tuple[System, Identity]:
-        """That dσ = θ for e^σ a product of powers: along every turn u of the normal.
+        """The law dσ = θ for e^σ a product of powers, along every turn u of the normal.
 
         Parameters
         ----------
         powers : Powers
             Bases with exponents, in the definitions of `system`.
         """
-        made = replace(
+        system = replace(
             self.system,
             name="turned-normal",
             field=((self.system.field[0][0], cross(gamma, turn)), (turn, zero)),
@@ -99,7 +100,7 @@ class OneForm:
         along = sp.Add(
             *(t * Rate(g) for t, g in zip(self.form.symbols, gamma.symbols, strict=True))
         )
-        return made, Identity("integrated", along - slope, "the density has the 1-form")
+        return system, Identity("integrated", along - slope, "the density has the 1-form")
 
     @property
     def conditions(self) -> tuple[Law, ...]:
@@ -141,10 +142,7 @@ def one_form(rolling: Rolling) -> OneForm:
     else:
         trace = sp.Add(*(A.entries[i, i] for i in range(3))) + share * norm_squared(lever)
         tau, wander = real_symbol("tau_A"), Vector("V_r")
-        definitions += (
-            (wander, here.spread(here.contract(r))),
-            (tau, _twist(here, inverse)),
-        )
+        definitions += ((wander, here.spread(here.contract(r))), (tau, _twist(here, inverse)))
         turned = cross(gamma, inverse(cross(gamma, wander))) + tau * cross(gamma, r)
         form = -m * (here.spread(inverse(r) - trace * r) - here.stretch(turned))
         value = dot(cross(gamma, wander), inverse(gamma)) + dot(gamma, r) * tau
@@ -177,7 +175,7 @@ def _scale(rolling: Rolling) -> sp.Expr:
     return scale
 
 
-def _twist(here: Geometry, inverse: Any) -> sp.Expr:
+def _twist(here: Geometry, inverse: Callable[[sp.MatrixExpr], sp.MatrixExpr]) -> sp.Expr:
     """τ = Σ (A e_i, V(γ×e_i)), the trace of AVγ×."""
     return sp.Add(
         *(

@@ -1,4 +1,4 @@
-"""Conditions on the parameters under which an invariant measure exists, by exact elimination.
+"""Conditions on the parameters for an invariant measure, by exact elimination.
 
 At a rational point the lifted fields and their commutators are rows of rational functions of the
 parameters.  What is left of a row when its part along the configuration space has been eliminated
@@ -10,9 +10,9 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
+from flint import fmpq_mpoly
 
 from ..formulas.tape import Derivation, Tape
 from ..formulas.taylor import Rational
@@ -43,7 +43,6 @@ class Branches:
 
     Attributes
     ----------
-    levels : tuple of Level
     complete : bool
         Whether they hold nowhere else.
     """
@@ -59,7 +58,6 @@ def branches(
 
     Parameters
     ----------
-    given : Lifted
     steps : int
         How often commutators are taken.
     positive : frozenset of Symbol
@@ -82,14 +80,14 @@ def branches(
     entries = [row.get(x, sp.S.Zero) for row in rows for x in coordinates]
     order = tape.steps(entries)
     dice = random.Random(SEED)
-    found: dict[sp.Expr, None] = {}
+    conditions: dict[sp.Expr, None] = {}
     regular: list[sp.Expr] = []
     clean = True
     name = given.lifted.name
     evaluated = [(symbol, Formulas([formula], name)) for symbol, formula in order]
     wanted = Formulas([*entries, metric], name)
 
-    def at_point() -> tuple[list[Any], Any]:
+    def at_point() -> tuple[list[Quotient], Quotient]:
         """Entries and metric at a point where all of them have values."""
         for _ in range(ATTEMPTS):
             known = {**names, **_point(given, dice, one)}
@@ -107,17 +105,17 @@ def branches(
         values, volume = at_point()
         matrix = [values[i * width : (i + 1) * width] for i in range(len(rows))]
         regular.append(as_formula(volume.above))
-        left, constant = _eliminated(matrix, coordinates.index(given.height))
-        found |= dict.fromkeys(as_formula(value.above) for value in left)
+        left, constant = _elimination(matrix, coordinates.index(given.height))
+        conditions |= dict.fromkeys(as_formula(value.above) for value in left)
         # where a denominator vanishes nothing was computed
         clean = clean and constant and all(_finite(v.below, volume, positive) for v in values)
-    levels, complete = _solved(tuple(found), positive)
-    kept = {
-        _tidied(level): None
+    levels, complete = _solutions(tuple(conditions), positive)
+    distinct = {
+        _solved_form(level): None
         for level in levels
         if all(_on(level, volume) != 0 for volume in regular)
     }
-    return Branches(tuple(kept), complete and clean)
+    return Branches(tuple(distinct), complete and clean)
 
 
 def solved_parameters(level: Level) -> dict[sp.Symbol, sp.Expr]:
@@ -139,7 +137,7 @@ def _on(level: Level, formula: sp.Expr) -> sp.Expr:
     return sp.cancel(formula.xreplace(solved_parameters(level)))
 
 
-def _tidied(level: Level) -> Level:
+def _solved_form(level: Level) -> Level:
     return tuple(s - v for s, v in solved_parameters(level).items())
 
 
@@ -148,41 +146,41 @@ def _brackets(given: LiftedFields, tape: Tape, steps: int) -> list[VectorField]:
     fields = [dict(field) for field in given.lifted.frame]
     rows, last = list(fields), list(fields)
     for _ in range(steps):
-        made = []
+        brackets = []
         for i, first in enumerate(fields):
             # of the fields themselves each pair counts once
             for second in last[i + 1 :] if last == fields else last:
-                made.append(_bracket(tape, first, second))
-        last = [field for field in made if field]
+                brackets.append(_bracket(tape, first, second))
+        last = [field for field in brackets if field]
         rows += last
     return list(rows)
 
 
 def _bracket(tape: Tape, first: VectorField, second: VectorField) -> dict[sp.Symbol, sp.Expr]:
     along_first, along_second = (Derivation(tuple(f.items())) for f in (first, second))
-    found = {}
+    components = {}
     for x in {**first, **second}:
         value = tape.along(along_first, second.get(x, sp.S.Zero))
         value = value - tape.along(along_second, first.get(x, sp.S.Zero))
         short = tape.name(tape.short(value))
         if short != 0:
-            found[x] = short
-    return found
+            components[x] = short
+    return components
 
 
-def _point(given: LiftedFields, dice: random.Random, one: Quotient) -> dict[sp.Symbol, Any]:
+def _point(given: LiftedFields, dice: random.Random, one: Quotient) -> dict[sp.Symbol, Quotient]:
     """A rational point of the configuration space, with sines and cosines, and z = 0."""
     parameters = tuple(s for s, _ in given.lifted.constants)
     place = random_point(given.lifted.space(parameters), Rational(), dice)
-    found = {x: one * place.values[x] for x in given.lifted.coordinates}
+    values = {x: one * place.values[x] for x in given.lifted.coordinates}
     for core, pair in place.circles.items():
         if core.is_Symbol:
-            found |= {s: one * v for s, v in zip(circle(core), pair, strict=True)}
-    return found
+            values |= {s: one * v for s, v in zip(circle(core), pair, strict=True)}
+    return values
 
 
-def _eliminated(matrix: list[list[Any]], height: int) -> tuple[list[Any], bool]:
-    """What is left along z, and whether all pivots were plain numbers."""
+def _elimination(matrix: list[list[Quotient]], height: int) -> tuple[list[Quotient], bool]:
+    """The remaining entries along z, and whether all pivots were plain numbers."""
     rows, constant = [list(row) for row in matrix], True
     width = len(rows[0])
     while True:
@@ -205,20 +203,20 @@ def _eliminated(matrix: list[list[Any]], height: int) -> tuple[list[Any], bool]:
                 rows[i] = [x - factor * y for x, y in zip(row, pivot, strict=True)]
 
 
-def _finite(below: Any, volume: Any, positive: frozenset[sp.Symbol]) -> bool:
+def _finite(below: fmpq_mpoly, volume: Quotient, positive: frozenset[sp.Symbol]) -> bool:
     """Whether a denominator vanishes for no parameters for which the kinetic form is definite."""
-    given = {str(factor) for factor, _ in volume.above.factor()[1]}
+    factors = {str(factor) for factor, _ in volume.above.factor()[1]}
     return all(
-        str(factor) in given or definite(as_formula(factor), positive)
+        str(factor) in factors or definite(as_formula(factor), positive)
         for factor, _ in below.factor()[1]
     )
 
 
-def _plain(value: Any) -> bool:
+def _plain(value: Quotient) -> bool:
     return bool(value.above.is_constant() and value.below.is_constant())
 
 
-def _solved(
+def _solutions(
     conditions: Sequence[sp.Expr], positive: frozenset[sp.Symbol]
 ) -> tuple[list[Level], bool]:
     """Levels on which all conditions vanish, and whether these are all."""
@@ -226,7 +224,7 @@ def _solved(
     if not conditions:
         return [()], True
     chosen = min(conditions, key=lambda c: (len(sp.Add.make_args(c)), sp.count_ops(c)))
-    found: list[Level] = []
+    levels: list[Level] = []
     complete = True
     for factor, _ in sp.factor_list(chosen)[1]:
         if definite(factor, positive):
@@ -237,11 +235,11 @@ def _solved(
             continue
         slope = sp.diff(factor, parameter)
         value = sp.cancel(-factor.xreplace({parameter: sp.S.Zero}) / slope)
-        rest = [sp.numer(sp.cancel(c.xreplace({parameter: value}))) for c in conditions]
-        inner, whole = _solved(rest, positive)
-        found += [(parameter - value, *level) for level in inner]
+        remaining = [sp.numer(sp.cancel(c.xreplace({parameter: value}))) for c in conditions]
+        inner, whole = _solutions(remaining, positive)
+        levels += [(parameter - value, *level) for level in inner]
         complete = complete and whole
-    return found, complete
+    return levels, complete
 
 
 def _linear(factor: sp.Expr, positive: frozenset[sp.Symbol]) -> sp.Symbol | None:

@@ -1,11 +1,10 @@
-"""Densities written as real positive functions: signs of their factors, and where these vanish."""
+"""Densities as real positive functions: signs and zeros of their factors."""
 
 from __future__ import annotations
 
 import random
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
 
@@ -20,7 +19,7 @@ SAMPLES = 24
 
 @dataclass(frozen=True)
 class Signs:
-    """What is known of the signs of factors.
+    """Known signs of factors.
 
     Attributes
     ----------
@@ -37,17 +36,16 @@ class Signs:
     positive: frozenset[sp.Symbol]
     relations: tuple[sp.Expr, ...] = ()
     known: tuple[sp.Expr, ...] = ()
-    numbers: tuple[tuple[sp.Symbol, Any], ...] = ()
+    numbers: tuple[tuple[sp.Symbol, float], ...] = ()
 
 
-def positive(powers: Powers, signs: Signs) -> tuple[Powers, tuple[Any, ...]]:
-    """The same density up to a constant factor, its bases positive wherever that is possible.
+def positive(powers: Powers, signs: Signs) -> tuple[Powers, tuple[sp.Basic, ...]]:
+    """The density up to a constant factor, its bases positive where possible.
 
     Parameters
     ----------
     powers : Powers
         Bases with rational exponents.
-    signs : Signs
 
     Returns
     -------
@@ -58,14 +56,14 @@ def positive(powers: Powers, signs: Signs) -> tuple[Powers, tuple[Any, ...]]:
     """
     total: dict[sp.Expr, sp.Expr] = {}
     for base, exponent in powers:
-        turned = _oriented(base, signs)
+        turned = _with_positive_sign(base, signs)
         total[turned] = total.get(turned, sp.S.Zero) + exponent
     total = _without_squares_of_sines(total)
-    found = tuple((base, exponent) for base, exponent in total.items() if exponent != 0)
-    proven = _proven([base for base, _ in found], signs)
-    return found, tuple(
+    density = tuple((base, exponent) for base, exponent in total.items() if exponent != 0)
+    proven = _positive_bases([base for base, _ in density], signs)
+    return density, tuple(
         sp.Ne(base, 0) if (exponent / 2).is_Integer else base > 0
-        for base, exponent in found
+        for base, exponent in density
         if base not in proven
     )
 
@@ -85,13 +83,13 @@ def definite(factor: sp.Expr, positive: Collection[sp.Symbol]) -> bool:
     return even and any(all(s in positive for s, _ in term) for term in named)
 
 
-def _oriented(base: sp.Expr, signs: Signs) -> sp.Expr:
+def _with_positive_sign(base: sp.Expr, signs: Signs) -> sp.Expr:
     """A base or its opposite: the one that is positive where its sign is tried first."""
     values = [v for v in (_value(base, signs, seed) for seed in range(SAMPLES)) if v]
     return sp.expand(-base) if values and max(values) < 0 else base
 
 
-def _value(base: sp.Expr, signs: Signs, seed: int) -> Any:
+def _value(base: sp.Expr, signs: Signs, seed: int) -> sp.Expr | None:
     """The sign of a base at a configuration drawn at random; None where it has no real value."""
     dice = random.Random(SEED + seed)
     symbols = base.free_symbols.union(*(r.free_symbols for r in signs.relations))
@@ -111,30 +109,30 @@ def _without_squares_of_sines(total: dict[sp.Expr, sp.Expr]) -> dict[sp.Expr, sp
 
     |sin x| is the root of (1 − cos x)(1 + cos x).
     """
-    found = dict(total)
+    powers = dict(total)
     arguments = {f.args[0] for base in total for f in base.atoms(sp.sin, sp.cos)}
     for x in sorted(arguments, key=str):
         sine, pair = sp.sin(x), (1 - sp.cos(x), 1 + sp.cos(x))
-        if not found.keys() & {sine, *pair}:
+        if not powers.keys() & {sine, *pair}:
             continue
-        half = found.pop(sine, sp.S.Zero) / 2
-        first, second = (found.pop(factor, sp.S.Zero) + half for factor in pair)
+        half = powers.pop(sine, sp.S.Zero) / 2
+        first, second = (powers.pop(factor, sp.S.Zero) + half for factor in pair)
         if first == second:
-            found[sine] = 2 * first
+            powers[sine] = 2 * first
         else:
-            found |= dict(zip(pair, (first, second), strict=True))
-    return found
+            powers |= dict(zip(pair, (first, second), strict=True))
+    return powers
 
 
-def _proven(bases: Sequence[sp.Expr], signs: Signs) -> set[sp.Expr]:
+def _positive_bases(bases: Sequence[sp.Expr], signs: Signs) -> set[sp.Expr]:
     """The bases that are positive on the whole configuration space."""
-    found = {base for base in bases if _is_positive(base, signs)}
+    proven = {base for base in bases if _is_positive(base, signs)}
     for product in signs.known:
         factors = [f.as_base_exp() for f in sp.Mul.make_args(sp.factor(product))]
         open_ = [(f, n) for f, n in factors if not f.is_number and not _is_positive(f, signs)]
         if len(open_) == 1 and open_[0][1] % 2:
-            found |= {base for base in bases if sp.expand(base - open_[0][0]) == 0}
-    return found
+            proven |= {base for base in bases if sp.expand(base - open_[0][0]) == 0}
+    return proven
 
 
 def _is_positive(base: sp.Expr, signs: Signs) -> bool:
@@ -151,8 +149,8 @@ def _is_positive(base: sp.Expr, signs: Signs) -> bool:
 def _sphere(relation: sp.Expr, signs: Signs) -> tuple[list[sp.Symbol], sp.Expr | None]:
     """The coordinates of a sphere, and the square of its radius if a relation is one."""
     own = sorted(relation.free_symbols - signs.positive, key=str)
-    rest = sp.expand(relation - sp.Add(*(s**2 for s in own)))
-    return own, (-rest if own and rest.is_number and rest < 0 else None)
+    remainder = sp.expand(relation - sp.Add(*(s**2 for s in own)))
+    return own, (-remainder if own and remainder.is_number and remainder < 0 else None)
 
 
 def _positive_on(plain: sp.Expr, relation: sp.Expr, signs: Signs) -> bool:

@@ -22,7 +22,7 @@ PIECES = 8
 def numerical_functions(
     system: System, wanted: Sequence[sp.Symbol], formulas: Sequence[sp.Expr] = ()
 ) -> Callable[[np.ndarray], np.ndarray]:
-    """Definitions, and further formulas, as functions of the state, with the default parameters."""
+    """Definitions and further formulas as functions of the state, at the defaults."""
     numbers = {p.symbol: p.default for p in system.parameters}
     names = [s for s, _ in system.steps]
     steps = [*system.steps, *((None, f) for f in formulas)]
@@ -34,14 +34,14 @@ def numerical_functions(
     def values(state: np.ndarray) -> np.ndarray:
         known, named, last = list(state), {}, []
         for symbol, function in code:
-            made = function(*known[: len(system.symbols) + len(names)])
-            known.append(made)
+            results = function(*known[: len(system.symbols) + len(names)])
+            known.append(results)
             if symbol is None:
-                last.append(made)
+                last.append(results)
             else:
-                named[symbol] = made
-        found = [*(named[s] for s in wanted), *last]
-        return np.array([np.broadcast_to(v, state.shape[1:]) for v in found])
+                named[symbol] = results
+        values = [*(named[s] for s in wanted), *last]
+        return np.array([np.broadcast_to(v, state.shape[1:]) for v in values])
 
     return values
 

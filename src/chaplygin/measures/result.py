@@ -1,8 +1,8 @@
-"""What is known of an invariant measure whose density depends on the configuration alone."""
+"""Answers on invariant measures whose density depends on the configuration alone."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
@@ -20,7 +20,7 @@ Outcome = Literal["exists", "none", "conditional", "undecided"]
 
 @dataclass(frozen=True, repr=False)
 class Existence:
-    """Whether a system keeps a smooth measure whose density depends on the configuration alone.
+    """Whether a smooth measure with a density in the configuration alone exists.
 
     Attributes
     ----------
@@ -59,7 +59,7 @@ class Existence:
     decision: Outcome
     density: Measure | None = None
     system: System | None = field(default=None, repr=False)
-    domain: tuple[Any, ...] = ()
+    domain: tuple[sp.Basic, ...] = ()
     conditions: tuple[tuple[sp.Expr, ...], ...] = ()
     complete: bool = False
     holds: bool = False
@@ -67,7 +67,9 @@ class Existence:
     criterion: str = ""
     reason: str = ""
     verdicts: tuple[Verdict, ...] = field(default=(), repr=False)
-    log_density: Callable[[Any], tuple[float, float]] | None = field(default=None, repr=False)
+    log_density: Callable[[Sequence[float]], tuple[float, float]] | None = field(
+        default=None, repr=False
+    )
 
     def __bool__(self) -> bool:
         return self.decision == "exists" or (self.decision == "conditional" and self.holds)
@@ -126,12 +128,12 @@ def _level(level: tuple[sp.Expr, ...]) -> str:
 
 def _equation(condition: sp.Expr) -> str:
     """s = n or s = t where that is what a difference says."""
-    left, rest = condition.as_independent(*condition.free_symbols, as_Add=True)[::-1]
+    left, remainder = condition.as_independent(*condition.free_symbols, as_Add=True)[::-1]
     terms = sp.Add.make_args(left)
     if len(terms) == 1 and terms[0].is_Symbol:
-        return f"{text(terms[0])} = {text(-rest)}"
+        return f"{text(terms[0])} = {text(-remainder)}"
     plain = [t for t in terms if t.is_Symbol]
-    if len(terms) == 2 and len(plain) == 1 and rest == 0:
+    if len(terms) == 2 and len(plain) == 1 and remainder == 0:
         other = condition - plain[0]
         return f"{text(plain[0])} = {text(-other)}"
     return f"{text(condition)} = 0"

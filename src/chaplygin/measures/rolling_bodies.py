@@ -36,7 +36,6 @@ def decide_body(rolling: Rolling, name: str, effort: int) -> Existence:
 
     Parameters
     ----------
-    rolling : Rolling
     name : str
         Of the system, for the reader.
     effort : int
@@ -44,9 +43,9 @@ def decide_body(rolling: Rolling, name: str, effort: int) -> Existence:
     """
     form = one_form(rolling)
     theorem = criterion(rolling)
-    tried = tuple(levels(rolling, form.system.parameters))
+    levels_tried = tuple(levels(rolling, form.system.parameters))
     # the last level fixes all numbers: what fails there fails for this body
-    numbers = tried[-1]
+    numbers = levels_tried[-1]
     for law in form.conditions:
         # points are tried before anything is proven
         verdict = prove(form.system, replace(law, on=numbers), effort=POINTS_ALONE)
@@ -58,18 +57,20 @@ def decide_body(rolling: Rolling, name: str, effort: int) -> Existence:
                 criterion=theorem,
                 verdicts=(verdict,),
             )
-    made = Existence(name, "exists", criterion=theorem)
+    existence = Existence(name, "exists", criterion=theorem)
     powers = closed_form(rolling, form, numbers)
     if powers is not None:
-        found = tuple(_integrated(form, powers, numbers, effort))
-        if all(found):
-            made = replace(made, verdicts=found)
-            return _with_density(made, rolling, powers, tried, effort)
-    for level in (numbers, *tried[:-1]):
-        found = tuple(_proofs(form, level, effort))
-        if all(found):
-            return _with_quadrature(replace(made, verdicts=found), rolling, form, level, effort)
-    return replace(made, decision="undecided", reason=found[-1].words, verdicts=found)
+        proofs = tuple(_proofs_by_quadrature(form, powers, numbers, effort))
+        if all(proofs):
+            existence = replace(existence, verdicts=proofs)
+            return _with_density(existence, rolling, powers, levels_tried, effort)
+    for level in (numbers, *levels_tried[:-1]):
+        proofs = tuple(_proofs(form, level, effort))
+        if all(proofs):
+            return _with_quadrature(
+                replace(existence, verdicts=proofs), rolling, form, level, effort
+            )
+    return replace(existence, decision="undecided", reason=proofs[-1].words, verdicts=proofs)
 
 
 def _proofs(form: OneForm, level: Level, effort: int) -> Iterator[Verdict]:
@@ -93,7 +94,9 @@ def _obstruction(verdict: Verdict, form: OneForm) -> dict[str, object]:
     return {"what": what, "point": point, "residual": witness["residual"]}
 
 
-def _integrated(form: OneForm, powers: Powers, level: Level, effort: int) -> Iterator[Verdict]:
+def _proofs_by_quadrature(
+    form: OneForm, powers: Powers, level: Level, effort: int
+) -> Iterator[Verdict]:
     """Verdicts on the spin and on dσ = θ, up to the first that is not proven."""
     laws = [(form.system, form.spin)] if form.spin is not None else []
     for system, law in (*laws, form.integrated(powers)):
@@ -104,46 +107,48 @@ def _integrated(form: OneForm, powers: Powers, level: Level, effort: int) -> Ite
 
 
 def _with_density(
-    made: Existence,
+    existence: Existence,
     rolling: Rolling,
     powers: Powers,
-    tried: tuple[Level, ...],
+    levels_tried: tuple[Level, ...],
     effort: int,
 ) -> Existence:
     """The measure as a law of the equations of motion, on the most general level proven.
 
     That dσ = θ for the numbers of the body has been proven, from which it follows for these.
     """
-    system = rolling.system(made.name)
+    system = rolling.system(existence.name)
     law = Measure(
         "configuration_measure",
         density(rolling, powers),
         meaning="density that depends on the configuration alone",
     )
-    for level in tried:
+    for level in levels_tried:
         again = replace(law, on=level)
         verdict = prove(system, again, effort=min(effort, PATIENCE))
         if verdict:
-            return replace(made, density=again, system=system, verdicts=(*made.verdicts, verdict))
-    return replace(made, density=replace(law, on=tried[-1]), system=system)
+            return replace(
+                existence, density=again, system=system, verdicts=(*existence.verdicts, verdict)
+            )
+    return replace(existence, density=replace(law, on=levels_tried[-1]), system=system)
 
 
 def _with_quadrature(
-    made: Existence, rolling: Rolling, form: OneForm, level: Level, effort: int
+    existence: Existence, rolling: Rolling, form: OneForm, level: Level, effort: int
 ) -> Existence:
     """The measure whose 1-form is closed, without a closed form of its density."""
     if isinstance(rolling.body.shape, (Disk, Torus)):
         # lying flat is outside their domain, a sphere without its poles
         turned = prove(form.system, replace(form.period, on=level), effort=effort)
-        made = replace(made, verdicts=(*made.verdicts, turned))
+        existence = replace(existence, verdicts=(*existence.verdicts, turned))
         if not turned:
             return replace(
-                made,
+                existence,
                 decision="undecided",
                 reason="the 1-form is closed; its period about body axis 3 is not known to vanish",
             )
     return replace(
-        made,
+        existence,
         reason="the 1-form is closed, and so exact on the sphere of normals",
         log_density=log_density_on_surface(form)
         if isinstance(rolling.body.shape, Implicit)

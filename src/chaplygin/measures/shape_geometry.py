@@ -1,4 +1,4 @@
-"""A convex shape by its normal: contact vector and spread, ready for the 1-form of a measure.
+"""Convex shapes by their normals: contact vector and spread, for the 1-form.
 
 Every formula of the 1-form is made of the contact vector r, of the spread W (ṙ = −Wγ̇) and, on a
 sphere of radius a, of K = (E + W/a)⁻¹, which turns γ×ω into γ̇.  This module gives them for every
@@ -38,8 +38,6 @@ class Geometry:
         γ, or r for a shape given by an equation.
     relations : tuple of sympy.Expr
         Vanish for every position.
-    parameters : tuple of Parameter
-    definitions : pairs
     r : MatrixExpr
         From the centre of mass to the contact point, body axes.
     spread, contract : callable

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TypeAlias
 
 import sympy as sp
 
@@ -19,12 +19,17 @@ from ..core.laws import (
     Symmetry,
 )
 from ..core.system import System
-from ..core.vectors import to_components
+from ..core.vectors import Vector, to_components
+from .fields.quotient_ring import Poly
+from .level.level_formulas import assumed_relations
 from .level.named_formulas import scalars
+from .level.trigonometric import expanded
 
 __all__ = ["admissible", "claim_text", "guards", "powers_text", "terms_text"]
 
-Text = dict[str, Any]
+#: A mapping of a certificate, and a polynomial as a list of its terms.
+Text: TypeAlias = dict[str, object]
+Terms: TypeAlias = list[list[object]]
 
 
 def claim_text(system: System, law: Law) -> Text:
@@ -46,35 +51,23 @@ def _system(system: System) -> Text:
 
 
 def guards(system: System) -> tuple[sp.Expr, ...]:
-    """What is positive inside the domain, apart from conditions on parameters."""
+    """The formulas that are positive in the domain, apart from those of parameters."""
     declared = [to_components(guard.value) for guard in system.guards if not guard.lift_off]
     assumed = [s for s in system.symbols if s.is_positive]
     assumed += [-s for s in system.symbols if s.is_negative]
     return (*declared, *assumed)
 
 
-def admissible(system: System) -> tuple[Any, ...]:
-    """What is asked of parameters: relations, none of which is a conjunction."""
-    found: list[Any] = []
+def admissible(system: System) -> tuple[sp.Basic, ...]:
+    """The relations that parameters obey, none of which is a conjunction."""
+    relations: list[sp.Basic] = []
     for parameter in system.parameters:
         for condition in parameter.admissible:
-            found += sp.And.make_args(sp.sympify(condition))
-        symbol = parameter.symbol
-        for known, relation in (
-            (symbol.is_positive, symbol > 0),
-            (symbol.is_negative, symbol < 0),
-            (symbol.is_nonnegative, symbol >= 0),
-            (symbol.is_nonpositive, symbol <= 0),
-            (symbol.is_nonzero, sp.Ne(symbol, 0)),
-        ):
-            # the strongest that is known says it all
-            if known and relation not in (sp.true, sp.false):
-                found.append(relation)
-                break
-    return tuple(r for r in dict.fromkeys(found) if r not in (sp.true, True))
-
-
-# --- laws ----------------------------------------------------------------------------------------
+            relations += sp.And.make_args(sp.sympify(condition))
+        assumed = [r for r in assumed_relations(parameter.symbol) if r not in (sp.true, sp.false)]
+        # the strongest says it all
+        relations += assumed[:1]
+    return tuple(r for r in dict.fromkeys(relations) if r not in (sp.true, True))
 
 
 def _law(system: System, law: Law) -> Text:
@@ -114,15 +107,12 @@ def _content(system: System, law: Law) -> Text:
     return {"quantities": _pairs(law.quantities), "value": [str(f) for f in scalars(law.value)]}
 
 
-def _there(system: System, law: Isomorphism, condition: Any) -> Any:
+def _there(system: System, law: Isomorphism, condition: sp.Expr) -> sp.Expr:
     """A condition on the image, without definitions of the source that the target has not."""
     target = law.target
     theirs = {*target.symbols, *target.defaults, *(s for s, _ in target.steps)}
     steps = {s: value for s, value in system.steps if s not in theirs}
-    formula = to_components(condition)
-    while formula.free_symbols & steps.keys():
-        formula = formula.xreplace(steps)
-    return formula
+    return expanded(to_components(condition), steps)
 
 
 def _bracket(law: PoissonStructure) -> Text:
@@ -134,22 +124,19 @@ def _bracket(law: PoissonStructure) -> Text:
     }
 
 
-def _formulas(formulas: Iterable[Any]) -> list[str]:
+def _formulas(formulas: Iterable[sp.Expr]) -> list[str]:
     return [str(to_components(formula)) for formula in formulas]
 
 
-def _pairs(pairs: Iterable[tuple[Any, Any]]) -> list[list[str]]:
-    found = []
+def _pairs(pairs: Iterable[tuple[sp.Symbol | Vector, sp.Expr]]) -> list[list[str]]:
+    texts = []
     for name, formula in pairs:
         names = (name,) if isinstance(name, sp.Symbol) else name.symbols
-        found += [[str(n), str(f)] for n, f in zip(names, scalars(formula), strict=True)]
-    return found
+        texts += [[str(n), str(f)] for n, f in zip(names, scalars(formula), strict=True)]
+    return texts
 
 
-# --- polynomials ---------------------------------------------------------------------------------
-
-
-def terms_text(poly: Any, places: Sequence[int | None]) -> list[Any]:
+def terms_text(poly: Poly, places: Sequence[int | None]) -> Terms:
     """A polynomial as a list of terms; `places` says where its generators stand in the ring."""
     return [
         [str(number), [x for i, n in enumerate(exponents) if n for x in (places[i], int(n))]]
@@ -157,6 +144,6 @@ def terms_text(poly: Any, places: Sequence[int | None]) -> list[Any]:
     ]
 
 
-def powers_text(powers: Iterable[tuple[Any, int]], places: Sequence[int | None]) -> list[Any]:
+def powers_text(powers: Iterable[tuple[Poly, int]], places: Sequence[int | None]) -> Terms:
     """A product of powers of polynomials."""
     return [[terms_text(poly, places), power] for poly, power in powers]

@@ -1,4 +1,4 @@
-"""What a law divides by and what stands under its roots, as elements of a field.
+"""Divisors and radicands of a law, as elements of a field.
 
 The check of certificates finds these formulas by itself; a certificate says of each which product
 of polynomials it is.
@@ -32,14 +32,16 @@ _Value = Callable[[Formula], tuple[str, Element]]
 
 
 def divisors(
-    claim: CheckedClaim, law: Law, ground: LevelSet, made: UnreducedField
+    claim: CheckedClaim, law: Law, level: LevelSet, field: UnreducedField
 ) -> Iterator[Divisor]:
     """All divisors and radicands of a law, apart from those that have no value in the field."""
-    settled = {str(s): parse(str(v), "a settled parameter") for s, v in ground.settled.items()}
-    found = domain(claim, settled)
-    positive = dict.fromkeys([*((where, f) for where, f, _ in found.positive), *found.logarithms])
-    places = {"own": _own(law, ground, made), "target": _target(law, ground, made)}
-    for where, formula in dict.fromkeys([*found.nonzero, *positive]):
+    settled = {str(s): parse(str(v), "a settled parameter") for s, v in level.settled.items()}
+    own_domain = domain(claim, settled)
+    positive = dict.fromkeys(
+        [*((where, f) for where, f, _ in own_domain.positive), *own_domain.logarithms]
+    )
+    places = {"own": _own(law, level, field), "target": _target(law, level, field)}
+    for where, formula in dict.fromkeys([*own_domain.nonzero, *positive]):
         seen = set()
         for place in places[where]:
             try:
@@ -52,37 +54,35 @@ def divisors(
                 yield written, where, value, (where, formula) in positive
             if (where, formula) in positive:
                 break
-    if found.gram:
-        for value in _volumes(ground, made):
+    if own_domain.gram:
+        for value in _volumes(level, field):
             yield GRAM, "own", value, False
 
 
-def _own(law: Law, ground: LevelSet, made: UnreducedField) -> list[_Value]:
+def _own(law: Law, level: LevelSet, field: UnreducedField) -> list[_Value]:
     """Values with derivatives along the motion, and without, which may be written otherwise."""
-    quantities = quantities_in_order(law, ground) if isinstance(law, Reduction | Identity) else {}
-    evaluators = (ground.along(made), ground.evaluator(made), ground.partial(made))
-    return [_value(ground, quantities, e.with_steps(quantities)) for e in evaluators]
+    quantities = quantities_in_order(law, level) if isinstance(law, Reduction | Identity) else {}
+    evaluators = (level.along(field), level.evaluator(field), level.partial(field))
+    return [_value(level, quantities, e.with_steps(quantities)) for e in evaluators]
 
 
-def _value(
-    ground: LevelSet, quantities: Mapping[sp.Symbol, sp.Expr], evaluate: Evaluator
-) -> _Value:
-    table = {**ground.named, **{str(s): s for s in quantities}}
+def _value(level: LevelSet, quantities: Mapping[sp.Symbol, sp.Expr], evaluate: Evaluator) -> _Value:
+    table = {**level.named, **{str(s): s for s in quantities}}
 
     def value(formula: Formula) -> tuple[str, Element]:
         made_of = sympy_formula(formula, table)
-        return str(made_of), evaluate.value(without_second_rates(made_of, ground, quantities))
+        return str(made_of), evaluate.value(without_second_rates(made_of, level, quantities))
 
     return value
 
 
-def _target(law: Law, ground: LevelSet, made: UnreducedField) -> list[_Value]:
+def _target(law: Law, level: LevelSet, field: UnreducedField) -> list[_Value]:
     if not isinstance(law, Isomorphism):
         return []
-    along = ground.along(made)
-    given = {s: Jet(jet.value, {}) for s, jet in target_state(law, ground, along).items()}
-    there = Evaluator(made, given.get, dict(law.target.steps))
-    table = {str(s): s for s in (*given, *(s for s, _ in law.target.steps))}
+    along = level.along(field)
+    seeds = {s: Jet(jet.value, {}) for s, jet in target_state(law, level, along).items()}
+    there = Evaluator(field, seeds.get, dict(law.target.steps))
+    table = {str(s): s for s in (*seeds, *(s for s, _ in law.target.steps))}
 
     def value(formula: Formula) -> tuple[str, Element]:
         made_of = sympy_formula(formula, table)
@@ -91,30 +91,30 @@ def _target(law: Law, ground: LevelSet, made: UnreducedField) -> list[_Value]:
     return [value]
 
 
-def _volumes(ground: LevelSet, made: UnreducedField) -> Iterator[Element]:
+def _volumes(level: LevelSet, field: UnreducedField) -> Iterator[Element]:
     """The leading minors of the Gram matrix of the conditions."""
-    partial = ground.partial(made)
-    symbols = ground.system.symbols
-    normals = [[partial.value(sp.diff(c, s)) for s in symbols] for c in ground.moving]
-    rows = [[_dot(made, a, b) for b in normals] for a in normals]
+    partial = level.partial(field)
+    symbols = level.system.symbols
+    normals = [[partial.value(sp.diff(c, s)) for s in symbols] for c in level.moving]
+    rows = [[_dot(field, a, b) for b in normals] for a in normals]
     for size in range(1, len(rows) + 1):
-        yield _determinant(made, [row[:size] for row in rows[:size]])
+        yield _determinant(field, [row[:size] for row in rows[:size]])
 
 
-def _dot(made: UnreducedField, first: Sequence[Element], second: Sequence[Element]) -> Element:
-    total = made.zero
+def _dot(field: UnreducedField, first: Sequence[Element], second: Sequence[Element]) -> Element:
+    total = field.zero
     for a, b in zip(first, second, strict=True):
         total = total + a * b
     return total
 
 
-def _determinant(made: UnreducedField, rows: Sequence[Sequence[Element]]) -> Element:
+def _determinant(field: UnreducedField, rows: Sequence[Sequence[Element]]) -> Element:
     if not rows:
-        return made.one
-    total = made.zero
+        return field.one
+    total = field.zero
     for j, entry in enumerate(rows[0]):
         minor = [[x for i, x in enumerate(row) if i != j] for row in rows[1:]]
-        part = entry * _determinant(made, minor)
+        part = entry * _determinant(field, minor)
         total = total + part if j % 2 == 0 else total - part
     return total
 
@@ -127,8 +127,8 @@ def sympy_formula(formula: Formula, table: Mapping[str, sp.Symbol]) -> sp.Expr:
     if formula.kind == "name":
         constants = {"pi": sp.pi, "E": sp.E}
         word = formula.word
-        found = table[word] if word in table else constants[word]
-        return found
+        symbol = table[word] if word in table else constants[word]
+        return symbol
     if formula.kind == "sum":
         return sp.Add(*parts)
     if formula.kind == "product":

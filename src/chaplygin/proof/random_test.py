@@ -6,17 +6,19 @@ import random
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+
+from flint import arb, fmpq
 
 from ..core.isomorphism import Isomorphism
 from ..core.laws import Law
 from ..formulas.errors import NotExactError, OutOfReachError
 from ..formulas.number_fields import Balls, Rationals
+from .fields.field import Field, FieldElement
 from .level.level_set import Draw, LevelSet
 from .level.positivity import unmet
 from .level.sample_points import broad, far, near
 from .rank import rank_defect
-from .residuals import condition_rates, residuals
+from .residuals import Residuals, condition_rates, residuals
 
 __all__ = ["Trial", "backwards", "everything", "trials"]
 
@@ -42,69 +44,66 @@ class Trial:
     """
 
     field: Rationals | Balls
-    values: Mapping[str, Any]
-    witness: tuple[str, Any] | None = None
-    lack: tuple[str, Any] | None = None
+    values: Mapping[str, fmpq | arb]
+    witness: tuple[str, FieldElement | str] | None = None
+    lack: tuple[str, str] | None = None
 
 
-def everything(law: Law, ground: LevelSet, field: Any) -> Iterator[tuple[str, Any]]:
+def everything(law: Law, level: LevelSet, field: Field) -> Residuals:
     """All residuals: of the level being invariant, and of the law."""
-    yield from condition_rates(ground, field)
-    yield from residuals(law, ground, field)
+    yield from condition_rates(level, field)
+    yield from residuals(law, level, field)
 
 
 def trials(
-    law: Law, ground: LevelSet, draws: Sequence[Draw] = (near, near, far, far, far, far)
+    law: Law, level: LevelSet, draws: Sequence[Draw] = (near, near, far, far, far, far)
 ) -> Iterator[Trial]:
     """A law at random points of the domain; fewer than asked for where there are not enough.
 
     Parameters
     ----------
-    law : Law
-    ground : Ground
+    level : LevelSet
         A component of its level.
     draws : sequence of callable
         How the free numbers of each point are drawn.
     """
     generator = random.Random(SEED)
-    compute = partial(_at, law, ground)
+    compute = partial(_trial_at, law, level)
     for draw in draws:
-        found = _first(compute, ground, generator, draw) or _first(
-            compute, ground, generator, broad
-        )
-        if found is None:
+        trial = _first(compute, level, generator, draw) or _first(compute, level, generator, broad)
+        if trial is None:
             return
-        yield found
+        yield trial
 
 
-def backwards(law: Law, ground: LevelSet) -> Trial | None:
+def backwards(law: Law, level: LevelSet) -> Trial | None:
     """A point of the domain at which the time of an isomorphism does not run forward."""
     if not isinstance(law, Isomorphism):
         return None
 
-    def at(field: Any, values: Mapping[str, Any]) -> Trial:
-        (witness, *_) = unmet(law, ground, field) or (None,)
+    def trial_at(field: Rationals | Balls, values: Mapping[str, fmpq | arb]) -> Trial:
+        (witness, *_) = unmet(law, level, field) or (None,)
         return Trial(field, values, witness)
 
-    return _first(at, ground, random.Random(SEED), near)
+    return _first(trial_at, level, random.Random(SEED), near)
 
 
 def _first(
-    compute: Callable[[Any, Mapping[str, Any]], Trial],
-    ground: LevelSet,
+    compute: Callable[[Rationals | Balls, Mapping[str, fmpq | arb]], Trial],
+    level: LevelSet,
     generator: random.Random,
     draw: Draw,
 ) -> Trial | None:
     for _ in range(ATTEMPTS):
         try:
-            values, exact = ground.point(generator, draw)
+            values, exact = level.point(generator, draw)
         except OutOfReachError:
             return None
-        if not ground.inside(values, exact):
+        if not level.inside(values, exact):
             continue
         for rational in (True, False) if exact else (False,):
             try:
-                return compute(ground.numbers(values, rational), values)
+                return compute(level.numbers(values, rational), values)
             except NotExactError:
                 continue
             except ZeroDivisionError:
@@ -112,14 +111,16 @@ def _first(
     return None
 
 
-def _at(law: Law, ground: LevelSet, field: Any, values: Mapping[str, Any]) -> Trial:
-    if unmet(law, ground, field):
+def _trial_at(
+    law: Law, level: LevelSet, field: Rationals | Balls, values: Mapping[str, fmpq | arb]
+) -> Trial:
+    if unmet(law, level, field):
         # the law makes no sense here
         raise ZeroDivisionError
-    for what, residual in everything(law, ground, field):
+    for what, residual in everything(law, level, field):
         if not field.vanishes(residual):
             return Trial(field, values, (what, residual))
     try:
-        return Trial(field, values, lack=rank_defect(law, ground, field))
+        return Trial(field, values, lack=rank_defect(law, level, field))
     except OutOfReachError as reason:
         return Trial(field, values, lack=(str(reason), "not certain"))

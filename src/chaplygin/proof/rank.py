@@ -3,16 +3,14 @@
 A map onto another system must be a local diffeomorphism, a bracket must have its rank, equations
 must determine the rates they speak of.  Evaluated at a point (exact rationals or balls) a rank that
 is attained is attained at almost every point; one that is not attained may be the fault of the
-point.  Evaluated symbolically (`Fractions`), where only what vanishes modulo the relations counts
-as zero, a rank is the one at a generic point, and what falls short of it falls short everywhere.
+point.  Evaluated symbolically (`FunctionField`), where only what vanishes modulo the relations
+counts as zero, a rank is the one at a generic point, and a shortfall is one everywhere.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import singledispatch
-from itertools import combinations
-from typing import Any
 
 import sympy as sp
 
@@ -28,47 +26,44 @@ from ..core.laws import (
 from ..core.vectors import to_components
 from ..formulas.errors import OutOfReachError
 from ..formulas.jets import Evaluator, Jet
+from .fields.field import Field, FieldElement
 from .level.alternatives import alternatives
 from .level.closedness import closing, up_to_time
 from .level.level_set import LevelSet
 from .level.named_formulas import components
 from .level.separability import of_separation
 from .level.time_derivatives import without_rates
-from .residuals import pfaffian, target_state
+from .residuals import Row, target_state
 
-__all__ = ["DIMENSION", "pfaffians", "rank", "rank_defect"]
-
-Row = Sequence[Any]
+__all__ = ["DIMENSION", "rank", "rank_defect"]
 
 DIMENSION = "the dimension of the level"
 """Lacking at a point where all conditions are independent: no hint, but certain."""
 
 
-def rank(field: Any, matrix: Sequence[Row]) -> int:
+def rank(field: Field, matrix: Sequence[Row]) -> int:
     """Rank of a matrix over a field; with balls, the rank that is certain."""
     rows = [list(row) for row in matrix]
-    found = 0
+    count = 0
     for column in range(len(rows[0]) if rows else 0):
-        candidates = [i for i in range(found, len(rows)) if not field.vanishes(rows[i][column])]
+        candidates = [i for i in range(count, len(rows)) if not field.vanishes(rows[i][column])]
         if not candidates:
             continue
-        rows[found], rows[candidates[0]] = rows[candidates[0]], rows[found]
-        head = rows[found]
-        for i in range(found + 1, len(rows)):
+        rows[count], rows[candidates[0]] = rows[candidates[0]], rows[count]
+        head = rows[count]
+        for i in range(count + 1, len(rows)):
             factor = rows[i][column] / head[column]
             rows[i] = [x - factor * y for x, y in zip(rows[i], head, strict=True)]
-        found += 1
-    return found
+        count += 1
+    return count
 
 
 @singledispatch
-def rank_defect(law: Law, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
-    """What a law lacks in rank, or None.
+def rank_defect(law: Law, level: LevelSet, field: Field) -> tuple[str, str] | None:
+    """The rank that a law lacks, or None.
 
     Parameters
     ----------
-    law : Law
-    ground : Ground
     field
         Numbers at a point: None settles the matter at almost every point of the level, a shortfall
         is a hint.  Fractions: a shortfall settles it too.
@@ -86,89 +81,69 @@ def rank_defect(law: Law, ground: LevelSet, field: Any) -> tuple[str, Any] | Non
     return None
 
 
-# --- brackets ------------------------------------------------------------------------------
-
-
-def pfaffians(law: Law, ground: LevelSet, field: Any) -> Iterator[tuple[str, Any]]:
-    """The Pfaffians of the size of the rank claimed, of a bracket or of the form that uses one.
-
-    The rank is attained where one of them is not zero; it is attained nowhere if all of them vanish
-    on the level.  A law that claims no rank, or rank zero, has none.
-    """
-    structure = law.structure if isinstance(law, ConformallyHamiltonian) else law
-    if not isinstance(structure, PoissonStructure) or not structure.rank:
-        return
-    values = _entries(structure, ground, field)
-    for rows in combinations(range(len(values)), structure.rank):
-        yield f"Pfaffian of {rows}", pfaffian(field, values, rows)
-
-
-def _entries(law: PoissonStructure, ground: LevelSet, field: Any) -> list[list[Any]]:
-    plain = ground.evaluator(field)
-    size = len(ground.system.symbols)
+def _entries(law: PoissonStructure, level: LevelSet, field: Field) -> list[list[FieldElement]]:
+    plain = level.evaluator(field)
+    size = len(level.system.symbols)
     return [
-        [plain.value(without_rates(law.matrix[i, j], ground)) for j in range(size)]
+        [plain.value(without_rates(law.matrix[i, j], level)) for j in range(size)]
         for i in range(size)
     ]
 
 
 @rank_defect.register
-def _(law: PoissonStructure, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
+def _(law: PoissonStructure, level: LevelSet, field: Field) -> tuple[str, str] | None:
     if not law.rank:
         return None
-    found = rank(field, _entries(law, ground, field))
+    found = rank(field, _entries(law, level, field))
     return _lacking("the rank of the bracket", found, law.rank, field)
 
 
 @rank_defect.register
-def _(law: ConformallyHamiltonian, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
-    multiplier = ground.evaluator(field).value(to_components(law.multiplier))
+def _(law: ConformallyHamiltonian, level: LevelSet, field: Field) -> tuple[str, str] | None:
+    multiplier = level.evaluator(field).value(to_components(law.multiplier))
     if field.vanishes(multiplier):
         if not field.exact:
             raise OutOfReachError("with balls it is not certain that the multiplier is not zero")
         return "the multiplier", "0"
-    return rank_defect(law.structure, ground, field)
-
-
-# --- isomorphisms --------------------------------------------------------------------------
+    return rank_defect(law.structure, level, field)
 
 
 @rank_defect.register
-def _(law: Isomorphism, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
+def _(law: Isomorphism, level: LevelSet, field: Field) -> tuple[str, str] | None:
     """The map must be a local diffeomorphism from the level onto the target's phase space.
 
     The level is where the conditions hold and the constants have fixed values; the phase space is
     cut out by the relations of the target and by `onto`, the constants being put in.
     """
-    partial = ground.partial(field)
-    size = len(ground.system.symbols)
+    partial = level.partial(field)
+    size = len(level.system.symbols)
 
     def rows(formulas: Sequence[sp.Expr]) -> list[Row]:
-        made = [partial(formula).slopes for formula in formulas]
-        return [[slopes.get(i, field.zero) for i in range(size)] for slopes in made if slopes]
+        slopes_of = [partial(formula).slopes for formula in formulas]
+        return [[slopes.get(i, field.zero) for i in range(size)] for slopes in slopes_of if slopes]
 
-    constants = rows(list(components(law.constants, ground).values()))
-    bounds = [*rows(ground.moving), *constants]
-    images = rows(list(components(law.map, ground).values()))
+    constants = rows(list(components(law.constants, level).values()))
+    bounds = [*rows(level.moving), *constants]
+    images = rows(list(components(law.map, level).values()))
     total = rank(field, [*bounds, *images])
     lacking = _lacking("the rank of the map with the conditions", total, size, field)
     if lacking is not None:
         return lacking
-    return _too_large(law, ground, field, size, bounds)
+    return _too_large(law, level, field, size, bounds)
 
 
 def _too_large(
-    law: Isomorphism, ground: LevelSet, field: Any, size: int, bounds: list[Row]
-) -> tuple[str, Any] | None:
+    law: Isomorphism, level: LevelSet, field: Field, size: int, bounds: list[Row]
+) -> tuple[str, str] | None:
     """Whether the target has directions that no motion of the source takes."""
     target = law.target
     number = {s: i for i, s in enumerate(target.symbols)}
-    given = {s: jet.value for s, jet in target_state(law, ground, ground.evaluator(field)).items()}
+    values = {s: jet.value for s, jet in target_state(law, level, level.evaluator(field)).items()}
 
     def seed(symbol: sp.Symbol) -> Jet | None:
-        if symbol not in given:
+        if symbol not in values:
             return None
-        return Jet(given[symbol], {number[symbol]: field.one} if symbol in number else {})
+        return Jet(values[symbol], {number[symbol]: field.one} if symbol in number else {})
 
     there = Evaluator(field, seed, dict(target.steps))
 
@@ -182,7 +157,7 @@ def _too_large(
     cut = rank(field, relations)
     if here != len(number) - cut:
         # the conditions may be products, whose differentials vanish where two factors do
-        relations = normals(_around(law, field, there))
+        relations = normals(_component_equations(law, field, there))
         cut = rank(field, relations)
     beyond = len(number) - cut
     if here == beyond:
@@ -197,7 +172,7 @@ def _too_large(
     return DIMENSION if regular else "the dimension found", f"{here} instead of {beyond}"
 
 
-def _around(law: Isomorphism, field: Any, there: Evaluator) -> tuple[sp.Expr, ...]:
+def _component_equations(law: Isomorphism, field: Field, there: Evaluator) -> tuple[sp.Expr, ...]:
     """The equations of the component of the target's phase space on which the image lies.
 
     Raises
@@ -213,15 +188,12 @@ def _around(law: Isomorphism, field: Any, there: Evaluator) -> tuple[sp.Expr, ..
     raise OutOfReachError("the component of the target to which the map leads is not known")
 
 
-# --- reductions ----------------------------------------------------------------------------
-
-
 @rank_defect.register
-def _(law: Reduction, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
+def _(law: Reduction, level: LevelSet, field: Field) -> tuple[str, str] | None:
     """The equations must determine all rates, or the ratios of two independent ones at least."""
-    stated, known, unknowns = closing(law, ground, field)
+    stated, known, unknowns = closing(law, level, field)
     wanted = unknowns
-    if up_to_time(law, ground):
+    if up_to_time(law, level):
         tied = rank(field, known)
         if not field.exact and tied < len(known):
             raise OutOfReachError("with balls it is not certain how many variables are independent")
@@ -231,16 +203,18 @@ def _(law: Reduction, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
 
 
 @rank_defect.register
-def _(law: Separation, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
+def _(law: Separation, level: LevelSet, field: Field) -> tuple[str, str] | None:
     """The quantities that separate must be independent on a level of the constants."""
-    bounds, quantities = of_separation(law, ground, field)
+    bounds, quantities = of_separation(law, level, field)
     found = rank(field, [*bounds, *quantities]) - rank(field, bounds)
     return _lacking("the number of independent quantities", found, len(quantities), field)
 
 
-def _lacking(what: str, found: int, wanted: int, field: Any) -> tuple[str, Any] | None:
-    if found >= wanted:
+def _lacking(what: str, attained: int, wanted: int, field: Field) -> tuple[str, str] | None:
+    if attained >= wanted:
         return None
     if not field.exact:
-        raise OutOfReachError(f"{what} is at least {found}, but {wanted} is not certain with balls")
-    return what, f"{found} instead of {wanted}"
+        raise OutOfReachError(
+            f"{what} is at least {attained}, but {wanted} is not certain with balls"
+        )
+    return what, f"{attained} instead of {wanted}"

@@ -1,12 +1,12 @@
-"""What to add to the verdict on a law that holds: that it says little, or how it is meant."""
+"""Remarks on laws that hold: that they say little, or how they are meant."""
 
 from __future__ import annotations
 
 from functools import singledispatch
-from typing import Any
 
 from ..core.laws import Integral, Law, Reduction, Symmetry
 from ..core.vectors import to_components
+from .fields.field import Field
 from .level.closedness import up_to_time
 from .level.level_set import LevelSet
 from .level.named_formulas import components
@@ -17,13 +17,11 @@ __all__ = ["remark"]
 
 
 @singledispatch
-def remark(law: Law, ground: LevelSet, field: Any) -> str:
+def remark(law: Law, level: LevelSet, field: Field) -> str:
     """A few words on a law that holds, or nothing.
 
     Parameters
     ----------
-    law : Law
-    ground : Ground
     field
         Numbers at a point: nothing found there settles that there is nothing to say.  Fractions
         settle the rest.
@@ -32,11 +30,11 @@ def remark(law: Law, ground: LevelSet, field: Any) -> str:
 
 
 @remark.register
-def _(law: Integral, ground: LevelSet, field: Any) -> str:
-    """Whether the function is constant: no motion is told from another by it."""
-    partial = ground.partial(field)
-    size = len(ground.system.symbols)
-    formulas = [*ground.moving, without_rates(to_components(law.value), ground)]
+def _(law: Integral, level: LevelSet, field: Field) -> str:
+    """Whether the function is constant, so that it distinguishes no motions."""
+    partial = level.partial(field)
+    size = len(level.system.symbols)
+    formulas = [*level.moving, without_rates(to_components(law.value), level)]
     slopes = [partial(formula).slopes for formula in formulas]
     rows = [[s.get(i, field.zero) for i in range(size)] for s in slopes]
     same = rank(field, rows) == rank(field, rows[:-1])
@@ -44,14 +42,14 @@ def _(law: Integral, ground: LevelSet, field: Any) -> str:
 
 
 @remark.register
-def _(law: Symmetry, ground: LevelSet, field: Any) -> str:
+def _(law: Symmetry, level: LevelSet, field: Field) -> str:
     """Whether the field is zero."""
-    evaluate = ground.evaluator(field)
-    values = [evaluate.value(formula) for formula in components(law.field, ground).values()]
+    evaluate = level.evaluator(field)
+    values = [evaluate.value(formula) for formula in components(law.field, level).values()]
     return "the zero field" if all(map(field.vanishes, values)) else ""
 
 
 @remark.register
-def _(law: Reduction, ground: LevelSet, field: Any) -> str:
+def _(law: Reduction, level: LevelSet, field: Field) -> str:
     """Whether the equations leave the time open."""
-    return "up to the time" if up_to_time(law, ground) else ""
+    return "up to the time" if up_to_time(law, level) else ""

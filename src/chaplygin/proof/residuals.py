@@ -1,4 +1,4 @@
-"""What must vanish for a law to hold, evaluated in any field.
+"""Residuals of laws, which vanish where these hold, in any field.
 
 Every function yields pairs (what, value): the law holds where all values are zero.
 """
@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from functools import singledispatch
 from itertools import combinations
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 
@@ -29,6 +29,7 @@ from ..core.vectors import to_components
 from ..errors import InputError
 from ..formulas.jets import Evaluator, Jet
 from ..printing.formula import text
+from .fields.field import Field, FieldElement
 from .level.level_set import LevelSet
 from .level.named_formulas import components, quantities_in_order, scalars
 from .level.separability import separated
@@ -36,19 +37,20 @@ from .level.time_derivatives import without_rates, without_second_rates
 
 __all__ = ["condition_rates", "pfaffian", "residuals", "target_state"]
 
-Residuals: TypeAlias = Iterator[tuple[str, Any]]
+Row: TypeAlias = Sequence[FieldElement]
+Residuals: TypeAlias = Iterator[tuple[str, FieldElement]]
 
 
 @singledispatch
-def residuals(law: Law, ground: LevelSet, field: Any) -> Residuals:
-    """What must vanish for `law` to hold on `ground`, evaluated in `field`."""
+def residuals(law: Law, level: LevelSet, field: Field) -> Residuals:
+    """The residuals of `law` on `level`, evaluated in `field`."""
     raise InputError(f"a law of kind {type(law).__name__} cannot be proved")
 
 
-def condition_rates(ground: LevelSet, field: Any) -> Residuals:
+def condition_rates(level: LevelSet, field: Field) -> Residuals:
     """Rates of the conditions: they vanish when the phase space and the level are invariant."""
-    along = ground.along(field)
-    for condition in ground.moving:
+    along = level.along(field)
+    for condition in level.moving:
         yield f"invariance of {text(condition)} = 0", along.slope(condition)
 
 
@@ -56,36 +58,36 @@ def condition_rates(ground: LevelSet, field: Any) -> Residuals:
 
 
 @residuals.register
-def _(law: Integral, ground: LevelSet, field: Any) -> Residuals:
-    yield "v(F)", ground.along(field).slope(without_rates(to_components(law.value), ground))
+def _(law: Integral, level: LevelSet, field: Field) -> Residuals:
+    yield "v(F)", level.along(field).slope(without_rates(to_components(law.value), level))
 
 
 @residuals.register
-def _(law: Identity, ground: LevelSet, field: Any) -> Residuals:
-    quantities = quantities_in_order(law, ground)
-    formulas = [without_second_rates(f, ground, quantities) for f in scalars(law.value)]
+def _(law: Identity, level: LevelSet, field: Field) -> Residuals:
+    quantities = quantities_in_order(law, level)
+    formulas = [without_second_rates(f, level, quantities) for f in scalars(law.value)]
     if not formulas:
         raise InputError(f"the law {law.name!r} states nothing: it has no formula")
     rated = any(f.has(Rate) for f in formulas)
-    evaluate = (ground.along(field) if rated else ground.evaluator(field)).with_steps(quantities)
+    evaluate = (level.along(field) if rated else level.evaluator(field)).with_steps(quantities)
     for i, formula in enumerate(formulas, 1):
         yield f"component {i}", evaluate.value(formula)
 
 
 @residuals.register
-def _(law: Reduction, ground: LevelSet, field: Any) -> Residuals:
-    quantities = quantities_in_order(law, ground)
-    evaluate = ground.along(field).with_steps(quantities)
+def _(law: Reduction, level: LevelSet, field: Field) -> Residuals:
+    quantities = quantities_in_order(law, level)
+    evaluate = level.along(field).with_steps(quantities)
     for i, equation in enumerate(law.equations, 1):
-        formula = without_second_rates(to_components(equation), ground, quantities)
+        formula = without_second_rates(to_components(equation), level, quantities)
         yield f"equation {i}", evaluate.value(formula)
 
 
 @residuals.register
-def _(law: Separation, ground: LevelSet, field: Any) -> Residuals:
-    yield from residuals.dispatch(Reduction)(law, ground, field)
-    evaluate = ground.evaluator(field).with_steps(quantities_in_order(law, ground))
-    for what, formula in separated(law, ground):
+def _(law: Separation, level: LevelSet, field: Field) -> Residuals:
+    yield from residuals.dispatch(Reduction)(law, level, field)
+    evaluate = level.evaluator(field).with_steps(quantities_in_order(law, level))
+    for what, formula in separated(law, level):
         yield what, evaluate.value(formula)
 
 
@@ -93,15 +95,15 @@ def _(law: Separation, ground: LevelSet, field: Any) -> Residuals:
 
 
 @residuals.register
-def _(law: Measure, ground: LevelSet, field: Any) -> Residuals:
-    partial = ground.partial(field)
-    rates = [partial(rate) for rate in ground.system.rates]
+def _(law: Measure, level: LevelSet, field: Field) -> Residuals:
+    partial = level.partial(field)
+    rates = [partial(rate) for rate in level.system.rates]
     total = field.zero
     for i, rate in enumerate(rates):
         total = total + _slope(field, rate, i)
     for base, exponent in law.density:
         inner, power = (
-            partial(without_rates(to_components(base), ground)),
+            partial(without_rates(to_components(base), level)),
             partial(sp.sympify(exponent)),
         )
         if power.slopes:
@@ -111,15 +113,16 @@ def _(law: Measure, ground: LevelSet, field: Any) -> Residuals:
             )
         if field.vanishes(inner.value):
             raise ZeroDivisionError
-        total = total + power.value * _along(field, inner, rates) / inner.value
-    yield "div(ρv)/ρ", total - _transverse(ground, field, partial, rates)
+        total = total + power.value * _lie_derivative(field, inner, rates) / inner.value
+    yield "div(ρv)/ρ", total - _transverse(level, field, partial, rates)
 
 
-def _slope(field: Any, jet: Jet, direction: int) -> Any:
-    return jet.slopes.get(direction, field.zero)
+def _slope(field: Field, jet: Jet, direction: int) -> FieldElement:
+    slope: FieldElement = jet.slopes.get(direction, field.zero)
+    return slope
 
 
-def _along(field: Any, jet: Jet, rates: Sequence[Jet]) -> Any:
+def _lie_derivative(field: Field, jet: Jet, rates: Sequence[Jet]) -> FieldElement:
     """Derivative of a function along a vector field, from its partial derivatives."""
     total = field.zero
     for i, slope in jet.slopes.items():
@@ -127,14 +130,16 @@ def _along(field: Any, jet: Jet, rates: Sequence[Jet]) -> Any:
     return total
 
 
-def _transverse(ground: LevelSet, field: Any, partial: Evaluator, rates: Sequence[Jet]) -> Any:
+def _transverse(
+    level: LevelSet, field: Field, partial: Evaluator, rates: Sequence[Jet]
+) -> FieldElement:
     """The part of the divergence that points out of the phase space.
 
     With v(F_i) = Σ C_ij F_j for the conditions F it is the trace of C.
     """
-    symbols = ground.system.symbols
+    symbols = level.system.symbols
     normals, drifts = [], []
-    for condition in ground.moving:
+    for condition in level.moving:
         slopes = [partial(sp.diff(condition, s)) for s in symbols]
         drift = Jet(field.zero, {})
         for slope, rate in zip(slopes, rates, strict=True):
@@ -152,14 +157,14 @@ def _transverse(ground: LevelSet, field: Any, partial: Evaluator, rates: Sequenc
     return total
 
 
-def _product(field: Any, first: Sequence[Any], second: Sequence[Any]) -> Any:
+def _product(field: Field, first: Row, second: Row) -> FieldElement:
     total = field.zero
     for a, b in zip(first, second, strict=True):
         total = total + a * b
     return total
 
 
-def _solution(field: Any, matrix: Sequence[Sequence[Any]], right: Sequence[Any]) -> list[Any]:
+def _solution(field: Field, matrix: Sequence[Row], right: Row) -> list[FieldElement]:
     """Solution of a small linear system with a Gram matrix, by Gauss and Jordan.
 
     The pivots of a Gram matrix, taken in order, are the squared distances of each vector from the
@@ -183,43 +188,46 @@ def _solution(field: Any, matrix: Sequence[Sequence[Any]], right: Sequence[Any])
 
 
 @residuals.register
-def _(law: Symmetry, ground: LevelSet, field: Any) -> Residuals:
-    partial = ground.partial(field)
-    given = components(law.field, ground)
-    symbols = ground.system.symbols
-    rates = [partial(rate) for rate in ground.system.rates]
+def _(law: Symmetry, level: LevelSet, field: Field) -> Residuals:
+    partial = level.partial(field)
+    given = components(law.field, level)
+    symbols = level.system.symbols
+    rates = [partial(rate) for rate in level.system.rates]
     if strange := set(given) - set(symbols):
         raise InputError(
             f"the law {law.name!r} gives a component along {', '.join(sorted(map(str, strange)))}, "
-            f"which is no state variable of {ground.system.name}"
+            f"which is no state variable of {level.system.name}"
         )
     push = [partial(given.get(s, sp.S.Zero)) for s in symbols]
-    for condition in ground.moving:
-        yield f"u({condition})", _along(field, partial(condition), push)
+    for condition in level.moving:
+        yield f"u({condition})", _lie_derivative(field, partial(condition), push)
     for symbol, rate, shift in zip(symbols, rates, push, strict=True):
-        yield f"[u, v] in {symbol}", _along(field, rate, push) - _along(field, shift, rates)
+        yield (
+            f"[u, v] in {symbol}",
+            _lie_derivative(field, rate, push) - _lie_derivative(field, shift, rates),
+        )
 
 
 # --- Poisson structures --------------------------------------------------------------------
 
 
 @residuals.register
-def _(law: PoissonStructure, ground: LevelSet, field: Any) -> Residuals:
-    partial = ground.partial(field)
-    size = len(ground.system.symbols)
+def _(law: PoissonStructure, level: LevelSet, field: Field) -> Residuals:
+    partial = level.partial(field)
+    size = len(level.system.symbols)
     if law.matrix.shape != (size, size):
         raise InputError(
             f"the law {law.name!r}: its matrix is {law.matrix.shape[0]}×{law.matrix.shape[1]}, "
             f"but the state has {size} variables"
         )
     entries = [
-        [partial(without_rates(law.matrix[i, j], ground)) for j in range(size)] for i in range(size)
+        [partial(without_rates(law.matrix[i, j], level)) for j in range(size)] for i in range(size)
     ]
     values = [[entry.value for entry in row] for row in entries]
     for i in range(size):
         for j in range(i, size):
             yield f"J[{i + 1},{j + 1}] + J[{j + 1},{i + 1}]", values[i][j] + values[j][i]
-    for condition in ground.moving:
+    for condition in level.moving:
         yield from _casimir(field, f"{{·, {condition}}}", partial(condition), values)
     for i, j, k in combinations(range(size), 3):
         total = field.zero
@@ -231,7 +239,7 @@ def _(law: PoissonStructure, ground: LevelSet, field: Any) -> Residuals:
         yield from _casimir(
             field,
             f"{{·, {casimir}}}",
-            partial(without_rates(to_components(casimir), ground)),
+            partial(without_rates(to_components(casimir), level)),
             values,
         )
     if law.rank is not None:
@@ -239,7 +247,7 @@ def _(law: PoissonStructure, ground: LevelSet, field: Any) -> Residuals:
             yield f"Pfaffian of {rows}", pfaffian(field, values, rows)
 
 
-def _casimir(field: Any, name: str, function: Jet, values: Sequence[Sequence[Any]]) -> Residuals:
+def _casimir(field: Field, name: str, function: Jet, values: Sequence[Row]) -> Residuals:
     for i, row in enumerate(values, 1):
         total = field.zero
         for j, slope in function.slopes.items():
@@ -247,32 +255,32 @@ def _casimir(field: Any, name: str, function: Jet, values: Sequence[Sequence[Any
         yield f"{name}, component {i}", total
 
 
-def pfaffian(field: Any, matrix: Sequence[Sequence[Any]], rows: tuple[int, ...]) -> Any:
+def pfaffian(field: Field, matrix: Sequence[Row], rows: tuple[int, ...]) -> FieldElement:
     """Pfaffian of a principal submatrix; all of one size vanish when the rank is below it."""
     if not rows:
         return field.one
-    first, *rest = rows
+    first, *others = rows
     total = field.zero
-    for position, other in enumerate(rest):
-        remaining = tuple(r for r in rest if r != other)
+    for position, other in enumerate(others):
+        remaining = tuple(r for r in others if r != other)
         part = matrix[first][other] * pfaffian(field, matrix, remaining)
         total = total + part if position % 2 == 0 else total - part
     return total
 
 
 @residuals.register
-def _(law: ConformallyHamiltonian, ground: LevelSet, field: Any) -> Residuals:
-    yield from residuals(law.structure, ground, field)
-    partial = ground.partial(field)
-    size = len(ground.system.symbols)
-    gradient = partial(without_rates(to_components(law.hamiltonian), ground)).slopes
+def _(law: ConformallyHamiltonian, level: LevelSet, field: Field) -> Residuals:
+    yield from residuals(law.structure, level, field)
+    partial = level.partial(field)
+    size = len(level.system.symbols)
+    gradient = partial(without_rates(to_components(law.hamiltonian), level)).slopes
     multiplier = partial.value(to_components(law.multiplier))
-    for i, rate in enumerate(ground.system.rates):
+    for i, rate in enumerate(level.system.rates):
         total = field.zero
         for j in range(size):
             if j in gradient:
                 total = total + partial.value(law.structure.matrix[i, j]) * gradient[j]
-        name = ground.system.symbols[i]
+        name = level.system.symbols[i]
         yield f"v − N J dH in {name}", partial.value(rate) - multiplier * total
 
 
@@ -280,13 +288,13 @@ def _(law: ConformallyHamiltonian, ground: LevelSet, field: Any) -> Residuals:
 
 
 @residuals.register
-def _(law: Isomorphism, ground: LevelSet, field: Any) -> Residuals:
-    along = ground.along(field)
+def _(law: Isomorphism, level: LevelSet, field: Field) -> Residuals:
+    along = level.along(field)
     target = law.target
-    images = components(law.map, ground)
-    for symbol, formula in components(law.constants, ground).items():
+    images = components(law.map, level)
+    for symbol, formula in components(law.constants, level).items():
         yield f"rate of {symbol}", along.slope(formula)
-    given = {s: Jet(jet.value, {}) for s, jet in target_state(law, ground, along).items()}
+    given = {s: Jet(jet.value, {}) for s, jet in target_state(law, level, along).items()}
     there = Evaluator(field, given.get, dict(target.steps))
     for relation in target.relations:
         yield f"{relation} in {target.name}", there.value(to_components(relation))
@@ -297,7 +305,7 @@ def _(law: Isomorphism, ground: LevelSet, field: Any) -> Residuals:
         yield f"rate of {symbol}", along.slope(images[symbol]) - speed * there.value(rate)
 
 
-def target_state(law: Isomorphism, ground: LevelSet, evaluate: Evaluator) -> dict[sp.Symbol, Jet]:
+def target_state(law: Isomorphism, level: LevelSet, evaluate: Evaluator) -> dict[sp.Symbol, Jet]:
     """State and parameters of the target, as this system gives them, and what `onto` needs.
 
     Raises
@@ -306,34 +314,34 @@ def target_state(law: Isomorphism, ground: LevelSet, evaluate: Evaluator) -> dic
         If the law leaves one of them open.
     """
     target = law.target
-    images, constants = components(law.map, ground), components(law.constants, ground)
+    images, constants = components(law.map, level), components(law.constants, level)
     missing = set(target.symbols) - set(images)
     if missing:
         raise InputError(
             f"the law {law.name!r} does not say what {', '.join(sorted(map(str, missing)))} of "
             f"{target.name} is"
         )
-    own = {p.symbol for p in ground.system.parameters}
+    own = {p.symbol for p in level.system.parameters}
     for parameter in target.parameters:
         symbol = parameter.symbol
         if symbol in constants:
             continue
         if symbol not in own:
-            moving = symbol in ground.system.symbols
-            but = f", but {ground.system.name} has a state variable of this name" if moving else ""
+            moving = symbol in level.system.symbols
+            but = f", but {level.system.name} has a state variable of this name" if moving else ""
             raise InputError(
                 f"the law {law.name!r} does not say what the parameter {symbol} of {target.name} "
                 f"is{but}"
             )
         constants[symbol] = symbol
     theirs = {*images, *constants, *(s for s, _ in target.steps)}
-    state = set(ground.system.symbols)
+    state = set(level.system.symbols)
     beside = {s for condition in law.onto for s in to_components(condition).free_symbols} - theirs
-    if turning := {s for s in beside if ground.expanded(s).free_symbols & state}:
+    if turning := {s for s in beside if level.expanded(s).free_symbols & state}:
         raise InputError(
             f"the law {law.name!r}: its level of {target.name} uses "
             f"{', '.join(sorted(map(str, turning)))}, which depends on the state of "
-            f"{ground.system.name}; it may use what {target.name} has, and constants"
+            f"{level.system.name}; it may use what {target.name} has, and constants"
         )
-    given = {**{s: s for s in beside}, **constants, **images}
-    return {s: evaluate(formula) for s, formula in given.items()}
+    formulas = {**{s: s for s in beside}, **constants, **images}
+    return {s: evaluate(formula) for s, formula in formulas.items()}

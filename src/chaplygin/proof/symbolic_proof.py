@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field as dataclass_field
-from typing import Any
+from typing import cast
 
 from ..core.laws import Law
 from ..formulas.errors import (
@@ -22,6 +22,7 @@ from ..formulas.errors import (
 from .fields.budget import Budget
 from .fields.formal_roots import FormalRoots
 from .fields.function_field import FunctionField
+from .fields.quotient_ring import Element
 from .level.level_set import LevelSet
 from .random_test import everything
 from .rank import rank_defect
@@ -34,7 +35,7 @@ MOST_RUNS = 48
 
 @dataclass(frozen=True)
 class Proof:
-    """What the symbolic computation came to on one component.
+    """The outcome of the symbolic computation on one component.
 
     Attributes
     ----------
@@ -51,7 +52,7 @@ class Proof:
     residuals: int
     conditions: tuple[str, ...] = ()
     failure: str = ""
-    lack: tuple[str, Any] | None = None
+    lack: tuple[str, str] | None = None
 
 
 @dataclass
@@ -66,36 +67,29 @@ class _Run:
 
 
 def proof(
-    law: Law,
-    ground: LevelSet,
-    sample: Mapping[str, float] | None,
-    budget: Budget,
-    attained: bool,
+    law: Law, level: LevelSet, sample: Mapping[str, float] | None, budget: Budget, attained: bool
 ) -> Proof:
     """The residuals of a law on a component of its level, over fractions.
 
     Parameters
     ----------
-    law : Law
-    ground : Ground
     sample : mapping of str to float, optional
         A point of the component, whose signs are tried first.
-    budget : Budget
     attained : bool
         Whether the law is known to have the rank it claims.
     """
-    first = _run(FunctionField, law, ground, sample, budget, {})
+    first = _run(FunctionField, law, level, sample, budget, {})
     if first.failure:
         return Proof(first.residuals, failure=first.failure)
     if not (attained or first.void):
         try:
-            lack = rank_defect(law, ground, first.field)
+            lack = rank_defect(law, level, first.field)
         except (OutOfReachError, NeedMoreGeneratorsError) as reason:
             return Proof(first.residuals, failure=f"{reason}")
         if lack is not None:
             return Proof(first.residuals, lack=lack)
     if first.field.decisions:
-        formal = _run(FormalRoots, law, ground, sample, budget, {})
+        formal = _run(FormalRoots, law, level, sample, budget, {})
         if formal.residuals and not formal.failure and not formal.field.decisions:
             return Proof(formal.residuals)
     proven = [] if first.void else [first]
@@ -108,15 +102,13 @@ def proof(
         if origin in failed:
             continue
         runs += 1
-        made = (
-            _run(FunctionField, law, ground, sample, budget, signs) if runs <= MOST_RUNS else None
-        )
-        if made is None or made.failure:
+        run = _run(FunctionField, law, level, sample, budget, signs) if runs <= MOST_RUNS else None
+        if run is None or run.failure:
             failed.add(origin)
             continue
-        if not made.void:
-            proven.append(made)
-        waiting += [(more, count, origin) for more, count, _ in flipped_decisions(made.field, size)]
+        if not run.void:
+            proven.append(run)
+        waiting += [(more, count, origin) for more, count, _ in flipped_decisions(run.field, size)]
     if not proven:
         return Proof(0)
     conditions = tuple(first.words[key] for key in first.words if key in failed)
@@ -139,17 +131,17 @@ def flipped_decisions(field: FunctionField, size: int) -> list[tuple[dict[str, i
 def _run(
     kind: type[FunctionField],
     law: Law,
-    ground: LevelSet,
+    level: LevelSet,
     sample: Mapping[str, float] | None,
     budget: Budget,
     signs: Mapping[str, int],
 ) -> _Run:
     spare = 8
     while True:
-        made = ground.fractions(kind, spare, sample, budget, signs)
-        run = _Run(made)
+        field = level.fractions(kind, spare, sample, budget, signs)
+        run = _Run(field)
         try:
-            run.residuals, run.failure = _reduced(law, ground, made)
+            run.residuals, run.failure = _zero_residuals(law, level, field)
         except NeedMoreGeneratorsError:
             spare *= 2
             continue
@@ -159,18 +151,18 @@ def _run(
             raise
         except OutOfReachError as reason:
             run.failure = str(reason)
-        for key, (poly, sign) in made.decisions.items():
-            run.words[key] = f"{made.shown(poly if sign > 0 else -poly)} > 0"
+        for key, (poly, sign) in field.decisions.items():
+            run.words[key] = f"{field.shown(poly if sign > 0 else -poly)} > 0"
         return run
 
 
-def _reduced(law: Law, ground: LevelSet, made: FunctionField) -> tuple[int, str]:
+def _zero_residuals(law: Law, level: LevelSet, field: FunctionField) -> tuple[int, str]:
     count = 0
-    for what, residual in everything(law, ground, made):
-        if not made.vanishes(residual):
+    for what, residual in everything(law, level, field):
+        if not field.vanishes(cast(Element, residual)):
             return count, (
                 f"{what} vanishes at the points tried, but does not reduce to zero: a "
-                f"polynomial of {len(residual.poly):,} terms remains"
+                f"polynomial of {len(cast(Element, residual).poly):,} terms remains"
             )
         count += 1
     return count, ""

@@ -1,4 +1,4 @@
-"""What a proof attempt came to."""
+"""Verdicts: the outcomes of proof attempts."""
 
 from __future__ import annotations
 

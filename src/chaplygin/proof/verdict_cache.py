@@ -1,4 +1,4 @@
-"""Verdicts kept on disk between processes, each under a digest of everything it depends on.
+"""A cache of verdicts on disk, each under a digest of all that it depends on.
 
 A verdict depends on the system, the law, the program text and the versions of the exact
 arithmetic; whatever changes one of them makes another digest, so that nothing stale is read.  A
@@ -32,7 +32,7 @@ FOR_THE_READER = frozenset({"as_printed", "meaning", "misprint", "source", "unit
 
 
 def folder() -> Path:
-    """Where verdicts are kept; the variable CHAPLYGIN_CACHE overrides the user's own place."""
+    """The folder of the verdicts; the variable CHAPLYGIN_CACHE overrides it."""
     return private_files.home() / "verdicts"
 
 
@@ -47,31 +47,31 @@ def digest(*parts: str) -> str:
 
 def fingerprint(system: System, law: Law) -> str:
     """A name for the verdict on a law of a system."""
-    return digest(_written(system), _written(law), core())
+    return digest(_text_of(system), _text_of(law), core())
 
 
-def _written(value: Any) -> str:
+def _text_of(value: object) -> str:
     """Everything that a value is made of and a proof may depend on, as text."""
     if isinstance(value, sp.Basic | sp.MatrixBase):
         return str(sp.srepr(value))
     if isinstance(value, System):
         shape = (value.field, value.definitions, value.relations, value.parameters, value.guards)
-        return f"System{_written(shape)}"
+        return f"System{_text_of(shape)}"
     if isinstance(value, Parameter):
         # meaning and unit are for the reader
-        return f"Parameter{_written((value.symbol, value.default, value.admissible))}"
+        return f"Parameter{_text_of((value.symbol, value.default, value.admissible))}"
     if isinstance(value, Guard):
-        return f"Guard{_written((value.value, value.lift_off))}"
+        return f"Guard{_text_of((value.value, value.lift_off))}"
     if isinstance(value, tuple | list):
-        return f"({', '.join(map(_written, value))})"
+        return f"({', '.join(map(_text_of, value))})"
     if isinstance(value, Law):
         parts = {name: v for name, v in vars(value).items() if name not in FOR_THE_READER}
-        return f"{type(value).__name__}{ {n: _written(v) for n, v in parts.items()} }"
+        return f"{type(value).__name__}{ {n: _text_of(v) for n, v in parts.items()} }"
     if isinstance(value, Mapping):
-        return f"{{{', '.join(sorted(f'{_written(k)}: {_written(v)}' for k, v in value.items()))}}}"
+        return f"{{{', '.join(sorted(f'{_text_of(k)}: {_text_of(v)}' for k, v in value.items()))}}}"
     if is_dataclass(value) and not isinstance(value, type):
         parts = {field.name: getattr(value, field.name) for field in fields(value)}
-        return f"{type(value).__name__}{_written(parts)}"
+        return f"{type(value).__name__}{_text_of(parts)}"
     return repr(value)
 
 
@@ -80,15 +80,14 @@ def load_verdict(name: str, effort: int | None = None) -> Verdict | None:
 
     Parameters
     ----------
-    name : str
     effort : int, optional
         Term operations allowed.  The verdict is what they lead to by themselves: one that took
         fewer, or one for which just as many were spent; whatever else is kept does not count.
     """
-    kept = _read(name)
-    if effort is None or (kept is not None and kept.effort < effort):
-        return kept
-    return _read(_limited(name, effort))
+    stored = _read(name)
+    if effort is None or (stored is not None and stored.effort < effort):
+        return stored
+    return _read(_name_at_effort(name, effort))
 
 
 def store_verdict(name: str, verdict: Verdict, effort: int | None = None) -> None:
@@ -96,19 +95,17 @@ def store_verdict(name: str, verdict: Verdict, effort: int | None = None) -> Non
 
     Parameters
     ----------
-    name : str
-    verdict : Verdict
     effort : int, optional
         Term operations that were allowed.  Where all of them were spent, the verdict is kept for
         this effort alone, since more may lead further and fewer not so far.
     """
     if effort is not None and verdict.effort >= effort:
-        name = _limited(name, effort)
+        name = _name_at_effort(name, effort)
     content = {n: v for n, v in vars(verdict).items() if n not in ("certificate", "uncertified")}
     private_files.write_private(_file(name), json.dumps(content).encode())
 
 
-def _limited(name: str, effort: int) -> str:
+def _name_at_effort(name: str, effort: int) -> str:
     """The name of what all of an effort led to."""
     return f"{name}-{effort}"
 

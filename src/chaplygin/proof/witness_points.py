@@ -1,14 +1,13 @@
-"""Points as a certificate gives them: rational numbers, roots, and formulas for what is left."""
+"""Points of certificates: rational numbers, roots and formulas."""
 
 from __future__ import annotations
 
 import contextlib
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
-from flint import fmpq
+from flint import arb, fmpq
 
 from ..check import CheckError
 from ..check.claim.claim import Claim as CheckedClaim
@@ -22,54 +21,54 @@ __all__ = ["Witness", "witness", "witness_point"]
 
 
 def witness_point(
-    claim: Claim, ground: LevelSet, values: Mapping[str, Any]
-) -> dict[str, Any] | None:
-    """State and parameters of the system that a claim is made of, or None if one has no formula.
+    claim: Claim, level: LevelSet, values: Mapping[str, fmpq | arb]
+) -> dict[str, object] | None:
+    """State and parameters of a system at a point, or None if one has no formula.
 
     Parameters
     ----------
     claim : Claim
         In the variables of the proof.
-    ground : Ground
+    level : LevelSet
         One of its components.
     values : mapping of str to number
         The generators at the point, rational where they are.
     """
     rational = Rationals({n: v for n, v in values.items() if isinstance(v, fmpq)})
-    evaluate = ground.evaluator(rational)
-    found: dict[sp.Symbol, Any] = {}
-    for symbol in ground.symbols:
+    evaluate = level.evaluator(rational)
+    coordinates: dict[sp.Symbol, object] = {}
+    for symbol in level.symbols:
         if isinstance(values.get(str(symbol)), fmpq):
-            found[symbol] = str(values[str(symbol)])
+            coordinates[symbol] = str(values[str(symbol)])
             continue
         # what hangs on numbers that are not rational has no value here
         with contextlib.suppress(KeyError, NotExactError, ZeroDivisionError):
-            found[symbol] = str(evaluate.value(symbol))
-    by_name = {str(s): s for s in ground.symbols}
-    roots = ground.roots(values)
+            coordinates[symbol] = str(evaluate.value(symbol))
+    by_name = {str(s): s for s in level.symbols}
+    roots = level.roots(values)
     for name, root in roots.items():
-        if name in by_name and by_name[name] not in found:
-            found[by_name[name]] = {"root": root}
-    for symbol in ground.symbols:
-        if symbol not in found and symbol in ground.settled:
-            found[symbol] = {"formula": str(ground.settled[symbol])}
-    if set(ground.symbols) - set(found):
+        if name in by_name and by_name[name] not in coordinates:
+            coordinates[by_name[name]] = {"root": root}
+    for symbol in level.symbols:
+        if symbol not in coordinates and symbol in level.settled:
+            coordinates[symbol] = {"formula": str(level.settled[symbol])}
+    if set(level.symbols) - set(coordinates):
         return None
-    return _original(claim, found)
+    return _original(claim, coordinates)
 
 
-def _original(claim: Claim, found: Mapping[sp.Symbol, Any]) -> dict[str, Any] | None:
+def _original(claim: Claim, coordinates: Mapping[sp.Symbol, object]) -> dict[str, object] | None:
     """The point in the variables of the system, with angles and expressed variables."""
-    made = dict(found)
+    point = dict(coordinates)
     for angle, sine, cosine, unit in claim.circles:
-        s, c = made.pop(sine), made.pop(cosine)
+        s, c = point.pop(sine), point.pop(cosine)
         if not (isinstance(s, str) and isinstance(c, str)):
             return None
-        made[angle] = {"formula": f"atan2({s}, {c})/({unit})"}
+        point[angle] = {"formula": f"atan2({s}, {c})/({unit})"}
     for symbol, formula in claim.expressed:
-        made[symbol] = {"formula": str(formula)}
+        point[symbol] = {"formula": str(formula)}
     # roots of one polynomial may be needed by another: rational numbers first
-    ordered = sorted(made.items(), key=lambda pair: not isinstance(pair[1], str))
+    ordered = sorted(point.items(), key=lambda pair: not isinstance(pair[1], str))
     return {str(symbol): value for symbol, value in ordered}
 
 
@@ -87,19 +86,19 @@ class Witness:
         That residual.
     """
 
-    place: dict[str, Any]
+    place: dict[str, object]
     index: int
     value: str
 
 
 def witness(
-    read: CheckedClaim, claim: Claim, ground: LevelSet, values: Mapping[str, Any]
+    read: CheckedClaim, claim: Claim, level: LevelSet, values: Mapping[str, fmpq | arb]
 ) -> Witness | None:
     """A point at which a law fails by the check of certificates, or None where it does not."""
-    made = witness_point(claim, ground, values)
-    if made is None:
+    point = witness_point(claim, level, values)
+    if point is None:
         return None
     try:
-        return Witness(made, *failing(read, made))
+        return Witness(point, *failing(read, point))
     except CheckError:
         return None

@@ -115,9 +115,9 @@ def _exponents(variables: int, degree: int) -> list[Exponents]:
     if variables == 0:
         return [()]
     found = [
-        (first, *rest)
+        (first, *others)
         for first in range(degree, -1, -1)
-        for rest in _exponents(variables - 1, degree - first)
+        for others in _exponents(variables - 1, degree - first)
     ]
     return sorted(found, key=sum)
 
@@ -127,10 +127,7 @@ def rates_of_products(
 ) -> tuple[Integers, Integers]:
     """Values and rates of all products of two families, each with leading axes of its own."""
     (value, rate), (other, change) = left, right
-    return (
-        value * other % prime(),
-        (value * change % prime() + rate * other) % prime(),
-    )
+    return (value * other % prime(), (value * change % prime() + rate * other) % prime())
 
 
 def _monomials(
@@ -141,12 +138,12 @@ def _monomials(
     factors = [(jet.value, sample.along(jet)) for jet in jets]
     points = len(sample.field[0])
     one = np.ones(points, dtype=np.int64)
-    found = {exponents[0]: (one, np.zeros_like(one))}
+    monomials = {exponents[0]: (one, np.zeros_like(one))}
     for powers in exponents[1:]:
         index = next(i for i, e in enumerate(powers) if e)
         below = (*powers[:index], powers[index] - 1, *powers[index + 1 :])
-        found[powers] = rates_of_products(found[below], factors[index])
-    value, rate = (np.array([found[e][i] for e in exponents]) for i in (0, 1))
+        monomials[powers] = rates_of_products(monomials[below], factors[index])
+    value, rate = (np.array([monomials[e][i] for e in exponents]) for i in (0, 1))
     return exponents, value, rate
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -30,9 +29,9 @@ def natural_divisors(vocabulary: VectorInvariants) -> tuple[sp.Expr, ...]:
 
 def natural_bases(vocabulary: VectorInvariants) -> tuple[sp.Expr, ...]:
     """Functions of whose powers densities are often made: the divisors, and single variables."""
-    symbols = vocabulary.stage.system.symbols
-    named = {n for n, _ in vocabulary.stage.system.definitions if isinstance(n, sp.Symbol)}
-    singles = [s for s in symbols if s in vocabulary.stage.system.state]
+    symbols = vocabulary.space.system.symbols
+    named = {n for n, _ in vocabulary.space.system.definitions if isinstance(n, sp.Symbol)}
+    singles = [s for s in symbols if s in vocabulary.space.system.state]
     singles += [s for s in sorted(named, key=str) if s in vocabulary.table]
     everything = (*_candidates(vocabulary), *vocabulary.ansatz.coordinates, *singles)
     return tuple(_distinct(vocabulary, everything, set(symbols)))
@@ -45,10 +44,10 @@ def _places(vocabulary: VectorInvariants) -> set[sp.Symbol]:
 def _distinct(
     vocabulary: VectorInvariants, candidates: Iterable[sp.Expr], allowed: set[sp.Symbol]
 ) -> Iterator[sp.Expr]:
-    """Those that vary, depend on what is allowed alone, and are not proportional to another."""
-    stage = vocabulary.stage
-    sample = stage.sample(_POINTS, 7, common=True)
-    others = [i for i, s in enumerate(stage.system.symbols) if s not in allowed]
+    """Formulas that vary, use allowed symbols alone, and are not proportional."""
+    space = vocabulary.space
+    sample = space.sample(_POINTS, 7, common=True)
+    others = [i for i, s in enumerate(space.system.symbols) if s not in allowed]
     seen: list[Integers] = []
     for formula in candidates:
         jet = sample(formula)
@@ -70,12 +69,12 @@ def _candidates(vocabulary: VectorInvariants) -> Iterator[sp.Expr]:
             if tensor is not None:
                 for vector in vocabulary.coordinates:
                     yield dot(vector, tensor * vector)
-    system = vocabulary.stage.system
+    system = vocabulary.space.system
     for _, formula in (*system.field, *system.definitions):
         yield from _denominators(formula)
 
 
-def _denominators(formula: Any) -> Iterator[sp.Expr]:
+def _denominators(formula: sp.Basic) -> Iterator[sp.Expr]:
     for node in sp.preorder_traversal(formula):
         if isinstance(node, (Inverse, MatPow)):
             tensor = node.args[0]

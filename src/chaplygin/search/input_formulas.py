@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping
-from typing import Any
 
 import sympy as sp
 
@@ -32,7 +31,7 @@ _PLAIN = str.maketrans(
 
 
 def spelt(text: str) -> str:
-    """The same text with Greek letters, indices and powers as they are spelt in code."""
+    """The text with Greek letters, indices and powers as they are spelt in code."""
     words = []
     for character in text.translate(_PLAIN):
         name = unicodedata.name(character, "")
@@ -45,15 +44,15 @@ def spelt(text: str) -> str:
     return "".join(words)
 
 
-def _named(system: System) -> dict[str, Any]:
+def _tensors_by_name(system: System) -> dict[str, Vector | Diagonal | Symmetric]:
     """Vectors and tensors by name."""
-    found: dict[str, Any] = {}
+    tensors: dict[str, Vector | Diagonal | Symmetric] = {}
     for name, value in (*system.field, *system.definitions):
         if not isinstance(name, sp.Symbol):
-            found[name.name] = name
+            tensors[name.name] = name
         for atom in value.atoms(Vector, Diagonal, Symmetric):
-            found.setdefault(atom.name, atom)
-    return found
+            tensors.setdefault(atom.name, atom)
+    return tensors
 
 
 def _scalars(system: System) -> dict[str, sp.Symbol]:
@@ -65,7 +64,9 @@ def _scalars(system: System) -> dict[str, sp.Symbol]:
     return {str(s): s for s in symbols}
 
 
-def _operand(words: Iterable[str], named: Mapping[str, Any], where: str) -> Any:
+def _operand(
+    words: Iterable[str], named: Mapping[str, Vector | Diagonal | Symmetric], where: str
+) -> sp.MatrixExpr:
     """Tensors applied to a vector, such as ``J gamma``."""
     *tensors, last = words
     for word in (*tensors, last):
@@ -82,13 +83,13 @@ def _operand(words: Iterable[str], named: Mapping[str, Any], where: str) -> Any:
 
 
 def _read(text: str, system: System, names: Mapping[str, sp.Symbol], where: str) -> sp.Expr:
-    named = _named(system)
+    named = _tensors_by_name(system)
     products: dict[str, sp.Expr] = {}
     prefix = "product"
     while any(name.startswith(prefix) for name in names):
         prefix += "_"
 
-    def replaced(match: re.Match[str]) -> str:
+    def product_symbol(match: re.Match[str]) -> str:
         if match["e"] is not None:
             if not isinstance(named.get(match["e"]), Vector):
                 return match[0]
@@ -100,13 +101,13 @@ def _read(text: str, system: System, names: Mapping[str, sp.Symbol], where: str)
         products[symbol] = dot(left, right)
         return f" {symbol} "
 
-    plain = _PRODUCT.sub(replaced, spelt(text))
+    plain = _PRODUCT.sub(product_symbol, spelt(text))
     left, _, right = plain.partition("=")
     known = {**names, **{name: sp.Symbol(name, real=True) for name in products}}
-    made = parse(left, known, where)
+    expression = parse(left, known, where)
     if right.strip():
-        made = made - parse(right, known, where)
-    return made.xreplace({known[name]: value for name, value in products.items()})
+        expression = expression - parse(right, known, where)
+    return expression.xreplace({known[name]: value for name, value in products.items()})
 
 
 def formula(text: str, system: System, where: str = "") -> sp.Expr:
@@ -116,7 +117,6 @@ def formula(text: str, system: System, where: str = "") -> sp.Expr:
     ----------
     text : str
         Such as ``"M·γ"``, ``"(γ, J γ)"``, ``"M²"`` or ``"gamma_3 = 1/2"``.
-    system : System
     where : str
         Put before the message of an error.
 
@@ -140,10 +140,10 @@ def condition(text: str, system: System, where: str = "") -> sp.Expr:
     for symbol, value in system.steps:
         if value.free_symbols <= fixed:
             fixed.add(symbol)
-    made = _read(text, system, {str(s): s for s in sorted(fixed, key=str)}, where)
-    if not made.free_symbols & fixed:
+    expression = _read(text, system, {str(s): s for s in sorted(fixed, key=str)}, where)
+    if not expression.free_symbols & fixed:
         raise InputError(f"{text!r} is no condition: it mentions no parameter", where)
-    return made
+    return expression
 
 
 def quantities(names: str, system: System, where: str = "") -> tuple[sp.Expr, ...]:
@@ -153,7 +153,6 @@ def quantities(names: str, system: System, where: str = "") -> tuple[sp.Expr, ..
     ----------
     names : str
         Such as ``"M, gamma_3"`` or ``"x, log(x)"``.
-    system : System
     where : str
         Put before the message of an error.
 
@@ -162,17 +161,17 @@ def quantities(names: str, system: System, where: str = "") -> tuple[sp.Expr, ..
     InputError
         If a name is unknown, or what is no name is no formula.
     """
-    scalars, named = _scalars(system), _named(system)
+    scalars, named = _scalars(system), _tensors_by_name(system)
     vectors = {name: v for name, v in named.items() if isinstance(v, Vector)}
-    found: list[sp.Expr] = []
+    scalars_asked: list[sp.Expr] = []
     for name in filter(None, (part.strip() for part in _COMMA.split(spelt(names)))):
         if name in vectors:
-            found += vectors[name].symbols
+            scalars_asked += vectors[name].symbols
         elif name in scalars:
-            found.append(scalars[name])
+            scalars_asked.append(scalars[name])
         elif not re.fullmatch(_WORD, name, re.ASCII):
-            found.append(formula(name, system, where))
+            scalars_asked.append(formula(name, system, where))
         else:
             allowed = [*vectors, *(s for s in scalars if s.rpartition("_")[0] not in named)]
             raise InputError(f"unknown variable {name!r}{nearest(name, allowed)}", where)
-    return tuple(dict.fromkeys(found))
+    return tuple(dict.fromkeys(scalars_asked))

@@ -37,11 +37,6 @@ def integrals(question: Question, progress: Progress = silent) -> Iterator[Searc
     An integral that is a polynomial in earlier ones and functions of the parameters is not
     repeated.  Each comes with the verdict of the prover.
 
-    Parameters
-    ----------
-    question : Question
-    progress : callable
-
     Raises
     ------
     InputError
@@ -59,9 +54,9 @@ def integrals(question: Question, progress: Progress = silent) -> Iterator[Searc
             for divisor, exponent in _divisions(question)
             for family in families
         ]
-    for number, (words, found) in enumerate(steps):
+    for number, (words, results) in enumerate(steps):
         progress(number / len(steps), words)
-        yield from found
+        yield from results
         if search.full:
             yield SearchResult(
                 "integral",
@@ -91,7 +86,7 @@ class _Shell:
 
 
 @dataclass
-class _Known:
+class _KnownIntegrals:
     """Integrals found so far, by their values at the points of the common sample."""
 
     values: list[tuple[int, Integers]] = field(default_factory=list)
@@ -101,17 +96,17 @@ class _Known:
 
         Integrals of the coordinates alone occur in powers up to `gamma_degree`.
         """
-        found = [(0, 0, np.ones(points, dtype=np.int64))]
+        products = [(0, 0, np.ones(points, dtype=np.int64))]
         for own, value in self.values:
-            row = list(found)
+            row = list(products)
             while row:
                 row = [
                     (total + own, places + (own == 0), product * value % prime())
                     for total, places, product in row
                     if total + own <= degree and places + (own == 0) <= gamma_degree
                 ]
-                found += row
-        return np.array([value for *_, value in found])
+                products += row
+        return np.array([value for *_, value in products])
 
 
 class _Search:
@@ -119,16 +114,16 @@ class _Search:
 
     def __init__(self, question: Question) -> None:
         self.question = question
-        self.stage = question.stage
+        self.space = question.stage
         self.points = max(a.size for a in (question.ansatz, *question.also)) + _RESERVE
         self.full = False
-        self.sample = self.stage.sample(self.points, _SEED, common=True)
+        self.sample = self.space.sample(self.points, _SEED, common=True)
         self.tables: dict[Ansatz, Table] = {}
-        self.kept: dict[tuple[Ansatz, int], list[int]] = {}
-        self.known = _Known()
+        self.independent_monomials: dict[tuple[Ansatz, int], list[int]] = {}
+        self.known = _KnownIntegrals()
         self.formulas: list[sp.Expr] = []
-        self.weights: dict[sp.Symbol, Weight] = weights(self.stage)
-        self.vocabulary = VectorInvariants(self.stage, question.ansatz, self.weights)
+        self.weights: dict[sp.Symbol, Weight] = weights(self.space)
+        self.vocabulary = VectorInvariants(self.space, question.ansatz, self.weights)
 
     # --- one shell -------------------------------------------------------------------------
 
@@ -136,26 +131,26 @@ class _Search:
         """Integrals that are simple vector formulas, whether or not they are polynomials."""
         plain = _Shell(self.question.ansatz, degree, sp.S.One, 0)
         for size in range(min(_SIMPLE, self.question.parameter_degree) + 1):
-            for law in self._accepted(self._vectorial(plain, size, _FEW), degree):
+            for law in self._new_laws(self._vectorial(plain, size, _FEW), degree):
                 yield self._finding(law, degree)
 
     def findings(self, shell: _Shell) -> Iterator[SearchResult]:
         """Integrals of one shell that do not follow from those found before."""
         exponents, value, rate = self._monomials(shell)
-        over, change = _divided(self.sample, shell)
+        over, change = _divisor_power(self.sample, shell)
         few = len(value) + _SPARE
         kernel = nullspace((rate - value * change)[:, :few].T % prime())
-        found = product(kernel, value) * over % prime()
-        if not self._fresh(found, shell.degree):
+        candidates = product(kernel, value) * over % prime()
+        if not self._fresh(candidates, shell.degree):
             return
-        for law in self._covariant(shell, found):
+        for law in self._covariant(shell, candidates):
             yield self._finding(law, shell.degree)
-        fresh = self._fresh(found, shell.degree)
-        for law in self._componentwise(shell, [kernel[i] for i in fresh], exponents, found):
+        fresh = self._fresh(candidates, shell.degree)
+        for law in self._componentwise(shell, [kernel[i] for i in fresh], exponents, candidates):
             yield self._finding(law, shell.degree)
-        left = self._fresh(found, shell.degree)
+        left = self._fresh(candidates, shell.degree)
         if left:
-            self.known.values += [(shell.degree, found[i]) for i in left]
+            self.known.values += [(shell.degree, candidates[i]) for i in left]
             yield SearchResult(
                 "integral",
                 None,
@@ -166,40 +161,44 @@ class _Search:
 
     def _monomials(self, shell: _Shell) -> tuple[list[Exponents], Integers, Integers]:
         """Monomials of a shell that are independent on the phase space."""
-        made = self.tables.get(shell.ansatz)
-        if made is None:
-            made = self.tables[shell.ansatz] = table(shell.ansatz, self.sample)
-        kept = self.kept.get((shell.ansatz, shell.degree))
-        if kept is None:
+        monomials = self.tables.get(shell.ansatz)
+        if monomials is None:
+            monomials = self.tables[shell.ansatz] = table(shell.ansatz, self.sample)
+        independent = self.independent_monomials.get((shell.ansatz, shell.degree))
+        if independent is None:
             momenta = len(shell.ansatz.momenta)
-            low = [i for i, e in enumerate(made.exponents) if sum(e[:momenta]) <= shell.degree]
+            low = [i for i, e in enumerate(monomials.exponents) if sum(e[:momenta]) <= shell.degree]
             few = len(low) + _SPARE
-            kept = [low[i] for i in independent_columns(made.value[low, :few].T)]
-            self.kept[shell.ansatz, shell.degree] = kept
-        return [made.exponents[i] for i in kept], made.value[kept], made.rate[kept]
+            independent = [low[i] for i in independent_columns(monomials.value[low, :few].T)]
+            self.independent_monomials[shell.ansatz, shell.degree] = independent
+        return (
+            [monomials.exponents[i] for i in independent],
+            monomials.value[independent],
+            monomials.rate[independent],
+        )
 
     def _products(self, degree: int) -> Integers:
         return self.known.products(degree, self.question.ansatz.gamma_degree, self.points)
 
-    def _fresh(self, found: Integers, degree: int) -> list[int]:
+    def _fresh(self, functions: Integers, degree: int) -> list[int]:
         """Which functions do not depend linearly on products of known integrals."""
         products = self._products(degree)
-        self.full = self.full or len(products) + len(found) + _SPARE > self.points
-        if self.full or not len(found):
+        self.full = self.full or len(products) + len(functions) + _SPARE > self.points
+        if self.full or not len(functions):
             return []
-        stacked = np.concatenate([products, found])
+        stacked = np.concatenate([products, functions])
         first, few = len(products), len(stacked) + _SPARE
         return [i - first for i in independent_columns(stacked[:, :few].T) if i >= first]
 
     # --- formulas --------------------------------------------------------------------------
 
-    def _covariant(self, shell: _Shell, found: Integers) -> Iterator[sp.Expr]:
+    def _covariant(self, shell: _Shell, functions: Integers) -> Iterator[sp.Expr]:
         """Vector formulas, of increasing degree in the parameters, while something is missing."""
         plain = replace(shell, divisor=sp.S.One, exponent=0)
         for size in range(self.question.parameter_degree + 1):
             for way in dict.fromkeys((plain, shell)):
-                yield from self._accepted(self._vectorial(way, size, _MANY), shell.degree)
-                if not self._fresh(found, shell.degree):
+                yield from self._new_laws(self._vectorial(way, size, _MANY), shell.degree)
+                if not self._fresh(functions, shell.degree):
                     return
 
     def _vectorial(self, shell: _Shell, size: int, most: int) -> list[sp.Expr]:
@@ -210,18 +209,18 @@ class _Search:
             shell.ansatz.gamma_degree,
             most // comb(len(scalars.formulas) + size, size),
         )
-        return self._lifted(parts, scalars, size, shell)
+        return self._laws_over_parameters(parts, scalars, size, shell)
 
     def _componentwise(
         self,
         shell: _Shell,
         kernel: Sequence[Integers],
         exponents: Sequence[Exponents],
-        found: Integers,
+        functions: Integers,
     ) -> Iterator[sp.Expr]:
         """Formulas in components, on the monomials that occur."""
         symbols = (*shell.ansatz.momenta, *shell.ansatz.coordinates)
-        scalars = component_scalars(self.stage, self.weights)
+        scalars = component_scalars(self.space, self.weights)
         for vector in kernel:
             parts = []
             for entry, powers in zip(vector, exponents, strict=True):
@@ -230,15 +229,15 @@ class _Search:
                     weight = weight_of(symbols, powers, self.weights)
                     parts.append(Part(formula, weight, sum(powers)))
             for size in range(self.question.parameter_degree + 1):
-                before = len(self._fresh(found, shell.degree))
+                before = len(self._fresh(functions, shell.degree))
                 if len(parts) * comb(len(scalars.formulas) + size, size) > _MANY:
                     break
-                laws = self._lifted(parts, scalars, size, shell)
-                yield from self._accepted(laws, shell.degree)
-                if len(self._fresh(found, shell.degree)) < before:
+                laws = self._laws_over_parameters(parts, scalars, size, shell)
+                yield from self._new_laws(laws, shell.degree)
+                if len(self._fresh(functions, shell.degree)) < before:
                     break
 
-    def _lifted(
+    def _laws_over_parameters(
         self, parts: Sequence[Part], scalars: Scalars, size: int, shell: _Shell
     ) -> list[sp.Expr]:
         """Integrals with coefficients of one degree in the parameters, the simplest first."""
@@ -246,19 +245,19 @@ class _Search:
             return []
 
         def draw(points: int) -> Draw:
-            sample = self.stage.sample(points, _SEED + 1, common=False)
+            sample = self.space.sample(points, _SEED + 1, common=False)
             jets = [sample(part.formula) for part in parts]
             value = np.array([jet.value for jet in jets])[:, None]
             rate = np.array([sample.along(jet) for jet in jets])[:, None]
-            _, change = _divided(sample, shell)
+            _, change = _divisor_power(sample, shell)
             return Draw(value, (rate - value * change) % prime(), sample.table(scalars.formulas))
 
         divisor = shell.divisor**shell.exponent
-        found = reconstructed_laws(parts, scalars, size, draw)
-        return [_formula(solution, parts, scalars) / divisor for solution in found]
+        solutions = reconstructed_laws(parts, scalars, size, draw)
+        return [_formula(solution, parts, scalars) / divisor for solution in solutions]
 
-    def _accepted(self, laws: Sequence[sp.Expr], degree: int) -> Iterator[sp.Expr]:
-        """Those that are new, and take note of them."""
+    def _new_laws(self, laws: Sequence[sp.Expr], degree: int) -> Iterator[sp.Expr]:
+        """The laws that are new; from now on they are known."""
         waiting = [(law, self.sample(law).value) for law in laws]
         while fresh := self._fresh(np.array([value for _, value in waiting]), degree):
             (law, value), *waiting = (waiting[i] for i in fresh)
@@ -271,7 +270,7 @@ class _Search:
 
     def _independent(self, law: sp.Expr) -> bool:
         """Whether the gradient of a law does not depend on those of earlier ones."""
-        formulas = [*self.stage.relations, *self.formulas, law]
+        formulas = [*self.space.relations, *self.formulas, law]
         gradients = np.array([self.sample(f).slope[:, 0] for f in formulas])
         return rank(gradients) > rank(gradients[:-1])
 
@@ -279,16 +278,16 @@ class _Search:
 
     def _finding(self, formula: sp.Expr, degree: int) -> SearchResult:
         name = f"F_{len(self.formulas)}"
-        law = Integral(name, formula, on=self.stage.on)
-        verdict = prove(self.stage.system, law, effort=self.question.effort)
-        return SearchResult("integral", law, verdict, known=self._recognised(formula, degree))
+        law = Integral(name, formula, on=self.space.on)
+        verdict = prove(self.space.system, law, effort=self.question.effort)
+        return SearchResult("integral", law, verdict, known=self._catalogue_name(formula, degree))
 
-    def _recognised(self, formula: sp.Expr, degree: int) -> str:
+    def _catalogue_name(self, formula: sp.Expr, degree: int) -> str:
         """The law of the catalogue that a formula repeats, up to earlier integrals."""
         products = self._products(max(degree, 2))
         value = self.sample(formula).value
         others = [row for row in products if (row != value).any()]
-        for law in self.stage.system.integrals:
+        for law in self.space.system.integrals:
             try:
                 text = self.sample(law.value)
             except InputError:
@@ -296,13 +295,13 @@ class _Search:
                 continue
             if self.sample.along(text).any():
                 continue
-            found = combination(np.array([*others, value]).T, text.value)
-            if found is not None and found[-1]:
+            coefficients = combination(np.array([*others, value]).T, text.value)
+            if coefficients is not None and coefficients[-1]:
                 return f"{law.name}, {law.source}" if law.source else law.name
         return ""
 
 
-def _divided(sample: Sample, shell: _Shell) -> tuple[Integers, Integers]:
+def _divisor_power(sample: Sample, shell: _Shell) -> tuple[Integers, Integers]:
     """Q⁻ˢ and the logarithmic rate of Qˢ at the points of a sample."""
     jet = sample(shell.divisor)
     below = inverse(jet.value)

@@ -39,19 +39,14 @@ def measures(question: Question, progress: Progress = silent) -> Iterator[Search
     The simplest are tried first; the search ends with the first number of factors for which
     there is one.
 
-    Parameters
-    ----------
-    question : Question
-    progress : callable
-
     Raises
     ------
     InputError
         If the field is not algebraic.
     """
-    stage = question.stage
-    samples = [stage.sample(_POINTS, _SEED + i, common=True) for i in range(_SETS)]
-    targets = [-_divergence(stage, sample) % prime() for sample in samples]
+    space = question.stage
+    samples = [space.sample(_POINTS, _SEED + i, common=True) for i in range(_SETS)]
+    targets = [-_divergence(space, sample) % prime() for sample in samples]
     if not any(target.any() for target in targets):
         yield _finding(question, ())
         return
@@ -73,17 +68,17 @@ def measures(question: Question, progress: Progress = silent) -> Iterator[Search
         solved = [r for r in residues if r is not None]
         if len(solved) < len(residues):
             continue
-        exponents = [_exponent(stage, samples, [r[i] for r in solved]) for i in range(len(chosen))]
+        exponents = [_exponent(space, samples, [r[i] for r in solved]) for i in range(len(chosen))]
         bases = [question.bases[i] for i in chosen]
         found_size = len(chosen)
         if any(e is None for e in exponents):
-            yield _unwritten(bases)
+            yield _without_formula(bases)
         else:
             yield _finding(question, tuple(zip(bases, exponents, strict=True)))
     progress(1.0, "")
 
 
-def _unwritten(bases: Sequence[sp.Expr]) -> SearchResult:
+def _without_formula(bases: Sequence[sp.Expr]) -> SearchResult:
     shown = " and ".join(map(str, bases))
     return SearchResult(
         "measure",
@@ -94,18 +89,18 @@ def _unwritten(bases: Sequence[sp.Expr]) -> SearchResult:
 
 
 def _finding(question: Question, density: tuple[tuple[sp.Expr, sp.Expr], ...]) -> SearchResult:
-    stage = question.stage
-    law = Measure("density", density, on=stage.on)
-    verdict = prove(stage.system, law, effort=question.effort)
-    return SearchResult("measure", law, verdict, known=_recognised(stage, law))
+    space = question.stage
+    law = Measure("density", density, on=space.on)
+    verdict = prove(space.system, law, effort=question.effort)
+    return SearchResult("measure", law, verdict, known=_catalogue_name(space, law))
 
 
-def _recognised(stage: SearchSpace, law: Measure) -> str:
+def _catalogue_name(space: SearchSpace, law: Measure) -> str:
     """The measure of the catalogue whose density has the same logarithmic rate."""
-    sample = stage.sample(_POINTS, _SEED + _SETS, common=False)
-    target = _divergence(stage, sample)
-    for other in stage.system.laws:
-        if isinstance(other, Measure) and not set(other.on) - set(stage.on):
+    sample = space.sample(_POINTS, _SEED + _SETS, common=False)
+    target = _divergence(space, sample)
+    for other in space.system.laws:
+        if isinstance(other, Measure) and not set(other.on) - set(space.on):
             total = target
             try:
                 for base, exponent in other.density:
@@ -124,7 +119,7 @@ def _logarithmic(sample: Sample, base: sp.Expr) -> Integers:
     return sample.along(jet) * inverse(jet.value) % prime()
 
 
-def _divergence(stage: SearchSpace, sample: Sample) -> Integers:
+def _divergence(space: SearchSpace, sample: Sample) -> Integers:
     """div v for the volume on the phase space, at the points of a sample.
 
     On the phase space v(Rᵢ) = Σ Cᵢⱼ Rⱼ; cutting out the volume takes the trace of C away.
@@ -132,12 +127,12 @@ def _divergence(stage: SearchSpace, sample: Sample) -> Integers:
     total = np.zeros_like(sample.field[0])
     for index, rate in enumerate(sample.rates):
         total = (total + rate.slope[index]) % prime()
-    relations = [relation for relation, _ in stage.order]
-    rates = [sample(_rate(stage, relation)).slope for relation in relations]
+    relations = [relation for relation, _ in space.order]
+    rates = [sample(_rate(space, relation)).slope for relation in relations]
     if not any(rate.any() for rate in rates):
         return total
-    symbols = stage.system.symbols
-    columns = [symbols.index(variable) for _, variable in stage.order]
+    symbols = space.system.symbols
+    columns = [symbols.index(variable) for _, variable in space.order]
     slopes = [sample(relation).slope for relation in relations]
     for point in range(len(total)):
         h = [[int(rate[c, point]) for c in columns] for rate in rates]
@@ -148,9 +143,9 @@ def _divergence(stage: SearchSpace, sample: Sample) -> Integers:
     return total
 
 
-def _rate(stage: SearchSpace, relation: sp.Expr) -> sp.Expr:
+def _rate(space: SearchSpace, relation: sp.Expr) -> sp.Expr:
     """v(R) as a formula, definitions inside R written out."""
-    system = stage.system
+    system = space.system
     formula = to_components(relation)
     for symbol, value in reversed(system.needed([formula])):
         formula = formula.xreplace({symbol: value})
@@ -159,11 +154,8 @@ def _rate(stage: SearchSpace, relation: sp.Expr) -> sp.Expr:
     )
 
 
-# --- exponents -----------------------------------------------------------------------------
-
-
 def _exponent(
-    stage: SearchSpace, samples: Sequence[Sample], residues: Sequence[int]
+    space: SearchSpace, samples: Sequence[Sample], residues: Sequence[int]
 ) -> sp.Expr | None:
     """The number, or simple function of the parameters, with these residues at the samples.
 
@@ -172,7 +164,7 @@ def _exponent(
     first = rational(residues[0], prime())
     if first is not None and all(rational(r, prime()) == first for r in residues):
         return sp.Rational(first.numerator, first.denominator)
-    numbers = [s for s in (*stage.constants, *stage.free) if s not in stage.system.symbols]
+    numbers = [s for s in (*space.constants, *space.free) if s not in space.system.symbols]
     candidates = [s / t for s, t in product((sp.S.One, *numbers), (sp.S.One, *numbers)) if s != t]
     for candidate in sorted(candidates, key=lambda c: (sp.count_ops(c), -len(str(c)))):
         at = [int(sample(candidate).value[0]) for sample in samples]

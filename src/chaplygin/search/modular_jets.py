@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -123,7 +123,7 @@ def _factors(formula: sp.Expr) -> dict[sp.Expr, sp.Expr]:
     """Factors with their exponents, of numbers the primes; signs are left out."""
     if sp.count_ops(formula) <= _SIMPLE:
         formula = sp.factor(formula)
-    found: dict[sp.Expr, sp.Expr] = {}
+    powers: dict[sp.Expr, sp.Expr] = {}
     for base, exponent in formula.as_powers_dict().items():
         if base.is_Rational and base != 0:
             primes = sp.factorint(abs(base))
@@ -131,8 +131,8 @@ def _factors(formula: sp.Expr) -> dict[sp.Expr, sp.Expr]:
         else:
             parts = {base: exponent}
         for part, power_ in parts.items():
-            found[part] = found.get(part, sp.S.Zero) + power_
-    return found
+            powers[part] = powers.get(part, sp.S.Zero) + power_
+    return powers
 
 
 class Evaluator(Evaluation[Jet]):
@@ -140,7 +140,6 @@ class Evaluator(Evaluation[Jet]):
 
     Parameters
     ----------
-    known : mapping of Symbol to Jet
     points, directions : int
         The shape of all jets.
     definitions : mapping of Symbol to sympy.Expr
@@ -171,7 +170,7 @@ class Evaluator(Evaluation[Jet]):
             np.zeros((self._directions, self._points), dtype=np.int64),
         )
 
-    def __call__(self, formula: Any) -> Jet:
+    def __call__(self, formula: sp.Expr) -> Jet:
         """The jet of a scalar formula.
 
         Raises
@@ -282,12 +281,12 @@ class Evaluator(Evaluation[Jet]):
             inner, theta = self(base), self(letters / number.q)
             wild = power((inner.value + theta.value) % prime(), _WILD)
             slope = theta.value * wild % prime() * inverse(inner.value) % prime()
-            product = product * self._raised(inner.chained(wild, slope), int(number.p))
+            product = product * self._power(inner.chained(wild, slope), int(number.p))
         return product
 
-    def _raised(self, base: Jet, exponent: int) -> Jet:
+    def _power(self, base: Jet, exponent: int) -> Jet:
         if exponent < 0:
-            return self._raised(self._reciprocal(base), -exponent)
+            return self._power(self._reciprocal(base), -exponent)
         below = power(base.value, max(exponent - 1, 0))
         return base.chained(below * base.value % prime(), below * exponent % prime())
 

@@ -90,7 +90,7 @@ def combination(columns: Integers, target: Integers) -> list[int] | None:
 
 
 def rational(residue: int, modulus: int) -> Fraction | None:
-    """The fraction with this residue whose numerator and denominator are small for the modulus.
+    """The fraction with this residue whose numerator and denominator are small.
 
     Both are at most √(modulus/4096), so that a residue taken at random rarely has one; None
     where there is none.

@@ -1,4 +1,4 @@
-"""Where a law is searched for: a system, conditions on its parameters, a level; points on it.
+"""The space of a search: a system, conditions on its parameters, a level; points.
 
 A sample is drawn modulo a large prime: parameters and state at random, then one variable of
 each relation from that relation, which is of degree one or two in it.
@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 import sympy as sp
 
+from ..core.arrays import BoolArray
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
@@ -52,25 +52,24 @@ class Sample:
         """The rate of a quantity along the field."""
         return jet.along(self.field)
 
-    def __call__(self, formula: Any) -> Jet:
+    def __call__(self, formula: sp.Expr) -> Jet:
         """The jet of a scalar formula, written with or without vectors."""
         return self.evaluate(formula)
 
     def table(self, formulas: Sequence[sp.Expr]) -> Integers:
         """Values of several formulas, shape (formulas, N)."""
-        found = np.empty((len(formulas), len(self.field[0])), dtype=np.int64)
-        for row, formula in zip(found, formulas, strict=True):
+        values = np.empty((len(formulas), len(self.field[0])), dtype=np.int64)
+        for row, formula in zip(values, formulas, strict=True):
             row[:] = self(formula).value
-        return found
+        return values
 
 
 @dataclass(frozen=True)
 class SearchSpace:
-    """A system with conditions on its parameters, restricted to a level; see :func:`stage`.
+    """A system with conditions on its parameters, restricted to a level; see :func:`search_space`.
 
     Attributes
     ----------
-    system : System
     conditions : tuple of sympy.Expr
         Vanish; in parameters and definitions that depend on parameters alone.
     level : tuple of sympy.Expr
@@ -100,12 +99,12 @@ class SearchSpace:
         """Definitions that depend on parameters alone, in the free parameters."""
         known: dict[sp.Symbol, sp.Expr] = dict(self.substitutions)
         fixed = {p.symbol for p in self.system.parameters}
-        found: dict[sp.Symbol, sp.Expr] = {}
+        constants: dict[sp.Symbol, sp.Expr] = {}
         for symbol, value in self.system.steps:
             if value.free_symbols <= fixed:
                 fixed.add(symbol)
-                known[symbol] = found[symbol] = value.xreplace(known)
-        return found
+                known[symbol] = constants[symbol] = value.xreplace(known)
+        return constants
 
     @cached_property
     def relations(self) -> tuple[sp.Expr, ...]:
@@ -114,21 +113,21 @@ class SearchSpace:
 
     @cached_property
     def order(self) -> tuple[tuple[sp.Expr, sp.Symbol], ...]:
-        """In which order the relations are solved, and each for which variable.
+        """The relations in the order in which they are solved, each with its variable.
 
         Raises
         ------
         InputError
             If the level has no points, or they cannot be found in this way.
         """
-        found = self._order(self.relations, ())
-        if found is None:
+        order = self._order(self.relations, ())
+        if order is None:
             shown = ", ".join(f"{text(e)} = 0" for e in self.level) or "the relations"
             raise InputError(
                 f"no points can be found on {shown}: each must be of degree one or two in a "
                 "state variable of its own"
             )
-        return found
+        return order
 
     # --- points ----------------------------------------------------------------------------
 
@@ -139,7 +138,6 @@ class SearchSpace:
         ----------
         points : int
             How many.
-        seed : int
         common : bool
             Whether all points share the values of the parameters.
         """
@@ -155,7 +153,7 @@ class SearchSpace:
                 for s in self.free
             }
             drawn |= {s: rng.integers(1, prime(), batch) for s in self.system.symbols}
-            solved = self._regular(self._solved(drawn, self.order))
+            solved = self._regular(self._with_relations(drawn, self.order))
             values = {
                 s: np.concatenate([values[s], new]) if values else new for s, new in solved.items()
             }
@@ -164,10 +162,10 @@ class SearchSpace:
             if fruitless == _PATIENCE:
                 # a root of parameters alone that does not exist for these values of them
                 return self._again(points, seed, common)
-        made = self._jets({s: v[:points] for s, v in values.items()})
-        if not made.evaluate.good.all():
+        sample = self._jets({s: v[:points] for s, v in values.items()})
+        if not sample.evaluate.good.all():
             return self._again(points, seed, common)
-        return made
+        return sample
 
     def _again(self, points: int, seed: int, common: bool) -> Sample:
         """Points with other values of the parameters."""
@@ -196,34 +194,32 @@ class SearchSpace:
     def _definitions(self) -> dict[sp.Symbol, sp.Expr]:
         return dict((*self.substitutions, *self.system.steps))
 
-    def _solved(
-        self,
-        values: Mapping[sp.Symbol, Integers],
-        order: Sequence[tuple[sp.Expr, sp.Symbol]],
+    def _with_relations(
+        self, values: Mapping[sp.Symbol, Integers], order: Sequence[tuple[sp.Expr, sp.Symbol]]
     ) -> dict[sp.Symbol, Integers]:
         """The points at which all relations could be solved, with the solutions put in."""
-        found = dict(values)
+        points = dict(values)
         for relation, variable in order:
-            roots, good, _ = self._roots(relation, variable, found)
-            found = {s: (roots if s == variable else v)[good] for s, v in found.items()}
-        return found
+            roots, good, _ = self._roots(relation, variable, points)
+            points = {s: (roots if s == variable else v)[good] for s, v in points.items()}
+        return points
 
     @cached_property
-    def _rooted(self) -> tuple[sp.Expr, ...]:
+    def _formulas_with_roots(self) -> tuple[sp.Expr, ...]:
         """Definitions and rates with roots, which exist at some points only."""
         formulas = [*(formula for _, formula in self.system.steps), *self.system.rates]
         return tuple(f for f in formulas if any(not p.exp.is_integer for p in f.atoms(sp.Pow)))
 
     def _regular(self, values: dict[sp.Symbol, Integers]) -> dict[sp.Symbol, Integers]:
         """The points at which the roots in the equations exist."""
-        good: Any = np.ones(len(next(iter(values.values()))), dtype=bool)
-        for formula in self._rooted:
+        good: BoolArray = np.ones(len(next(iter(values.values()))), dtype=bool)
+        for formula in self._formulas_with_roots:
             good = good & self._value(formula, values)[1]
         return {s: v[good] for s, v in values.items()}
 
     def _value(
         self, formula: sp.Expr, values: Mapping[sp.Symbol, Integers]
-    ) -> tuple[Integers, Any]:
+    ) -> tuple[Integers, BoolArray]:
         points = len(next(iter(values.values())))
         flat = np.zeros((0, points), dtype=np.int64)
         known = {s: Jet(v, flat) for s, v in values.items()}
@@ -232,10 +228,10 @@ class SearchSpace:
 
     def _roots(
         self, relation: sp.Expr, variable: sp.Symbol, values: Mapping[sp.Symbol, Integers]
-    ) -> tuple[Integers, Any, bool]:
+    ) -> tuple[Integers, BoolArray, bool]:
         """Roots of a relation, where they exist, and whether its degree is one or two."""
         at = []
-        good: Any = True
+        good: BoolArray = np.ones(len(values[variable]), dtype=bool)
         for number in range(4):
             moved = {**values, variable: np.full_like(values[variable], number)}
             value, fine = self._value(relation, moved)
@@ -255,24 +251,22 @@ class SearchSpace:
         return solution, good & exists & (square != 0), suits
 
     def _order(
-        self,
-        rest: tuple[sp.Expr, ...],
-        done: tuple[tuple[sp.Expr, sp.Symbol], ...],
+        self, relations: tuple[sp.Expr, ...], done: tuple[tuple[sp.Expr, sp.Symbol], ...]
     ) -> tuple[tuple[sp.Expr, sp.Symbol], ...] | None:
-        if not rest:
+        if not relations:
             return done
         rng = np.random.default_rng(len(done))
         symbols = (*self.free, *self.system.symbols)
         drawn = {s: rng.integers(1, prime(), _PROBE) for s in symbols}
-        values = self._solved(drawn, done)
+        values = self._with_relations(drawn, done)
         settled = {s for relation, variable in done for s in self._depends(relation)}
-        for relation in rest:
-            others = tuple(r for r in rest if r is not relation)
+        for relation in relations:
+            others = tuple(r for r in relations if r is not relation)
             for variable in self._candidates(relation, settled):
                 if self._roots(relation, variable, values)[2]:
-                    found = self._order(others, (*done, (relation, variable)))
-                    if found is not None:
-                        return found
+                    order = self._order(others, (*done, (relation, variable)))
+                    if order is not None:
+                        return order
             value, _ = self._value(relation, values)
             if not value.any():
                 return self._order(others, done)
@@ -297,7 +291,6 @@ def search_space(
 
     Parameters
     ----------
-    system : System
     conditions : sequence of sympy.Expr
         Vanish; in parameters and definitions that depend on parameters alone, such as ``k + 1``.
     level : sequence of sympy.Expr
@@ -310,9 +303,9 @@ def search_space(
         empty or not invariant.
     """
     bare = SearchSpace(system, tuple(conditions), (), ())
-    made = SearchSpace(system, tuple(conditions), tuple(level), _solutions(bare))
-    _check_level(made)
-    return made
+    space = SearchSpace(system, tuple(conditions), tuple(level), _solutions(bare))
+    _check_level(space)
+    return space
 
 
 def _solutions(bare: SearchSpace) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
@@ -341,29 +334,31 @@ def _solutions(bare: SearchSpace) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
 def _linear_root(
     condition: sp.Expr, top: sp.Expr, parameters: Sequence[sp.Symbol]
 ) -> tuple[sp.Symbol, sp.Expr]:
-    """A parameter in which a condition is linear, preferably with coefficient ±1, and its value."""
-    found = []
+    """A parameter in which a condition is linear, and its value."""
+    candidates = []
     for symbol in parameters:
         if sp.degree(top, symbol) == 1 if top.has(symbol) else False:
             slope = sp.diff(top, symbol)
             value = sp.cancel(-top.xreplace({symbol: sp.S.Zero}) / slope)
-            found.append((not slope.is_number, abs(slope) != 1, sp.count_ops(value), symbol, value))
-    if not found:
+            candidates.append(
+                (not slope.is_number, abs(slope) != 1, sp.count_ops(value), symbol, value)
+            )
+    if not candidates:
         raise InputError(
             f"the condition {text(condition)} = 0 cannot be solved: it must be linear in one of "
             f"{', '.join(map(str, parameters)) or 'the parameters (there are none)'}"
         )
-    *_, symbol, value = min(found, key=lambda item: item[:3])
+    *_, symbol, value = min(candidates, key=lambda item: item[:3])
     return symbol, value
 
 
-def _check_level(made: SearchSpace) -> None:
+def _check_level(space: SearchSpace) -> None:
     """Refuse a level that has no real points or does not stay where it is."""
-    if not made.level:
+    if not space.level:
         return
-    shown = ", ".join(f"{text(e)} = 0" for e in made.level)
-    if not has_real_points(made.system, made.relations, made.free, made.substitutions):
+    shown = ", ".join(f"{text(e)} = 0" for e in space.level)
+    if not has_real_points(space.system, space.relations, space.free, space.substitutions):
         raise InputError(f"the level {shown} is empty: no real point lies on it")
-    sample = made.sample(_PROBE, 1, common=False)
-    if any(sample.along(sample(formula)).any() for formula in made.level):
+    sample = space.sample(_PROBE, 1, common=False)
+    if any(sample.along(sample(formula)).any() for formula in space.level):
         raise InputError(f"the level {shown} is not invariant: the motion leaves it")

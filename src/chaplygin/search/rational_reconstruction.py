@@ -1,4 +1,4 @@
-"""From solutions modulo a prime to formulas in the parameters.
+"""Formulas in the parameters from solutions modulo a prime.
 
 A law is a sum of parts (functions of state and parameters) whose coefficients are polynomials in
 the parameters.  Written out in monomials of the parameters its coefficients are plain rational
@@ -50,7 +50,6 @@ class Part:
     ----------
     formula : sympy expression or tuple of them
         What stands behind the coefficient.
-    weight : Weight
     effort : int
         How complicated it looks; simple parts are preferred.
     """
@@ -69,11 +68,11 @@ class Scalars:
 
     @cached_property
     def efforts(self) -> tuple[int, ...]:
-        """How complicated each looks."""
+        """A measure of how complicated each looks."""
         return tuple(1 + int(sp.count_ops(formula)) for formula in self.formulas)
 
     def effort(self, chosen: Sequence[int]) -> int:
-        """How complicated a product of some of them looks."""
+        """A measure of how complicated a product of some of them looks."""
         return sum(1 + self.efforts[i] for i in chosen)
 
 
@@ -147,8 +146,6 @@ def reconstructed_laws(
     ----------
     parts : sequence of Part
         At least one.
-    scalars : Scalars
-    degree : int
     draw : callable
         Number of points ↦ Draw, modulo the prime that is then in force.
 
@@ -157,25 +154,27 @@ def reconstructed_laws(
     list of Solution
         Fractions that are too large for one prime are found with several.
     """
-    made = plan(parts, scalars, degree)
-    points = made.widest + _SPARE
-    found, modulus = list(_kernels(made, draw(points))), prime()
+    scheme = plan(parts, scalars, degree)
+    points = scheme.widest + _SPARE
+    kernels, modulus = list(_kernels(scheme, draw(points))), prime()
     for extra in PRIMES[1:]:
-        if all(rational(r, modulus) is not None for kernel in found for r in kernel.residues):
+        if all(rational(r, modulus) is not None for kernel in kernels for r in kernel.residues):
             break
         with modulo(extra):
-            others = list(_kernels(made, draw(points)))
-        if [k.terms for k in others] != [k.terms for k in found]:
+            others = list(_kernels(scheme, draw(points)))
+        if [k.terms for k in others] != [k.terms for k in kernels]:
             break
-        found = [_joined(a, b, modulus, extra) for a, b in zip(found, others, strict=True)]
+        kernels = [
+            _chinese_remainder(a, b, modulus, extra) for a, b in zip(kernels, others, strict=True)
+        ]
         modulus *= extra
-    solved = (_solution(kernel, modulus, parts, scalars) for kernel in found)
+    solved = (_solution(kernel, modulus, parts, scalars) for kernel in kernels)
     return sorted((s for s in solved if s is not None), key=lambda solution: solution.effort)
 
 
-def _kernels(made: Plan, drawn: Draw) -> Iterator[_Kernel]:
+def _kernels(scheme: Plan, drawn: Draw) -> Iterator[_Kernel]:
     """Laws among the sums of products, each block by itself."""
-    for block in made.blocks:
+    for block in scheme.blocks:
         few = len(block) + _SPARE
         columns, rows = [], []
         for index, chosen in block:
@@ -184,12 +183,12 @@ def _kernels(made: Plan, drawn: Draw) -> Iterator[_Kernel]:
                 factor = factor * drawn.numbers[scalar, :few] % prime()
             columns.append((drawn.value[index, :, :few] * factor % prime()).ravel())
             rows.append((drawn.condition[index, :, :few] * factor % prime()).ravel())
-        kept = independent_columns(np.array(columns).T)
-        for vector in nullspace(np.array(rows)[kept].T):
-            yield _Kernel(tuple(block[i] for i in kept), tuple(map(int, vector)))
+        independent = independent_columns(np.array(columns).T)
+        for vector in nullspace(np.array(rows)[independent].T):
+            yield _Kernel(tuple(block[i] for i in independent), tuple(map(int, vector)))
 
 
-def _joined(left: _Kernel, right: _Kernel, modulus: int, extra: int) -> _Kernel:
+def _chinese_remainder(left: _Kernel, right: _Kernel, modulus: int, extra: int) -> _Kernel:
     """Residues modulo a product, by the Chinese remainder theorem."""
     step = pow(modulus, -1, extra)
     residues = (

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 import sympy as sp
 
+from ..core.arrays import FloatArray
 from ..core.system import System
 
 __all__ = ["has_real_points"]
@@ -28,7 +28,6 @@ def has_real_points(
 
     Parameters
     ----------
-    system : System
     relations : sequence of sympy.Expr
         What vanishes on the level.
     free : sequence of Symbol
@@ -46,7 +45,7 @@ def has_real_points(
         formulas = [f.xreplace({symbol: value}) for f in formulas]
     residual = sp.lambdify(system.symbols, [f.xreplace(numbers) for f in formulas], "numpy")
 
-    def function(x: Any) -> Any:
+    def function(x: FloatArray) -> FloatArray:
         with np.errstate(all="ignore"):
             return np.asarray(residual(*x), dtype=float)
 

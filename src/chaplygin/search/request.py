@@ -1,4 +1,4 @@
-"""From words to a question: what a user asks, checked and completed."""
+"""Questions to the search, checked and completed from a user's words."""
 
 from __future__ import annotations
 
@@ -42,7 +42,6 @@ def search_request(
 
     Parameters
     ----------
-    system : System
     degree, gamma_degree : int
         Largest degrees in the momenta and in the coordinates.
     momenta, coordinates : str
@@ -83,28 +82,28 @@ def search_request(
         if value < least:
             raise InputError(f"{name} is {value}; it must not be negative")
     checked_effort(effort)
-    given = quantities(momenta, system, "momenta")
+    chosen_momenta = quantities(momenta, system, "momenta")
     second = quantities(coordinates, system, "coordinates")
-    families = (given,) if given else default_momenta(system)
+    families = (chosen_momenta,) if chosen_momenta else default_momenta(system)
     if set(families[0]) == set(system.symbols):
         angles = _angles(system)
         second = second or tuple(s for s in system.symbols if s in angles)
         families = (tuple(s for s in system.symbols if s not in second),)
-    second = second or _rest(system, families[0])
+    second = second or _other_variables(system, families[0])
     common = set(families[0]) & set(second)
     if common:
         raise InputError(f"{min(map(str, common))} is both a momentum and a coordinate")
     places = _without_angles(system, second)
     ansatz, *also = (Ansatz(family, places, degree, gamma_degree) for family in families)
     ansatz.check()
-    made = search_space(
+    space = search_space(
         system,
         [condition(text, system, "at") for text in at],
         [formula(text, system, "on") for text in on],
     )
-    vocabulary = VectorInvariants(made, ansatz, weights(made))
+    vocabulary = VectorInvariants(space, ansatz, weights(space))
     return Question(
-        stage=made,
+        stage=space,
         ansatz=ansatz,
         also=tuple(also),
         divisors=natural_divisors(vocabulary)
@@ -121,13 +120,13 @@ def search_request(
 
 def _factor(text: str, system: System, where: str) -> sp.Expr:
     """A formula that may divide or be a factor, which zero may not."""
-    found = formula(text, system, where)
-    if found == 0:
+    value = formula(text, system, where)
+    if value == 0:
         raise InputError(f"{text} is zero, which divides nothing", where)
-    return found
+    return value
 
 
-def _rest(system: System, momenta: tuple[sp.Expr, ...]) -> tuple[sp.Symbol, ...]:
+def _other_variables(system: System, momenta: tuple[sp.Expr, ...]) -> tuple[sp.Symbol, ...]:
     """The state without what is momentum-like."""
     names = [n for n in system.state if getattr(n, "name", "") in _MOMENTUM_LIKE]
     like = {s for name in names if not isinstance(name, sp.Symbol) for s in name.symbols}
@@ -137,13 +136,13 @@ def _rest(system: System, momenta: tuple[sp.Expr, ...]) -> tuple[sp.Symbol, ...]
 def _without_angles(system: System, symbols: tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
     """Angles replaced by their sines and cosines."""
     angles = _angles(system)
-    found: list[sp.Expr] = []
+    variables: list[sp.Expr] = []
     for symbol in symbols:
-        found += [sp.sin(symbol), sp.cos(symbol)] if symbol in angles else [symbol]
-    return tuple(found)
+        variables += [sp.sin(symbol), sp.cos(symbol)] if symbol in angles else [symbol]
+    return tuple(variables)
 
 
 def _angles(system: System) -> set[sp.Symbol]:
-    """What enters the equations through sines and cosines."""
+    """The symbols that enter the equations through sines and cosines."""
     formulas = [*system.rates, *(value for _, value in system.steps)]
     return {s for f in formulas for node in f.atoms(*_CIRCULAR) for s in node.args[0].free_symbols}

@@ -1,4 +1,4 @@
-"""What a search found, and the question it answers."""
+"""Results of a search, and the question that it answers."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Question:
 
     Attributes
     ----------
-    stage : Stage
+    stage : SearchSpace
         The system, conditions on its parameters, a level.
     ansatz : Ansatz
         Polynomials in momenta and coordinates.

@@ -1,4 +1,4 @@
-"""Scalings under which a system keeps its form: its physical dimensions, found by themselves.
+"""Scalings under which a system keeps its form: its physical dimensions.
 
 A weight is a tuple of exponents, one for each independent scaling.  An integral splits into
 parts of pure weight, each an integral; this makes the linear algebra of a search small.
@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 from flint import fmpq, fmpq_mat
@@ -20,16 +20,18 @@ from .phase_space import SearchSpace
 __all__ = ["Weight", "total", "weight_of", "weights"]
 
 Weight: TypeAlias = tuple[int, ...]
-Form: TypeAlias = dict[Any, Fraction]
+#: A symbol, or the word for the time.
+Base: TypeAlias = sp.Basic | str
+Form: TypeAlias = dict[Base, Fraction]
 
 _TIME = "time"
 
 
 def _plus(left: Form, right: Form, factor: Fraction) -> Form:
-    found = dict(left)
+    form = dict(left)
     for key, value in right.items():
-        found[key] = found.get(key, Fraction(0)) + factor * value
-    return {key: value for key, value in found.items() if value}
+        form[key] = form.get(key, Fraction(0)) + factor * value
+    return {key: value for key, value in form.items() if value}
 
 
 @dataclass
@@ -48,10 +50,10 @@ class _Walk:
         """The weight of a formula; None for zero, which has every weight."""
         if formula == 0:
             return None
-        found = self.forms.get(formula)
-        if found is None:
-            found = self.forms[formula] = self._fresh(formula)
-        return found
+        form = self.forms.get(formula)
+        if form is None:
+            form = self.forms[formula] = self._fresh(formula)
+        return form
 
     def _fresh(self, formula: sp.Basic) -> Form:
         if isinstance(formula, sp.Add):
@@ -71,25 +73,25 @@ class _Walk:
         return {}
 
 
-def weights(made: SearchSpace) -> dict[sp.Symbol, Weight]:
+def weights(space: SearchSpace) -> dict[sp.Symbol, Weight]:
     """Weights of all states, parameters and definitions of a system.
 
     Every scaling of these symbols and of time that keeps field, definitions, relations, level
     and conditions on the parameters is a combination of the scalings returned.
     """
-    system = made.system
-    steps = (*made.substitutions, *system.needed([*system.rates, *made.relations]))
+    system = space.system
+    steps = (*space.substitutions, *system.needed([*system.rates, *space.relations]))
     # what is zero has every weight
     empty = [symbol for symbol, formula in steps if formula == 0]
-    bases: list[Any] = [*made.free, *system.symbols, *empty, _TIME]
+    bases: list[Base] = [*space.free, *system.symbols, *empty, _TIME]
     walk = _Walk({symbol: {symbol: Fraction(1)} for symbol in bases})
-    symbols = [*made.free, *system.symbols, *empty]
+    symbols = [*space.free, *system.symbols, *empty]
     for symbol, formula in ((s, f) for s, f in steps if f != 0):
         walk.forms[symbol] = walk(formula) or {}
         symbols.append(symbol)
     for symbol, rate in zip(system.symbols, system.rates, strict=True):
         walk.equate(walk(rate), {symbol: Fraction(1), _TIME: Fraction(-1)})
-    for relation in made.relations:
+    for relation in space.relations:
         walk(relation)
     scalings = _solutions(walk.ties, bases)
     exact = {symbol: _weight(walk.forms[symbol], scalings) for symbol in symbols}
@@ -97,7 +99,7 @@ def weights(made: SearchSpace) -> dict[sp.Symbol, Weight]:
     return {symbol: tuple(int(w * common) for w in weight) for symbol, weight in exact.items()}
 
 
-def _weight(form: Form, scalings: Iterable[Mapping[Any, Fraction]]) -> tuple[Fraction, ...]:
+def _weight(form: Form, scalings: Iterable[Mapping[Base, Fraction]]) -> tuple[Fraction, ...]:
     return tuple(
         sum((value * scaling[key] for key, value in form.items()), Fraction(0))
         for scaling in scalings
@@ -123,7 +125,7 @@ def weight_of(
     )
 
 
-def _solutions(ties: list[Form], bases: list[Any]) -> list[dict[Any, Fraction]]:
+def _solutions(ties: list[Form], bases: list[Base]) -> list[Form]:
     """A basis of the weights of base symbols that satisfy all ties."""
     distinct = {tuple(sorted((bases.index(k), v) for k, v in tie.items())) for tie in ties}
     rows = [tie for tie in distinct if tie]
@@ -133,12 +135,12 @@ def _solutions(ties: list[Form], bases: list[Any]) -> list[dict[Any, Fraction]]:
             matrix[i, j] = fmpq(value.numerator, value.denominator)
     reduced, rank = matrix.rref()
     pivots = [next(j for j in range(len(bases)) if reduced[i, j] != 0) for i in range(rank)]
-    found = []
+    basis = []
     for column in (j for j in range(len(bases)) if j not in pivots):
         scaling = {base: Fraction(0) for base in bases}
         scaling[bases[column]] = Fraction(1)
         for i, pivot in enumerate(pivots):
             entry = reduced[i, column]
             scaling[bases[pivot]] = -Fraction(int(entry.p), int(entry.q))
-        found.append(scaling)
-    return found
+        basis.append(scaling)
+    return basis

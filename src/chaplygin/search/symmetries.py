@@ -32,11 +32,6 @@ def symmetries(question: Question, progress: Progress = silent) -> Iterator[Sear
     v itself, and what follows from known symmetries on multiplication with integrals, is left
     out.
 
-    Parameters
-    ----------
-    question : Question
-    progress : callable
-
     Raises
     ------
     InputError
@@ -56,10 +51,10 @@ class _Search:
 
     def __init__(self, question: Question, formulas: Sequence[sp.Expr]) -> None:
         self.question = question
-        self.stage = question.stage
+        self.space = question.stage
         self.symbols = question.stage.system.symbols
-        self.weights: dict[sp.Symbol, Weight] = weights(self.stage)
-        self.sample = self.stage.sample(question.ansatz.size + _SPARE, _SEED, common=True)
+        self.weights: dict[sp.Symbol, Weight] = weights(self.space)
+        self.sample = self.space.sample(question.ansatz.size + _SPARE, _SEED, common=True)
         factors = [np.ones_like(self.sample.field[0])]
         factors += [self.sample(f).value for f in formulas]
         factors += [a * b % prime() for i, a in enumerate(factors[1:]) for b in factors[i + 1 :]]
@@ -75,28 +70,31 @@ class _Search:
     def findings(self, progress: Progress) -> Iterator[SearchResult]:
         """All symmetries of the ansatz, the simplest first."""
         monomials: Table = table(self.question.ansatz, self.sample)
-        kept = independent_columns(monomials.value.T)
-        exponents = [monomials.exponents[i] for i in kept]
+        independent = independent_columns(monomials.value.T)
+        exponents = [monomials.exponents[i] for i in independent]
         value, condition = _fields(
-            self.stage.relations, self.sample, monomials.value[kept], monomials.rate[kept]
+            self.space.relations,
+            self.sample,
+            monomials.value[independent],
+            monomials.rate[independent],
         )
         kernel = nullspace(condition.reshape(len(condition), -1).T)
-        found = product(kernel, value.reshape(len(value), -1))
+        values = product(kernel, value.reshape(len(value), -1))
         vectors = sorted(
-            zip(kernel, found, strict=True), key=lambda pair: np.count_nonzero(pair[0])
+            zip(kernel, values, strict=True), key=lambda pair: np.count_nonzero(pair[0])
         )
         for number, (vector, field) in enumerate(vectors):
             progress(0.5 + 0.5 * number / len(vectors), "fields")
             if not self._fresh(field):
                 continue
-            yield self._lifted(vector, exponents)
+            yield self._over_parameters(vector, exponents)
             self._span(field.reshape(len(self.symbols), -1))
 
     def _fresh(self, field: Integers) -> bool:
         stacked = np.array([*self.spanned, field]).T
         return independent_columns(stacked)[-1] == len(self.spanned)
 
-    def _lifted(self, vector: Integers, exponents: Sequence[Exponents]) -> SearchResult:
+    def _over_parameters(self, vector: Integers, exponents: Sequence[Exponents]) -> SearchResult:
         """The field as a formula: on the monomials that occur, with unknown coefficients."""
         variables = (*self.question.ansatz.momenta, *self.question.ansatz.coordinates)
         parts = []
@@ -107,11 +105,11 @@ class _Search:
             own = self.symbols[component]
             weight = weight_of((*variables, own), (*powers, -1), self.weights)
             parts.append(Part(((str(self.symbols[component]), formula),), weight, sum(powers)))
-        scalars = component_scalars(self.stage, self.weights)
+        scalars = component_scalars(self.space, self.weights)
         for size in range(self.question.parameter_degree + 1):
-            found = self._simplest(parts, scalars, size)
-            if found is not None:
-                return self._finding(found, parts, scalars)
+            solution = self._simplest(parts, scalars, size)
+            if solution is not None:
+                return self._finding(solution, parts, scalars)
         return SearchResult(
             "symmetry",
             None,
@@ -131,36 +129,38 @@ class _Search:
             formulas.append(formula)
 
         def draw(points: int) -> Draw:
-            sample = self.stage.sample(points, _SEED + 1, common=False)
+            sample = self.space.sample(points, _SEED + 1, common=False)
             jets = [sample(formula) for formula in formulas]
             value = np.array([jet.value for jet in jets])
             rate = np.array([sample.along(jet) for jet in jets])
-            values, conditions = _fields(self.stage.relations, sample, value, rate)
+            values, conditions = _fields(self.space.relations, sample, value, rate)
             chosen = [place * len(parts) + i for i, place in enumerate(places)]
             return Draw(values[chosen], conditions[chosen], sample.table(scalars.formulas))
 
-        found = reconstructed_laws(parts, scalars, size, draw)
-        return found[0] if found else None
+        solutions = reconstructed_laws(parts, scalars, size, draw)
+        return solutions[0] if solutions else None
 
-    def _finding(self, found: RationalLaw, parts: Sequence[Part], scalars: Scalars) -> SearchResult:
+    def _finding(
+        self, solution: RationalLaw, parts: Sequence[Part], scalars: Scalars
+    ) -> SearchResult:
         components = {s: sp.S.Zero for s in self.symbols}
         names = {str(s): s for s in self.symbols}
-        for number, chosen, index in found.terms:
+        for number, chosen, index in solution.terms:
             ((name, formula),) = parts[index].formula
             factor = sp.Mul(*(scalars.formulas[i] for i in chosen))
             components[names[name]] += (
                 sp.Rational(number.numerator, number.denominator) * factor * formula
             )
         field = []
-        for name in self.stage.system.state:
+        for name in self.space.system.state:
             if isinstance(name, sp.Symbol):
                 field.append((name, components[name]))
             else:
                 field.append((name, constant([components[s] for s in name.symbols])))
         self.count += 1
-        law = Symmetry(f"u_{self.count}", tuple(field), on=self.stage.on)
+        law = Symmetry(f"u_{self.count}", tuple(field), on=self.space.on)
         return SearchResult(
-            "symmetry", law, prove(self.stage.system, law, effort=self.question.effort)
+            "symmetry", law, prove(self.space.system, law, effort=self.question.effort)
         )
 
 

@@ -1,4 +1,4 @@
-"""The vector formulas of which laws are made: products of (u, v), (u, Jv), (Ju, Jv) and others.
+"""Vector formulas of which laws are made: products of (u, v), (u, Jv) and others.
 
 The equations of a rolling body do not prefer any axes: turning the body's axes turns vectors and
 tensors alike.  Their laws are then scalars made of these vectors and tensors.
@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations_with_replacement, islice
-from typing import Any
+from typing import TypeAlias
 
 import sympy as sp
 from sympy.matrices.expressions import MatAdd, MatMul
@@ -23,27 +23,29 @@ from .scaling import Weight, total, weight_of
 
 __all__ = ["VectorInvariants", "component_scalars"]
 
+Tensor: TypeAlias = Diagonal | Symmetric
+
 _MOMENTA = ("M", "omega")
 _GROUPS = 4
 
 
-def _parameters(made: SearchSpace, table: dict[sp.Symbol, Weight]) -> list[sp.Symbol]:
+def _parameters(space: SearchSpace, table: dict[sp.Symbol, Weight]) -> list[sp.Symbol]:
     """Free parameters, and definitions that are numbers' worth of them and not tensors."""
-    return [s for s in made.free if s in table]
+    return [s for s in space.free if s in table]
 
 
-def component_scalars(made: SearchSpace, table: dict[sp.Symbol, Weight]) -> Scalars:
-    """The free parameters one by one, principal moments at the contact instead of at the centre."""
-    formulas: list[sp.Expr] = _parameters(made, table)
-    scalars = [s for s in _numbers(made) if s in table]
-    found = [*formulas, *scalars]
-    return Scalars(tuple(found), tuple(table[s] for s in found))
+def component_scalars(space: SearchSpace, table: dict[sp.Symbol, Weight]) -> Scalars:
+    """The free parameters, with principal moments at the contact."""
+    formulas: list[sp.Expr] = _parameters(space, table)
+    scalars = [s for s in _numbers(space) if s in table]
+    symbols = [*formulas, *scalars]
+    return Scalars(tuple(symbols), tuple(table[s] for s in symbols))
 
 
-def _numbers(made: SearchSpace) -> list[sp.Symbol]:
+def _numbers(space: SearchSpace) -> list[sp.Symbol]:
     """Scalar definitions that depend on parameters alone, such as k = a/(a + R)."""
-    named = {name for name, _ in made.system.definitions if isinstance(name, sp.Symbol)}
-    return [s for s, value in made.constants.items() if s in named and value.free_symbols]
+    named = {name for name, _ in space.system.definitions if isinstance(name, sp.Symbol)}
+    return [s for s, value in space.constants.items() if s in named and value.free_symbols]
 
 
 @dataclass(frozen=True)
@@ -59,36 +61,35 @@ class _Atom:
 
 @dataclass(frozen=True)
 class VectorInvariants:
-    """What formulas about a system are made of.
+    """The invariants of which formulas about a system are made.
 
     Parameters
     ----------
-    stage : Stage
     ansatz : Ansatz
         Says which vectors are momenta and which are coordinates.
     table : dict
         Weights of all symbols.
     """
 
-    stage: SearchSpace
+    space: SearchSpace
     ansatz: Ansatz
     table: dict[sp.Symbol, Weight]
 
     @cached_property
-    def _names(self) -> tuple[Any, ...]:
+    def _names(self) -> tuple[Vector | Tensor, ...]:
         """All vectors and tensors that the equations mention."""
-        system = self.stage.system
-        found: dict[Any, None] = {}
+        system = self.space.system
+        names: dict[Vector | Tensor, None] = {}
         for name, formula in (*system.field, *system.definitions):
             if not isinstance(name, sp.Symbol):
-                found[name] = None
+                names[name] = None
             for atom in sorted(formula.atoms(Vector, Diagonal, Symmetric), key=str):
-                found[atom] = None
-        return tuple(name for name in found if set(name.symbols) <= set(self.table))
+                names[atom] = None
+        return tuple(name for name in names if set(name.symbols) <= set(self.table))
 
     @cached_property
-    def _fixed(self) -> set[sp.Symbol]:
-        return {p.symbol for p in self.stage.system.parameters} | set(self.stage.constants)
+    def _constant_symbols(self) -> set[sp.Symbol]:
+        return {p.symbol for p in self.space.system.parameters} | set(self.space.constants)
 
     def _vectors(self) -> list[Vector]:
         return [n for n in self._names if isinstance(n, Vector) and n.shape[0] == 3]
@@ -108,30 +109,30 @@ class VectorInvariants:
     def coordinates(self) -> tuple[Vector, ...]:
         """The vectors in the coordinates of the ansatz, and those that are linear in them."""
         chosen = set(self.ansatz.coordinates)
-        steps = dict(self.stage.system.steps)
-        written = dict(self.stage.system.definitions)
-        found = []
+        steps = dict(self.space.system.steps)
+        written = dict(self.space.system.definitions)
+        vectors = []
         for vector in self._vectors():
             symbols = set(vector.symbols)
             if symbols <= chosen or (vector.name == "r" and symbols <= set(steps)):
-                found.append(vector)
-            elif isinstance(written.get(vector), MatAdd) and not symbols <= self._fixed:
+                vectors.append(vector)
+            elif isinstance(written.get(vector), MatAdd) and not symbols <= self._constant_symbols:
                 values = [steps[s] for s in vector.symbols]
                 reached = set().union(*(v.free_symbols for v in values))
-                if reached <= chosen | self._fixed and all(
+                if reached <= chosen | self._constant_symbols and all(
                     v.is_polynomial(*chosen) and sp.total_degree(v, *chosen) == 1 for v in values
                 ):
-                    found.append(vector)
-        return tuple(found)
+                    vectors.append(vector)
+        return tuple(vectors)
 
     @cached_property
     def constants(self) -> tuple[Vector, ...]:
         """Vectors of parameters."""
-        parameters = {p.symbol for p in self.stage.system.parameters}
+        parameters = {p.symbol for p in self.space.system.parameters}
         return tuple(v for v in self._vectors() if set(v.symbols) <= parameters)
 
     @cached_property
-    def tensors(self) -> tuple[tuple[Any, Any], ...]:
+    def tensors(self) -> tuple[tuple[Tensor, Tensor | None], ...]:
         """Constant tensors, each with its inverse where the equations name it.
 
         Where a tensor and its inverse are named, others differ from it by a multiple of E.
@@ -139,20 +140,20 @@ class VectorInvariants:
         constant = [
             n
             for n in self._names
-            if isinstance(n, (Diagonal, Symmetric)) and set(n.symbols) <= self._fixed
+            if isinstance(n, (Diagonal, Symmetric)) and set(n.symbols) <= self._constant_symbols
         ]
-        definitions = dict(self.stage.system.definitions)
+        definitions = dict(self.space.system.definitions)
         pairs = [(t, n) for t in constant for n in constant if definitions.get(n) == t**-1]
         return tuple(pairs[:1]) or tuple((t, None) for t in constant[:1])
 
-    def _weight(self, vector: Any) -> Weight:
+    def _weight(self, vector: Vector | Tensor) -> Weight:
         return self.table[vector.symbols[0]]
 
     def _pairings(self, u: Vector, v: Vector) -> Iterator[tuple[sp.Expr, Weight, int]]:
         """(u, v), (u, Jv), (u, Av), (Ju, Jv), (Au, Av), as far as others do not express them."""
         base = total(self._weight(u), self._weight(v))
         yield dot(u, v), base, 1
-        if {u, v} & self._derived:
+        if {u, v} & self._sums_of_vectors:
             return
         for pair in self.tensors:
             for number, tensor in enumerate(t for t in pair if t is not None):
@@ -163,7 +164,7 @@ class VectorInvariants:
                     yield dot(tensor * u, tensor * v), total(once, by), 3 + number
 
     @cached_property
-    def _derived(self) -> set[Vector]:
+    def _sums_of_vectors(self) -> set[Vector]:
         """Vectors that are sums of others, such as r = c − Rγ."""
         chosen = set(self.ansatz.coordinates)
         return {v for v in self.coordinates if not set(v.symbols) <= chosen}
@@ -181,18 +182,18 @@ class VectorInvariants:
             *((v, 0, 1) for v in self.coordinates),
             *((v, 0, 0) for v in self.constants),
         ]
-        found = []
+        atoms = []
         for (u, m, c), (v, n, d) in combinations_with_replacement(graded, 2):
             if m + n + c + d:
-                found += [
+                atoms += [
                     _Atom(formula, m + n, c + d, effort, weight)
                     for formula, weight, effort in self._pairings(u, v)
                 ]
-        return tuple(self._useful(found))
+        return tuple(self._useful(atoms))
 
     def _useful(self, atoms: Iterable[_Atom]) -> Iterator[_Atom]:
-        """Those that are not constant on the phase space."""
-        sample = self.stage.sample(8, 5, common=True)
+        """The atoms that are not constant on the phase space."""
+        sample = self.space.sample(8, 5, common=True)
         for atom in atoms:
             values = sample(atom.formula).value
             if (values != values[0]).any():
@@ -202,39 +203,44 @@ class VectorInvariants:
     def scalars(self) -> Scalars:
         """Parameters that are no components, traces, determinants, products of constant vectors."""
         parts = {s for n in self._names for s in n.symbols}
-        found: list[tuple[sp.Expr, Weight]] = [
+        scalars: list[tuple[sp.Expr, Weight]] = [
             (s, self.table[s])
-            for s in (*_parameters(self.stage, self.table), *_numbers(self.stage))
-            if s not in parts and s in self.table and s in self._mentioned
+            for s in (*_parameters(self.space, self.table), *_numbers(self.space))
+            if s not in parts and s in self.table and s in self._symbols_outside_tensors
         ]
-        for group in self._groups({s for s, _ in found}):
+        for group in self._groups({s for s, _ in scalars}):
             product = sp.Mul(*(base**exponent for base, exponent in group.items()))
             weight = weight_of(tuple(group), tuple(group.values()), self.table)
-            found.append((product, weight))
+            scalars.append((product, weight))
         for tensor, _ in self.tensors:
             weight = self._weight(tensor)
             entries = to_components(tensor)
-            found.append((sp.trace(entries), weight))
-            found.append((entries.det(method="berkowitz"), tuple(3 * w for w in weight)))
+            scalars.append((sp.trace(entries), weight))
+            scalars.append((entries.det(method="berkowitz"), tuple(3 * w for w in weight)))
         for u, v in combinations_with_replacement(self.constants, 2):
-            found += [(formula, weight) for formula, weight, _ in self._pairings(u, v)]
-        return Scalars(tuple(f for f, _ in found), tuple(w for _, w in found))
+            scalars += [(formula, weight) for formula, weight, _ in self._pairings(u, v)]
+        return Scalars(tuple(f for f, _ in scalars), tuple(w for _, w in scalars))
 
     @cached_property
-    def _mentioned(self) -> set[sp.Symbol]:
+    def _symbols_outside_tensors(self) -> set[sp.Symbol]:
         """Scalars that enter the equations outside the constant tensors."""
-        system = self.stage.system
-        solved = dict(self.stage.substitutions)
-        found: set[sp.Symbol] = set()
+        system = self.space.system
+        solved = dict(self.space.substitutions)
+        symbols: set[sp.Symbol] = set()
         for name, formula in (*system.field, *system.definitions):
-            if isinstance(name, (sp.Symbol, Vector)) or not set(name.symbols) <= self._fixed:
-                found |= {s for s in formula.free_symbols if isinstance(s, sp.Symbol)}
-        return found | {s for symbol in found & set(solved) for s in solved[symbol].free_symbols}
+            if (
+                isinstance(name, (sp.Symbol, Vector))
+                or not set(name.symbols) <= self._constant_symbols
+            ):
+                symbols |= {s for s in formula.free_symbols if isinstance(s, sp.Symbol)}
+        return symbols | {
+            s for symbol in symbols & set(solved) for s in solved[symbol].free_symbols
+        }
 
     def _groups(self, scalars: set[sp.Expr]) -> list[dict[sp.Symbol, int]]:
         """Products of parameters in which they enter the equations together, such as m R²."""
-        system = self.stage.system
-        found: list[dict[sp.Symbol, int]] = []
+        system = self.space.system
+        groups: list[dict[sp.Symbol, int]] = []
         for _, formula in (*system.field, *system.definitions):
             for node in sp.preorder_traversal(formula):
                 if isinstance(node, (sp.Mul, MatMul)):
@@ -244,9 +250,9 @@ class VectorInvariants:
                         for base, exponent in factor.as_powers_dict().items()
                         if base in scalars and exponent.is_Integer
                     }
-                    if sum(map(abs, group.values())) > 1 and group not in found:
-                        found.append(group)
-        return found[:_GROUPS]
+                    if sum(map(abs, group.values())) > 1 and group not in groups:
+                        groups.append(group)
+        return groups[:_GROUPS]
 
     def parts(self, degree: int, gamma_degree: int, most: int) -> tuple[Part, ...]:
         """Products of scalar products up to the given degrees in momenta and coordinates.
@@ -256,9 +262,9 @@ class VectorInvariants:
         zero = tuple(0 for _ in next(iter(self.table.values())))
         one = Part(sp.S.One, zero, 0)
         for places in range(gamma_degree, -1, -1):
-            found = tuple(islice(self._products(one, self._atoms, degree, places), most + 1))
-            if len(found) <= most:
-                return found
+            parts = tuple(islice(self._products(one, self._atoms, degree, places), most + 1))
+            if len(parts) <= most:
+                return parts
         return ()
 
     def _products(

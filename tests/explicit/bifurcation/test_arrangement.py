@@ -9,14 +9,14 @@ from hypothesis import given, strategies as st
 from chaplygin.explicit.bifurcation.arrangement import (
     RING,
     arrangement,
-    between,
     highest,
     lowest,
-    middle,
+    ordered_roots,
     rational,
-    separated,
+    short_rational,
     stack,
 )
+from chaplygin.formulas.balls import exact
 
 x, y, _ = RING.gens()
 
@@ -97,14 +97,14 @@ def test_close_roots_keep_their_order():
 
 def test_common_roots_are_noticed():
     with pytest.raises(ArithmeticError, match="without a common root"):
-        separated([fmpq_poly([-1, 1]), fmpq_poly([-1, 0, 1])])
+        ordered_roots([fmpq_poly([-1, 1]), fmpq_poly([-1, 0, 1])])
 
 
 @given(st.fractions(), st.fractions())
 def test_between(first, second):
     low, high = sorted((first, second))
     if low < high:
-        found = between(low, high)
+        found = short_rational(low, high)
         assert low < found < high
         assert found.denominator <= 4 * max(1, round(1 / (high - low)))
 
@@ -114,7 +114,7 @@ def test_ends_of_balls(value):
     ball = arb(rational(value))
     assert lowest(ball) <= value <= highest(ball)
     assert highest(ball) - lowest(ball) <= abs(value) / 2**50
-    assert middle(ball) == (lowest(ball) + highest(ball)) / 2
+    assert exact(ball) == (lowest(ball) + highest(ball)) / 2
 
 
 def test_a_gap_beyond_doubles():

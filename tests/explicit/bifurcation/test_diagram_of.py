@@ -12,7 +12,7 @@ from chaplygin.explicit.bifurcation.diagram_of import diagram_of
 
 def problem(name, start, **parameters):
     system = from_catalogue(name, **parameters)
-    return Problem(system, system.defaults, start).checked()
+    return Problem(system, system.defaults, start).well_posed()
 
 
 def test_veselova():

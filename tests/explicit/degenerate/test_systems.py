@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
+from chaplygin.core.system import flat_pairs
 from chaplygin.explicit.base.problem import exact
 from chaplygin.explicit.degenerate import solved_degenerate
 from chaplygin.explicit.degenerate.solution import DegenerateSolution
 from chaplygin.explicit.degenerate.theta_motion import Asymptotic, Periodic
-from chaplygin.explicit.genus_two.separated_motion import flat_state
 from chaplygin.explicit.genus_two.separation import SeparatedSystem, nu, nuprime
 from chaplygin.explicit.recognise import SEPARABLE
 from chaplygin.flow.integrator import integrate
@@ -42,7 +42,8 @@ for _place in SEPARABLE:
 PLAIN = [
     name
     for name, made in SYSTEMS.items()
-    if not {s for s, _ in made.constants} & {s for _, f in flat_state(made) for s in f.free_symbols}
+    if not {s for s, _ in made.constants}
+    & {s for _, f in flat_pairs(made.state) for s in f.free_symbols}
 ]
 
 
@@ -111,7 +112,7 @@ def focal(made: SeparatedSystem, push: tuple[float, float, float]) -> list[Any]:
             (known[symbol],) = evaluated([formula], known)
         else:
             moving.add(symbol)
-    state = dict(flat_state(made))
+    state = dict(flat_pairs(made.state))
     found = evaluated([state[s] for s in system.symbols], known)
     with mpmath.workdps(50):
         return [mpmath.mpf(x.mid().str(48, radius=False)) for x in found]

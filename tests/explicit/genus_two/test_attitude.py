@@ -34,5 +34,5 @@ def test_signs_are_continuous_over_many_turns(turns: tuple[int, int]) -> None:
 
     covered = cover(attitude, (16, 16))
     line = np.stack([np.linspace(0, 3.99, 400), np.linspace(0.3, -3.6, 400)], axis=1)
-    signed = covered.signed(line, attitude(line))
+    signed = covered.with_signs(line, attitude(line))
     assert np.min(np.sum(signed[1:] * signed[:-1], axis=1)) > 0.9

@@ -29,7 +29,7 @@ def test_the_rest_completes_the_curve() -> None:
             low, high = curve.ends(left)
             s = arb("0.9")
             z = (low + high) / 2 - (high - low) / 2 * s.cos()
-            assert ((z - low) * (high - z) * curve.rest(left, s)).overlaps(abs(curve(z)))
+            assert ((z - low) * (high - z) * curve.cofactor(left, s)).overlaps(abs(curve(z)))
 
 
 def test_equal_roots_are_told() -> None:

@@ -80,7 +80,7 @@ def test_the_vector_that_stays_in_space():
     v = v_0 + np.outer(TIMES, V)
     turns = attitude(v, TIMES)
     made = reduction(angular_velocity(V), V, v_0, quaternions(turns)[0])
-    in_space = turns.apply(made.fixed(v).T)
+    in_space = turns.apply(made.fixed_vector(v).T)
     assert np.allclose(np.abs(in_space), [[1, 0, 0]], atol=1e-11)
     assert np.ptp(in_space[:, 0]) < 1e-11
 

@@ -66,7 +66,7 @@ def test_a_third_frequency(omega: float) -> None:
             one, other = parts(v)
             return ((one + 1j * other) * np.exp(1j * (omega * tau + 0.2))).real
 
-        found = made.at(V_0 + np.outer([t], V), np.array([t]))[0]
+        found = made.values(V_0 + np.outer([t], V), np.array([t]))[0]
         assert found == pytest.approx(by_trapezoids(rate, V, t), abs=1e-12)
 
 

@@ -11,14 +11,14 @@ CLOCK = solution(veselova(), without(OMEGA, GAMMA), GAMMA).clock
 
 def test_the_clock_and_its_inverse() -> None:
     times = np.array([0.0, 1.0, -7.5, 1e3])
-    moment = CLOCK.at(times)
+    moment = CLOCK.torus_point(times)
     value, rate = CLOCK.flow.quasi(moment.v, moment.tau)
     assert CLOCK.flow.mean * moment.tau + value == pytest.approx(times, rel=1e-14, abs=1e-14)
     assert np.all(CLOCK.flow.mean + rate > 0)
 
 
 def test_phases_grow_as_tau() -> None:
-    moment = CLOCK.at(np.array([2.5]))
+    moment = CLOCK.torus_point(np.array([2.5]))
     expected = CLOCK.v_0 + CLOCK.V * moment.tau[0]
     turns = (moment.v[0] - expected) / 4
     assert turns == pytest.approx(np.round(turns), abs=1e-14)

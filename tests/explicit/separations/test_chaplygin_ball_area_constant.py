@@ -13,18 +13,18 @@ from chaplygin.core.vectors import to_components
 from chaplygin.explicit.genus_two.separation import nuprime
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.separations.chaplygin_ball_area_constant import (
+    EVEN,
     M,
     chaplygin_area,
-    even_clock,
     gamma,
 )
-from chaplygin.explicit.separations.chaplygin_reduction import chart, frozen
+from chaplygin.explicit.separations.chaplygin_reduction import chart, chart_at_level
 from chaplygin.proof.prover import prove
 from explicit.along import at, follows, located, slips, states
 
 SEPARABLE = chaplygin_area()
 SLIPS = dict(slips(replace(SEPARABLE, fixed=(M, gamma))))
-CHART, FROZEN = chart(), frozen()
+CHART, FROZEN = chart(), chart_at_level()
 PARAMETERS = {"m": "1.3", "I_1": "2.1", "I_2": "1", "I_3": "1.5", "R": "0.7"}
 #: M and γ with an area constant of either sign, small, and near the largest one.
 STARTS = {
@@ -101,7 +101,7 @@ def test_even_part_of_the_clock():
         known = located(SEPARABLE, values)
         back = known | {s: -known[s] for s in nuprime.symbols}
         mean = (at(SEPARABLE.clock, known) + at(SEPARABLE.clock, back)) / 2
-        assert abs(mean - at(even_clock(), known)) < 1e-30
+        assert abs(mean - at(EVEN, known)) < 1e-30
 
 
 def test_zero_area_constant_is_the_special_case():

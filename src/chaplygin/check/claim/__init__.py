@@ -1,1 +1,1 @@
-"""What a certificate claims, and its residuals as numbers at a point."""
+"""The claim of a certificate, and its residuals as numbers at a point."""

@@ -1,15 +1,15 @@
-"""What is claimed: a system and a law, read from a certificate."""
+"""The claim of a certificate: a system and a law."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 from .errors import CheckError
-from .evaluate import Place
+from .evaluate import Point
 from .formulas import Formula, names_in, parse, parse_condition
 from .jets import Number
 from .json_data import field, integer, items, listed, mapping, only, text
@@ -29,10 +29,7 @@ class ClaimedSystem:
 
     Attributes
     ----------
-    state : tuple of str
-    rates : tuple of formulas
     definitions : mapping of name to formula, in order
-    parameters : tuple of str
     relations : tuple of formulas
         Vanish on the phase space.
     guards : tuple of formulas
@@ -59,24 +56,24 @@ class ClaimedSystem:
     ) -> set[str]:
         """All names on which formulas depend, through definitions."""
         definitions = {**self.definitions, **(more or {})}
-        found: set[str] = set()
+        reached: set[str] = set()
         waiting = names_in(formulas)
         while waiting:
             word = waiting.pop()
-            found.add(word)
+            reached.add(word)
             if word in definitions:
-                waiting |= names_in([definitions[word]]) - found
-        return found
+                waiting |= names_in([definitions[word]]) - reached
+        return reached
 
-    def place(
+    def point(
         self,
         values: Mapping[str, Number],
         functions: Functions,
         settled: Mapping[str, Formula] | None = None,
-    ) -> Place:
+    ) -> Point:
         """The system at a point."""
         rates = dict(zip(self.state, self.rates, strict=True))
-        return Place(values, self.definitions, rates, functions, settled)
+        return Point(values, self.definitions, rates, functions, settled)
 
 
 @dataclass(frozen=True)
@@ -85,10 +82,6 @@ class Law:
 
     Attributes
     ----------
-    kind : str
-    on : tuple of formulas
-    single : mapping of field name to formula
-    several : mapping of field name to tuple of formulas
     pairs : mapping of field name to tuple of (name or formula, formula)
     matrix : tuple of tuple of formulas
         Of a bracket.
@@ -108,13 +101,13 @@ class Law:
 
     def formulas(self) -> list[Formula]:
         """All formulas about the system itself."""
-        found = [*self.on, *self.single.values()]
-        found += [f for name, group in self.several.items() if name != "onto" for f in group]
+        formulas = [*self.on, *self.single.values()]
+        formulas += [f for name, group in self.several.items() if name != "onto" for f in group]
         for name, group in self.pairs.items():
-            found += [value for _, value in group]
+            formulas += [value for _, value in group]
             if name == "density":
-                found += [base for base, _ in group]
-        return [*found, *(entry for row in self.matrix for entry in row)]
+                formulas += [base for base, _ in group]
+        return [*formulas, *(entry for row in self.matrix for entry in row)]
 
     @property
     def quantities(self) -> dict[str, Formula]:
@@ -131,7 +124,7 @@ class Claim:
 
     @property
     def conditions(self) -> tuple[Formula, ...]:
-        """What vanishes where the law is claimed."""
+        """The formulas that vanish where the law is claimed."""
         return (*self.system.relations, *self.law.on)
 
     @cached_property
@@ -141,28 +134,28 @@ class Claim:
         return tuple(c for c in self.conditions if self.system.reach([c]) & state)
 
 
-def _formulas(data: Any, what: str) -> tuple[Formula, ...]:
+def _formulas(data: object, what: str) -> tuple[Formula, ...]:
     return tuple(parse(t, f"{what} {i}") for i, t in enumerate(listed(data, what), 1))
 
 
-def _name(data: Any, what: str) -> str:
+def _name(data: object, what: str) -> str:
     word = text(data, what)
     if _NAME.fullmatch(word) is None or word in _TAKEN:
         raise CheckError(f"{what} is {word!r}, which is no name")
     return word
 
 
-def _names(data: Any, what: str) -> tuple[str, ...]:
+def _names(data: object, what: str) -> tuple[str, ...]:
     return tuple(_name(word, what) for word in listed(data, what))
 
 
-def _pairs(data: Any, what: str) -> tuple[tuple[str, Formula], ...]:
-    found = []
+def _pairs(data: object, what: str) -> tuple[tuple[str, Formula], ...]:
+    pairs = []
     for pair in listed(data, what):
         word, formula = items(pair, 2, what)
-        found.append((_name(word, what), parse(formula, f"{what} {word}")))
-    _distinct([word for word, _ in found], what)
-    return tuple(found)
+        pairs.append((_name(word, what), parse(formula, f"{what} {word}")))
+    _distinct([word for word, _ in pairs], what)
+    return tuple(pairs)
 
 
 def _distinct(words: Iterable[str], what: str) -> None:
@@ -179,7 +172,7 @@ def _require(formulas: Iterable[Formula], known: set[str], what: str) -> None:
         raise CheckError(f"{what} uses {strange[0]}, which is unknown")
 
 
-def read_system(data: Any, what: str) -> ClaimedSystem:
+def read_system(data: object, what: str) -> ClaimedSystem:
     """Read a system; what is wrong with it raises CheckError."""
     data = mapping(data, what)
     fields = ("name", "state", "rates", "definitions", "parameters", "relations", "guards")
@@ -225,7 +218,7 @@ _KINDS: dict[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]] = {
 _OPTIONAL = {("Identity", "quantities"), ("Isomorphism", "onto")}
 
 
-def read_claim(data: Any, what: str) -> Claim:
+def read_claim(data: object, what: str) -> Claim:
     """Read a claim; what is wrong with it raises CheckError."""
     data = mapping(data, what)
     only(data, what, "system", "law")
@@ -242,7 +235,7 @@ def read_claim(data: Any, what: str) -> Claim:
     return Claim(system, law)
 
 
-def _law(data: Mapping[str, Any], system: ClaimedSystem, what: str) -> Law:
+def _law(data: Mapping[str, object], system: ClaimedSystem, what: str) -> Law:
     kind = field(data, "kind", what)
     if not isinstance(kind, str) or kind not in _KINDS:
         raise CheckError(f"{what} is of the kind {kind!r}, which is unknown")
@@ -255,32 +248,32 @@ def _law(data: Mapping[str, Any], system: ClaimedSystem, what: str) -> Law:
     }.get(kind, ())
     only(data, what, "kind", "name", "on", *single, *several, *pairs, *extra)
     text(field(data, "name", what), f"the name of {what}")
-    given = {**{word: [] for other, word in _OPTIONAL if other == kind}, **data}
-    made: dict[str, Any] = {
-        "kind": kind,
-        "on": _formulas(field(data, "on", what), f"the level of {what}"),
-        "single": {n: parse(field(data, n, what), f"{n} of {what}") for n in single},
-        "several": {n: _formulas(field(given, n, what), f"{n} of {what}") for n in several},
-        "pairs": {n: _pairs(field(given, n, what), f"{n} of {what}") for n in pairs},
-    }
+    filled = {**{word: [] for other, word in _OPTIONAL if other == kind}, **data}
+    on = _formulas(field(data, "on", what), f"the level of {what}")
+    formulas = {n: parse(field(data, n, what), f"{n} of {what}") for n in single}
+    lists = {n: _formulas(field(filled, n, what), f"{n} of {what}") for n in several}
+    named = {n: _pairs(field(filled, n, what), f"{n} of {what}") for n in pairs}
+    law = Law(kind, on, formulas, lists, named)
     if kind == "Measure":
-        made["pairs"]["density"] = _density(field(data, "density", what), system, what)
+        density = _density(field(data, "density", what), system, what)
+        law = replace(law, pairs={**named, "density": density})
     if kind == "PoissonStructure":
-        made |= _bracket(data, system, what)
+        law = _with_bracket(law, data, system, what)
     if kind == "ConformallyHamiltonian":
         structure = mapping(field(data, "structure", what), what)
         only(structure, f"the structure of {what}", "matrix", "casimirs", "rank", "name")
-        casimirs = field(structure, "casimirs", what)
-        made["several"]["casimirs"] = _formulas(casimirs, f"casimirs of {what}")
-        made |= _bracket(structure, system, what)
+        casimirs = _formulas(field(structure, "casimirs", what), f"casimirs of {what}")
+        law = replace(law, several={**lists, "casimirs": casimirs})
+        law = _with_bracket(law, structure, system, what)
     if kind == "Symmetry":
-        _require_names(made["pairs"]["field"], set(system.state), f"the field of {what}")
+        _require_names(named["field"], set(system.state), f"the field of {what}")
     if kind == "Isomorphism":
-        made["target"] = target = read_system(data.get("target"), f"the target of {what}")
-        _check_isomorphism(made["pairs"], system, target, what)
+        target = read_system(data.get("target"), f"the target of {what}")
+        _check_isomorphism(named, system, target, what)
         there = {*target.symbols, *target.definitions, *system.parameters}
-        _require(made["several"]["onto"], there, f"the image of {what}")
-    return Law(**made)
+        _require(lists["onto"], there, f"the image of {what}")
+        law = replace(law, target=target)
+    return law
 
 
 def _require_names(pairs: Iterable[tuple[str, Formula]], known: set[str], what: str) -> None:
@@ -289,34 +282,37 @@ def _require_names(pairs: Iterable[tuple[str, Formula]], known: set[str], what: 
             raise CheckError(f"{what} names {word}, which is unknown there")
 
 
-def _density(data: Any, system: ClaimedSystem, what: str) -> tuple[tuple[Formula, Formula], ...]:
-    found = []
+def _density(data: object, system: ClaimedSystem, what: str) -> tuple[tuple[Formula, Formula], ...]:
+    factors = []
     for pair in listed(data, what):
         base, exponent = items(pair, 2, f"the density of {what}")
-        made = parse(base, f"the density of {what}"), parse(exponent, f"the density of {what}")
-        if system.reach([made[1]]) & set(system.state):
+        factor = parse(base, f"the density of {what}"), parse(exponent, f"the density of {what}")
+        if system.reach([factor[1]]) & set(system.state):
             raise CheckError(f"the density of {what} has an exponent that depends on the state")
-        found.append(made)
-    return tuple(found)
+        factors.append(factor)
+    return tuple(factors)
 
 
-def _bracket(data: Mapping[str, Any], system: ClaimedSystem, what: str) -> dict[str, Any]:
+def _with_bracket(law: Law, data: Mapping[str, object], system: ClaimedSystem, what: str) -> Law:
+    """A law with the matrix of its bracket, and the rank that is claimed of it."""
     size = len(system.state)
     rows = items(field(data, "matrix", what), size, f"the matrix of {what}")
     matrix = tuple(
         tuple(parse(t, f"the matrix of {what}") for t in items(row, size, f"a row of {what}"))
         for row in rows
     )
-    rank = field(data, "rank", what)
-    if rank is not None:
-        rank = integer(rank, f"the rank of {what}", 0, size)
-        if rank % 2:
-            raise CheckError(f"the rank of {what} is odd")
-    return {"matrix": matrix, "rank": rank}
+    stated = field(data, "rank", what)
+    rank = None if stated is None else integer(stated, f"the rank of {what}", 0, size)
+    if rank is not None and rank % 2:
+        raise CheckError(f"the rank of {what} is odd")
+    return replace(law, matrix=matrix, rank=rank)
 
 
 def _check_isomorphism(
-    pairs: Mapping[str, Any], system: ClaimedSystem, target: ClaimedSystem, what: str
+    pairs: Mapping[str, tuple[tuple[str, Formula], ...]],
+    system: ClaimedSystem,
+    target: ClaimedSystem,
+    what: str,
 ) -> None:
     _require_names(pairs["map"], set(target.state), f"the map of {what}")
     _require_names(pairs["constants"], set(target.parameters), f"the constants of {what}")

@@ -1,4 +1,4 @@
-"""Where a law is defined: what its formulas divide by, and what stands under their roots.
+"""The domain of a law: the divisors of its formulas, and their radicands.
 
 A law says nothing where a divisor vanishes, or where something under a root, in a power that is no
 whole number or in a logarithm is not positive.
@@ -9,14 +9,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+
+from flint import arb
 
 from .claim import Claim
 from .errors import UndefinedError
-from .evaluate import Place, exact_value
+from .evaluate import Point, exact_value
 from .formulas import Formula, call, number, power, product, total, walk
 from .jets import Number
-from .residuals import gram_determinants, target_place
+from .residuals import gram_determinants, target_point
 
 __all__ = ["GRAM", "Domain", "domain"]
 
@@ -32,11 +33,11 @@ class Domain:
 
     Attributes
     ----------
-    nonzero : tuple of (place, formula)
-        Do not vanish; the place is ``"own"`` or ``"target"``.
-    positive : tuple of (place, formula, exponent)
+    nonzero : tuple of (side, formula)
+        Do not vanish; the side is ``"own"`` or ``"target"``.
+    positive : tuple of (side, formula, exponent)
         Are positive; the exponent of the power that asks for it, or None if it is no number.
-    logarithms : tuple of (place, formula)
+    logarithms : tuple of (side, formula)
         Are positive, too.
     gram : bool
         Whether the conditions must be independent.
@@ -48,22 +49,22 @@ class Domain:
     logarithms: tuple[tuple[str, Formula], ...]
     gram: bool
 
-    def values(self, place: Place) -> tuple[list[Any], list[Any], list[Any]]:
+    def values(self, point: Point) -> tuple[list[arb], list[arb], list[arb]]:
         """Values of what does not vanish, what stands under roots and in logarithms.
 
         Raises
         ------
         UndefinedError
-            If the law is not certainly defined at the place.
+            If the law is not certainly defined at the point.
         """
-        places = {"own": place.with_definitions(self.claim.law.quantities)}
+        points = {"own": point.with_definitions(self.claim.law.quantities)}
         if self.claim.law.target is not None:
-            places["target"] = target_place(self.claim, place)
-        nonzero: list[Number] = [places[where](f) for where, f in self.nonzero]
+            points["target"] = target_point(self.claim, point)
+        nonzero: list[Number] = [points[where](f) for where, f in self.nonzero]
         if self.gram:
-            nonzero += gram_determinants(self.claim, place)
-        positive = [places[where](f) for where, f, _ in self.positive]
-        logarithms = [places[where](f) for where, f in self.logarithms]
+            nonzero += gram_determinants(self.claim, point)
+        positive = [points[where](f) for where, f, _ in self.positive]
+        logarithms = [points[where](f) for where, f in self.logarithms]
         if any(value.contains(0) for value in nonzero):
             raise UndefinedError("a divisor may vanish")
         if not all(value > 0 for value in [*positive, *logarithms]):
@@ -72,33 +73,38 @@ class Domain:
 
 
 def domain(claim: Claim, settled: Mapping[str, Formula]) -> Domain:
-    """What decides where the law of a claim is defined.
+    """The formulas that decide where the law of a claim is defined.
 
     Parameters
     ----------
-    claim : Claim
     settled : mapping of name to formula
         Parameters with a value on the level, which may make an exponent a whole number.
     """
     system, law = claim.system, claim.law
-    found = _Found()
+    collector = _Collector()
     known = {**system.definitions, **law.quantities}
     base = [*system.rates, *claim.conditions, *law.formulas()]
     needed = system.reach(base, law.quantities)
     formulas = [*base, *(f for word, f in known.items() if word in needed)]
-    found.collect("own", formulas, {**known, **settled})
+    collector.collect("own", formulas, {**known, **settled})
     if law.kind == "Measure":
         for density, _ in law.pairs["density"]:
-            found.divided("own", density)
+            collector.nonzero_factors("own", density)
     if law.target is not None:
         target = law.target
         base = [*target.rates, *target.relations, *law.several["onto"]]
         needed = target.reach(base)
         formulas = [*base, *(f for word, f in target.definitions.items() if word in needed)]
         constants = constant_values(claim, {**known, **settled})
-        found.collect("target", formulas, {**target.definitions, **constants})
+        collector.collect("target", formulas, {**target.definitions, **constants})
     gram = law.kind == "Measure" and bool(claim.moving)
-    return Domain(claim, tuple(found.nonzero), tuple(found.positive), tuple(found.logarithms), gram)
+    return Domain(
+        claim,
+        tuple(collector.nonzero),
+        tuple(collector.positive),
+        tuple(collector.logarithms),
+        gram,
+    )
 
 
 def constant_values(claim: Claim, known: Mapping[str, Formula]) -> dict[str, Formula]:
@@ -106,16 +112,16 @@ def constant_values(claim: Claim, known: Mapping[str, Formula]) -> dict[str, For
     law, target = claim.law, claim.law.target
     assert target is not None
     formulas = dict(law.pairs["constants"])
-    made = {}
+    values = {}
     for word in target.parameters:
         formula = formulas.get(word, known.get(word))
         value = None if formula is None else exact_value(formula, known)
         if value is not None:
-            made[word] = number(value)
-    return made
+            values[word] = number(value)
+    return values
 
 
-class _Found:
+class _Collector:
     """Formulas collected, each once."""
 
     def __init__(self) -> None:
@@ -133,16 +139,16 @@ class _Found:
                 if value is None or value.denominator != 1:
                     self.positive[where, base, value] = None
                 elif value < 0:
-                    self.divided(where, base)
+                    self.nonzero_factors(where, base)
             elif node.kind == "call":
-                self._called(where, node.word, node.parts)
+                self._add_call(where, node.word, node.parts)
 
-    def divided(self, where: str, base: Formula) -> None:
-        """What does not vanish when `base` does not."""
+    def nonzero_factors(self, where: str, base: Formula) -> None:
+        """Factors that do not vanish when `base` does not."""
         for part in _factors(base):
             self.nonzero[where, part] = None
 
-    def _called(self, where: str, word: str, parts: tuple[Formula, ...]) -> None:
+    def _add_call(self, where: str, word: str, parts: tuple[Formula, ...]) -> None:
         first = parts[0]
         if word == "sqrt":
             self.positive[where, first, HALF] = None
@@ -151,8 +157,8 @@ class _Found:
         elif word == "log":
             self.logarithms[where, first] = None
         elif word in ("asin", "acos"):
-            rest = total((number(1), product((number(-1), power(first, number(2))))))
-            self.positive[where, rest, HALF] = None
+            square = total((number(1), product((number(-1), power(first, number(2))))))
+            self.positive[where, square, HALF] = None
         elif word == "atan2":
             self.nonzero[where, total(power(part, number(2)) for part in parts)] = None
         elif word in _DIVISORS:

@@ -1,4 +1,4 @@
-"""How a check ends badly; each message is one sentence for a reader."""
+"""Errors of a check; each message is one sentence for a reader."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ class CheckError(Exception):
 
 
 class BadInputError(Exception):
-    """What was given is no certificate."""
+    """The data are no certificate."""
 
 
 class UndefinedError(Exception):

@@ -25,10 +25,10 @@ from .jets import (
 )
 from .unspecified_functions import Functions
 
-__all__ = ["Place", "exact_value"]
+__all__ = ["Point", "exact_value"]
 
 
-class Place:
+class Point:
     """A point at which formulas are evaluated, perhaps moving.
 
     Parameters
@@ -63,11 +63,11 @@ class Place:
         self.settled = dict(settled or {})
         self.level = level
         self._seen: dict[Formula, Number] = {}
-        self._moving: Place | None = None
+        self._moving: Point | None = None
 
-    def with_definitions(self, more: Mapping[str, Formula]) -> Place:
-        """The same point with further definitions."""
-        return Place(
+    def with_definitions(self, more: Mapping[str, Formula]) -> Point:
+        """The point with further definitions."""
+        return Point(
             self.values,
             {**self.definitions, **more},
             self.rates,
@@ -76,7 +76,7 @@ class Place:
             self.level,
         )
 
-    def moving(self) -> Place:
+    def moving(self) -> Point:
         """The point as it moves: every value with its derivative in direction 0."""
         if self._moving is None:
             values = dict(self.values)
@@ -85,15 +85,15 @@ class Place:
             self._moving = self._above(values)
         return self._moving
 
-    def partial(self, words: Iterable[str]) -> Place:
+    def partial(self, words: Iterable[str]) -> Point:
         """The point with partial derivatives by symbols, numbered."""
         values = dict(self.values)
         for i, word in enumerate(words):
             values[word] = Jet(self.level + 1, values[word], {i: arb(1)})
         return self._above(values)
 
-    def _above(self, values: Mapping[str, Number]) -> Place:
-        return Place(
+    def _above(self, values: Mapping[str, Number]) -> Point:
+        return Point(
             values, self.definitions, self.rates, self.functions, self.settled, self.level + 1
         )
 
@@ -103,11 +103,11 @@ class Place:
 
     def __call__(self, formula: Formula) -> Number:
         """The value of a formula."""
-        found = self._seen.get(formula)
-        if found is None:
+        value = self._seen.get(formula)
+        if value is None:
             self._prepare(formula)
-            found = self._seen[formula] = self._evaluated(formula)
-        return found
+            value = self._seen[formula] = self._fresh_value(formula)
+        return value
 
     def _prepare(self, formula: Formula) -> None:
         """Evaluate chains of definitions from below, so that they are not nested."""
@@ -122,14 +122,14 @@ class Place:
                 waiting.extend(names_in([self.definitions[word]]))
         for word, definition in self.definitions.items():
             if word in needed and word != formula.word:
-                self._seen[definition] = self._evaluated(definition)
+                self._seen[definition] = self._fresh_value(definition)
 
     def _waits(self, word: str) -> bool:
         """Whether a symbol has a definition that has not been evaluated."""
         definition = None if word in self.values else self.definitions.get(word)
         return definition is not None and definition not in self._seen
 
-    def _evaluated(self, formula: Formula) -> Number:
+    def _fresh_value(self, formula: Formula) -> Number:
         kind, parts = formula.kind, formula.parts
         if kind == "number":
             return ball(formula.word)
@@ -150,7 +150,7 @@ class Place:
         if kind == "function":
             word, orders = formula.word
             return self.functions.value(word, orders, [self(part) for part in parts])
-        return self._called(formula.word, parts)
+        return self._known_function(formula.word, parts)
 
     def _named(self, word: str) -> Number:
         if word in self.values:
@@ -177,7 +177,7 @@ class Place:
             return raised(self(base), int(value))
         return rational_power(self(base), value)
 
-    def _called(self, word: str, parts: tuple[Formula, ...]) -> Number:
+    def _known_function(self, word: str, parts: tuple[Formula, ...]) -> Number:
         if word == "Rate":
             there = self.moving()
             return slopes_of(there(parts[0]), there.level).get(0, arb(0))

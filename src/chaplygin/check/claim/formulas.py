@@ -65,54 +65,54 @@ class Formula:
         return f"{self.kind}({self.word}, {', '.join(map(repr, self.parts))})"
 
 
-_ALL: weakref.WeakValueDictionary[Any, Formula] = weakref.WeakValueDictionary()
+_ALL: weakref.WeakValueDictionary[object, Formula] = weakref.WeakValueDictionary()
 
 
-def _made(kind: str, word: Any, parts: Iterable[Formula] = ()) -> Formula:
+def _node(kind: str, word: Any, parts: Iterable[Formula] = ()) -> Formula:
     parts = tuple(parts)
     key = (kind, word, parts)
-    found = _ALL.get(key)
-    if found is None:
-        found = Formula(kind, word, parts)
-        _ALL[key] = found
-    return found
+    formula = _ALL.get(key)
+    if formula is None:
+        formula = Formula(kind, word, parts)
+        _ALL[key] = formula
+    return formula
 
 
 def number(value: Fraction | int) -> Formula:
     """A rational number."""
-    return _made("number", Fraction(value))
+    return _node("number", Fraction(value))
 
 
 def name(word: str) -> Formula:
     """A symbol."""
-    return _made("name", word)
+    return _node("name", word)
 
 
 def total(parts: Iterable[Formula]) -> Formula:
     """A sum."""
     parts = tuple(parts)
-    return parts[0] if len(parts) == 1 else _made("sum", None, parts)
+    return parts[0] if len(parts) == 1 else _node("sum", None, parts)
 
 
 def product(parts: Iterable[Formula]) -> Formula:
     """A product."""
     parts = tuple(parts)
-    return parts[0] if len(parts) == 1 else _made("product", None, parts)
+    return parts[0] if len(parts) == 1 else _node("product", None, parts)
 
 
 def power(base: Formula, exponent: Formula) -> Formula:
     """A power."""
-    return _made("power", None, (base, exponent))
+    return _node("power", None, (base, exponent))
 
 
 def call(word: str, parts: Iterable[Formula]) -> Formula:
     """A value of a known function."""
-    return _made("call", word, parts)
+    return _node("call", word, parts)
 
 
-def function(word: str, orders: Iterable[int], places: Iterable[Formula]) -> Formula:
-    """A value of a derivative of an unspecified function: how often by each place."""
-    return _made("function", (word, tuple(orders)), places)
+def function(word: str, orders: Iterable[int], arguments: Iterable[Formula]) -> Formula:
+    """A value of a derivative of an unspecified function: how often by each argument."""
+    return _node("function", (word, tuple(orders)), arguments)
 
 
 def walk(formulas: Iterable[Formula]) -> Iterator[Formula]:
@@ -137,10 +137,10 @@ def replaced(formula: Formula, table: Mapping[str, Formula]) -> Formula:
         return table.get(formula.word, formula)
     if not formula.parts:
         return formula
-    return _made(formula.kind, formula.word, [replaced(part, table) for part in formula.parts])
+    return _node(formula.kind, formula.word, [replaced(part, table) for part in formula.parts])
 
 
-def parse(text: Any, what: str) -> Formula:
+def parse(text: object, what: str) -> Formula:
     """Read a formula.
 
     Raises
@@ -151,7 +151,7 @@ def parse(text: Any, what: str) -> Formula:
     return _Reader(text, what).whole()
 
 
-def parse_condition(text: Any, what: str) -> list[tuple[Formula, str]]:
+def parse_condition(text: object, what: str) -> list[tuple[Formula, str]]:
     """Read a condition on parameters: formulas with ``>``, ``>=``, ``=`` or ``!=`` (to zero)."""
     return _Reader(text, what).condition()
 
@@ -159,7 +159,7 @@ def parse_condition(text: Any, what: str) -> list[tuple[Formula, str]]:
 class _Reader:
     """A recursive descent through the tokens of one text."""
 
-    def __init__(self, text: Any, what: str) -> None:
+    def __init__(self, text: object, what: str) -> None:
         if not isinstance(text, str) or len(text) > LENGTH:
             raise CheckError(f"{what} is no text of a formula")
         self.text, self.what = text, what
@@ -174,11 +174,11 @@ class _Reader:
     def _tokens(self) -> Iterator[tuple[str, str]]:
         at, end = 0, len(self.text.rstrip())
         while at < end:
-            found = _TOKEN.match(self.text, at)
-            if found is None:
+            match = _TOKEN.match(self.text, at)
+            if match is None:
                 raise self._wrong(f"has an unexpected {self.text[at:].lstrip()[0]!r}")
-            yield str(found.lastgroup), found.group(found.lastgroup or 0)
-            at = found.end()
+            yield str(match.lastgroup), match.group(match.lastgroup or 0)
+            at = match.end()
 
     def _peek(self) -> str:
         return self.tokens[self.at][1] if self.at < len(self.tokens) else ""
@@ -198,22 +198,22 @@ class _Reader:
             raise self._wrong(f"has an unexpected {self._peek()!r}")
 
     def whole(self) -> Formula:
-        found = self.sum()
+        formula = self.sum()
         self._end()
-        return found
+        return formula
 
     # --- conditions ----------------------------------------------------------------------------
 
     def condition(self) -> list[tuple[Formula, str]]:
-        found = self._both()
+        relations = self._conjunction()
         self._end()
-        return found
+        return relations
 
-    def _both(self) -> list[tuple[Formula, str]]:
-        found = self._one()
+    def _conjunction(self) -> list[tuple[Formula, str]]:
+        relations = self._one()
         while self._take("&"):
-            found += self._one()
-        return found
+            relations += self._one()
+        return relations
 
     def _one(self) -> list[tuple[Formula, str]]:
         for word, sign in (("Ne", "!="), ("Eq", "=")):
@@ -226,16 +226,16 @@ class _Reader:
                 return [(_difference(first, second), sign)]
         start = self.at
         try:
-            return [self._compared()]
+            return [self._comparison()]
         except CheckError:
             self.at = start
             if self._take("(") is None:
                 raise
-            found = self._both()
+            relations = self._conjunction()
             self._expect(")")
-            return found
+            return relations
 
-    def _compared(self) -> tuple[Formula, str]:
+    def _comparison(self) -> tuple[Formula, str]:
         first = self.sum()
         sign = self._take(">", ">=", "<", "<=", "==", "!=")
         if sign is None:
@@ -254,14 +254,14 @@ class _Reader:
         parts = [self._product()]
         while (sign := self._take("+", "-")) is not None:
             part = self._product()
-            parts.append(part if sign == "+" else _negated(part))
+            parts.append(part if sign == "+" else _negative(part))
         self.depth -= 1
         return total(parts)
 
     def _product(self) -> Formula:
-        parts = [self._signed()]
+        parts = [self._unary()]
         while (sign := self._take("*", "/")) is not None:
-            part = self._signed()
+            part = self._unary()
             parts.append(part if sign == "*" else _inverse(part))
         numbers = [part for part in parts if part.kind == "number"]
         if len(numbers) == len(parts):
@@ -271,12 +271,12 @@ class _Reader:
             return number(value)
         return product(parts)
 
-    def _signed(self) -> Formula:
+    def _unary(self) -> Formula:
         negative = False
         while (sign := self._take("+", "-")) is not None:
             negative ^= sign == "-"
-        found = self._power()
-        return _negated(found) if negative else found
+        formula = self._power()
+        return _negative(formula) if negative else formula
 
     def _power(self) -> Formula:
         base = self._atom()
@@ -285,7 +285,7 @@ class _Reader:
         self.depth += 1
         if self.depth > DEPTH:
             raise self._wrong("is nested too deep")
-        exponent = self._signed()
+        exponent = self._unary()
         self.depth -= 1
         return power(base, exponent)
 
@@ -306,24 +306,24 @@ class _Reader:
             return number(Fraction(word))
         if self._take("(") is None:
             return name(word)
-        return self._called(word)
+        return self._call(word)
 
     # --- calls -----------------------------------------------------------------------------------
 
-    def _called(self, word: str) -> Formula:
+    def _call(self, word: str) -> Formula:
         if word == "Derivative":
             return self._derivative()
         if word == "Subs":
-            return self._substituted()
-        places = [self.sum()]
+            return self._substitution()
+        arguments = [self.sum()]
         while self._take(","):
-            places.append(self.sum())
+            arguments.append(self.sum())
         self._expect(")")
         if word not in KNOWN:
-            return function(word, [0] * len(places), places)
-        if len(places) != KNOWN[word]:
-            raise self._wrong(f"gives {word} {len(places)} arguments")
-        return call(word, places)
+            return function(word, [0] * len(arguments), arguments)
+        if len(arguments) != KNOWN[word]:
+            raise self._wrong(f"gives {word} {len(arguments)} arguments")
+        return call(word, arguments)
 
     def _derivative(self) -> Formula:
         inner = self.sum()
@@ -351,14 +351,14 @@ class _Reader:
     def _list(self) -> list[Formula]:
         if self._take("(") is None:
             return [self.sum()]
-        found = [self.sum()]
+        formulas = [self.sum()]
         while self._take(","):
             if self._peek() != ")":
-                found.append(self.sum())
+                formulas.append(self.sum())
         self._expect(")")
-        return found
+        return formulas
 
-    def _substituted(self) -> Formula:
+    def _substitution(self) -> Formula:
         inner = self.sum()
         self._expect(",")
         start = self.at
@@ -378,7 +378,7 @@ class _Reader:
         return [self.sum()]
 
 
-def _negated(part: Formula) -> Formula:
+def _negative(part: Formula) -> Formula:
     if part.kind == "number":
         return number(-part.word)
     return product((number(-1), part))
@@ -393,4 +393,4 @@ def _inverse(part: Formula) -> Formula:
 def _difference(first: Formula, second: Formula) -> Formula:
     if second.kind == "number" and not second.word:
         return first
-    return total((first, _negated(second)))
+    return total((first, _negative(second)))

@@ -32,7 +32,7 @@ class Jet:
         self.level, self.value, self.slopes = level, value, slopes
 
 
-def ball(value: Fraction | int) -> Any:
+def ball(value: Fraction | int) -> arb:
     """A rational number as a ball."""
     value = Fraction(value)
     return arb(fmpq(value.numerator, value.denominator))
@@ -50,13 +50,6 @@ def value_of(a: Number, level: int) -> Number:
 def slopes_of(a: Number, level: int) -> Mapping[int, Number]:
     """The derivatives of a level."""
     return a.slopes if isinstance(a, Jet) and a.level == level else {}
-
-
-def value_at_bottom(a: Number) -> Any:
-    """The ball in which a number lies."""
-    while isinstance(a, Jet):
-        a = a.value
-    return a
 
 
 def add(a: Number, b: Number) -> Number:
@@ -82,20 +75,20 @@ def multiply(a: Number, b: Number) -> Number:
     if first < second:
         a, b, first, second = b, a, second, first
     if first > second:
-        return Jet(first, multiply(a.value, b), _scaled(a.slopes, b))
-    slopes = _scaled(a.slopes, b.value)
+        return Jet(first, multiply(a.value, b), _multiples(a.slopes, b))
+    slopes = _multiples(a.slopes, b.value)
     for i, slope in b.slopes.items():
         part = multiply(a.value, slope)
         slopes[i] = add(slopes[i], part) if i in slopes else part
     return Jet(first, multiply(a.value, b.value), slopes)
 
 
-def _scaled(slopes: Mapping[int, Number], factor: Number) -> dict[int, Number]:
+def _multiples(slopes: Mapping[int, Number], factor: Number) -> dict[int, Number]:
     return {i: multiply(slope, factor) for i, slope in slopes.items()}
 
 
 def _through(a: Jet, value: Number, derivative: Number) -> Jet:
-    return Jet(a.level, value, _scaled(a.slopes, derivative))
+    return Jet(a.level, value, _multiples(a.slopes, derivative))
 
 
 def inverse(a: Number) -> Number:
@@ -149,10 +142,10 @@ def apply(word: str, a: Number) -> Number:
         if a.contains(0):
             raise UndefinedError("an absolute value at zero")
         return arb(1) if a > 0 else arb(-1)
-    made = abs(a) if word == "Abs" else getattr(a, word)()
-    if not made.is_finite():
+    value = abs(a) if word == "Abs" else getattr(a, word)()
+    if not value.is_finite():
         raise UndefinedError(f"{word} where it is not finite")
-    return made
+    return value
 
 
 def _one_less_square(a: Number) -> Number:
@@ -183,8 +176,8 @@ def arctangent(y: Number, x: Number) -> Number:
         return arb.atan2(y, x)
     upper, lower = value_of(y, level), value_of(x, level)
     below = inverse(add(multiply(lower, lower), multiply(upper, upper)))
-    slopes = _scaled(slopes_of(y, level), multiply(lower, below))
+    slopes = _multiples(slopes_of(y, level), multiply(lower, below))
     factor = multiply(arb(-1), multiply(upper, below))
-    for i, slope in _scaled(slopes_of(x, level), factor).items():
+    for i, slope in _multiples(slopes_of(x, level), factor).items():
         slopes[i] = add(slopes[i], slope) if i in slopes else slope
     return Jet(level, arctangent(upper, lower), slopes)

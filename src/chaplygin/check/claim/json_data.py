@@ -5,66 +5,68 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import TypeVar
 
 from .errors import CheckError
 
 __all__ = ["choice", "field", "integer", "items", "listed", "mapping", "only", "rational", "text"]
 
+T = TypeVar("T", str, int)
+
 _RATIONAL = re.compile(r"-?\d{1,40000}(/\d{1,40000})?")
 
 
-def mapping(data: Any, what: str) -> Mapping[str, Any]:
+def mapping(data: object, what: str) -> Mapping[str, object]:
     """A mapping with names as keys."""
     if not isinstance(data, Mapping) or not all(isinstance(key, str) for key in data):
         raise CheckError(f"{what} is no mapping")
     return data
 
 
-def only(data: Mapping[str, Any], what: str, *allowed: str) -> None:
+def only(data: Mapping[str, object], what: str, *allowed: str) -> None:
     """No fields but these."""
     strange = sorted(set(data) - set(allowed))
     if strange:
         raise CheckError(f"{what} has a field {strange[0]!r}, which means nothing here")
 
 
-def field(data: Mapping[str, Any], key: str, what: str) -> Any:
+def field(data: Mapping[str, object], key: str, what: str) -> object:
     """A field that must be there."""
     if key not in data:
         raise CheckError(f"{what} lacks the field {key!r}")
     return data[key]
 
 
-def listed(data: Any, what: str) -> Sequence[Any]:
+def listed(data: object, what: str) -> Sequence[object]:
     """A list."""
     if not isinstance(data, (list, tuple)):
         raise CheckError(f"{what} is no list")
     return data
 
 
-def items(data: Any, size: int, what: str) -> Sequence[Any]:
+def items(data: object, size: int, what: str) -> Sequence[object]:
     """A list of so many things."""
-    found = listed(data, what)
-    if len(found) != size:
-        raise CheckError(f"{what} has {len(found)} parts instead of {size}")
-    return found
+    parts = listed(data, what)
+    if len(parts) != size:
+        raise CheckError(f"{what} has {len(parts)} parts instead of {size}")
+    return parts
 
 
-def text(data: Any, what: str) -> str:
+def text(data: object, what: str) -> str:
     """A text."""
     if not isinstance(data, str):
         raise CheckError(f"{what} is no text")
     return data
 
 
-def integer(data: Any, what: str, lowest: int, highest: int) -> int:
+def integer(data: object, what: str, lowest: int, highest: int) -> int:
     """A whole number between bounds."""
     if isinstance(data, bool) or not isinstance(data, int) or not lowest <= data <= highest:
         raise CheckError(f"{what} is no whole number from {lowest} to {highest}")
     return data
 
 
-def rational(data: Any, what: str) -> Fraction:
+def rational(data: object, what: str) -> Fraction:
     """A rational number as a text such as ``-3/4``, or a whole number."""
     if isinstance(data, int) and not isinstance(data, bool):
         return Fraction(data)
@@ -87,8 +89,8 @@ def _whole(digits: str) -> int:
     return _whole(head) * int(10**middle) + sign * _whole(tail)
 
 
-def choice(data: Any, what: str, *allowed: Any) -> Any:
+def choice(data: object, what: str, *allowed: T) -> T:
     """One of some values."""
     if isinstance(data, bool) or not isinstance(data, (str, int)) or data not in allowed:
         raise CheckError(f"{what} is none of {', '.join(map(str, allowed))}")
-    return data
+    return next(value for value in allowed if value == data)

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
-from flint import Ordering, arb, fmpq, fmpq_mpoly_ctx
+from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from .errors import CheckError
 from .jets import inverse
@@ -18,7 +18,7 @@ from .json_data import field, integer, items, listed, mapping, only, rational
 
 __all__ = ["Poly", "Powers", "Ring", "monic"]
 
-Poly: TypeAlias = Any
+Poly: TypeAlias = fmpq_mpoly
 #: A product of powers of polynomials.
 Powers: TypeAlias = list[tuple[Poly, int]]
 
@@ -49,9 +49,9 @@ class Ring:
         value = Fraction(value)
         return self.context.constant(fmpq(value.numerator, value.denominator))
 
-    def read(self, data: Any, what: str) -> Poly:
+    def read(self, data: object, what: str) -> Poly:
         """A polynomial from its list of terms."""
-        made: dict[tuple[int, ...], Any] = {}
+        terms: dict[tuple[int, ...], fmpq] = {}
         size = len(self.names)
         for term in listed(data, what):
             coefficient, powers = items(term, 2, f"a term of {what}")
@@ -66,27 +66,27 @@ class Ring:
                     raise CheckError(f"a term of {what} has a generator twice")
                 exponents[i] = integer(powers[at + 1], f"an exponent in {what}", 1, HIGHEST)
             key = tuple(exponents)
-            if key in made:
+            if key in terms:
                 raise CheckError(f"{what} has a term twice")
-            made[key] = fmpq(number.numerator, number.denominator)
-        return self.context.from_dict(made)
+            terms[key] = fmpq(number.numerator, number.denominator)
+        return self.context.from_dict(terms)
 
-    def powers(self, data: Any, what: str, negative: bool = False) -> Powers:
+    def powers(self, data: object, what: str, negative: bool = False) -> Powers:
         """A list of polynomials with powers; none of the polynomials is zero."""
-        found = []
+        powers = []
         for pair in listed(data, what):
             poly, power = items(pair, 2, what)
-            made = self.read(poly, what)
-            if made.is_zero():
+            factor = self.read(poly, what)
+            if factor.is_zero():
                 raise CheckError(f"a factor of {what} is zero")
             lowest = -HIGHEST if negative else 1
             number = integer(power, f"a power of {what}", lowest, HIGHEST)
             if not number:
                 raise CheckError(f"a power of {what} is zero")
-            found.append((made, number))
-        return found
+            powers.append((factor, number))
+        return powers
 
-    def fraction(self, data: Any, what: str) -> tuple[Poly, Powers]:
+    def fraction(self, data: object, what: str) -> tuple[Poly, Powers]:
         """A fraction: numerator and factors of the denominator."""
         data = mapping(data, what)
         only(data, what, "numerator", "denominator", "what")
@@ -94,7 +94,7 @@ class Ring:
         below = self.powers(field(data, "denominator", what), f"the denominator of {what}")
         return above, below
 
-    def multiplied(self, powers: Powers) -> Poly:
+    def expanded_product(self, powers: Powers) -> Poly:
         """The product of powers, multiplied out."""
         result = self.constant(1)
         for poly, power in powers:
@@ -103,9 +103,9 @@ class Ring:
             result = result * poly**power
         return result
 
-    def value(self, poly: Poly, values: Sequence[Any]) -> Any:
+    def value(self, poly: Poly, values: Sequence[arb]) -> arb:
         """The value of a polynomial at balls, one for each generator."""
-        known: dict[tuple[int, int], Any] = {}
+        known: dict[tuple[int, int], arb] = {}
         total = arb(0)
         for exponents, coefficient in poly.to_dict().items():
             term = arb(coefficient)
@@ -118,7 +118,7 @@ class Ring:
             total = total + term
         return total
 
-    def value_of_powers(self, powers: Powers, values: Sequence[Any]) -> Any:
+    def value_of_powers(self, powers: Powers, values: Sequence[arb]) -> arb:
         """The value of a product of powers."""
         result = arb(1)
         for poly, power in powers:
@@ -128,6 +128,6 @@ class Ring:
 
 
 def monic(poly: Poly) -> tuple[str, int]:
-    """A key that a polynomial shares with its multiples, and the sign of its first coefficient."""
+    """A key that a polynomial shares with its multiples, and its leading sign."""
     lead = poly.leading_coefficient()
     return str(poly / lead), 1 if lead > 0 else -1

@@ -27,11 +27,8 @@ def quotient(
 
     Parameters
     ----------
-    formula : Formula
-    ring : Ring
     known : callable
         The value of a symbol, or None if it is not known in the ring.
-    definitions : mapping of name to formula
 
     Raises
     ------
@@ -41,25 +38,25 @@ def quotient(
     one = ring.constant(1)
     seen: dict[Formula, Quotient] = {}
 
-    def made(node: Formula) -> Quotient:
+    def value_of(node: Formula) -> Quotient:
         if node not in seen:
-            seen[node] = _checked(evaluated(node))
+            seen[node] = _within_limit(fresh_value(node))
         return seen[node]
 
-    def evaluated(node: Formula) -> Quotient:
+    def fresh_value(node: Formula) -> Quotient:
         if node.kind == "number":
             return ring.constant(node.word), one
         if node.kind == "name":
-            found = known(node.word)
-            if found is None and node.word in definitions:
-                found = made(definitions[node.word])
-            if found is None:
+            value = known(node.word)
+            if value is None and node.word in definitions:
+                value = value_of(definitions[node.word])
+            if value is None:
                 raise UndefinedError(f"{node.word} has no value here")
-            return found
+            return value
         if node.kind == "sum":
-            above, below = made(node.parts[0])
+            above, below = value_of(node.parts[0])
             for part in node.parts[1:]:
-                upper, lower = made(part)
+                upper, lower = value_of(part)
                 if below == lower:
                     above = above + upper
                 else:
@@ -68,28 +65,28 @@ def quotient(
         if node.kind == "product":
             above, below = one, one
             for part in node.parts:
-                upper, lower = made(part)
+                upper, lower = value_of(part)
                 above, below = above * upper, below * lower
             return above, below
         if node.kind == "power":
-            return raised(node)
+            return power_of(node)
         raise UndefinedError("the formula is not rational")
 
-    def raised(node: Formula) -> Quotient:
+    def power_of(node: Formula) -> Quotient:
         exponent = exact_value(node.parts[1], definitions)
         if exponent is None or exponent.denominator != 1 or abs(exponent) > 200:
             raise UndefinedError("the formula is not rational")
-        above, below = made(node.parts[0])
+        above, below = value_of(node.parts[0])
         if exponent < 0:
             above, below = below, above
             if below.is_zero():
                 raise UndefinedError("a division by zero")
         return above ** abs(int(exponent)), below ** abs(int(exponent))
 
-    return made(formula)
+    return value_of(formula)
 
 
-def _checked(found: Quotient) -> Quotient:
-    if len(found[0]) + len(found[1]) > TERMS:
+def _within_limit(fraction: Quotient) -> Quotient:
+    if len(fraction[0]) + len(fraction[1]) > TERMS:
         raise UndefinedError("the formula is too large")
-    return found
+    return fraction

@@ -1,4 +1,4 @@
-"""What must vanish for a law to hold, as numbers at a point.
+"""Residuals of a law, which vanish where it holds, as numbers at a point.
 
 The definitions: an integral F has v(F) = 0; a density ρ has div(ρv) = 0 for the volume that the
 conditions cut out; a symmetry field commutes with v and keeps the conditions; a bracket is skew,
@@ -13,13 +13,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
-from typing import Any
 
 from flint import arb
 
 from .claim import Claim
 from .errors import CheckError, UndefinedError
-from .evaluate import Place
+from .evaluate import Point
 from .formulas import Formula, call, name, number
 from .jets import Number, add, inverse, multiply
 from .separation import parts
@@ -30,7 +29,7 @@ __all__ = [
     "rank_at_least",
     "ranked",
     "residuals",
-    "target_place",
+    "target_point",
 ]
 
 #: Residuals of one law.
@@ -39,21 +38,21 @@ MANY = 20_000
 MINUS = arb(-1)
 
 
-def residuals(claim: Claim, place: Place) -> list[Number]:
+def residuals(claim: Claim, point: Point) -> list[Number]:
     """Everything that must vanish, in order."""
-    found = []
-    for value in each_residual(claim, place):
-        found.append(value)
-        if len(found) > MANY:
+    values = []
+    for value in each_residual(claim, point):
+        values.append(value)
+        if len(values) > MANY:
             raise CheckError(f"the law has more than {MANY} residuals")
-    return found
+    return values
 
 
-def each_residual(claim: Claim, place: Place) -> Iterator[Number]:
-    """The same, computed one after the other."""
+def each_residual(claim: Claim, point: Point) -> Iterator[Number]:
+    """The residuals of a claim, computed one after the other."""
     for condition in claim.moving:
-        yield place(call("Rate", [condition]))
-    yield from _KINDS[claim.law.kind](claim, place)
+        yield point(call("Rate", [condition]))
+    yield from _KINDS[claim.law.kind](claim, point)
 
 
 def _sum(parts: Sequence[Number]) -> Number:
@@ -67,18 +66,18 @@ def _minus(a: Number, b: Number) -> Number:
     return add(a, multiply(MINUS, b))
 
 
-def _integral(claim: Claim, place: Place) -> Iterator[Number]:
-    yield place(call("Rate", [claim.law.single["value"]]))
+def _integral(claim: Claim, point: Point) -> Iterator[Number]:
+    yield point(call("Rate", [claim.law.single["value"]]))
 
 
-def _identity(claim: Claim, place: Place) -> Iterator[Number]:
-    there = place.with_definitions(claim.law.quantities)
+def _identity(claim: Claim, point: Point) -> Iterator[Number]:
+    there = point.with_definitions(claim.law.quantities)
     for formula in claim.law.several["value"]:
         yield there(formula)
 
 
-def _reduction(claim: Claim, place: Place) -> Iterator[Number]:
-    there = place.with_definitions(claim.law.quantities)
+def _reduction(claim: Claim, point: Point) -> Iterator[Number]:
+    there = point.with_definitions(claim.law.quantities)
     for formula in claim.law.several["equations"]:
         yield there(formula)
 
@@ -86,19 +85,19 @@ def _reduction(claim: Claim, place: Place) -> Iterator[Number]:
 # --- invariant measure ---------------------------------------------------------------------------
 
 
-def _measure(claim: Claim, place: Place) -> Iterator[Number]:
+def _measure(claim: Claim, point: Point) -> Iterator[Number]:
     system = claim.system
-    partial = place.partial(system.state)
-    rates = [place(rate) for rate in system.rates]
+    partial = point.partial(system.state)
+    rates = [point(rate) for rate in system.rates]
     total = _sum([partial.slopes(r).get(i, arb(0)) for i, r in enumerate(system.rates)])
     for base, exponent in claim.law.pairs["density"]:
         along = _sum([multiply(s, rates[i]) for i, s in partial.slopes(base).items()])
-        part = multiply(place(exponent), multiply(along, inverse(place(base))))
+        part = multiply(point(exponent), multiply(along, inverse(point(base))))
         total = add(total, part)
     yield _minus(total, _transverse(claim, partial))
 
 
-def _transverse(claim: Claim, partial: Place) -> Number:
+def _transverse(claim: Claim, partial: Point) -> Number:
     """Trace of C, where v(F_i) = Σ C_ij F_j for the conditions F.
 
     C is taken as the solution of ∇v(F_i) · ∇F_k = Σ C_ij ∇F_j · ∇F_k.
@@ -111,16 +110,16 @@ def _transverse(claim: Claim, partial: Place) -> Number:
     right = [[_dot(drift, normal) for normal in normals] for drift in drifts]
     size = len(normals)
     # Gram is symmetric: its columns times C^T are `right` transposed
-    solution = _solved(gram, [[right[j][i] for j in range(size)] for i in range(size)])
+    solution = _solution(gram, [[right[j][i] for j in range(size)] for i in range(size)])
     return _sum([solution[i][i] for i in range(size)])
 
 
-def _is_certain(number: Any) -> bool:
+def _is_certain(number: arb) -> bool:
     """Whether a number is certainly not zero."""
     return not number.contains(0)
 
 
-def _normals(claim: Claim, partial: Place) -> list[Mapping[int, Number]]:
+def _normals(claim: Claim, partial: Point) -> list[Mapping[int, Number]]:
     return [partial.slopes(condition) for condition in claim.moving]
 
 
@@ -128,25 +127,25 @@ def _dot(a: Mapping[int, Number], b: Mapping[int, Number]) -> Number:
     return _sum([multiply(slope, b[i]) for i, slope in a.items() if i in b])
 
 
-def gram_determinants(claim: Claim, place: Place) -> list[Any]:
+def gram_determinants(claim: Claim, point: Point) -> list[arb]:
     """The leading minors of the Gram matrix of the conditions.
 
     Where the last is not zero, the conditions are independent, and so all of them are positive.
     """
-    normals = _normals(claim, place.partial(claim.system.state))
+    normals = _normals(claim, point.partial(claim.system.state))
     rows = [[_dot(a, b) for b in normals] for a in normals]
-    found: list[Any] = []
+    determinants: list[arb] = []
     for i in range(len(rows)):
         if not _is_certain(rows[i][i]):
             raise UndefinedError("the conditions are dependent")
-        found.append(multiply(found[-1], rows[i][i]) if found else rows[i][i])
+        determinants.append(multiply(determinants[-1], rows[i][i]) if determinants else rows[i][i])
         for j in range(i + 1, len(rows)):
             factor = rows[j][i] / rows[i][i]
             rows[j] = [x - factor * y for x, y in zip(rows[j], rows[i], strict=True)]
-    return found
+    return determinants
 
 
-def _solved(matrix: Sequence[Sequence[Any]], right: Sequence[Sequence[Any]]) -> list[list[Any]]:
+def _solution(matrix: Sequence[Sequence[arb]], right: Sequence[Sequence[arb]]) -> list[list[arb]]:
     rows = [[*a, *b] for a, b in zip(matrix, right, strict=True)]
     size = len(rows)
     for i in range(size):
@@ -165,12 +164,12 @@ def _solved(matrix: Sequence[Sequence[Any]], right: Sequence[Sequence[Any]]) -> 
 # --- symmetry fields, brackets -------------------------------------------------------------------
 
 
-def _symmetry(claim: Claim, place: Place) -> Iterator[Number]:
+def _symmetry(claim: Claim, point: Point) -> Iterator[Number]:
     system = claim.system
-    partial = place.partial(system.state)
-    given = dict(claim.law.pairs["field"])
-    rates = [place(rate) for rate in system.rates]
-    push = [place(given[word]) if word in given else arb(0) for word in system.state]
+    partial = point.partial(system.state)
+    components = dict(claim.law.pairs["field"])
+    rates = [point(rate) for rate in system.rates]
+    push = [point(components[word]) if word in components else arb(0) for word in system.state]
 
     def along(slopes: Mapping[int, Number], field: Sequence[Number]) -> Number:
         return _sum([multiply(slope, field[i]) for i, slope in slopes.items()])
@@ -178,14 +177,14 @@ def _symmetry(claim: Claim, place: Place) -> Iterator[Number]:
     for condition in claim.moving:
         yield along(partial.slopes(condition), push)
     for word, rate in zip(system.state, system.rates, strict=True):
-        shift = partial.slopes(given[word]) if word in given else {}
+        shift = partial.slopes(components[word]) if word in components else {}
         yield _minus(along(partial.slopes(rate), push), along(shift, rates))
 
 
-def _poisson(claim: Claim, place: Place) -> Iterator[Number]:
+def _poisson(claim: Claim, point: Point) -> Iterator[Number]:
     law, size = claim.law, len(claim.system.state)
-    partial = place.partial(claim.system.state)
-    values = [[place(entry) for entry in row] for row in law.matrix]
+    partial = point.partial(claim.system.state)
+    values = [[point(entry) for entry in row] for row in law.matrix]
     slopes = [[partial.slopes(entry) for entry in row] for row in law.matrix]
     for i in range(size):
         for j in range(i, size):
@@ -214,61 +213,61 @@ def _brackets(values: Sequence[Sequence[Number]], slopes: Mapping[int, Number]) 
 def _pfaffian(matrix: Sequence[Sequence[Number]], chosen: tuple[int, ...]) -> Number:
     if not chosen:
         return arb(1)
-    first, *rest = chosen
+    first, *others = chosen
     total: Number = arb(0)
-    for position, other in enumerate(rest):
-        remaining = tuple(n for n in rest if n != other)
+    for position, other in enumerate(others):
+        remaining = tuple(n for n in others if n != other)
         part = multiply(matrix[first][other], _pfaffian(matrix, remaining))
         total = add(total, part) if position % 2 == 0 else _minus(total, part)
     return total
 
 
-def _hamiltonian(claim: Claim, place: Place) -> Iterator[Number]:
-    yield from _poisson(claim, place)
+def _hamiltonian(claim: Claim, point: Point) -> Iterator[Number]:
+    yield from _poisson(claim, point)
     law = claim.law
-    gradient = place.partial(claim.system.state).slopes(law.single["hamiltonian"])
-    multiplier = place(law.single["multiplier"])
+    gradient = point.partial(claim.system.state).slopes(law.single["hamiltonian"])
+    multiplier = point(law.single["multiplier"])
     for row, rate in zip(law.matrix, claim.system.rates, strict=True):
-        total = _sum([multiply(place(row[j]), slope) for j, slope in gradient.items()])
-        yield _minus(place(rate), multiply(multiplier, total))
+        total = _sum([multiply(point(row[j]), slope) for j, slope in gradient.items()])
+        yield _minus(point(rate), multiply(multiplier, total))
 
 
 # --- isomorphisms --------------------------------------------------------------------------------
 
 
-def target_place(claim: Claim, place: Place) -> Place:
+def target_point(claim: Claim, point: Point) -> Point:
     """The image of a point in the target of an isomorphism."""
     law, target = claim.law, claim.law.target
     assert target is not None
-    values = {word: place(formula) for word, formula in law.pairs["constants"]}
+    values = {word: point(formula) for word, formula in law.pairs["constants"]}
     for word in target.parameters:
         if word not in values:
-            values[word] = place.values[word]
+            values[word] = point.values[word]
     settled = {}
     for word in target.parameters:
-        exact = place.exact(dict(law.pairs["constants"]).get(word, name(word)))
+        exact = point.exact(dict(law.pairs["constants"]).get(word, name(word)))
         if exact is not None:
             settled[word] = number(exact)
-    values |= {word: place(formula) for word, formula in law.pairs["map"]}
+    values |= {word: point(formula) for word, formula in law.pairs["map"]}
     for word in claim.system.parameters:
         # what the image lies on may depend on parameters of the system
         if word not in values and word not in target.definitions:
-            values[word] = place.values[word]
-    return target.place(values, place.functions, settled)
+            values[word] = point.values[word]
+    return target.point(values, point.functions, settled)
 
 
-def _isomorphism(claim: Claim, place: Place) -> Iterator[Number]:
+def _isomorphism(claim: Claim, point: Point) -> Iterator[Number]:
     law, target = claim.law, claim.law.target
     assert target is not None
     for _, formula in law.pairs["constants"]:
-        yield place(call("Rate", [formula]))
-    there = target_place(claim, place)
+        yield point(call("Rate", [formula]))
+    there = target_point(claim, point)
     for condition in (*target.relations, *law.several["onto"]):
         yield there(condition)
-    speed = place(law.single["time"])
+    speed = point(law.single["time"])
     images = dict(law.pairs["map"])
     for word, rate in zip(target.state, target.rates, strict=True):
-        yield _minus(place(call("Rate", [images[word]])), multiply(speed, there(rate)))
+        yield _minus(point(call("Rate", [images[word]])), multiply(speed, there(rate)))
 
 
 _KINDS = {
@@ -292,11 +291,11 @@ def ranked(claim: Claim) -> bool:
     return claim.law.kind in ("Isomorphism", "Separation") or claim.law.rank is not None
 
 
-def rank_at_least(claim: Claim, place: Place) -> bool:
+def rank_at_least(claim: Claim, point: Point) -> bool:
     """Whether at a point the ranks are certainly as large as the law says."""
     law, system = claim.law, claim.system
     if law.rank is not None:
-        return _rank([[place(entry) for entry in row] for row in law.matrix]) >= law.rank
+        return _rank([[point(entry) for entry in row] for row in law.matrix]) >= law.rank
     size = len(system.state)
     formulas: list[Formula] = [*claim.moving]
     if law.kind == "Separation":
@@ -307,25 +306,25 @@ def rank_at_least(claim: Claim, place: Place) -> bool:
     else:
         formulas += [f for _, f in (*law.pairs["map"], *law.pairs["constants"])]
         wanted = size
-    partial = place.with_definitions(law.quantities).partial(system.state)
+    partial = point.with_definitions(law.quantities).partial(system.state)
     rows = [[partial.slopes(f).get(i, arb(0)) for i in range(size)] for f in formulas]
     return _rank(rows) >= wanted
 
 
-def _rank(rows: list[list[Any]]) -> int:
+def _rank(rows: list[list[arb]]) -> int:
     """A rank that is certain."""
     rows = [list(row) for row in rows]
-    found = 0
+    rank = 0
     for column in range(len(rows[0]) if rows else 0):
-        if found == len(rows):
+        if rank == len(rows):
             break
-        best = max(range(found, len(rows)), key=lambda i: rows[i][column].abs_lower())
+        best = max(range(rank, len(rows)), key=lambda i: rows[i][column].abs_lower())
         if not _is_certain(rows[best][column]):
             continue
-        rows[found], rows[best] = rows[best], rows[found]
-        head = rows[found]
-        for i in range(found + 1, len(rows)):
+        rows[rank], rows[best] = rows[best], rows[rank]
+        head = rows[rank]
+        for i in range(rank + 1, len(rows)):
             factor = rows[i][column] / head[column]
             rows[i] = [x - factor * y for x, y in zip(rows[i], head, strict=True)]
-        found += 1
-    return found
+        rank += 1
+    return rank

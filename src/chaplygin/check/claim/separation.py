@@ -24,13 +24,12 @@ __all__ = ["Parts", "check_separation", "parts"]
 
 @dataclass(frozen=True)
 class Parts:
-    """What the equations of a separation speak of.
+    """The quantities and constants of a separation.
 
     Attributes
     ----------
     quantities : mapping of name to equation
         What separates.
-    constants : tuple of str
     """
 
     quantities: Mapping[str, tuple[Formula, Formula]]
@@ -45,7 +44,7 @@ def parts(claim: Claim) -> Parts:
     CheckError
         If an equation holds no rate, several, or that of something without a name.
     """
-    found: dict[str, tuple[Formula, Formula]] = {}
+    squares: dict[str, tuple[Formula, Formula]] = {}
     constants: list[str] = []
     for number, equation in enumerate(claim.law.several["equations"], 1):
         rates = {node for node in walk([equation]) if node.kind == "call" and node.word == "Rate"}
@@ -55,13 +54,13 @@ def parts(claim: Claim) -> Parts:
         word = rate.parts[0].word
         if equation is rate:
             constants.append(word)
-        elif word in found:
+        elif word in squares:
             raise CheckError(f"{word} has two equations in the separation")
         else:
-            found[word] = equation, rate
-    if len(found) < 2:
+            squares[word] = equation, rate
+    if len(squares) < 2:
         raise CheckError("a separation has two quantities or more")
-    return Parts(found, tuple(constants))
+    return Parts(squares, tuple(constants))
 
 
 def check_separation(claim: Claim) -> None:
@@ -73,14 +72,14 @@ def check_separation(claim: Claim) -> None:
     speed = "Rate"
     ring = Ring([*words, speed])
 
-    def known(word: str) -> Quotient | None:
+    def value_of(word: str) -> Quotient | None:
         return (ring.generator(word), ring.constant(1)) if word in ring.index else None
 
     squares: dict[str, Quotient] = {}
     for word, (equation, rate) in stated.quantities.items():
         try:
             above, _ = quotient(
-                _with(name(speed), rate, equation), ring, known, claim.system.definitions
+                _with(name(speed), rate, equation), ring, value_of, claim.system.definitions
             )
         except UndefinedError:
             raise CheckError(f"the equation of {word} is not rational") from None
@@ -97,7 +96,7 @@ def check_separation(claim: Claim) -> None:
 
 
 def _with(symbol: Formula, rate: Formula, formula: Formula) -> Formula:
-    """A formula with a symbol in place of the rate; UndefinedError if it is not rational."""
+    """A formula with a symbol in point of the rate; UndefinedError if it is not rational."""
     if formula is rate:
         return symbol
     inner = [_with(symbol, rate, part) for part in formula.parts]
@@ -124,10 +123,10 @@ def _square(ring: Ring, above: Poly, speed: str, word: str) -> Quotient:
         raise CheckError(f"the equation of {word} gives neither its rate nor the square of it")
     (degree,) = set(terms) - {0}
     lead = ring.context.from_dict(terms[degree])
-    rest = ring.context.from_dict(terms.get(0, {}))
-    if rest.is_zero():
+    constant = ring.context.from_dict(terms.get(0, {}))
+    if constant.is_zero():
         raise CheckError(f"the equation of {word} says that it is constant")
-    return (-rest, lead) if degree == 2 else (rest * rest, lead * lead)
+    return (-constant, lead) if degree == 2 else (constant * constant, lead * lead)
 
 
 def _words(ring: Ring, poly: Poly) -> list[str]:

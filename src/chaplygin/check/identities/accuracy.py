@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import TypeVar
 
 from flint import arb, ctx
 
@@ -19,12 +19,15 @@ class InaccurateError(Exception):
     """Balls are too wide to compare anything."""
 
 
-def _accurate(value: Any) -> bool:
+T = TypeVar("T")
+
+
+def _accurate(value: arb) -> bool:
     bound = arb(10) ** -DIGITS
     return bool(value.is_finite() and value.rad() <= bound * max(arb(1), abs(value).lower()))
 
 
-def agree(first: Sequence[Any], second: Sequence[Any]) -> bool:
+def agree(first: Sequence[arb], second: Sequence[arb]) -> bool:
     """Whether numbers are equal, as far as their balls tell.
 
     Raises
@@ -39,7 +42,7 @@ def agree(first: Sequence[Any], second: Sequence[Any]) -> bool:
     return True
 
 
-def with_precision(task: Any) -> Any:
+def with_precision(task: Callable[[], T]) -> T:
     """Do a task with balls that are narrow enough."""
     for precision in PRECISIONS:
         try:

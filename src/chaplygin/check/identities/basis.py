@@ -1,10 +1,9 @@
-"""What a proof works with: equations, divisors and signs, compared with the claim."""
+"""The basis of a proof: equations, divisors and signs, compared with the claim."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from ..claim.errors import CheckError
 from ..claim.formulas import Formula
@@ -13,7 +12,7 @@ from ..claim.polynomials import Poly, monic
 from .case_tree import Signs
 from .divisors import Entry, nonzero_factors, read_divisors
 from .equations import read_equations
-from .generators import POINTS, Ground, Sample
+from .generators import POINTS, Generators, Sample
 from .positivity import PositiveSum, check_radicand_positive, learn_positive, settle
 from .roots import check_functions, check_radicands, check_roots, has_formal_roots
 
@@ -25,12 +24,10 @@ FORMAL = 10
 
 @dataclass(frozen=True)
 class Basis:
-    """What a proof works with, as checked against the claim.
+    """The basis of a proof, checked against the claim.
 
     Attributes
     ----------
-    ground : Ground
-    samples : list of Sample
     equations : tuple of Poly
         Vanish on the level.
     nonzero : frozenset of str
@@ -43,7 +40,7 @@ class Basis:
         Are positive where the law is defined.
     """
 
-    ground: Ground
+    generators: Generators
     samples: list[Sample]
     equations: tuple[Poly, ...]
     nonzero: frozenset[str]
@@ -53,8 +50,8 @@ class Basis:
 
 
 def read_basis(
-    data: Mapping[str, Any],
-    ground: Ground,
+    data: Mapping[str, object],
+    generators: Generators,
     region: Sequence[Formula],
     what: str,
     treated: bool = True,
@@ -63,25 +60,25 @@ def read_basis(
 
     Where residuals are `treated`, all roots of the law must be those of factors with known signs.
     """
-    ring = ground.ring
-    samples = ground.samples(FORMAL if has_formal_roots(ground) else POINTS)
-    entries, matched = read_divisors(data, ground, samples, what)
-    nonzero = nonzero_factors(ground, entries)
+    ring = generators.ring
+    samples = generators.samples(FORMAL if has_formal_roots(generators) else POINTS)
+    entries, matched = read_divisors(data, generators, samples, what)
+    nonzero = nonzero_factors(generators, entries)
     certain = Signs()
-    for auxiliary in ground.auxiliary:
+    for auxiliary in generators.auxiliary:
         if auxiliary.positive:
-            certain.learn(ground.ring.generator(auxiliary.name), 1)
+            certain.learn(generators.ring.generator(auxiliary.name), 1)
     positives = listed(field(data, "positive", what), f"what is positive in {what}")
     for item in positives:
-        learn_positive(item, ground, samples, certain, what)
+        learn_positive(item, generators, samples, certain, what)
     signs = certain.copy()
-    for poly, sign in ground.signs:
+    for poly, sign in generators.signs:
         if not poly.is_constant() and monic(poly)[0] not in nonzero:
             raise CheckError(f"{what} assumes the sign of something that may vanish")
         signs.learn(poly, sign)
     radicands = tuple(entries[i] for i in matched if i is not None)
     stated = [item for item in positives if mapping(item, what).get("from") == "sum"]
-    sums = [PositiveSum(mapping(item, what), ground, what) for item in stated]
+    sums = [PositiveSum(mapping(item, what), generators, what) for item in stated]
     written = [
         ring.read(field(mapping(item, what), "poly", what), what)
         for item in listed(field(data, "equations", what), what)
@@ -91,10 +88,10 @@ def read_basis(
     if left:
         raise CheckError(f"what is positive in {what}: a sum is not")
     if treated:
-        check_roots(ground, signs, nonzero, entries, matched, what)
-        check_radicands(ground, signs, entries, matched, what)
-    check_functions(ground, samples, nonzero, signs, what)
+        check_roots(generators, signs, nonzero, entries, matched, what)
+        check_radicands(generators, signs, entries, matched, what)
+    check_functions(generators, samples, nonzero, signs, what)
     for item in positives:
-        check_radicand_positive(mapping(item, what), ground, signs, what)
-    equations = read_equations(data, ground, samples, region, nonzero, signs, what)
-    return Basis(ground, samples, equations, nonzero, signs, certain, radicands)
+        check_radicand_positive(mapping(item, what), generators, signs, what)
+    equations = read_equations(data, generators, samples, region, nonzero, signs, what)
+    return Basis(generators, samples, equations, nonzero, signs, certain, radicands)

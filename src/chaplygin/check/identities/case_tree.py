@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 from flint import fmpq
 
@@ -20,8 +20,8 @@ __all__ = ["Node", "Signs", "check_tree"]
 
 DEPTH = 200
 
-#: What is said of a case that is left, or of a part that a proof treats: at which node, and what.
-Leaf: TypeAlias = Callable[["Node", Mapping[str, Any], str], None]
+#: The treatment of a case that is left, or of a part with a proof: its node, data and label.
+Leaf: TypeAlias = Callable[["Node", Mapping[str, object], str], None]
 
 
 class Signs:
@@ -31,17 +31,17 @@ class Signs:
         self._known: dict[str, tuple[int, bool]] = {}
 
     def copy(self) -> Signs:
-        """The same knowledge, to be enlarged by itself."""
-        made = Signs()
-        made._known = dict(self._known)
-        return made
+        """A copy, to be enlarged by itself."""
+        signs = Signs()
+        signs._known = dict(self._known)
+        return signs
 
     def learn(self, poly: Poly, sign: int, strict: bool = True) -> None:
         """sign · poly is positive, or at least not negative."""
         key, lead = monic(poly)
         known = self._known.get(key)
         if known is not None and known[0] != sign * lead and known[1] and strict:
-            raise CheckError(f"what is positive contradicts itself at {_shown(poly)}")
+            raise CheckError(f"what is positive contradicts itself at {_short_text(poly)}")
         if known is None or strict:
             self._known[key] = (sign * lead, strict)
 
@@ -67,12 +67,10 @@ class Node:
 
     Attributes
     ----------
-    ring : Ring
     equations : tuple of Poly
         Vanish.
     nonzero : frozenset of str
         Keys of polynomials that do not vanish.
-    signs : Signs
     numerators : sequence of Poly, or None
         Of the residuals; None where the tree shows nothing of them.
     leaf : callable
@@ -104,12 +102,12 @@ class Node:
         return self.signs.weak(poly) if self.is_nonzero(poly) else 0
 
 
-def _shown(poly: Poly) -> str:
+def _short_text(poly: Poly) -> str:
     words = str(poly)
     return words if len(words) < 60 else words[:57] + "..."
 
 
-def check_tree(node: Node, data: Any, where: str = "the tree", depth: int = 0) -> None:
+def check_tree(node: Node, data: object, where: str = "the tree", depth: int = 0) -> None:
     """Check a tree of cases; CheckError where it fails."""
     if depth > DEPTH:
         raise CheckError(f"the tree is deeper than {DEPTH}")
@@ -119,7 +117,7 @@ def check_tree(node: Node, data: Any, where: str = "the tree", depth: int = 0) -
         _zero(node, data, where)
     elif case == "empty":
         only(data, where, "case", "factors", "constant", "quotients")
-        _contained(node, node.ring.constant(1), data, where)
+        _check_membership(node, node.ring.constant(1), data, where)
     elif case == "split":
         _split(node, data, where, depth)
     elif case == "vanishing":
@@ -132,22 +130,22 @@ def check_tree(node: Node, data: Any, where: str = "the tree", depth: int = 0) -
         raise CheckError(f"{where} has a case {case!r}, which is unknown")
 
 
-def _constant(data: Any, what: str) -> Any:
+def _constant(data: object, what: str) -> fmpq:
     number = rational(data, what)
     if not number:
         raise CheckError(f"{what} is zero")
     return fmpq(number.numerator, number.denominator)
 
 
-def _multiplier(node: Node, data: Any, where: str) -> Poly:
+def _multiplier(node: Node, data: object, where: str) -> Poly:
     powers = node.ring.powers(data, f"the factors in {where}")
     for poly, _ in powers:
         if not node.is_nonzero(poly):
-            raise CheckError(f"{where} multiplies by {_shown(poly)}, which may vanish")
-    return node.ring.multiplied(powers)
+            raise CheckError(f"{where} multiplies by {_short_text(poly)}, which may vanish")
+    return node.ring.expanded_product(powers)
 
 
-def _combined(node: Node, data: Any, where: str) -> Poly:
+def _combination(node: Node, data: object, where: str) -> Poly:
     """The sum of quotients times equations."""
     quotients = items(data, len(node.equations), f"the quotients in {where}")
     total = node.ring.constant(0)
@@ -156,50 +154,50 @@ def _combined(node: Node, data: Any, where: str) -> Poly:
     return total
 
 
-def _contained(node: Node, poly: Poly, data: Mapping[str, Any], where: str) -> None:
+def _check_membership(node: Node, poly: Poly, data: Mapping[str, object], where: str) -> None:
     """constant · ∏ factors · poly = Σ quotient · equation."""
     constant = _constant(field(data, "constant", where), f"the constant in {where}")
     multiplier = _multiplier(node, field(data, "factors", where), where)
-    combined = _combined(node, field(data, "quotients", where), where)
+    combined = _combination(node, field(data, "quotients", where), where)
     if constant * multiplier * poly != combined:
         raise CheckError(f"{where}: an identity of polynomials does not hold")
 
 
-def _zero(node: Node, data: Mapping[str, Any], where: str) -> None:
+def _zero(node: Node, data: Mapping[str, object], where: str) -> None:
     only(data, where, "case", "identities")
     if node.numerators is None:
         raise CheckError(f"{where} has a case 'zero', which has no place there")
-    found = set()
+    numbers = set()
     for item in listed(field(data, "identities", where), where):
         identity = mapping(item, where)
         only(identity, where, "residual", "factors", "constant", "quotients")
         last = len(node.numerators) - 1
         number = integer(field(identity, "residual", where), f"a residual in {where}", 0, last)
-        if number in found:
+        if number in numbers:
             raise CheckError(f"{where} has residual {number} twice")
-        found.add(number)
-        _contained(node, node.numerators[number], identity, f"{where}, residual {number}")
-    missing = set(range(len(node.numerators))) - found
+        numbers.add(number)
+        _check_membership(node, node.numerators[number], identity, f"{where}, residual {number}")
+    missing = set(range(len(node.numerators))) - numbers
     if missing:
         raise CheckError(f"{where} does not show that residual {min(missing)} vanishes")
 
 
-def _membership(node: Node, data: Mapping[str, Any], where: str) -> Poly:
+def _membership(node: Node, data: Mapping[str, object], where: str) -> Poly:
     """A polynomial that vanishes: ∏ by · P = Σ quotient · equation."""
     poly = node.ring.read(field(data, "polynomial", where), f"the polynomial of {where}")
     by = _multiplier(node, field(data, "by", where), where)
-    if by * poly != _combined(node, field(data, "quotients", where), where):
+    if by * poly != _combination(node, field(data, "quotients", where), where):
         raise CheckError(f"{where}: the polynomial is not shown to vanish")
     return poly
 
 
-def _split(node: Node, data: Mapping[str, Any], where: str, depth: int) -> None:
+def _split(node: Node, data: Mapping[str, object], where: str, depth: int) -> None:
     names = ("polynomial", "factors", "constant", "by", "quotients", "children")
     only(data, where, "case", *names)
     poly = _membership(node, data, where)
     factors = node.ring.powers(field(data, "factors", where), f"the factors of {where}")
     constant = _constant(field(data, "constant", where), f"the constant of {where}")
-    if poly != constant * node.ring.multiplied(factors):
+    if poly != constant * node.ring.expanded_product(factors):
         raise CheckError(f"{where}: the factors do not make the polynomial")
     vanishing = [factor for factor, _ in factors if not node.is_nonzero(factor)]
     children = items(field(data, "children", where), len(vanishing), f"the children of {where}")
@@ -207,7 +205,7 @@ def _split(node: Node, data: Mapping[str, Any], where: str, depth: int) -> None:
         check_tree(node.with_equations(factor), child, f"{where}.{number}", depth + 1)
 
 
-def _vanishing(node: Node, data: Mapping[str, Any], where: str, depth: int) -> None:
+def _vanishing(node: Node, data: Mapping[str, object], where: str, depth: int) -> None:
     only(data, where, "case", "polynomial", "nonzero", "zero")
     poly = node.ring.read(field(data, "polynomial", where), f"the polynomial of {where}")
     if poly.is_zero():
@@ -218,7 +216,7 @@ def _vanishing(node: Node, data: Mapping[str, Any], where: str, depth: int) -> N
     check_tree(zero, field(data, "zero", where), f"{where}.zero", depth + 1)
 
 
-def _squares(node: Node, data: Mapping[str, Any], where: str, depth: int) -> None:
+def _squares(node: Node, data: Mapping[str, object], where: str, depth: int) -> None:
     only(data, where, "case", "polynomial", "by", "quotients", "terms", "child")
     poly = _membership(node, data, where)
     total = node.ring.constant(0)
@@ -228,15 +226,17 @@ def _squares(node: Node, data: Mapping[str, Any], where: str, depth: int) -> Non
         powers = node.ring.powers(weight, f"a weight of {where}")
         number = _constant(constant, f"a constant of {where}")
         (inner,) = items(base, 1, f"a base of {where}")
-        made = node.ring.read(inner, f"a base of {where}")
+        inner_base = node.ring.read(inner, f"a base of {where}")
         if number < 0:
             raise CheckError(f"{where} has a negative square")
         for part, power in powers:
             certain = node.is_nonzero(part) if power % 2 == 0 else node.strict_sign(part) > 0
             if not certain:
-                raise CheckError(f"{where} has a weight {_shown(part)} that may not be positive")
-        total = total + number * node.ring.multiplied(powers) * made**2
-        bases.append(made)
+                raise CheckError(
+                    f"{where} has a weight {_short_text(part)} that may not be positive"
+                )
+        total = total + number * node.ring.expanded_product(powers) * inner_base**2
+        bases.append(inner_base)
     if total != poly:
         raise CheckError(f"{where}: the squares do not make the polynomial")
     check_tree(node.with_equations(*bases), field(data, "child", where), where + ".1", depth + 1)

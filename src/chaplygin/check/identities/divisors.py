@@ -1,21 +1,21 @@
-"""By what a law divides, as products of polynomials, and what therefore does not vanish."""
+"""Divisors of a law as products of polynomials, none of which vanishes."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from flint import arb, fmpq
 
 from ..claim.domain import GRAM
 from ..claim.errors import CheckError, UndefinedError
 from ..claim.formulas import Formula, parse
+from ..claim.jets import Number
 from ..claim.json_data import choice, field, listed, mapping, only, rational, text
 from ..claim.polynomials import Powers, monic
-from ..claim.residuals import target_place
+from ..claim.residuals import target_point
 from .accuracy import InaccurateError, agree
-from .generators import Ground, Sample
+from .generators import Generators, Sample
 
 __all__ = ["Entry", "nonzero_factors", "read_divisors"]
 
@@ -28,17 +28,17 @@ class Entry:
     powers: Powers
 
 
-def _at(ground: Ground, sample: Sample, where: str, formula: Formula) -> Any:
+def _value_at(generators: Generators, sample: Sample, where: str, formula: Formula) -> Number:
     if where == "target":
-        return target_place(ground.claim, sample.place)(formula)
-    return sample.place.with_definitions(ground.claim.law.quantities)(formula)
+        return target_point(generators.claim, sample.point)(formula)
+    return sample.point.with_definitions(generators.claim.law.quantities)(formula)
 
 
 def read_divisors(
-    data: Mapping[str, Any], ground: Ground, samples: list[Sample], what: str
+    data: Mapping[str, object], generators: Generators, samples: list[Sample], what: str
 ) -> tuple[list[Entry], list[int | None]]:
     """Divisors as products, and the number of the entry of each radicand."""
-    ring = ground.ring
+    ring = generators.ring
     size = len(samples)
     known = [[s.nonzero[i] for s in samples] for i in range(len(samples[0].nonzero))]
     roots = [[s.positive[i] for s in samples] for i in range(len(samples[0].positive))]
@@ -62,12 +62,12 @@ def read_divisors(
                 raise InaccurateError from None
         shown = text(field(item, "formula", label), label)
         where = choice(item.get("where", "own"), label, "own", "target")
-        if where == "target" and ground.claim.law.target is None:
+        if where == "target" and generators.claim.law.target is None:
             raise CheckError(f"{label} is one of a target that there is not")
         if shown != GRAM:
             formula = parse(shown, label)
             try:
-                stated = [_at(ground, sample, where, formula) for sample in samples]
+                stated = [_value_at(generators, sample, where, formula) for sample in samples]
             except UndefinedError:
                 raise CheckError(f"{label} is not defined") from None
             if not agree(values, stated):
@@ -82,20 +82,20 @@ def read_divisors(
     return entries, matched
 
 
-def nonzero_factors(ground: Ground, entries: Sequence[Entry]) -> frozenset[str]:
+def nonzero_factors(generators: Generators, entries: Sequence[Entry]) -> frozenset[str]:
     """Keys of factors that do not vanish, where those in denominators are known not to."""
-    found = {monic(ground.ring.generator(a.name))[0] for a in ground.auxiliary if a.positive}
-    for names, _ in ground.inverted:
+    keys = {monic(generators.ring.generator(a.name))[0] for a in generators.auxiliary if a.positive}
+    for names, _ in generators.inverted:
         # the inverse of a matrix is one that has an inverse
-        a, b, c, d, e, f = (ground.ring.generator(word) for word in names)
-        found.add(monic(a * (d * f - e * e) + b * (c * e - b * f) + c * (b * e - c * d))[0])
+        a, b, c, d, e, f = (generators.ring.generator(word) for word in names)
+        keys.add(monic(a * (d * f - e * e) + b * (c * e - b * f) + c * (b * e - c * d))[0])
     changed = True
     while changed:
         changed = False
         for entry in entries:
             below = {monic(p)[0] for p, n in entry.powers if n < 0 and not p.is_constant()}
             above = {monic(p)[0] for p, n in entry.powers if n > 0 and not p.is_constant()}
-            if below <= found and not above <= found:
-                found |= above
+            if below <= keys and not above <= keys:
+                keys |= above
                 changed = True
-    return frozenset(found)
+    return frozenset(keys)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 from ..claim.errors import CheckError, UndefinedError
 from ..claim.formulas import Formula, parse
@@ -11,14 +10,14 @@ from ..claim.json_data import field, items, listed, mapping, only, text
 from ..claim.polynomials import Poly, Powers, Ring, monic
 from .accuracy import agree
 from .case_tree import Signs
-from .generators import Auxiliary, Ground, Sample
+from .generators import Auxiliary, Generators, Sample
 
 __all__ = ["read_equations"]
 
 
 def read_equations(
-    data: Mapping[str, Any],
-    ground: Ground,
+    data: Mapping[str, object],
+    generators: Generators,
     samples: list[Sample],
     region: Sequence[Formula],
     nonzero: frozenset[str],
@@ -26,8 +25,8 @@ def read_equations(
     what: str,
 ) -> tuple[Poly, ...]:
     """The polynomials that vanish on the level, each with what it comes from checked."""
-    found: list[Poly] = []
-    ring = ground.ring
+    polys: list[Poly] = []
+    ring = generators.ring
     for number, data_of_one in enumerate(listed(field(data, "equations", what), what)):
         label = f"equation {number} of {what}"
         item = mapping(data_of_one, label)
@@ -36,40 +35,40 @@ def read_equations(
         source = text(field(item, "from", label), label)
         words = source.split(" ")
         if words[0] == "root" and len(words) == 2:
-            _check_root(poly, words[1], ground, label)
+            _check_root(poly, words[1], generators, label)
         elif words[0] in ("one", "same") and len(words) == 3 - (words[0] == "one"):
             _check_equal_values(
-                poly, words[1:], field(item, "quotients", label), found, ground, label
+                poly, words[1:], field(item, "quotients", label), polys, generators, label
             )
         elif words[0] == "circle" and len(words) == 3:
-            _check_circle(poly, words[1:], ground, label)
+            _check_circle(poly, words[1:], generators, label)
         else:
             powers = ring.powers(item.get("denominator", []), label, negative=True)
             for factor, _ in powers:
                 key = None if factor.is_constant() else monic(factor)[0]
                 if key is not None and key not in nonzero and not signs.of(factor):
                     raise CheckError(f"{label} multiplies by something that may vanish")
-            _check_condition(poly, powers, parse(source, label), ground, samples, region, label)
-        found.append(poly)
-    return tuple(found)
+            _check_condition(poly, powers, parse(source, label), generators, samples, region, label)
+        polys.append(poly)
+    return tuple(polys)
 
 
 def _check_condition(
     poly: Poly,
     powers: Powers,
     formula: Formula,
-    ground: Ground,
+    generators: Generators,
     samples: list[Sample],
     region: Sequence[Formula],
     label: str,
 ) -> None:
-    if formula not in (*ground.claim.conditions, *region):
+    if formula not in (*generators.claim.conditions, *region):
         raise CheckError(f"{label} comes from no condition")
     try:
-        stated = [sample.place(formula) for sample in samples]
+        stated = [sample.point(formula) for sample in samples]
         values = [
-            ground.ring.value(poly, sample.values)
-            / ground.ring.value_of_powers(powers, sample.values)
+            generators.ring.value(poly, sample.values)
+            / generators.ring.value_of_powers(powers, sample.values)
             for sample in samples
         ]
     except UndefinedError:
@@ -78,10 +77,10 @@ def _check_condition(
         raise CheckError(f"{label} is not the condition from which it comes")
 
 
-def _check_root(poly: Poly, word: str, ground: Ground, label: str) -> None:
-    for auxiliary in ground.auxiliary:
+def _check_root(poly: Poly, word: str, generators: Generators, label: str) -> None:
+    for auxiliary in generators.auxiliary:
         if auxiliary.name == word and auxiliary.kind in ("root", "formal root"):
-            root = ground.ring.generator(word) ** auxiliary.number - auxiliary.of[0][0]
+            root = generators.ring.generator(word) ** auxiliary.number - auxiliary.of[0][0]
             if not poly.is_zero() and monic(poly)[0] == monic(root)[0]:
                 return
     raise CheckError(f"{label} is not that of a root")
@@ -90,14 +89,14 @@ def _check_root(poly: Poly, word: str, ground: Ground, label: str) -> None:
 def _check_equal_values(
     poly: Poly,
     words: Sequence[str],
-    quotients: Any,
+    quotients: object,
     equations: Sequence[Poly],
-    ground: Ground,
+    generators: Generators,
     label: str,
 ) -> None:
     """A value is that of another symbol, or 1, because their arguments are equal on the level."""
-    ring = ground.ring
-    known = {a.name: a for a in ground.auxiliary}
+    ring = generators.ring
+    known = {a.name: a for a in generators.auxiliary}
     if not set(words) <= set(known):
         raise CheckError(f"{label} is one of an unknown symbol")
     first = known[words[0]]
@@ -110,35 +109,31 @@ def _check_equal_values(
     else:
         others, value = (one,), value - 1
         alike = first.kind in ("root", "power")
-    given = items(quotients, len(first.of), label)
+    texts = items(quotients, len(first.of), label)
     if not alike or not first.of or poly != value or len(others) != len(first.of):
         raise CheckError(f"{label} does not say that values are equal")
-    for mine, theirs, listed_of_one in zip(first.of, others, given, strict=True):
+    for mine, theirs, listed_of_one in zip(first.of, others, texts, strict=True):
         parts = items(listed_of_one, len(equations), label)
         total = ring.constant(0)
         for part, equation in zip(parts, equations, strict=True):
             total = total + ring.read(part, label) * equation
-        left = mine[0] * ring.multiplied(theirs[1]) - theirs[0] * ring.multiplied(mine[1])
+        left = mine[0] * ring.expanded_product(theirs[1]) - theirs[0] * ring.expanded_product(
+            mine[1]
+        )
         if left != total:
             raise CheckError(f"{label}: the arguments are not equal on the level")
 
 
-def _function(auxiliary: Auxiliary) -> tuple[Any, ...]:
-    """Of what an auxiliary symbol is a value, whatever the arguments."""
-    return (
-        auxiliary.kind,
-        auxiliary.word,
-        auxiliary.number,
-        auxiliary.orders,
-        auxiliary.exponent,
-    )
+def _function(auxiliary: Auxiliary) -> tuple[object, ...]:
+    """The function of which an auxiliary symbol is a value, without its arguments."""
+    return (auxiliary.kind, auxiliary.word, auxiliary.number, auxiliary.orders, auxiliary.exponent)
 
 
-def _check_circle(poly: Poly, words: Sequence[str], ground: Ground, label: str) -> None:
-    known = {a.name: a for a in ground.auxiliary if a.kind in ("sin", "cos")}
+def _check_circle(poly: Poly, words: Sequence[str], generators: Generators, label: str) -> None:
+    known = {a.name: a for a in generators.auxiliary if a.kind in ("sin", "cos")}
     if len(set(words)) == 2 and set(words) <= set(known):
         first, second = (known[word] for word in words)
-        ring = ground.ring
+        ring = generators.ring
         circle = ring.generator(words[0]) ** 2 + ring.generator(words[1]) ** 2 - 1
         same = _same_fraction(first.of[0], second.of[0], ring)
         both = {first.kind, second.kind} == {"sin", "cos"} and not poly.is_zero()
@@ -148,5 +143,5 @@ def _check_circle(poly: Poly, words: Sequence[str], ground: Ground, label: str) 
 
 
 def _same_fraction(first: tuple[Poly, Powers], second: tuple[Poly, Powers], ring: Ring) -> bool:
-    left = first[0] * ring.multiplied(second[1])
-    return bool(left == second[0] * ring.multiplied(first[1]))
+    left = first[0] * ring.expanded_product(second[1])
+    return bool(left == second[0] * ring.expanded_product(first[1]))

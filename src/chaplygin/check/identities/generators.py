@@ -1,4 +1,4 @@
-"""What polynomials of a proof stand for: generators, auxiliary symbols, and points of both.
+"""Generators and auxiliary symbols of a proof, and points of both.
 
 Generators are state variables, parameters and definitions that take the place of a parameter;
 auxiliary symbols are roots, powers and function values of them.  At a random point of the
@@ -11,47 +11,28 @@ import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 from flint import arb, fmpq
 
 from ..claim.claim import Claim
-from ..claim.domain import Domain, domain
+from ..claim.domain import Domain
 from ..claim.errors import CheckError, UndefinedError
-from ..claim.evaluate import Place
-from ..claim.formulas import Formula, name, parse
+from ..claim.evaluate import Point
+from ..claim.formulas import Formula, name
 from ..claim.jets import Number, add, apply, arctangent, inverse, multiply
-from ..claim.json_data import choice, field, integer, items, listed, mapping, only, rational, text
 from ..claim.polynomials import Poly, Powers, Ring
-from ..claim.quotients import quotient
 from ..claim.unspecified_functions import Functions
 
-__all__ = ["FIELDS", "Auxiliary", "Ground", "Sample", "read_ground"]
-
-FIELDS = (
-    "ring",
-    "auxiliary",
-    "settled",
-    "exchanged",
-    "inverted",
-    "zeros",
-    "signs",
-    "near",
-    "equations",
-    "divisors",
-    "positive",
-)
+__all__ = ["Auxiliary", "Exchange", "Generators", "Sample"]
 
 #: Random points at which formulas and polynomials are compared.
 POINTS = 4
 ATTEMPTS = 1200
 
-ONE = {"exp", "log", "asin", "acos", "atan"}
-
 
 @dataclass(frozen=True)
 class Auxiliary:
-    """What an auxiliary symbol stands for.
+    """The meaning of an auxiliary symbol.
 
     A *formal root* is the root of inner · ∏ whole^(power · degree), divided by ∏ whole^power.  Its
     power is `inner`, which holds whatever signs the factors have; its own sign is not said.
@@ -73,7 +54,7 @@ class Auxiliary:
 
     @property
     def radicand(self) -> tuple[Poly, Powers]:
-        """What stands under the root in the law: of a formal root, with what is taken out."""
+        """The radicand in the law; of a formal root, with the factors taken out."""
         return self.of[0][0], [(poly, power * self.number) for poly, power in self.whole]
 
 
@@ -90,15 +71,15 @@ class Exchange:
 class Sample:
     """A random point."""
 
-    values: list[Any]
-    place: Place
-    nonzero: list[Any]
-    positive: list[Any]
-    logarithms: list[Any]
+    values: list[arb]
+    point: Point
+    nonzero: list[arb]
+    positive: list[arb]
+    logarithms: list[arb]
 
 
 @dataclass(frozen=True)
-class Ground:
+class Generators:
     """The generators of a proof and what they stand for."""
 
     claim: Claim
@@ -126,15 +107,15 @@ class Ground:
         CheckError
             If too few were found.
         """
-        found: list[Sample] = []
+        samples: list[Sample] = []
         generator = random.Random(str(self.ring.names))
         for attempt in range(ATTEMPTS):
             try:
-                found.append(self._sample(generator, attempt))
+                samples.append(self._sample(generator, attempt))
             except UndefinedError:
                 continue
-            if len(found) == count:
-                return found
+            if len(samples) == count:
+                return samples
         raise CheckError(
             "no random points were found at which the law is defined and roots and signs are as "
             "the proof says"
@@ -142,10 +123,10 @@ class Ground:
 
     def _sample(self, generator: random.Random, attempt: int) -> Sample:
         functions = Functions(f"{attempt}")
-        given = {word: self._drawn(word, generator, attempt) for word in self.plain}
-        solver = _Solver(self, given, functions)
-        values: list[Any] = [arb(0)] * len(self.ring.names)
-        for word, value in given.items():
+        drawn = {word: self._drawn(word, generator, attempt) for word in self.plain}
+        solver = _Solver(self, drawn, functions)
+        values: list[arb] = [arb(0)] * len(self.ring.names)
+        for word, value in drawn.items():
             values[self.ring.index[word]] = value
         for zero in self.zeros:
             word, orders = zero.word
@@ -157,14 +138,14 @@ class Ground:
             if not self.ring.value(poly, values) * sign > 0:
                 raise UndefinedError("a sign is not as assumed")
         known = {word: solver(name(word)) for word in self.claim.system.symbols}
-        place = self.claim.system.place(known, functions, self.settled)
+        point = self.claim.system.point(known, functions, self.settled)
         for word in self.plain:
             defined = word in self.claim.system.definitions
-            if defined and not place(name(word)).overlaps(given[word]):
+            if defined and not point(name(word)).overlaps(drawn[word]):
                 raise CheckError(f"the generator {word} does not agree with its definition")
-        return Sample(values, place, *self.domain.values(place))
+        return Sample(values, point, *self.domain.values(point))
 
-    def _drawn(self, word: str, generator: random.Random, attempt: int) -> Any:
+    def _drawn(self, word: str, generator: random.Random, attempt: int) -> arb:
         mode = attempt % 3
         fine = generator.randint(-(2**22), 2**22)
         if mode == 2 and word in self.near:
@@ -176,8 +157,8 @@ class Ground:
         return arb(fine) / 2 ** (21 if mode == 0 else 19)
 
     def _auxiliary(
-        self, auxiliary: Auxiliary, values: list[Any], solver: Place, functions: Functions
-    ) -> Any:
+        self, auxiliary: Auxiliary, values: list[arb], solver: Point, functions: Functions
+    ) -> Number:
         ring = self.ring
         inner = [
             ring.value(above, values) * inverse(ring.value_of_powers(below, values))
@@ -209,15 +190,19 @@ class Ground:
         return (inner[0].log() * solver(auxiliary.exponent) / auxiliary.number).exp()
 
 
-class _Solver(Place):
-    """A point given by the generators: what state and parameters are there."""
+class _Solver(Point):
+    """A point given by its generators: state and parameters there."""
 
-    def __init__(self, ground: Ground, given: Mapping[str, Any], functions: Functions) -> None:
-        super().__init__(given, ground.claim.system.definitions, {}, functions, ground.settled)
-        self._ground = ground
-        self._parameters = ground.exchanged
+    def __init__(
+        self, generators: Generators, drawn: Mapping[str, arb], functions: Functions
+    ) -> None:
+        super().__init__(
+            drawn, generators.claim.system.definitions, {}, functions, generators.settled
+        )
+        self._generators = generators
+        self._parameters = generators.exchanged
         self._open: set[str] = set()
-        self._places = {word: (a, i) for a, j in ground.inverted for i, word in enumerate(j)}
+        self._places = {word: (a, i) for a, j in generators.inverted for i, word in enumerate(j)}
 
     def _prepare(self, formula: Formula) -> None:
         """Definitions are followed as they come."""
@@ -228,11 +213,11 @@ class _Solver(Place):
         if word in self._open:
             raise CheckError(f"the generators do not say what {word} is")
         self._open.add(word)
-        made = self._found(word)
+        value = self._value_of(word)
         self._open.discard(word)
-        return made
+        return value
 
-    def _found(self, word: str) -> Number:
+    def _value_of(self, word: str) -> Number:
         if word in self._places:
             names, number = self._places[word]
             return _inverse_entry([self._named(n) for n in names], number)
@@ -240,8 +225,8 @@ class _Solver(Place):
             change = self._parameters[word]
             difference = add(self._named(change.name), multiply(arb(-1), self(change.rest)))
             return difference / arb(fmpq(change.factor.numerator, change.factor.denominator))
-        if word in self._ground.settled:
-            return self(self._ground.settled[word])
+        if word in self._generators.settled:
+            return self(self._generators.settled[word])
         if word in self.definitions:
             return self(self.definitions[word])
         if word in ("pi", "E"):
@@ -249,7 +234,7 @@ class _Solver(Place):
         raise CheckError(f"the generators do not say what {word} is")
 
 
-def _inverse_entry(six: Sequence[Any], number: int) -> Any:
+def _inverse_entry(six: Sequence[Number], number: int) -> Number:
     """An entry of the inverse of a symmetric matrix 11, 12, 13, 22, 23, 33."""
     a, b, c, d, e, f = six
     minors = (
@@ -261,219 +246,3 @@ def _inverse_entry(six: Sequence[Any], number: int) -> Any:
         a * d - b * b,
     )
     return minors[number] * inverse(a * minors[0] + b * minors[1] + c * minors[2])
-
-
-# --- reading -----------------------------------------------------------------------------------
-
-
-def read_ground(data: Mapping[str, Any], claim: Claim, what: str) -> Ground:
-    """Read ring, auxiliary symbols and generators of a proof."""
-    names = [text(n, f"the ring of {what}") for n in listed(field(data, "ring", what), what)]
-    if len(set(names)) < len(names):
-        raise CheckError(f"the ring of {what} has a generator twice")
-    ring = Ring(names)
-    settled = _settled(data.get("settled", []), claim, what)
-    exchanged = _exchanged(data.get("exchanged", []), claim, what)
-    if set(exchanged) & set(settled):
-        raise CheckError(f"{what} settles and exchanges the same parameter")
-    ground = Ground(
-        claim=claim,
-        domain=domain(claim, settled),
-        ring=ring,
-        auxiliary=_auxiliaries(data.get("auxiliary", []), ring, what),
-        settled=settled,
-        exchanged=exchanged,
-        inverted=_inverted(data.get("inverted", []), claim, what),
-        zeros=_zeros(data.get("zeros", []), claim, what),
-        signs=_signs(data.get("signs", []), ring, what),
-        near=_near(data.get("near", {}), ring, what),
-    )
-    system = claim.system
-    gone = {*settled, *exchanged}
-    for word in ground.plain:
-        if word in gone or word not in {*system.symbols, *system.definitions}:
-            raise CheckError(f"the ring of {what} has a generator {word} without a meaning")
-    return ground
-
-
-def _auxiliaries(data: Any, ring: Ring, what: str) -> tuple[Auxiliary, ...]:
-    found: list[Auxiliary] = []
-    waiting = []
-    for pair in listed(data, f"the auxiliary symbols of {what}"):
-        word = text(items(pair, 2, f"an auxiliary symbol of {what}")[0], "an auxiliary symbol")
-        if word not in ring.names or word in waiting:
-            raise CheckError(f"the auxiliary symbol {word!r} of {what} is not in its ring, once")
-        waiting.append(word)
-    later = set(waiting)
-    for word, meaning in data:
-        made = _auxiliary(word, mapping(meaning, word), ring)
-        for above, below in made.of:
-            for poly in (above, *(factor for factor, _ in below)):
-                if later & _generators(poly, ring):
-                    raise CheckError(f"{word} is explained by what comes later")
-        if any(later & _generators(poly, ring) for poly, _ in made.whole):
-            raise CheckError(f"{word} is explained by what comes later")
-        later.discard(word)
-        found.append(made)
-    return tuple(found)
-
-
-def _generators(poly: Poly, ring: Ring) -> set[str]:
-    return {n for n, d in zip(ring.names, poly.degrees(), strict=False) if d > 0}
-
-
-def _auxiliary(word: str, data: Mapping[str, Any], ring: Ring) -> Auxiliary:
-    what = f"the meaning of {word}"
-    kinds = ("root", "formal root", "power", "sin", "cos", "pi", "function", "known")
-    kind = choice(field(data, "kind", what), what, *kinds)
-    made: dict[str, Any] = {"name": word, "kind": kind, "word": kind, "number": 0, "orders": ()}
-    made |= {"exponent": None, "whole": [], "of": ()}
-    if kind == "pi":
-        only(data, what, "kind")
-        return Auxiliary(**made)
-    of = field(data, "of", what)
-    if kind == "formal root":
-        only(data, what, "kind", "of", "degree", "whole")
-        made["number"] = integer(field(data, "degree", what), what, 2, 1000)
-        made["of"] = ((ring.read(of, what), []),)
-        made["whole"] = ring.powers(field(data, "whole", what), what, negative=True)
-    elif kind == "root":
-        only(data, what, "kind", "of", "degree")
-        made["number"] = integer(field(data, "degree", what), what, 2, 1000)
-        made["of"] = ((ring.read(of, what), []),)
-    elif kind == "power":
-        only(data, what, "kind", "of", "exponent", "fineness")
-        made["number"] = integer(field(data, "fineness", what), what, 1, 1000)
-        made["exponent"] = parse(field(data, "exponent", what), what)
-        made["of"] = ((ring.read(of, what), []),)
-    elif kind in ("sin", "cos"):
-        only(data, what, "kind", "of")
-        made["of"] = (ring.fraction(of, what),)
-    else:
-        only(data, what, "kind", "of", "name", *(["orders"] if kind == "function" else []))
-        made["of"] = tuple(ring.fraction(part, what) for part in listed(of, what))
-        made["word"] = text(field(data, "name", what), what)
-        size = len(made["of"])
-        if kind == "function":
-            orders = items(field(data, "orders", what), size, what)
-            made["orders"] = tuple(integer(n, what, 0, 1000) for n in orders)
-        elif made["word"] not in {*ONE, "atan2"} or size != 1 + (made["word"] == "atan2"):
-            raise CheckError(f"{what} is no known function of so many arguments")
-    return Auxiliary(**made)
-
-
-def _settled(data: Any, claim: Claim, what: str) -> dict[str, Formula]:
-    found: dict[str, Formula] = {}
-    for pair in listed(data, f"what is settled in {what}"):
-        word, formula = (text(t, what) for t in items(pair, 2, f"what is settled in {what}"))
-        if word not in claim.system.parameters or word in found:
-            raise CheckError(f"{what} settles {word!r}, which is no parameter, or twice")
-        found[word] = parse(formula, f"what {word} is settled to in {what}")
-    _check_settled(claim, found, what)
-    return found
-
-
-def _check_settled(claim: Claim, settled: Mapping[str, Formula], what: str) -> None:
-    """That conditions on parameters alone give the settled ones, by elimination."""
-    if not settled:
-        return
-    system = claim.system
-    ring = Ring(system.parameters)
-    solution: dict[str, Poly] = {}
-
-    def known(word: str) -> tuple[Poly, Poly] | None:
-        if word not in ring.index:
-            return None
-        return solution.get(word, ring.generator(word)), ring.constant(1)
-
-    for condition in claim.conditions:
-        try:
-            poly, _ = quotient(condition, ring, known, system.definitions)
-        except UndefinedError:
-            continue
-        for word in sorted(set(settled) - set(solution)):
-            value = _solved(poly, word, ring)
-            if value is not None:
-                table = [value if n == word else ring.generator(n) for n in ring.names]
-                solution = {n: p.compose(*table) for n, p in solution.items()}
-                solution[word] = value
-                break
-    for word, formula in settled.items():
-        if word not in solution:
-            raise CheckError(f"{what} settles {word}, which no condition gives")
-        try:
-            above, below = quotient(formula, ring, known, system.definitions)
-        except UndefinedError:
-            raise CheckError(f"{what} settles {word} by a formula that is not rational") from None
-        if above != below * solution[word]:
-            raise CheckError(f"{what} settles {word} otherwise than the conditions")
-
-
-def _solved(poly: Poly, word: str, ring: Ring) -> Poly | None:
-    """The value of a symbol in which a polynomial is linear, with a number as factor."""
-    slope = poly.derivative(ring.index[word])
-    if slope.is_zero() or not slope.is_constant():
-        return None
-    factor = slope.leading_coefficient()
-    return ring.generator(word) - poly / factor
-
-
-def _exchanged(data: Any, claim: Claim, what: str) -> dict[str, Exchange]:
-    found: dict[str, Exchange] = {}
-    for four in listed(data, f"what is exchanged in {what}"):
-        word, factor, parameter, rest = items(four, 4, f"what is exchanged in {what}")
-        word, parameter = (text(t, f"what is exchanged in {what}") for t in (word, parameter))
-        number = rational(factor, f"a factor of what is exchanged in {what}")
-        if word not in claim.system.definitions or parameter not in claim.system.parameters:
-            raise CheckError(f"{what} exchanges {word!r} and {parameter!r} without a meaning")
-        if parameter in found or not number or word in [e.name for e in found.values()]:
-            raise CheckError(f"{what} exchanges {parameter} for {word} twice or by zero")
-        made = Exchange(word, number, parse(rest, f"the rest of {word} in {what}"))
-        found[parameter] = made
-    return found
-
-
-def _inverted(
-    data: Any, claim: Claim, what: str
-) -> tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]:
-    found = []
-    for pair in listed(data, f"what is inverted in {what}"):
-        names, of = items(pair, 2, f"what is inverted in {what}")
-        for word in [*items(names, 6, what), *items(of, 6, what)]:
-            if text(word, what) not in claim.system.definitions:
-                raise CheckError(f"{what} inverts {word!r}, which is no definition")
-        found.append((tuple(names), tuple(of)))
-    return tuple(found)
-
-
-def _zeros(data: Any, claim: Claim, what: str) -> tuple[Formula, ...]:
-    found = []
-    for formula in listed(data, f"the zeros of {what}"):
-        made = parse(formula, f"a zero of {what}")
-        if made.kind != "function" or made not in claim.conditions:
-            raise CheckError(f"{what} takes {formula} for zero, which no condition says")
-        found.append(made)
-    return tuple(found)
-
-
-def _signs(data: Any, ring: Ring, what: str) -> tuple[tuple[Poly, int], ...]:
-    found = []
-    for pair in listed(data, f"the signs of {what}"):
-        poly, sign = items(pair, 2, f"a sign of {what}")
-        made = ring.read(poly, f"a sign of {what}")
-        if made.is_constant():
-            raise CheckError(f"a sign of {what} is that of a number")
-        found.append((made, choice(sign, f"a sign of {what}", 1, -1)))
-    return tuple(found)
-
-
-def _near(data: Any, ring: Ring, what: str) -> dict[str, Fraction]:
-    found = {}
-    for word, value in mapping(data, f"the point near which {what} is tried").items():
-        try:
-            found[word] = Fraction(text(value, word))
-        except (ValueError, ZeroDivisionError):
-            raise CheckError(f"{what} is tried near {word} = {value!r}, no number") from None
-        if word not in ring.index or abs(found[word]) > 10**30:
-            raise CheckError(f"{what} is tried near a value of {word!r} without a meaning")
-    return found

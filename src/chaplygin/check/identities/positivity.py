@@ -1,11 +1,10 @@
-"""What a proof may take to be positive: guards, admissible parameters, radicands, sums."""
+"""Positive quantities of a proof: guards, admissible parameters, radicands, sums."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
-from flint import fmpq
+from flint import arb, fmpq
 
 from ..claim.claim import Claim
 from ..claim.errors import CheckError, UndefinedError
@@ -15,32 +14,32 @@ from ..claim.polynomials import Poly, monic
 from .accuracy import agree
 from .case_tree import Signs
 from .divisors import Entry
-from .generators import Ground, Sample
+from .generators import Generators, Sample
 
 __all__ = ["PositiveSum", "check_radicand_positive", "common_ratio", "learn_positive", "settle"]
 
 
 def learn_positive(
-    item: Any, ground: Ground, samples: list[Sample], signs: Signs, what: str
+    item: object, generators: Generators, samples: list[Sample], signs: Signs, what: str
 ) -> None:
     """Something positive that a guard or a condition on parameters says."""
     label = f"what is positive in {what}"
     item = mapping(item, label)
     more = ("terms", "quotients") if item.get("from") == "sum" else ()
     only(item, label, "poly", "strict", "from", *more)
-    poly = ground.ring.read(field(item, "poly", label), label)
+    poly = generators.ring.read(field(item, "poly", label), label)
     strict = field(item, "strict", label)
     source = text(field(item, "from", label), label)
     if not isinstance(strict, bool):
         raise CheckError(f"{label} has a field 'strict' that is neither true nor false")
     if source == "sum" or source.startswith("radicand "):
         return
-    values = [ground.ring.value(poly, sample.values) for sample in samples]
-    for formula, sign in _positive_formulas(source, ground.claim, label):
+    values = [generators.ring.value(poly, sample.values) for sample in samples]
+    for formula, sign in _positive_formulas(source, generators.claim, label):
         if strict and sign != ">":
             continue
         try:
-            ratio = common_ratio(values, [sample.place(formula) for sample in samples])
+            ratio = common_ratio(values, [sample.point(formula) for sample in samples])
         except UndefinedError:
             continue
         if ratio is not None and ratio > 0:
@@ -50,18 +49,18 @@ def learn_positive(
 
 
 def _positive_formulas(source: str, claim: Claim, label: str) -> list[tuple[Formula, str]]:
-    """What a guard or a condition on parameters says, given by its text."""
+    """The positive formulas of a guard or a condition on parameters, by its text."""
     system = claim.system
     if any(sign in source for sign in "<>=&"):
-        found = parse_condition(source, label)
+        stated = parse_condition(source, label)
         known = [pair for pair in system.admissible if pair[1] in (">", ">=")]
     else:
-        found = [(parse(source, label), ">")]
+        stated = [(parse(source, label), ">")]
         known = [(guard, ">") for guard in system.guards]
-    return [pair for pair in found if pair in known]
+    return [pair for pair in stated if pair in known]
 
 
-def common_ratio(first: Sequence[Any], second: Sequence[Any]) -> Any:
+def common_ratio(first: Sequence[arb], second: Sequence[arb]) -> arb | None:
     """The number by which two lists of numbers differ, or None if there is none."""
     if any(b.contains(0) for b in second):
         return None
@@ -70,14 +69,14 @@ def common_ratio(first: Sequence[Any], second: Sequence[Any]) -> Any:
 
 
 def check_radicand_positive(
-    item: Mapping[str, Any], ground: Ground, signs: Signs, what: str
+    item: Mapping[str, object], generators: Generators, signs: Signs, what: str
 ) -> None:
-    """What a proof says to be positive because it stands under a root."""
-    source = item["from"]
+    """Check a quantity that is said to be positive as a radicand."""
+    source = text(item["from"], what)
     if not source.startswith("radicand "):
         return
-    poly = ground.ring.read(item["poly"], what)
-    for auxiliary in ground.auxiliary:
+    poly = generators.ring.read(item["poly"], what)
+    for auxiliary in generators.auxiliary:
         if auxiliary.name == source.removeprefix("radicand ") and auxiliary.kind in (
             "root",
             "power",
@@ -112,9 +111,9 @@ class PositiveSum:
     are positive, or do not vanish where their power is even.
     """
 
-    def __init__(self, data: Mapping[str, Any], ground: Ground, what: str) -> None:
+    def __init__(self, data: Mapping[str, object], generators: Generators, what: str) -> None:
         label = f"what is positive in {what}"
-        ring = self.ring = ground.ring
+        ring = self.ring = generators.ring
         self.label = label
         self.poly = ring.read(field(data, "poly", label), label)
         if field(data, "strict", label) is not True:
@@ -126,8 +125,8 @@ class PositiveSum:
             if number <= 0:
                 raise CheckError(f"{label}: a term with a constant that is not positive")
             (inner,) = items(base, 1, label)
-            made = ring.read(inner, label)
-            self.terms.append((ring.powers(weight, label), number, made))
+            base_poly = ring.read(inner, label)
+            self.terms.append((ring.powers(weight, label), number, base_poly))
         self.quotients = [
             ring.read(q, label) for q in listed(field(data, "quotients", label), label)
         ]
@@ -149,7 +148,7 @@ class PositiveSum:
                 certain = certain and (known or bool(sign) if power % 2 == 0 else sign > 0)
             strict = strict or (base.is_constant() and not base.is_zero())
             fraction = fmpq(number.numerator, number.denominator)
-            total = total + fraction * self.ring.multiplied(weights) * base**2
+            total = total + fraction * self.ring.expanded_product(weights) * base**2
         if total != self.poly:
             raise CheckError(f"{self.label}: a sum is another polynomial")
         return certain and strict

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from functools import partial
 
 from ..claim.claim import Claim
 from ..claim.errors import CheckError, UndefinedError
@@ -21,8 +21,8 @@ from ..claim.residuals import residuals
 from .accuracy import InaccurateError, agree, with_precision
 from .basis import Basis, read_basis
 from .case_tree import Node, check_tree
-from .generators import FIELDS, read_ground
 from .positivity import common_ratio
+from .read_generators import FIELDS, read_generators
 
 __all__ = ["Condition", "check_left", "check_proof", "read_region", "same"]
 
@@ -37,18 +37,19 @@ class Condition:
 
 
 def check_proof(
-    data: Mapping[str, Any], claim: Claim, what: str, conditions: Sequence[Condition]
+    data: Mapping[str, object], claim: Claim, what: str, conditions: Sequence[Condition]
 ) -> Basis:
     """Check a proof of a claim, where conditions hold; CheckError where it fails."""
     only(data, what, "claim", "substitution", "region", *FIELDS, "residuals", "tree")
     region = read_region(data, claim, what)
     basis: Basis = with_precision(lambda: _checked_residuals(data, claim, region, what))
-    ring = basis.ground.ring
+    ring = basis.generators.ring
     numerators = [
-        ring.fraction(item, f"a residual of {what}")[0] for item in field(data, "residuals", what)
+        ring.fraction(item, f"a residual of {what}")[0]
+        for item in listed(field(data, "residuals", what), what)
     ]
 
-    def leaf(node: Node, data: Mapping[str, Any], where: str) -> None:
+    def leaf(node: Node, data: Mapping[str, object], where: str) -> None:
         check_left(node, data, where, basis, conditions)
 
     node = Node(ring, basis.equations, basis.nonzero, basis.signs, numerators, leaf)
@@ -56,27 +57,27 @@ def check_proof(
     return basis
 
 
-def read_region(data: Mapping[str, Any], claim: Claim, what: str) -> tuple[Formula, ...]:
+def read_region(data: Mapping[str, object], claim: Claim, what: str) -> tuple[Formula, ...]:
     """The equations of the part of the level that a proof treats."""
     region = listed(data.get("region", []), f"the region of {what}")
-    found = tuple(parse(formula, f"the region of {what}") for formula in region)
+    formulas = tuple(parse(formula, f"the region of {what}") for formula in region)
     known = {*claim.system.symbols, *claim.system.definitions}
-    for formula in found:
+    for formula in formulas:
         if not claim.system.reach([formula]) <= known:
             raise CheckError(f"the region of {what} uses an unknown symbol")
-    return found
+    return formulas
 
 
 def _checked_residuals(
-    data: Mapping[str, Any], claim: Claim, region: Sequence[Formula], what: str
+    data: Mapping[str, object], claim: Claim, region: Sequence[Formula], what: str
 ) -> Basis:
-    ground = read_ground(data, claim, what)
-    basis = read_basis(data, ground, region, what)
+    generators = read_generators(data, claim, what)
+    basis = read_basis(data, generators, region, what)
     stated = listed(field(data, "residuals", what), f"the residuals of {what}")
-    fractions = [ground.ring.fraction(item, f"a residual of {what}") for item in stated]
+    fractions = [generators.ring.fraction(item, f"a residual of {what}") for item in stated]
     for sample in basis.samples:
         try:
-            values = residuals(claim, sample.place)
+            values = residuals(claim, sample.point)
         except UndefinedError as error:
             raise CheckError(f"{what}: a residual is not defined: {error}") from None
         if len(values) != len(fractions):
@@ -84,8 +85,8 @@ def _checked_residuals(
                 f"{what} states {len(fractions)} residuals, but the law has {len(values)}"
             )
         for number, ((above, below), value) in enumerate(zip(fractions, values, strict=True)):
-            upper = ground.ring.value(above, sample.values)
-            lower = ground.ring.value_of_powers(below, sample.values)
+            upper = generators.ring.value(above, sample.values)
+            lower = generators.ring.value_of_powers(below, sample.values)
             if lower.contains(0):
                 raise InaccurateError
             if not agree([value], [upper / lower]):
@@ -98,7 +99,7 @@ def _checked_residuals(
 
 def check_left(
     node: Node,
-    data: Mapping[str, Any],
+    data: Mapping[str, object],
     where: str,
     basis: Basis,
     conditions: Sequence[Condition],
@@ -110,8 +111,8 @@ def check_left(
     said = text(field(data, "condition", where), f"the condition of {where}")
     for condition in conditions:
         if condition.text == said and any(
-            with_precision(lambda e=e, c=condition: same(basis, e, c.formula) is not None)
-            for e in node.equations
+            with_precision(partial(same, basis, equation, condition.formula)) is not None
+            for equation in node.equations
         ):
             return
     raise CheckError(f"{where} is left unproven, which no condition of the verdict excludes")
@@ -120,8 +121,8 @@ def check_left(
 def same(basis: Basis, poly: Poly, formula: Formula) -> int | None:
     """The sign of the number by which a polynomial and a formula differ; None if by none."""
     try:
-        values = [basis.ground.ring.value(poly, sample.values) for sample in basis.samples]
-        ratio = common_ratio(values, [sample.place(formula) for sample in basis.samples])
+        values = [basis.generators.ring.value(poly, sample.values) for sample in basis.samples]
+        ratio = common_ratio(values, [sample.point(formula) for sample in basis.samples])
     except UndefinedError:
         return None
     return None if ratio is None else 1 if ratio > 0 else -1

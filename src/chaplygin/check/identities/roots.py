@@ -9,18 +9,18 @@ from ..claim.polynomials import Poly, Powers, monic
 from .accuracy import agree
 from .case_tree import Signs
 from .divisors import Entry
-from .generators import Auxiliary, Ground, Sample
+from .generators import Auxiliary, Generators, Sample
 
 __all__ = ["check_functions", "check_radicands", "check_roots", "has_formal_roots"]
 
 
-def has_formal_roots(ground: Ground) -> bool:
+def has_formal_roots(generators: Generators) -> bool:
     """Whether a root is used of which nothing but its power is known."""
-    return any(auxiliary.kind == "formal root" for auxiliary in ground.auxiliary)
+    return any(auxiliary.kind == "formal root" for auxiliary in generators.auxiliary)
 
 
 def check_roots(
-    ground: Ground,
+    generators: Generators,
     signs: Signs,
     nonzero: frozenset[str],
     entries: Sequence[Entry],
@@ -28,7 +28,7 @@ def check_roots(
     what: str,
 ) -> None:
     """Check that what stands under the roots of a proof is positive, or that of a law's root."""
-    for auxiliary in ground.auxiliary:
+    for auxiliary in generators.auxiliary:
         if auxiliary.kind == "formal root":
             if not _is_radicand(auxiliary, [entries[i] for i in matched if i is not None]):
                 raise CheckError(f"{what}: {auxiliary.name} is no root of the law")
@@ -41,14 +41,10 @@ def check_roots(
 
 
 def check_functions(
-    ground: Ground,
-    samples: list[Sample],
-    nonzero: frozenset[str],
-    signs: Signs,
-    what: str,
+    generators: Generators, samples: list[Sample], nonzero: frozenset[str], signs: Signs, what: str
 ) -> None:
     """Auxiliary function values are defined wherever the law is."""
-    for auxiliary in ground.auxiliary:
+    for auxiliary in generators.auxiliary:
         label = f"{what}: the argument of {auxiliary.name}"
         for _, below in auxiliary.of:
             for poly, _ in below:
@@ -56,18 +52,18 @@ def check_functions(
                     raise CheckError(f"{label} has a denominator that may vanish")
         if auxiliary.kind != "known" or auxiliary.word in ("exp", "atan"):
             continue
-        ring = ground.ring
-        places = [
+        ring = generators.ring
+        arguments = [
             [ring.value(above, s.values) / ring.value_of_powers(below, s.values) for s in samples]
             for above, below in auxiliary.of
         ]
         if auxiliary.word == "log":
-            known, stated = "logarithms", places[0]
+            known, stated = "logarithms", arguments[0]
         elif auxiliary.word == "atan2":
             known = "nonzero"
-            stated = [y * y + x * x for y, x in zip(*places, strict=True)]
+            stated = [y * y + x * x for y, x in zip(*arguments, strict=True)]
         else:
-            known, stated = "positive", [1 - x * x for x in places[0]]
+            known, stated = "positive", [1 - x * x for x in arguments[0]]
         lists = zip(*(getattr(s, known) for s in samples), strict=True)
         if not any(agree(stated, values) for values in lists):
             raise CheckError(f"{label} is none of the law")
@@ -89,31 +85,31 @@ def _factors(poly: Poly) -> Powers:
 
 def _odd(powers: Powers, content: int = 1) -> tuple[int, frozenset[str]]:
     """The sign of a product and its factors with odd powers, which decide its sign."""
-    found: set[str] = set()
+    odd: set[str] = set()
     for poly, power in powers:
         if power % 2 == 0:
             continue
         key, lead = monic(poly)
         content *= lead
         if not poly.is_constant():
-            found ^= {key}
-    return content, frozenset(found)
+            odd ^= {key}
+    return content, frozenset(odd)
 
 
 def check_radicands(
-    ground: Ground,
+    generators: Generators,
     signs: Signs,
     entries: Sequence[Entry],
     matched: Sequence[int | None],
     what: str,
 ) -> None:
     """Every root of the law is a product of roots of factors with known signs."""
-    taken = [a for a in ground.auxiliary if a.kind == "formal root"]
-    for (_, _, exponent), number in zip(ground.domain.positive, matched, strict=False):
+    formal = [a for a in generators.auxiliary if a.kind == "formal root"]
+    for (_, _, exponent), number in zip(generators.domain.positive, matched, strict=False):
         if number is None:
             raise CheckError(f"{what} does not say of what factors a root of the law is taken")
         if exponent is not None and any(
-            exponent.denominator == a.number and _is_radicand(a, [entries[number]]) for a in taken
+            exponent.denominator == a.number and _is_radicand(a, [entries[number]]) for a in formal
         ):
             continue
         for poly, power in entries[number].powers:

@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from itertools import product
-from typing import Any
+from typing import TypeAlias
+
+from flint import fmpq
 
 from ..claim.errors import CheckError
 from ..claim.polynomials import Poly
 from .accuracy import with_precision
 from .basis import Basis
-from .generators import Ground
+from .generators import Generators
 from .proof import Condition, same
 
 __all__ = ["covers"]
+
+#: A polynomial by its terms, whatever the ring.
+Key: TypeAlias = tuple[object, ...]
 
 #: Polynomials whose signs may be assumed together.
 MANY = 14
@@ -24,11 +30,11 @@ def covers(proofs: Sequence[Basis], conditions: Sequence[Condition]) -> bool:
 
     Their claims must be the same, and the points those where `conditions` hold.
     """
-    assumed = [dict(_assumed(basis)) for basis in proofs]
+    assumed = [dict(_assumed_signs(basis)) for basis in proofs]
     keys = sorted({key for signs in assumed for key in signs}, key=repr)
     if len(keys) > MANY:
         raise CheckError(f"the proofs assume the signs of more than {MANY} polynomials")
-    known, products = _known(proofs, conditions, set(keys))
+    known, products = _certain_signs(proofs, conditions, set(keys))
     for pattern in product((1, -1), repeat=len(keys)):
         signs = dict(zip(keys, pattern, strict=True))
         if any(signs[key] != sign for key, sign in known):
@@ -40,36 +46,34 @@ def covers(proofs: Sequence[Basis], conditions: Sequence[Condition]) -> bool:
     return True
 
 
-def _sign(content: int, factors: Sequence[Any], signs: Mapping[Any, int]) -> int:
+def _sign(content: int, factors: Sequence[Key], signs: Mapping[Key, int]) -> int:
     for key in factors:
         content *= signs[key]
     return content
 
 
-def _assumed(basis: Basis) -> Iterator[tuple[Any, int]]:
-    for poly, sign in basis.ground.signs:
-        key, lead = _key(basis.ground, poly)
+def _assumed_signs(basis: Basis) -> Iterator[tuple[Key, int]]:
+    for poly, sign in basis.generators.signs:
+        key, lead = _key(basis.generators, poly)
         yield key, sign * lead
 
 
-def _known(
-    proofs: Sequence[Basis], conditions: Sequence[Condition], keys: set[Any]
-) -> tuple[list[tuple[Any, int]], list[tuple[int, list[Any]]]]:
+def _certain_signs(
+    proofs: Sequence[Basis], conditions: Sequence[Condition], keys: set[Key]
+) -> tuple[list[tuple[Key, int]], list[tuple[int, list[Key]]]]:
     """Signs that are certain or asked for, and products of signs that are positive."""
-    known: list[tuple[Any, int]] = []
-    products: list[tuple[int, list[Any]]] = []
+    known: list[tuple[Key, int]] = []
+    products: list[tuple[int, list[Key]]] = []
     for basis in proofs:
-        ground = basis.ground
-        for poly, _ in ground.signs:
-            key, lead = _key(ground, poly)
+        generators = basis.generators
+        for poly, _ in generators.signs:
+            key, lead = _key(generators, poly)
             certain = basis.certain.of(poly)
             if certain:
                 known.append((key, certain * lead))
             for condition in conditions:
                 if condition.positive:
-                    sign = with_precision(
-                        lambda b=basis, p=poly, c=condition: same(b, p, c.formula)
-                    )
+                    sign = with_precision(partial(same, basis, poly, condition.formula))
                     if sign is not None:
                         known.append((key, sign * lead))
         for entry in basis.radicands:
@@ -77,7 +81,7 @@ def _known(
             for poly, power in entry.powers:
                 if power % 2 == 0:
                     continue
-                key, lead = _key(ground, poly)
+                key, lead = _key(generators, poly)
                 certain = basis.certain.of(poly)
                 if certain:
                     content *= certain
@@ -89,10 +93,10 @@ def _known(
     return known, products
 
 
-def _key(ground: Ground, poly: Poly) -> tuple[Any, int]:
+def _key(generators: Generators, poly: Poly) -> tuple[Key, int]:
     """A key that does not depend on the ring, and the sign by which the polynomial is divided."""
-    names: dict[str, tuple[Any, ...]] = {name: (name,) for name in ground.plain}
-    for auxiliary in ground.auxiliary:
+    names: dict[str, Key] = {name: (name,) for name in generators.plain}
+    for auxiliary in generators.auxiliary:
         names[auxiliary.name] = (
             auxiliary.kind,
             auxiliary.word,
@@ -101,21 +105,23 @@ def _key(ground: Ground, poly: Poly) -> tuple[Any, int]:
             repr(auxiliary.exponent),
             tuple(
                 (
-                    _terms(ground, above, names),
-                    tuple((_terms(ground, p, names), n) for p, n in below),
+                    _terms(generators, above, names),
+                    tuple((_terms(generators, p, names), n) for p, n in below),
                 )
                 for above, below in auxiliary.of
             ),
         )
-    terms = _terms(ground, poly, names)
+    terms = _terms(generators, poly, names)
     lead = terms[0][1]
     return tuple((powers, str(number / lead)) for powers, number in terms), 1 if lead > 0 else -1
 
 
-def _terms(ground: Ground, poly: Poly, names: Mapping[str, Any]) -> tuple[Any, ...]:
+def _terms(
+    generators: Generators, poly: Poly, names: Mapping[str, Key]
+) -> tuple[tuple[object, fmpq], ...]:
     """Terms in an order that does not depend on the ring."""
-    found = []
+    terms = []
     for exponents, number in poly.to_dict().items():
-        powers = [(names[ground.ring.names[i]], int(n)) for i, n in enumerate(exponents) if n]
-        found.append((tuple(sorted(powers, key=repr)), number))
-    return tuple(sorted(found, key=lambda term: repr(term[0])))
+        powers = [(names[generators.ring.names[i]], int(n)) for i, n in enumerate(exponents) if n]
+        terms.append((tuple(sorted(powers, key=repr)), number))
+    return tuple(sorted(terms, key=lambda term: repr(term[0])))

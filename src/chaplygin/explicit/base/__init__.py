@@ -1,1 +1,1 @@
-"""What all closed forms have in common: the problem, the solution, the refusal."""
+"""The base of all closed forms: the problem, the solution, the refusal."""

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any
 
 import sympy as sp
 from flint import arb, arb_mat
 
+from ...arguments import Written
 from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
@@ -21,10 +21,10 @@ __all__ = ["on_phase_space"]
 
 def on_phase_space(
     system: System,
-    level: Sequence[Any],
-    start: Sequence[Any],
-    values: Mapping[sp.Symbol, Any],
-) -> tuple[Any, ...]:
+    level: Sequence[sp.Expr],
+    start: Sequence[Written],
+    values: Mapping[sp.Symbol, arb],
+) -> tuple[arb, ...]:
     """The nearest state at which all relations, and the expressions of the level, vanish.
 
     The numbers are taken as exact ones; what they miss by rounding is made up along the gradients
@@ -33,7 +33,6 @@ def on_phase_space(
 
     Parameters
     ----------
-    system : System
     level : sequence of sympy.Expr
         Further expressions that vanish.
     start : sequence of numbers
@@ -71,17 +70,17 @@ def on_phase_space(
 
 def _check(
     system: System,
-    level: Sequence[Any],
+    level: Sequence[sp.Expr],
     state: Mapping[sp.Symbol, Sized],
-    values: Mapping[sp.Symbol, Any],
+    values: Mapping[sp.Symbol, arb],
 ) -> None:
     """Refuse a start that misses a condition by more than rounding."""
     conditions, _ = _moving(system, tuple(level))
     numbers = {s: exact(x) for s, x in values.items()}
     known = {**{s: Sized(x, abs(x)) for s, x in numbers.items()}, **state}
-    found = sized(conditions, known)
-    worst = max((value.share for value in found), default=0.0)
-    if not all(value.vanishes(GIVEN) for value in found):
+    misses = sized(conditions, known)
+    worst = max((value.share for value in misses), default=0.0)
+    if not all(value.vanishes(GIVEN) for value in misses):
         raise InputError(
             f"start: it misses the constraints by {worst:.3g} of the size of their terms; rounding "
             f"may make up {float(Fraction(int(GIVEN.p), int(GIVEN.q))):g}"
@@ -90,8 +89,8 @@ def _check(
 
 @lru_cache(maxsize=64)
 def _conditions(
-    system: System, level: tuple[Any, ...], names: tuple[sp.Symbol, ...]
-) -> tuple[Any, Any, int]:
+    system: System, level: tuple[sp.Expr, ...], names: tuple[sp.Symbol, ...]
+) -> tuple[Callable[..., tuple[arb, ...]], Callable[..., tuple[arb, ...]], int]:
     """The conditions and their gradients in the state, as functions of balls."""
     conditions, gradients = _moving(system, level)
     return ball_function(names, conditions), ball_function(names, gradients), len(conditions)
@@ -99,7 +98,7 @@ def _conditions(
 
 @lru_cache(maxsize=64)
 def _moving(
-    system: System, level: tuple[Any, ...]
+    system: System, level: tuple[sp.Expr, ...]
 ) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
     """The conditions on the state, and their gradients."""
     plain = (_plain(system, formula) for formula in (*system.relations, *level))
@@ -109,7 +108,7 @@ def _moving(
     return conditions, gradients
 
 
-def _plain(system: System, formula: Any) -> sp.Expr:
+def _plain(system: System, formula: sp.Expr) -> sp.Expr:
     """A formula in the state and the parameters, its definitions put in."""
     value = to_components(sp.sympify(formula))
     for name, meaning in reversed(system.needed([value])):

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+
+import sympy as sp
 
 from ...catalogue.ball_on_sphere import rubber_ball_ratio
 from ...catalogue.ball_on_sphere.ball_on_sphere import ratio
@@ -30,7 +31,7 @@ class NoClosedFormError(InputError):
 
 @dataclass(frozen=True)
 class _Obstacle:
-    """What keeps a rolling body from being solved.
+    """A property that keeps a rolling body from being solved.
 
     Attributes
     ----------
@@ -56,8 +57,8 @@ class Condition:
         The same in state and parameters of the problem.
     """
 
-    written: Any
-    formula: Any
+    written: sp.Expr
+    formula: sp.Expr
 
 
 def refusal(problem: Problem, level: Sequence[Condition] = ()) -> NoClosedFormError:
@@ -71,8 +72,8 @@ def refusal(problem: Problem, level: Sequence[Condition] = ()) -> NoClosedFormEr
         What does not vanish, where a closed form would be known if it did.
     """
     start = any(c.formula.free_symbols & set(problem.system.symbols) for c in level)
-    obstacle = _off(problem, level) if start else _obstacle(problem)
-    sentence = f"{obstacle.subject} is not solved in closed form here: {_known(problem)}"
+    obstacle = _off_level(problem, level) if start else _obstacle(problem)
+    sentence = f"{obstacle.subject} is not solved in closed form here: {_known_laws(problem)}"
     if obstacle.solvable:
         sentence += f"; solvable {obstacle.solvable}"
     return NoClosedFormError(sentence)
@@ -81,12 +82,12 @@ def refusal(problem: Problem, level: Sequence[Condition] = ()) -> NoClosedFormEr
 def degenerate(problem: Problem) -> NoClosedFormError:
     """A motion of a solvable system whose curve has double roots of a kind that is not solved."""
     return NoClosedFormError(
-        f"this motion of the {_lowered(problem.system.title)} is not solved, since roots of its "
-        f"curve coincide, as they do for equal moments: {_known(problem)}"
+        f"this motion of the {_title_in_sentence(problem.system.title)} is not solved, since roots "
+        f"of its curve coincide, as they do for equal moments: {_known_laws(problem)}"
     )
 
 
-def _known(problem: Problem) -> str:
+def _known_laws(problem: Problem) -> str:
     """The laws that hold at the start, in words."""
     laws = [law for law in problem.system.laws if problem.vanish(law.on, ROUNDED)]
     words = [law.meaning or law.name for law in laws if isinstance(law, Integral)]
@@ -104,40 +105,40 @@ _FORMS: dict[type[Law], str] = {
 }
 
 
-def _off(problem: Problem, level: Sequence[Condition]) -> _Obstacle:
+def _off_level(problem: Problem, level: Sequence[Condition]) -> _Obstacle:
     """A start off the level on which the system is solvable."""
-    conditions = " and ".join(f"{_named(problem, condition)}" for condition in level)
+    conditions = " and ".join(f"{_condition_text(problem, condition)}" for condition in level)
     return _Obstacle(
-        f"this motion of the {_lowered(problem.system.title)}",
+        f"this motion of the {_title_in_sentence(problem.system.title)}",
         f"are its motions on which {conditions}",
     )
 
 
-def _named(problem: Problem, condition: Condition) -> str:
+def _condition_text(problem: Problem, condition: Condition) -> str:
     """A condition by its formula, or by the integral that it is where the formula is long."""
     written = text(condition.written)
     if len(written) <= SHORT:
         return f"{written} = 0"
     laws = [law for law in problem.system.integrals if problem.vanish(law.on, ROUNDED)]
-    value, *others = problem.measured([condition.formula, *(law.value for law in laws)])
+    value, *others = problem.sized_values([condition.formula, *(law.value for law in laws)])
     same = [law for law, other in zip(laws, others, strict=True) if (value - other).vanishes()]
     return f"the {same[0].meaning} vanishes" if same else f"{written} = 0"
 
 
 def _obstacle(problem: Problem) -> _Obstacle:
-    found = (rule(problem, problem.rolling) for rule in _RULES if problem.rolling is not None)
-    plain = _Obstacle(f"the {_lowered(problem.system.title)}", _family(problem))
-    return next((obstacle for obstacle in found if obstacle is not None), plain)
+    obstacles = (rule(problem, problem.rolling) for rule in _RULES if problem.rolling is not None)
+    plain = _Obstacle(f"the {_title_in_sentence(problem.system.title)}", _family(problem))
+    return next((obstacle for obstacle in obstacles if obstacle is not None), plain)
 
 
 def _family(problem: Problem) -> str:
-    """What is solvable of the family of rubber balls in the ratio k."""
+    """The solvable members of the family of rubber balls in the ratio k."""
     return "are k = 1 and k = −1" if problem.system.name == rubber_ball_ratio.NAME else ""
 
 
-def _lowered(title: str) -> str:
+def _title_in_sentence(title: str) -> str:
     """A title inside a sentence; names of people keep their capital."""
-    first, space, rest = title.partition(" ")
+    first, space, remainder = title.partition(" ")
     names = (
         "Chaplygin",
         "Veselova",
@@ -148,11 +149,9 @@ def _lowered(title: str) -> str:
         "Lagrange",
         "Bruns",
     )
-    kept = first in names or first.isupper()
-    return title if kept else f"{first.lower()}{space}{rest}"
+    capitalised = first in names or first.isupper()
+    return title if capitalised else f"{first.lower()}{space}{remainder}"
 
-
-# --- what stands in the way ----------------------------------------------------------------
 
 Rule = Callable[[Problem, Rolling], _Obstacle | None]
 

@@ -1,4 +1,4 @@
-"""A motion asked for, and when two systems are one: their fields compared in exact numbers."""
+"""A motion to be solved, and fields of systems compared in exact numbers."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 from flint import fmpq
 
+from ...arguments import Written
 from ...core.admissible import conditions, satisfies
 from ...core.system import System
 from ...core.vectors import to_components
@@ -51,12 +52,12 @@ class Problem:
     """
 
     system: System
-    parameters: Mapping[sp.Symbol, Any]
-    start: tuple[Any, ...]
+    parameters: Mapping[sp.Symbol, Written]
+    start: tuple[Written, ...]
     rolling: Rolling | None = None
 
-    def checked(self) -> Problem:
-        """The same problem if it is one; of a reduced start, without the motion in space.
+    def well_posed(self) -> Problem:
+        """The problem with numbers that make sense; of a reduced start, without lift.
 
         Raises
         ------
@@ -94,12 +95,12 @@ class Problem:
         """The parameters by name, decimals taken at their word."""
         return {str(symbol): exact(value) for symbol, value in self.parameters.items()}
 
-    def values(self, formulas: Sequence[Any]) -> list[Any]:
+    def values(self, formulas: Sequence[sp.Expr]) -> list[Any]:
         """Scalar formulas of the system at the start, as fractions or to 60 digits."""
-        return [found.value for found in self.measured(formulas)]
+        return [value.value for value in self.sized_values(formulas)]
 
-    def measured(self, formulas: Sequence[Any]) -> list[Sized]:
-        """The same with the sizes of their terms."""
+    def sized_values(self, formulas: Sequence[sp.Expr]) -> list[Sized]:
+        """Values of scalar formulas at the start, with the sizes of their terms."""
         lifted = self.system.lifted() if self.system.motion else self.system
         known = {s: exact(value) for s, value in self.parameters.items()}
         start = measured(lifted.state, lifted.symbols, [exact(x) for x in self.start])
@@ -110,16 +111,13 @@ class Problem:
             lifted.needed(wanted),
         )
 
-    def vanish(self, formulas: Sequence[Any], part: fmpq = RESOLUTION) -> bool:
+    def vanish(self, formulas: Sequence[sp.Expr], part: fmpq = RESOLUTION) -> bool:
         """Whether scalar formulas vanish at the start, or leave but a part of their terms."""
-        return all(value.vanishes(part) for value in self.measured(formulas))
+        return all(value.vanishes(part) for value in self.sized_values(formulas))
 
 
 def same_field(
-    first: System,
-    first_numbers: Numbers,
-    second: System,
-    second_numbers: Numbers,
+    first: System, first_numbers: Numbers, second: System, second_numbers: Numbers
 ) -> bool:
     """Whether two systems with these parameters have one field, their states taken in order.
 
@@ -136,16 +134,16 @@ def same_field(
     """
     if len(first.symbols) != len(second.symbols):
         return False
-    found = False
+    compared = False
     try:
         for point in _points(second, second_numbers):
-            found = True
+            compared = True
             if _rates(first, point, first_numbers) != _rates(second, point, second_numbers):
                 return False
     except (NotExactError, OutOfReachError, UnknownSymbolError, ZeroDivisionError):
         # a field with roots or functions, or singular elsewhere, is none of those that are known
         return False
-    return found
+    return compared
 
 
 def rational(system: System, numbers: Numbers) -> bool:
@@ -172,7 +170,7 @@ def _evaluator(system: System, point: Sequence[fmpq], numbers: Numbers) -> Evalu
     return Evaluator(Rationals({}), seeds.get, dict(system.steps))
 
 
-def _rates(system: System, point: Sequence[fmpq], numbers: Numbers) -> list[Any]:
+def _rates(system: System, point: Sequence[fmpq], numbers: Numbers) -> list[fmpq]:
     evaluate = _evaluator(system, point, numbers)
     return [evaluate.value(rate) for rate in system.rates]
 
@@ -182,7 +180,7 @@ def _points(system: System, numbers: Numbers) -> Iterator[list[fmpq]]:
     if len(system.symbols) != 2 * SIZE:
         return
     relations = [to_components(relation) for relation in system.relations]
-    found = 0
+    count = 0
     generator = random.Random(system.name)
     for _ in range(20 * POINTS):
         for point in _candidates(generator):
@@ -191,11 +189,11 @@ def _points(system: System, numbers: Numbers) -> Iterator[list[fmpq]]:
                 on_it = all(values.value(relation) == 0 for relation in relations)
                 if on_it and _rates(system, point, numbers):
                     yield point
-                    found += 1
+                    count += 1
                     break
             except ZeroDivisionError:
                 continue
-        if found == POINTS:
+        if count == POINTS:
             return
 
 

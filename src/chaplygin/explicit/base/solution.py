@@ -1,15 +1,17 @@
-"""What solving leaves behind: a motion known at every time."""
+"""Solutions: motions that are known at every time."""
 
 from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import sympy as sp
+from flint import arb
 
+from ...arguments import Numbers, Written
+from ...core.arrays import FloatArray
 from ...core.overview import Overview, WithOverview
 from ...core.system import System
 from ...errors import InputError
@@ -31,11 +33,10 @@ class NamedConstant:
         As it is written, such as ``"Omega_1"``.
     value : flint.arb
         With its error bound.
-    meaning, unit : str
     """
 
     symbol: str
-    value: Any
+    value: arb
     meaning: str
     unit: str = ""
 
@@ -47,7 +48,7 @@ class NamedConstant:
 
 @dataclass(frozen=True)
 class ClosedForm:
-    """What a closed form looks like.
+    """The formulas and constants of a closed form.
 
     Attributes
     ----------
@@ -58,7 +59,7 @@ class ClosedForm:
         permanent rotation", …
     equations : tuple of (left, right)
         SymPy formulas: the curve, the differential equations, the clock.
-    figures : tuple of Figure
+    figures : tuple of NamedConstant
         Constants, roots, frequencies, periods, rotation number.
     ovals : tuple of (low, high)
         Where the separated variables live (floats).
@@ -67,7 +68,7 @@ class ClosedForm:
 
     title: str
     motion: str
-    equations: tuple[tuple[Any, Any], ...]
+    equations: tuple[tuple[sp.Expr, sp.Expr], ...]
     figures: tuple[NamedConstant, ...]
     ovals: tuple[tuple[float, float], ...] = ()
     source: str = ""
@@ -87,15 +88,16 @@ class States:
     """
 
     system: System
-    times: Any
-    values: Any
+    times: FloatArray
+    values: FloatArray
 
-    def __getitem__(self, name: str) -> Any:
+    def __getitem__(self, name: str) -> FloatArray:
         """A state variable by name, (n, components) or (n,)."""
-        return by_name(self.system, self.values, name)
+        values: FloatArray = by_name(self.system, self.values, name)
+        return values
 
 
-def checked(times: Any, pace: float) -> Any:
+def checked(times: FloatArray, pace: float) -> FloatArray:
     """Times (n,) at which states in double precision have a meaning.
 
     Parameters
@@ -138,29 +140,29 @@ class Solution(WithOverview):
     """
 
     system: System
-    parameters: Mapping[sp.Symbol, Any]
+    parameters: Mapping[sp.Symbol, Written]
 
     @property
     @abstractmethod
     def form(self) -> ClosedForm:
-        """What the closed form looks like."""
+        """The formulas and constants of the closed form."""
 
     @abstractmethod
-    def states(self, times: Any) -> Any:
+    def states(self, times: Numbers) -> FloatArray:
         """Lifted states at `times` (n,), as an array (n, size), in double precision."""
 
     @property
     @abstractmethod
     def pace(self) -> float:
-        """How fast the phases of the motion grow with time, about; 0 at rest."""
+        """The rate at which the phases of the motion grow, about; 0 at rest."""
 
     @property
     def left_open(self) -> str:
-        """What of the state :meth:`rigorous` cannot bound, and why, in a sentence; or nothing."""
+        """A sentence on the part of the state that :meth:`rigorous` leaves open; or ""."""
         return ""
 
     @abstractmethod
-    def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
+    def rigorous(self, time: Written, digits: int = 30) -> tuple[arb, ...]:
         """The lifted state at one time as balls (``flint.arb``) that contain the exact one.
 
         Parameters
@@ -190,7 +192,7 @@ class Solution(WithOverview):
             ),
         )
 
-    def __call__(self, times: Any) -> States:
+    def __call__(self, times: Numbers) -> States:
         """States at `times`, by name.
 
         Raises

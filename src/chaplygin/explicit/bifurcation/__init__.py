@@ -1,9 +1,9 @@
 """Bifurcation diagrams: which motions lie over each point of the plane of two integrals.
 
-The roots of the curve y² = P(z) over a point decide the motions there (:mod:`.bifurcation.ovals`);
-they change only where roots meet: on the discriminant of P.  Its factors are computed exactly, the
-plane is cut along them (:mod:`.bifurcation.plane`), every cell is examined at a rational point and
-every arc at an algebraic one (:mod:`.bifurcation.critical`).
+The roots of the curve y² = P(z) over a point decide the motions there (:mod:`.tori`); they
+change only where roots meet: on the discriminant of P.  Its factors are computed exactly, the plane
+is cut along them (:mod:`.arrangement`), every cell is examined at a rational point and every arc at
+an algebraic one (:mod:`.critical_motions`).
 """
 
 from __future__ import annotations
@@ -11,11 +11,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 import sympy as sp
 from flint import fmpq, fmpq_mpoly
 
+from ...arguments import Written
 from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.relative_zero import ROUNDED, Sized, measured, sized
@@ -36,20 +36,16 @@ class Diagram:
 
     Attributes
     ----------
-    plane : Plane
+    plane : IntegralPlane
         The system, the integrals and their curves, in formulas.
-    parameters : dict of Symbol to Fraction
     poles : three fmpq
         Increasing.
     order : three int
         The body axes that they belong to.
     rest : fmpq_mpoly
         The curve is y² = ∏(z − e_i) · rest, in x, y (the integrals) and z.
-    arrangement : Arrangement
     regions : tuple of Region
         Those with motions first, in the order of their numbers; then those without.
-    boundaries : tuple of Boundary
-    equilibria : tuple of Equilibrium
     """
 
     plane: IntegralPlane
@@ -67,7 +63,7 @@ class Diagram:
         """The two integrals."""
         return self.plane.axes
 
-    def region(self, x: Any, y: Any) -> Region | None:
+    def region(self, x: Written, y: Written) -> Region | None:
         """The region of a point; None on a boundary.
 
         Parameters
@@ -85,12 +81,11 @@ class Diagram:
         return next((region for region in self.regions if cell in region.cells), None)
 
 
-def locate(diagram: Diagram, state: Mapping[Any, Any]) -> tuple[float, float]:
+def locate(diagram: Diagram, state: Mapping[sp.Symbol | str, Written]) -> tuple[float, float]:
     """The point of a diagram that a motion belongs to.
 
     Parameters
     ----------
-    diagram : Diagram
     state : mapping of Symbol or name to number
         A state of ``diagram.plane.system``, all of its variables.
 
@@ -111,24 +106,25 @@ def locate(diagram: Diagram, state: Mapping[Any, Any]) -> tuple[float, float]:
     conditions = [*system.relations, *plane.level]
     formulas = [to_components(f) for f in (*conditions, *(axis.value for axis in plane.axes))]
     *level, x, y = sized(formulas, known, system.needed(formulas))
-    for condition, found in zip(conditions, level, strict=True):
-        if not found.vanishes(ROUNDED):
+    for condition, value in zip(conditions, level, strict=True):
+        if not value.vanishes(ROUNDED):
             raise InputError(
-                f"{plane.name}: {text(condition)} is {float(found.value):.5g} in this state and "
+                f"{plane.name}: {text(condition)} is {float(value.value):.5g} in this state and "
                 "must vanish"
             )
     return float(x.value), float(y.value)
 
 
 def bifurcation_diagram(
-    subject: str | SeparatedSystem | IntegralPlane, parameters: Mapping[Any, Any] | None = None
+    subject: str | SeparatedSystem | IntegralPlane,
+    parameters: Mapping[sp.Symbol | str, Written] | None = None,
 ) -> Diagram:
     """The bifurcation diagram of a separated system, exactly.
 
     Parameters
     ----------
-    subject : str, Separable or Plane
-        A name of :data:`.bifurcation_families.PLANES`, or formulas.
+    subject : str, SeparatedSystem or Plane
+        A name of :data:`.families.PLANES`, or formulas.
     parameters : mapping of Symbol or name to number, optional
         Values that replace the system's defaults, and of constants that the plane holds fixed;
         a float means the shortest decimal that gives it.
@@ -191,7 +187,9 @@ def _poles(
     return (first, second, third), (axes[0], axes[1], axes[2])
 
 
-def _number(plane: IntegralPlane, formula: Any, values: Mapping[sp.Symbol, Fraction]) -> Any:
+def _number(
+    plane: IntegralPlane, formula: sp.Expr, values: Mapping[sp.Symbol, Fraction]
+) -> sp.Expr:
     """A formula with the definitions and parameters filled in."""
     known = {s: sp.Rational(x.numerator, x.denominator) for s, x in values.items()}
     for symbol, value in plane.system.steps:
@@ -200,7 +198,9 @@ def _number(plane: IntegralPlane, formula: Any, values: Mapping[sp.Symbol, Fract
     return sp.sympify(formula).xreplace(known)
 
 
-def _curve(plane: IntegralPlane, formula: Any, values: Mapping[sp.Symbol, Fraction]) -> fmpq_mpoly:
+def _curve(
+    plane: IntegralPlane, formula: sp.Expr, values: Mapping[sp.Symbol, Fraction]
+) -> fmpq_mpoly:
     """A polynomial in the two integrals and z with rational coefficients."""
     filled = sp.cancel(sp.expand(_number(plane, formula, values)))
     names = (*(axis.symbol for axis in plane.axes), Z)

@@ -16,30 +16,30 @@ from fractions import Fraction
 from itertools import combinations, pairwise
 from typing import Any, TypeAlias
 
-from flint import Ordering, arb, ctx, fmpq, fmpq_mpoly_ctx, fmpq_poly
+from flint import Ordering, arb, ctx, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
+
+from ...formulas.balls import exact
 
 __all__ = [
     "RING",
     "Arrangement",
     "arrangement",
-    "between",
     "fraction",
     "highest",
     "irreducible",
-    "isolated",
     "lowest",
-    "middle",
+    "on_vertical",
+    "ordered_roots",
     "rational",
-    "separated",
+    "real_roots",
+    "short_rational",
     "stack",
-    "straight",
 ]
 
 #: Polynomials in the two coordinates of the plane and the variable of the curve y² = P(z).
 RING = fmpq_mpoly_ctx.get(("x", "y", "z"), Ordering.lex)
 X, Y, _Z = RING.gens()
 
-Polynomial: TypeAlias = Any
 Cell: TypeAlias = tuple[int, int]
 
 #: Binary digits with which roots are isolated at first; doubled until they are apart.
@@ -68,9 +68,9 @@ class Arrangement:
         Cells of neighbouring columns that touch.  A cell is (column, rank from below).
     """
 
-    curves: tuple[Polynomial, ...]
+    curves: tuple[fmpq_mpoly, ...]
     critical: tuple[fmpq_poly, ...]
-    abscissae: tuple[Any, ...]
+    abscissae: tuple[arb, ...]
     samples: tuple[fmpq, ...]
     orders: tuple[tuple[int, ...], ...]
     joints: frozenset[tuple[Cell, Cell]]
@@ -89,7 +89,7 @@ class Arrangement:
             for rank in range(len(order)):
                 yield column, rank
 
-    def ordinates(self, column: int, x: fmpq) -> list[Any]:
+    def ordinates(self, column: int, x: fmpq) -> list[arb]:
         """The heights y (balls) of the arcs over an x of that column."""
         return [y for y, _ in stack(self.curves, x)]
 
@@ -101,7 +101,7 @@ class Arrangement:
 
     def cell(self, x: fmpq, y: fmpq) -> Cell | None:
         """The cell of a point; on a critical vertical the one to the right; None on a curve."""
-        crossings = [straight(curve, y=y) for curve in self.curves]
+        crossings = [on_horizontal(curve, y) for curve in self.curves]
         if any(polynomial(x) == 0 for polynomial in crossings):
             return None
         (line,) = irreducible([fmpq_poly([-x, 1])])
@@ -109,7 +109,7 @@ class Arrangement:
         factors = [*self.critical, *others]
         if line not in factors:
             factors.append(line)
-        roots = separated(factors)
+        roots = ordered_roots(factors)
         here = next(n for n, (_, number) in enumerate(roots) if factors[number] == line)
         # to the right of the point, before any curve and any other critical vertical
         beside = _gaps([root for root, _ in roots])[here + 1]
@@ -118,10 +118,10 @@ class Arrangement:
 
     def arc(self, x: fmpq, y: fmpq) -> Cell | None:
         """The arc of a point; None on a critical vertical or off the curves."""
-        here = [n for n, curve in enumerate(self.curves) if straight(curve, y=y)(x) == 0]
+        here = [n for n, curve in enumerate(self.curves) if on_horizontal(curve, y)(x) == 0]
         if not here or any(polynomial(x) == 0 for polynomial in self.critical):
             return None
-        roots = separated([*self.critical, fmpq_poly([-x, 1])])
+        roots = ordered_roots([*self.critical, fmpq_poly([-x, 1])])
         column = [number for _, number in roots].index(len(self.critical))
         (rank,) = (
             place
@@ -131,7 +131,7 @@ class Arrangement:
         return column, rank
 
 
-def arrangement(curves: Iterable[Polynomial]) -> Arrangement:
+def arrangement(curves: Iterable[fmpq_mpoly]) -> Arrangement:
     """Cut the plane along curves.
 
     Parameters
@@ -139,62 +139,69 @@ def arrangement(curves: Iterable[Polynomial]) -> Arrangement:
     curves : iterable of fmpq_mpoly
         In x and y alone; factors are found and counted once.
     """
-    factors: dict[str, Polynomial] = {}
+    factors: dict[str, fmpq_mpoly] = {}
     for curve in curves:
         for factor, _ in curve.factor()[1]:
             factors.setdefault(str(factor), factor)
     standing = tuple(f for f in factors.values() if f.degrees()[1] == 0)
     lying = tuple(f for f in factors.values() if f.degrees()[1] > 0)
     critical = _critical(lying, standing)
-    roots = separated(critical)
+    roots = ordered_roots(critical)
     samples = tuple(_gaps([root for root, _ in roots]))
     orders = tuple(tuple(number for _, number in stack(lying, x)) for x in samples)
     abscissae = tuple(root for root, _ in roots)
     joints: set[tuple[Cell, Cell]] = set()
     for place, (_, number) in enumerate(roots):
         for y in _heights(lying, critical[number]):
-            left, right = _beside(lying, critical, place, y)
+            left, right = _neighbouring_abscissae(lying, critical, place, y)
             joints.add(((place, _rank(lying, left, y)), (place + 1, _rank(lying, right, y))))
     return Arrangement(lying, tuple(critical), abscissae, samples, orders, frozenset(joints))
 
 
-def _critical(lying: Sequence[Polynomial], standing: Sequence[Polynomial]) -> list[fmpq_poly]:
+def _critical(lying: Sequence[fmpq_mpoly], standing: Sequence[fmpq_mpoly]) -> list[fmpq_poly]:
     """Irreducible polynomials in x whose roots are the critical values."""
-    found = list(standing)
+    polynomials = list(standing)
     for curve in lying:
         height = curve.degrees()[1]
-        found.append(_coefficient(curve, height))
+        polynomials.append(_coefficient(curve, height))
         if height > 1:
-            found.append(curve.discriminant("y"))
-    found += [one.resultant(other, "y") for one, other in combinations(lying, 2)]
-    return irreducible(map(_in_x, found))
+            polynomials.append(curve.discriminant("y"))
+    polynomials += [one.resultant(other, "y") for one, other in combinations(lying, 2)]
+    return irreducible(map(_univariate, polynomials))
 
 
-def _coefficient(curve: Polynomial, power: int) -> Polynomial:
-    """What stands before a power of y."""
+def _coefficient(curve: fmpq_mpoly, power: int) -> fmpq_mpoly:
+    """The coefficient of a power of y."""
     return RING.from_dict(
         {(i, 0, 0): value for (i, j, _), value in curve.to_dict().items() if j == power}
     )
 
 
-def _in_x(polynomial: Polynomial) -> fmpq_poly:
+def _univariate(polynomial: fmpq_mpoly) -> fmpq_poly:
     """A polynomial in x alone."""
-    found = fmpq_poly()
+    restriction = fmpq_poly()
     for (power, _, _), value in polynomial.to_dict().items():
-        found[power] = value
-    return found
+        restriction[power] = value
+    return restriction
 
 
-def straight(curve: Polynomial, *, x: fmpq | None = None, y: fmpq | None = None) -> fmpq_poly:
-    """A curve on the vertical through x or on the horizontal through y, in what is left."""
-    found = fmpq_poly()
+def on_vertical(curve: fmpq_mpoly, x: fmpq) -> fmpq_poly:
+    """A curve over one x, as a polynomial in y."""
+    restriction = fmpq_poly()
     for (i, j, _), value in curve.to_dict().items():
-        power, factor = (j, x**i) if x is not None else (i, y**j)
-        found[power] = found[power] + value * factor
-    return found
+        restriction[j] = restriction[j] + value * x**i
+    return restriction
 
 
-def isolated(polynomial: fmpq_poly) -> list[Any]:
+def on_horizontal(curve: fmpq_mpoly, y: fmpq) -> fmpq_poly:
+    """A curve at one height y, as a polynomial in x."""
+    restriction = fmpq_poly()
+    for (i, j, _), value in curve.to_dict().items():
+        restriction[i] = restriction[i] + value * y**j
+    return restriction
+
+
+def real_roots(polynomial: fmpq_poly) -> list[arb]:
     """The real roots of a polynomial, as balls apart from each other, in no order."""
     if polynomial.degree() < 1:
         return []
@@ -202,32 +209,32 @@ def isolated(polynomial: fmpq_poly) -> list[Any]:
     return [root.real for root, _ in roots if isinstance(root, arb) or root.imag == 0]
 
 
-def separated(polynomials: Sequence[fmpq_poly]) -> list[tuple[Any, int]]:
+def ordered_roots(polynomials: Sequence[fmpq_poly]) -> list[tuple[arb, int]]:
     """The real roots of coprime polynomials, increasing, each with its polynomial's number."""
     precision = FIRST_PRECISION
     while precision <= MOST_PRECISION:
         with ctx.workprec(precision):
-            roots = [(root, n) for n, p in enumerate(polynomials) for root in isolated(p)]
-            roots.sort(key=lambda pair: middle(pair[0]))
+            roots = [(root, n) for n, p in enumerate(polynomials) for root in real_roots(p)]
+            roots.sort(key=lambda pair: exact(pair[0]))
             if all(low < high for (low, _), (high, _) in pairwise(roots)):
                 return roots
         precision *= 2
     raise ArithmeticError("polynomials without a common root were expected")
 
 
-def stack(curves: Sequence[Polynomial], x: fmpq) -> list[tuple[Any, int]]:
+def stack(curves: Sequence[fmpq_mpoly], x: fmpq) -> list[tuple[arb, int]]:
     """The heights of the curves over an x that is not critical, each with its curve's number."""
-    return separated([straight(curve, x=x) for curve in curves])
+    return ordered_roots([on_vertical(curve, x) for curve in curves])
 
 
-def _rank(curves: Sequence[Polynomial], x: fmpq, y: fmpq) -> int:
-    """How many arcs lie below a point over an x that is not critical."""
+def _rank(curves: Sequence[fmpq_mpoly], x: fmpq, y: fmpq) -> int:
+    """The number of arcs below a point over an x that is not critical."""
     line = fmpq_poly([-y, 1])
-    roots = separated([*(straight(curve, x=x) for curve in curves), line])
+    roots = ordered_roots([*(on_vertical(curve, x) for curve in curves), line])
     return [number for _, number in roots].index(len(curves))
 
 
-def _heights(curves: Sequence[Polynomial], critical: fmpq_poly) -> list[fmpq]:
+def _heights(curves: Sequence[fmpq_mpoly], critical: fmpq_poly) -> list[fmpq]:
     """Rational heights, at least one in every gap between the curves over a critical x."""
     at = RING.from_dict({(n, 0, 0): value for n, value in enumerate(critical.coeffs()) if value})
     shadows = []
@@ -236,17 +243,17 @@ def _heights(curves: Sequence[Polynomial], critical: fmpq_poly) -> list[fmpq]:
         for (_, power, _), value in curve.resultant(at, "x").to_dict().items():
             shadow[power] = value
         shadows.append(shadow)
-    return _gaps([root for root, _ in separated(irreducible(shadows))])
+    return _gaps([root for root, _ in ordered_roots(irreducible(shadows))])
 
 
-def _beside(
-    curves: Sequence[Polynomial], critical: Sequence[fmpq_poly], place: int, y: fmpq
+def _neighbouring_abscissae(
+    curves: Sequence[fmpq_mpoly], critical: Sequence[fmpq_poly], place: int, y: fmpq
 ) -> tuple[fmpq, fmpq]:
     """An x left and one right of a critical one, with no curve on the horizontal in between."""
-    crossings = irreducible(straight(curve, y=y) for curve in curves)
+    crossings = irreducible(on_horizontal(curve, y) for curve in curves)
     known = {str(factor) for factor in critical}
     others = [factor for factor in crossings if str(factor) not in known]
-    roots = separated([*critical, *others])
+    roots = ordered_roots([*critical, *others])
     here = [n for n, (_, number) in enumerate(roots) if number < len(critical)][place]
     gaps = _gaps([root for root, _ in roots])
     return gaps[here], gaps[here + 1]
@@ -261,17 +268,17 @@ def irreducible(polynomials: Iterable[fmpq_poly]) -> list[fmpq_poly]:
     return list(factors.values())
 
 
-def _gaps(roots: Sequence[Any]) -> list[fmpq]:
+def _gaps(roots: Sequence[arb]) -> list[fmpq]:
     """A short rational number below, between and above increasing real numbers."""
     if not roots:
         return [fmpq(0)]
     low, high = lowest(roots[0]), highest(roots[-1])
-    inner = [between(highest(a), lowest(b)) for a, b in pairwise(roots)]
+    inner = [short_rational(highest(a), lowest(b)) for a, b in pairwise(roots)]
     below, above = Fraction(math.floor(low) - 1), Fraction(math.ceil(high) + 1)
     return [rational(value) for value in (below, *inner, above)]
 
 
-def between(low: Fraction, high: Fraction) -> Fraction:
+def short_rational(low: Fraction, high: Fraction) -> Fraction:
     """A rational number strictly between two others, of small denominator, near the middle."""
     middle = (low + high) / 2
     limit = 1
@@ -280,20 +287,14 @@ def between(low: Fraction, high: Fraction) -> Fraction:
     return middle.limit_denominator(limit)
 
 
-def middle(ball: Any) -> Fraction:
-    """The middle of a ball, exactly."""
-    mantissa, exponent = ball.mid().man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
-
-
-def lowest(ball: Any) -> Fraction:
+def lowest(ball: arb) -> Fraction:
     """The lower end of a ball, exactly."""
-    return middle(ball) - middle(ball.rad())
+    return exact(ball) - exact(ball.rad())
 
 
-def highest(ball: Any) -> Fraction:
+def highest(ball: arb) -> Fraction:
     """The upper end of a ball, exactly."""
-    return middle(ball) + middle(ball.rad())
+    return exact(ball) + exact(ball.rad())
 
 
 def fraction(number: fmpq) -> Fraction:
@@ -303,5 +304,5 @@ def fraction(number: fmpq) -> Fraction:
 
 def rational(number: Fraction | int) -> fmpq:
     """A rational number for FLINT."""
-    exact = Fraction(number)
-    return fmpq(exact.numerator, exact.denominator)
+    value = Fraction(number)
+    return fmpq(value.numerator, value.denominator)

@@ -9,11 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
+from typing import TypeVar
 
 from flint import acb, arb, arb_poly, ctx, fmpq, fmpq_mpoly
 
-from .arrangement import FIRST_PRECISION, Polynomial, middle, stack
+from ...formulas.balls import exact
+from .arrangement import FIRST_PRECISION, stack
 from .tori import SHEETS, Oval, group, ovals
 
 __all__ = ["Circles", "circles_at_a_double_root", "circles_at_a_pole"]
@@ -59,25 +60,27 @@ class Arc:
     ----------
     curves : tuple of fmpq_mpoly
         All curves of the arrangement.
-    x : fmpq
     rank : int
         Number of arcs below this one over x.
     """
 
-    curves: tuple[Polynomial, ...]
+    curves: tuple[fmpq_mpoly, ...]
     x: fmpq
     rank: int
 
-    def restricted(self, polynomial: Polynomial) -> Any:
+    def restriction(self, polynomial: fmpq_mpoly) -> arb_poly:
         """A polynomial in x, y, z as one in z with balls for coefficients."""
         y, _ = stack(self.curves, self.x)[self.rank]
-        found: dict[int, Any] = {}
+        coefficients: dict[int, arb] = {}
         for (i, j, power), value in polynomial.to_dict().items():
-            found[power] = found.get(power, arb(0)) + arb(value * self.x**i) * y**j
-        return arb_poly([found.get(power, arb(0)) for power in range(max(found) + 1)])
+            coefficients[power] = coefficients.get(power, arb(0)) + arb(value * self.x**i) * y**j
+        return arb_poly([coefficients.get(power, arb(0)) for power in range(max(coefficients) + 1)])
 
 
-def decided(question: Callable[[], Any]) -> Any:
+T = TypeVar("T")
+
+
+def with_enough_digits(question: Callable[[], T]) -> T:
     """The answer to a question about balls, asked again with more digits until it has one."""
     precision = FIRST_PRECISION
     while True:
@@ -99,20 +102,20 @@ def circles_at_a_pole(
     first, last = {1: (1, 2), 2: (0, 2), 3: (0, 1)}[number]
 
     def answer() -> tuple[Circles, ...]:
-        left = _divided(arc.restricted(rest), arb(pole))
+        left = _quotient(arc.restriction(rest), arb(pole))
         curvature = left
         for other in others:
             curvature = curvature * arb_poly([-arb(other), 1])
         # at the second pole the whole interval between the others, which it does not interrupt
-        found = _allowed(curvature, left, poles, (first, last), skipped=number)
+        intervals = _allowed_ovals(curvature, left, poles, (first, last), skipped=number)
         stable = not _positive(curvature(arb(pole)))
         coordinate = {1: 1, 2: 0, 3: 2}[number]
         return tuple(
             Circles(number, coordinate, oval, SHEETS // 2 // len(group([oval.flips])), stable)
-            for oval in found
+            for oval in intervals
         )
 
-    return tuple(decided(answer))
+    return tuple(with_enough_digits(answer))
 
 
 def circles_at_a_double_root(
@@ -121,7 +124,7 @@ def circles_at_a_double_root(
     """The motions on which a coordinate rests at a double root apart from the poles."""
 
     def answer() -> tuple[Circles, ...]:
-        whole = arc.restricted(rest)
+        whole = arc.restriction(rest)
         place = _double(whole)
         if place is None:
             return ()
@@ -129,22 +132,22 @@ def circles_at_a_double_root(
         if inside[0] == inside[2]:
             return ()
         coordinate = 2 if inside[1] else 1
-        left = _divided(_divided(whole, place), place)
+        left = _quotient(_quotient(whole, place), place)
         curvature = left
         for pole in poles:
             curvature = curvature * arb_poly([-arb(pole), 1])
         between = (0, 1) if coordinate == 2 else (1, 2)
-        found = _allowed(curvature, left, poles, between, skipped=0)
+        intervals = _allowed_ovals(curvature, left, poles, between, skipped=0)
         stable = not _positive(curvature(place))
         return tuple(
             Circles(0, coordinate, oval, SHEETS // len(group([oval.flips])), stable)
-            for oval in found
+            for oval in intervals
         )
 
-    return tuple(decided(answer))
+    return tuple(with_enough_digits(answer))
 
 
-def _positive(ball: Any) -> bool:
+def _positive(ball: arb) -> bool:
     """Whether a number is positive; it is known not to vanish."""
     if ball > 0:
         return True
@@ -153,7 +156,7 @@ def _positive(ball: Any) -> bool:
     raise UndecidedError
 
 
-def _divided(polynomial: Any, root: Any) -> Any:
+def _quotient(polynomial: arb_poly, root: arb) -> arb_poly:
     """A polynomial by z − root, which divides it, by Horner's scheme."""
     quotient, carried = [], arb(0)
     for coefficient in reversed(polynomial.coeffs()):
@@ -162,7 +165,7 @@ def _divided(polynomial: Any, root: Any) -> Any:
     return arb_poly(quotient[-2::-1])
 
 
-def _double(polynomial: Any) -> Any:
+def _double(polynomial: arb_poly) -> arb | None:
     """The real double root of a polynomial that has just one double root or pair of them.
 
     Returns
@@ -178,13 +181,14 @@ def _double(polynomial: Any) -> Any:
     if len(candidates) != 1:
         raise UndecidedError
     # a complex root would bring its conjugate
-    return candidates[0].real
+    double: arb = candidates[0].real
+    return double
 
 
-def _real_roots(polynomial: Any) -> list[Any]:
+def _real_roots(polynomial: arb_poly) -> list[arb]:
     """The real roots of a polynomial with simple roots."""
     roots = [acb(root) for root in polynomial.complex_roots()] if polynomial.degree() > 0 else []
-    found = []
+    real = []
     for number, root in enumerate(roots):
         if not root.imag.contains(0):
             continue
@@ -192,23 +196,23 @@ def _real_roots(polynomial: Any) -> list[Any]:
         mirrored = root.conjugate()
         if any(mirrored.overlaps(other) for other in roots[:number] + roots[number + 1 :]):
             raise UndecidedError
-        found.append(root.real)
-    return found
+        real.append(root.real)
+    return real
 
 
-def _allowed(
-    sign: Any, rest: Any, poles: Sequence[fmpq], between: tuple[int, int], skipped: int
+def _allowed_ovals(
+    sign: arb_poly, rest: arb_poly, poles: Sequence[fmpq], between: tuple[int, int], skipped: int
 ) -> tuple[Oval, ...]:
     """The ovals between two poles in which `sign` is positive; its roots are those of `rest`."""
     first, last = between
     low, high = poles[first], poles[last]
-    roots: list[tuple[Any, int]] = [
+    roots: list[tuple[arb, int]] = [
         (arb(pole), n) for n, pole in enumerate(poles, 1) if low <= pole <= high and n != skipped
     ]
     for root in _real_roots(rest):
         if _positive(root - arb(low)) and not _positive(root - arb(high)):
             roots.append((root, 0))
-    roots.sort(key=lambda pair: middle(pair[0]))
+    roots.sort(key=lambda pair: exact(pair[0]))
     if not all(_positive(b - a) for (a, _), (b, _) in pairwise(roots)):
         raise UndecidedError
     return ovals(roots, lambda z: _positive(sign(arb(z))))

@@ -29,11 +29,11 @@ def diagram_of(problem: Problem) -> tuple[Diagram, tuple[float, float]] | None:
     InputError
         If the parameters are degenerate; see :func:`.bifurcation.bifurcation_diagram`.
     """
-    found = find_match(problem)
-    if found is None or found.level:
+    match = find_match(problem)
+    if match is None or match.level:
         return None
-    own = found.own
-    if found.known.name == "chaplygin-ball-area":
+    own = match.own
+    if match.known.name == "chaplygin-ball-area":
         return _with_area(problem, own.poles, own.roots[4], [c for _, c in own.constants[:3]])
     diagram = bifurcation_diagram(own, problem.parameters)
     symbols = own.system.symbols

@@ -1,7 +1,7 @@
 """Planes of two integrals, and over each point the curve of genus two of that level.
 
-Most come from a :class:`.separable.Separable`; the Chaplygin ball with any area constant has three
-integrals, of which the plane shows two.
+Most come from a :class:`.separation.SeparatedSystem`; the Chaplygin ball with any area constant has
+three integrals, of which the plane shows two.
 """
 
 from __future__ import annotations
@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any
 
 import sympy as sp
 
+from ...arguments import Written
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_bracket import D, I
 from ...core.system import System
@@ -46,7 +46,7 @@ __all__ = [
 Z = real_symbol("z")
 M, gamma, omega = vectors("M gamma omega")
 
-#: What a motion with ν_i = 0 is, {} being the number i.
+#: Words for a motion with ν_i = 0, {} being the number i.
 UNSAID = "motion in the plane ν_{} = 0"
 ROTATION = "permanent rotation about axis {}"
 PENDULUM = "turning or swinging about axis {} alone"
@@ -83,7 +83,7 @@ class Axis:
     """
 
     symbol: sp.Symbol
-    value: Any
+    value: sp.Expr
     meaning: str = ""
     unit: str = ""
 
@@ -105,8 +105,6 @@ class IntegralPlane:
 
     Attributes
     ----------
-    name, title : str
-    system : System
     level : tuple of sympy.Expr
         What must vanish for the curve to hold.
     axes : (Axis, Axis)
@@ -114,7 +112,6 @@ class IntegralPlane:
         e_i, in parameters; the i-th belongs to the body axis i.
     rest : formula
         In parameters, the symbols of the axes and :data:`Z`.
-    bounds : tuple of Bound
     held : pairs of Symbol to float
         Constants of the motion that the plane holds fixed, with the values they have by default.
     resting : str
@@ -124,10 +121,10 @@ class IntegralPlane:
     name: str
     title: str
     system: System
-    level: tuple[Any, ...] = ()
+    level: tuple[sp.Expr, ...] = ()
     axes: tuple[Axis, Axis]
-    poles: tuple[Any, Any, Any]
-    rest: Any
+    poles: tuple[sp.Expr, sp.Expr, sp.Expr]
+    rest: sp.Expr
     bounds: tuple[Bound, ...] = ()
     held: tuple[tuple[sp.Symbol, float], ...] = ()
     resting: str = UNSAID
@@ -143,8 +140,8 @@ def plane_of(separable: SeparatedSystem) -> IntegralPlane:
     """
     known = {symbol for symbol, _ in separable.constants} | set(separable.system.defaults)
     # some constants only abbreviate what is made of others
-    made = [(s, value) for s, value in separable.constants if _symbols(value) <= known]
-    own = [pair for pair in separable.constants if pair not in made]
+    abbreviations = [(s, value) for s, value in separable.constants if _symbols(value) <= known]
+    own = [pair for pair in separable.constants if pair not in abbreviations]
     if len(own) != 2:
         raise InputError(
             f"{separable.name}: a diagram needs two constants of the motion, and this separation "
@@ -159,12 +156,12 @@ def plane_of(separable: SeparatedSystem) -> IntegralPlane:
         level=separable.level,
         axes=(_axis(x, first, separable.system), _axis(y, second, separable.system)),
         poles=separable.poles,
-        rest=(separable.leading * movable).subs(made[::-1]),
+        rest=(separable.leading * movable).subs(abbreviations[::-1]),
         resting=RESTING.get(separable.name, UNSAID),
     )
 
 
-def _axis(symbol: sp.Symbol, value: Any, system: System) -> Axis:
+def _axis(symbol: sp.Symbol, value: sp.Expr, system: System) -> Axis:
     """An axis with the meaning that the system gives to this integral."""
     steps = dict(system.steps)
     for law in system.integrals:
@@ -174,7 +171,7 @@ def _axis(symbol: sp.Symbol, value: Any, system: System) -> Axis:
     return Axis(symbol, value)
 
 
-def _symbols(formula: Any) -> set[sp.Symbol]:
+def _symbols(formula: sp.Expr) -> set[sp.Symbol]:
     return set(to_components(sp.sympify(formula)).free_symbols)
 
 
@@ -205,9 +202,9 @@ def chaplygin_ball_with_area() -> IntegralPlane:
 
 def bruns_problem() -> IntegralPlane:
     """The Clebsch case with α = 0 and β = 1, on its plane of the two integrals."""
-    found = plane_of(clebsch_case())
+    plane = plane_of(clebsch_case())
     system = from_catalogue("clebsch", alpha=0.0, beta=1.0)
-    return replace(found, name="bruns", title="Bruns problem at zero area constant", system=system)
+    return replace(plane, name="bruns", title="Bruns problem at zero area constant", system=system)
 
 
 SEPARATED: Mapping[str, Callable[[], SeparatedSystem]] = {
@@ -252,7 +249,9 @@ def plane_named(name: str) -> IntegralPlane:
     raise InputError(f"no bifurcation diagram {name!r}; there are {known}")
 
 
-def numbers(plane: IntegralPlane, given: Mapping[Any, Any]) -> dict[sp.Symbol, Fraction]:
+def numbers(
+    plane: IntegralPlane, given: Mapping[sp.Symbol | str, Written]
+) -> dict[sp.Symbol, Fraction]:
     """All parameters and held constants, the given ones replacing the defaults; exact.
 
     Raises
@@ -268,12 +267,14 @@ def numbers(plane: IntegralPlane, given: Mapping[Any, Any]) -> dict[sp.Symbol, F
             raise InputError(f"{plane.name}: no parameter {name}; it has {', '.join(known)}")
         values[known[str(name)][0]] = value
     try:
-        found = {symbol: exact(value) for symbol, value in values.items()}
+        exact_values = {symbol: exact(value) for symbol, value in values.items()}
     except (ValueError, ZeroDivisionError) as problem:
         raise InputError(
             f"{plane.name}: the parameters must be numbers, decimal or rational"
         ) from problem
     for symbol, _ in plane.held:
-        if found[symbol] <= 0:
-            raise InputError(f"{plane.name}: {symbol} = {found[symbol]}: it must be positive")
-    return found
+        if exact_values[symbol] <= 0:
+            raise InputError(
+                f"{plane.name}: {symbol} = {exact_values[symbol]}: it must be positive"
+            )
+    return exact_values

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
-from typing import Any
 
 import sympy as sp
 from flint import fmpq, fmpq_mpoly, fmpq_poly
@@ -67,7 +66,7 @@ class Boundary:
         Of the arrangement: pieces of the curve.
     """
 
-    curve: Any
+    curve: sp.Expr
     words: str
     circles: int
     stable: bool
@@ -82,7 +81,6 @@ class Equilibrium:
     Attributes
     ----------
     place : two Fractions
-    axis : int
     centres : int
         2: a minimum or maximum, stable; 1: a saddle and a centre; 0: a saddle twice.
     """
@@ -103,7 +101,6 @@ class Kinds:
 
     Attributes
     ----------
-    plane : Plane
     poles : three fmpq
         Increasing.
     order : three int
@@ -129,9 +126,9 @@ class Kinds:
         return {cell: self._tori(*self.cut.sample(cell)) for cell in self.cut.cells}
 
     def _tori(self, x: fmpq, y: fmpq) -> tuple[Family, ...]:
-        if any(_above(bound, x, y)(0) < 0 for bound in self.bounds):
+        if any(_over_point(bound, x, y)(0) < 0 for bound in self.bounds):
             return ()
-        return families(self.poles, _above(self.rest, x, y))
+        return families(self.poles, _over_point(self.rest, x, y))
 
     @cached_property
     def motions(self) -> dict[Cell, frozenset[tuple[str, int, bool, int]]]:
@@ -150,7 +147,7 @@ class Kinds:
                 # every torus shrinks to one circle
                 count = sum(family.tori for families in beside for family in families)
                 return {(text.words, count, True, 0)}
-        found: dict[tuple[str, bool, int], int] = {}
+        counts: dict[tuple[str, bool, int], int] = {}
         for circles in self._circles(arc, curve):
             axis = self.order[circles.pole - 1] if circles.pole else 0
             words = (
@@ -159,19 +156,19 @@ class Kinds:
                 else f"motion with constant z_{circles.coordinate}"
             )
             key = (words, circles.stable, axis)
-            found[key] = found.get(key, 0) + circles.count
-        return {(words, count, stable, axis) for (words, stable, axis), count in found.items()}
+            counts[key] = counts.get(key, 0) + circles.count
+        return {(words, count, stable, axis) for (words, stable, axis), count in counts.items()}
 
     def _circles(self, arc: Cell, curve: fmpq_mpoly) -> list[Circles]:
         column, rank = arc
         place = Arc(self.cut.curves, self.cut.samples[column], rank)
-        found: list[Circles] = []
+        circles: list[Circles] = []
         for number, pole in enumerate(self.poles, 1):
-            if _divides(curve, _at(self.rest, pole)):
-                found += circles_at_a_pole(place, self.poles, self.rest, number)
+            if _divides(curve, _value_at(self.rest, pole)):
+                circles += circles_at_a_pole(place, self.poles, self.rest, number)
         if _divides(curve, self.rest.discriminant("z")):
-            found += circles_at_a_double_root(place, self.poles, self.rest)
-        return found
+            circles += circles_at_a_double_root(place, self.poles, self.rest)
+        return circles
 
     def regions(self) -> tuple[Region, ...]:
         """Cells put together wherever no motion changes its kind in between.
@@ -199,9 +196,9 @@ class Kinds:
         classes: dict[Cell, list[Cell]] = {}
         for cell in self.cut.cells:
             classes.setdefault(root(cell), []).append(cell)
-        found = sorted(classes.values(), key=lambda cells: (not self.tori[cells[0]], cells[0]))
+        components = sorted(classes.values(), key=lambda cells: (not self.tori[cells[0]], cells[0]))
         regions = []
-        for number, cells in enumerate(found, 1):
+        for number, cells in enumerate(components, 1):
             kind = self.tori[cells[0]]
             x, y = map(fraction, self.cut.sample(cells[0]))
             regions.append(Region(number if kind else 0, kind, frozenset(cells), (x, y)))
@@ -209,16 +206,18 @@ class Kinds:
 
     def boundaries(self) -> tuple[Boundary, ...]:
         """Arcs put together that lie on one curve and have the same motions."""
-        found: dict[tuple[int, tuple[str, int, bool, int]], list[Cell]] = {}
+        arcs_by_kind: dict[tuple[int, tuple[str, int, bool, int]], list[Cell]] = {}
         for (column, rank), motions in self.motions.items():
             for kind in motions:
-                found.setdefault((self.cut.orders[column][rank], kind), []).append((column, rank))
+                arcs_by_kind.setdefault((self.cut.orders[column][rank], kind), []).append(
+                    (column, rank)
+                )
         return tuple(
-            Boundary(self._shown(curve), *kind, tuple(arcs))
-            for (curve, kind), arcs in sorted(found.items())
+            Boundary(self._curve_formula(curve), *kind, tuple(arcs))
+            for (curve, kind), arcs in sorted(arcs_by_kind.items())
         )
 
-    def _shown(self, number: int) -> Any:
+    def _curve_formula(self, number: int) -> sp.Expr:
         """A curve of the arrangement in the symbols of the axes."""
         x, y = (axis.symbol for axis in self.plane.axes)
         terms = self.cut.curves[number].to_dict().items()
@@ -227,17 +226,17 @@ class Kinds:
     def equilibria(self) -> tuple[Equilibrium, ...]:
         """Levels on which the curve has double roots at two poles, both of them straight lines."""
         return tuple(
-            found
+            equilibrium
             for pair in combinations(range(3), 2)
-            if (found := self._equilibrium(*pair)) is not None
+            if (equilibrium := self._equilibrium(*pair)) is not None
         )
 
     def _equilibrium(self, first: int, second: int) -> Equilibrium | None:
         poles = self.poles
-        place = _crossing(*(_at(self.rest, poles[n]) for n in (first, second)))
+        place = _crossing(*(_value_at(self.rest, poles[n]) for n in (first, second)))
         if place is None:
             return None
-        left = _above(self.rest, *place)
+        left = _over_point(self.rest, *place)
         for n in (first, second):
             left //= fmpq_poly([-poles[n], 1])
         third = 3 - first - second
@@ -248,18 +247,18 @@ class Kinds:
         return Equilibrium((x, y), self.order[third], sum(bool(sign < 0) for sign in signs))
 
 
-def _at(polynomial: fmpq_mpoly, z: fmpq) -> fmpq_mpoly:
+def _value_at(polynomial: fmpq_mpoly, z: fmpq) -> fmpq_mpoly:
     """A polynomial at a value of z."""
-    found: fmpq_mpoly = polynomial.subs({"z": z})
-    return found
+    value: fmpq_mpoly = polynomial.subs({"z": z})
+    return value
 
 
-def _above(polynomial: fmpq_mpoly, x: fmpq, y: fmpq) -> fmpq_poly:
+def _over_point(polynomial: fmpq_mpoly, x: fmpq, y: fmpq) -> fmpq_poly:
     """A polynomial over a point of the plane, in z."""
-    found = fmpq_poly()
+    restriction = fmpq_poly()
     for (i, j, power), value in polynomial.to_dict().items():
-        found[power] = found[power] + value * x**i * y**j
-    return found
+        restriction[power] = restriction[power] + value * x**i * y**j
+    return restriction
 
 
 def _divides(factor: fmpq_mpoly, polynomial: fmpq_mpoly) -> bool:

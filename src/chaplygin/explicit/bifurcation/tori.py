@@ -1,4 +1,4 @@
-"""How many tori lie over the ovals of a curve of genus two, and what happens where they end.
+"""Tori over the ovals of a curve of genus two, and what happens at their ends.
 
 On a level of the integrals z₁ lies between the first and the second pole of y² = P(z), z₂ between
 the second and the third, each where P ≥ 0: in ovals.  A pair of ovals is a torus of the points
@@ -16,14 +16,13 @@ tori if c < 0 (an oval has shrunk; stable) and with motions that leave it and co
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, product
-from typing import Any
 
-from flint import fmpq, fmpq_poly
+from flint import arb, fmpq, fmpq_poly
 
-from .arrangement import between, highest, lowest, rational, separated
+from .arrangement import highest, lowest, ordered_roots, rational, short_rational
 
 __all__ = ["Family", "Oval", "families", "group", "ovals"]
 
@@ -85,24 +84,24 @@ def _bit(pole: int) -> int:
 
 def group(flips: Iterable[int]) -> set[int]:
     """All that compositions of flips do to the signs of ν."""
-    found = {0}
+    elements = {0}
     for flip in flips:
-        found |= {flip ^ other for other in found}
-    return found
+        elements |= {flip ^ other for other in elements}
+    return elements
 
 
 def family(first: Oval, second: Oval) -> Family:
     """The tori over a pair of ovals."""
     reached = group((first.flips, second.flips))
-    kept = tuple(i for i in (1, 2, 3) if not any(flips & _bit(i) for flips in reached))
+    nonvanishing = tuple(i for i in (1, 2, 3) if not any(flips & _bit(i) for flips in reached))
     # At the lower ends y₁ = y₂ = 0: reversing the motion changes there the sign of ν_i′ alone,
     # i a pole at which a coordinate turns, and by a sheet is meant the sign of that ν_i′.
     reversal = _bit(first.low) ^ _bit(second.low)
-    return Family(first, second, SHEETS // len(reached), kept, reversal in reached)
+    return Family(first, second, SHEETS // len(reached), nonvanishing, reversal in reached)
 
 
 def families(poles: Sequence[fmpq], rest: fmpq_poly) -> tuple[Family, ...]:
-    """The tori of a level on which the curve is y² = ∏(z − e_i) · rest(z); none without motions.
+    """The tori of a level with the curve y² = ∏(z − e_i) · rest(z).
 
     Parameters
     ----------
@@ -113,7 +112,7 @@ def families(poles: Sequence[fmpq], rest: fmpq_poly) -> tuple[Family, ...]:
     """
     lines = [fmpq_poly([-pole, 1]) for pole in poles]
     whole = lines[0] * lines[1] * lines[2] * rest
-    roots = separated([rest, *lines])
+    roots = ordered_roots([rest, *lines])
     low, middle, high = (next(n for n, r in enumerate(roots) if r[1] == i) for i in (1, 2, 3))
     first, second = (
         ovals(roots[a : b + 1], lambda z: whole(z) > 0) for a, b in ((low, middle), (middle, high))
@@ -121,7 +120,7 @@ def families(poles: Sequence[fmpq], rest: fmpq_poly) -> tuple[Family, ...]:
     return tuple(family(a, b) for a, b in product(first, second))
 
 
-def ovals(roots: Sequence[tuple[Any, int]], allowed: Any) -> tuple[Oval, ...]:
+def ovals(roots: Sequence[tuple[arb, int]], allowed: Callable[[fmpq], bool]) -> tuple[Oval, ...]:
     """Intervals between neighbouring roots in which a condition holds.
 
     Parameters
@@ -134,5 +133,5 @@ def ovals(roots: Sequence[tuple[Any, int]], allowed: Any) -> tuple[Oval, ...]:
     return tuple(
         Oval(low, high)
         for (below, low), (above, high) in pairwise(roots)
-        if allowed(rational(between(highest(below), lowest(above))))
+        if allowed(rational(short_rational(highest(below), lowest(above))))
     )

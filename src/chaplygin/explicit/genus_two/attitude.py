@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-__all__ = ["Cover", "Triad", "cover"]
+from ...core.arrays import FloatArray
+
+__all__ = ["Cover", "Triad", "continuous_signs", "cover"]
 
 
 @dataclass(frozen=True)
@@ -22,10 +23,12 @@ class Triad:
         Its vectors in space axes, as rows.
     """
 
-    axes: Any
+    axes: FloatArray
 
     @classmethod
-    def through(cls, first: Any, second: Any, quaternion: Sequence[float]) -> Triad:
+    def through(
+        cls, first: FloatArray, second: FloatArray, quaternion: Sequence[float] | FloatArray
+    ) -> Triad:
         """The triad of two vectors (body axes) when the attitude is known.
 
         Parameters
@@ -38,13 +41,13 @@ class Triad:
         turn = Rotation.from_quat(np.roll(np.asarray(quaternion, dtype=float), -1))
         return cls(turn.apply(body))
 
-    def attitude(self, first: Any, second: Any) -> Any:
+    def attitude(self, first: FloatArray, second: FloatArray) -> FloatArray:
         """Quaternions (n, 4) from the two vectors in body axes, each (3, n); sign left open."""
         matrices = np.einsum("ks,nkb->nsb", self.axes, _triad(first, second))
         return np.roll(Rotation.from_matrix(matrices).as_quat(), 1, axis=-1)
 
 
-def _triad(first: Any, second: Any) -> Any:
+def _triad(first: FloatArray, second: FloatArray) -> FloatArray:
     """Orthonormal triads (n, 3, 3) of pairs of vectors, as rows, body axes."""
     one = first / np.linalg.norm(first, axis=0)
     normal = np.cross(first, second, axis=0)
@@ -64,10 +67,10 @@ class Cover:
         By what they are multiplied when a phase grows by 2.
     """
 
-    table: Any
+    table: FloatArray
     turns: tuple[float, float]
 
-    def signed(self, v: Any, attitude: Any) -> Any:
+    def with_signs(self, v: FloatArray, attitude: FloatArray) -> FloatArray:
         """The given quaternions (n, 4) at the phases v (n, 2), modulo 4, with the right signs."""
         sizes = np.array(self.table.shape[:2])
         places = np.floor(v * (sizes / 2) + 0.5).astype(int)
@@ -79,7 +82,7 @@ class Cover:
         return sign[:, None] * attitude
 
 
-def cover(attitude: Callable[[Any], Any], grid: Sequence[int]) -> Cover:
+def cover(attitude: Callable[[FloatArray], FloatArray], grid: Sequence[int]) -> Cover:
     """Follow quaternions over the torus.
 
     Parameters
@@ -93,18 +96,17 @@ def cover(attitude: Callable[[Any], Any], grid: Sequence[int]) -> Cover:
     lines = [2.0 * np.arange(size) / (size - 1) for size in sizes]
     v = np.array(np.meshgrid(*lines, indexing="ij")).reshape(2, -1).T
     table = attitude(v).reshape(*sizes, 4)
-    table[:, 0] *= _signs(table[:, 0])[:, None]
-    for place in range(len(table)):
-        table[place] *= _signs(table[place])[:, None]
+    table[:, 0] *= continuous_signs(table[:, 0])[:, None]
+    table *= np.array([continuous_signs(row) for row in table])[:, :, None]
     turns = (_sign(table[-1, 0], table[0, 0]), _sign(table[0, -1], table[0, 0]))
     return Cover(table[:-1, :-1], turns)
 
 
-def _signs(line: Any) -> Any:
-    """Signs that make neighbours along a line agree."""
+def continuous_signs(line: FloatArray) -> FloatArray:
+    """Signs that make neighbouring quaternions along a line agree."""
     steps = np.where(np.sum(line[1:] * line[:-1], axis=1) < 0, -1.0, 1.0)
     return np.concatenate([[1.0], np.cumprod(steps)])
 
 
-def _sign(one: Any, other: Any) -> float:
+def _sign(one: FloatArray, other: FloatArray) -> float:
     return -1.0 if float(one @ other) < 0 else 1.0

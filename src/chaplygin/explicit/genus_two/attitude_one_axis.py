@@ -8,58 +8,43 @@ orthogonal to κ turns about κ at the rate
 
 a function of the state.  ψ follows by one quadrature, and the attitude from κ, e and ψ.
 
-Numbers are taken as they come: arrays, balls (flint.arb) or formulas; a vector is a sequence of
-three.  A triad is a sequence of three vectors.
+A vector is a sequence of three, a triad one of three vectors.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
 
 import numpy as np
 import sympy as sp
+from flint import arb
 
+from ...core.arrays import FloatArray
 from ...core.laws import Identity, Rate
 from ...core.vectors import constant, cross, dot, norm_squared, to_components, unit_vector, vectors
-from ...formulas.balls import number
 from .separation import SeparatedSystem, nu, nuprime
 
 __all__ = [
     "Reference",
-    "along",
     "farthest",
-    "quaternion",
     "rate",
     "references",
+    "rotated_triad",
+    "spin_identity",
     "spinning",
-    "stated",
-    "triad",
-    "turned",
 ]
-
-Triple: TypeAlias = Sequence[Any]
 
 omega, kappa, level, a = vectors("omega spin_kappa spin_level spin_a")
 
 
-# --- numbers -------------------------------------------------------------------------------
-
-
-def _dot(u: Triple, v: Triple) -> Any:
+def _dot(u: Sequence[sp.Expr], v: Sequence[sp.Expr]) -> sp.Expr:
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
 
 
-def _cross(u: Triple, v: Triple) -> tuple[Any, Any, Any]:
-    return (
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    )
-
-
-def rate(fixed: Triple, reference: Triple, velocity: Triple) -> Any:
+def rate(
+    fixed: Sequence[sp.Expr], reference: Sequence[sp.Expr], velocity: Sequence[sp.Expr]
+) -> sp.Expr:
     """ψ̇ = (κ, e×w)/(e² − (e, κ)²).
 
     Parameters
@@ -72,37 +57,21 @@ def rate(fixed: Triple, reference: Triple, velocity: Triple) -> Any:
         w = ė + ω×e, body axes.
     """
     across = _dot(reference, reference) - _dot(reference, fixed) * _dot(reference, fixed)
-    return _dot(fixed, _cross(reference, velocity)) / across
+    e, w = reference, velocity
+    product = (e[1] * w[2] - e[2] * w[1], e[2] * w[0] - e[0] * w[2], e[0] * w[1] - e[1] * w[0])
+    return _dot(fixed, product) / across
 
 
-def triad(fixed: Triple, reference: Triple) -> tuple[Triple, Triple, Triple]:
-    """κ, the direction of the part of e orthogonal to it, and their vector product.
-
-    Parameters
-    ----------
-    fixed, reference : vector
-        κ and e of any length, body axes; not parallel.
-    """
-    one = along(fixed)
-    share = _dot(reference, one)
-    two = along([e - share * k for e, k in zip(reference, one, strict=True)])
-    return one, two, _cross(one, two)
-
-
-def along(vector: Triple) -> tuple[Any, Any, Any]:
-    """The unit vector of a vector."""
-    length = _dot(vector, vector) ** 0.5
-    return vector[0] / length, vector[1] / length, vector[2] / length
-
-
-def turned(axes: Sequence[Triple], cosine: Any, sine: Any) -> tuple[Triple, Triple, Triple]:
-    """A triad in space, turned about its first vector by an angle ψ.
+def rotated_triad(
+    axes: Sequence[Sequence[arb]], cosine: arb, sine: arb
+) -> tuple[Sequence[arb], Sequence[arb], Sequence[arb]]:
+    """A triad in space after a turn about its first vector by an angle ψ.
 
     Parameters
     ----------
     axes : triad
         In space axes, at ψ = 0.
-    cosine, sine : number
+    cosine, sine : arb
         Of ψ.
 
     Returns
@@ -118,40 +87,7 @@ def turned(axes: Sequence[Triple], cosine: Any, sine: Any) -> tuple[Triple, Trip
     )
 
 
-def quaternion(space: Sequence[Triple], body: Sequence[Triple]) -> tuple[Any, Any, Any, Any]:
-    """The attitude (w, x, y, z) that carries a triad in body axes to one in space axes.
-
-    Parameters
-    ----------
-    space, body : triad
-        Single numbers: floats or balls.
-
-    Returns
-    -------
-    4 numbers
-        The component of greatest modulus is positive.
-    """
-    Q = [[_dot([s[i] for s in space], [b[j] for b in body]) for j in range(3)] for i in range(3)]
-    diagonal = [
-        1 + sum((sign * Q[i][i] for i, sign in enumerate(signs)), 0 * Q[0][0])
-        for signs in ((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1))
-    ]
-    # the matrix 4 q⊗q, w first
-    sums = {(i, j): Q[i][j] + Q[j][i] for i, j in ((0, 1), (0, 2), (1, 2))}
-    x, y, z = Q[2][1] - Q[1][2], Q[0][2] - Q[2][0], Q[1][0] - Q[0][1]
-    dyad = (
-        (diagonal[0], x, y, z),
-        (x, diagonal[1], sums[0, 1], sums[0, 2]),
-        (y, sums[0, 1], diagonal[2], sums[1, 2]),
-        (z, sums[0, 2], sums[1, 2], diagonal[3]),
-    )
-    largest = max(range(4), key=lambda i: number(diagonal[i]))
-    scale = 2 * diagonal[largest] ** 0.5
-    w, x, y, z = (entry / scale for entry in dyad[largest])
-    return w, x, y, z
-
-
-def farthest(fixed: Triple, candidates: Sequence[Triple]) -> int:
+def farthest(fixed: FloatArray, candidates: Sequence[FloatArray]) -> int:
     """The candidate whose direction stays farthest from ±κ.
 
     Parameters
@@ -167,18 +103,15 @@ def farthest(fixed: Triple, candidates: Sequence[Triple]) -> int:
     """
     margins = []
     for e in candidates:
-        cosine = _dot(fixed, e)
-        square = _dot(fixed, fixed) * _dot(e, e)
+        cosine = np.sum(fixed * e, axis=0)
+        square = np.sum(fixed * fixed, axis=0) * np.sum(e * e, axis=0)
         margins.append(float(np.min(1 - cosine * cosine / square)))
     return int(np.argmax(margins))
 
 
-# --- formulas ------------------------------------------------------------------------------
-
-
 @dataclass(frozen=True)
 class Reference:
-    """A vector by which the turn about κ is measured, formulas in ν, ν′ and the state's symbols.
+    """A vector by which the turn about κ is measured, in ν, ν′ and the state.
 
     Attributes
     ----------
@@ -188,8 +121,8 @@ class Reference:
         w = ė + ω×e, body axes.
     """
 
-    vector: Any
-    velocity: Any
+    vector: sp.MatrixExpr
+    velocity: sp.MatrixExpr
 
 
 def references(of: SeparatedSystem) -> tuple[Reference, ...]:
@@ -197,7 +130,7 @@ def references(of: SeparatedSystem) -> tuple[Reference, ...]:
 
     Parameters
     ----------
-    of : Separable
+    of : SeparatedSystem
         Of a system whose state or definitions name ω.
     """
     moving = Reference(nu, nuprime / of.clock + cross(omega, nu))
@@ -216,8 +149,8 @@ def spinning(of: SeparatedSystem, reference: Reference) -> sp.Expr:
     )
 
 
-def stated(of: SeparatedSystem, reference: Reference) -> Identity:
-    """That the angle about the fixed vector grows at the rate of :func:`spinning`.
+def spin_identity(of: SeparatedSystem, reference: Reference) -> Identity:
+    """The law that the angle about the fixed vector grows at the rate `spinning`.
 
     With κ and a the first two vectors of the triad the rate is (ȧ + ω×a, κ×a), and κ is fixed.
     """

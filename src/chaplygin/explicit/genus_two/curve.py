@@ -19,7 +19,7 @@ __all__ = ["Curve", "DegenerateError"]
 
 
 class DegenerateError(ValueError):
-    """Two branch points cannot be told apart: the curve has a smaller genus."""
+    """Two branch points coincide as far as is known: the curve has a smaller genus."""
 
 
 @dataclass(frozen=True)
@@ -28,16 +28,15 @@ class Curve:
 
     Attributes
     ----------
-    leading : arb
     roots : tuple of arb
         Five or six, increasing.
     """
 
-    leading: Any
-    roots: tuple[Any, ...]
+    leading: arb
+    roots: tuple[arb, ...]
 
     @classmethod
-    def of(cls, leading: Any, roots: Sequence[Any]) -> Curve:
+    def of(cls, leading: arb, roots: Sequence[arb]) -> Curve:
         """The curve with these roots in any order.
 
         Raises
@@ -51,22 +50,21 @@ class Curve:
                 raise DegenerateError
         return cls(leading, ordered)
 
-    def __call__(self, z: Any) -> Any:
+    def __call__(self, z: arb) -> arb:
         """R(z)."""
         value = self.leading
         for root in self.roots:
             value = value * (z - root)
         return value
 
-    def rest(self, left: int, s: Any) -> Any:
+    def cofactor(self, left: int, s: Any) -> Any:
         """|R| / ((z − l)(r − z)) at the place s of the interval from root number `left` = l to r.
 
-        There z = ½(l + r) − ½(r − l) cos s.  The rest is positive on the closed interval and
+        There z = ½(l + r) − ½(r − l) cos s.  It is positive on the closed interval and
         analytic around it, a product of positive sums: nothing cancels near other roots.
 
         Parameters
         ----------
-        left : int
         s : arb or acb
             In radians; 0 at l and π at r.
         """
@@ -93,16 +91,16 @@ class Curve:
         """Numbers of the left ends of the bounded ovals."""
         return tuple(range(self.first_oval, len(self.roots) - 1, 2))
 
-    def oval_of(self, z: Any) -> int:
+    def oval_of(self, z: arb) -> int:
         """The bounded oval nearest to z, as the number of its left end."""
         middle = z.mid()
 
-        def distance(left: int) -> Any:
+        def distance(left: int) -> arb:
             low, high = self.roots[left].mid(), self.roots[left + 1].mid()
             return max(low - middle, middle - high, arb(0))
 
         return min(self.ovals, key=distance)
 
-    def ends(self, left: int) -> tuple[Any, Any]:
+    def ends(self, left: int) -> tuple[arb, arb]:
         """The two roots that bound an interval."""
         return self.roots[left], self.roots[left + 1]

@@ -13,20 +13,21 @@ After one turn of one phase the attitude is Q A(θ), θ the place in the other p
 by α.  A vector K of the body with A(θ)ᵀK(θ) = K(θ + α) stays in space; its Fourier coefficients
 are the null vector of a matrix.  In a frame whose first vector is K, what is left is an
 angle φ(θ) = λT + χ(θ + α) − χ(θ), T the time of the turn.  All this is done in double precision:
-the accuracy is observed, not proven, and it is told by :attr:`Reduction.residual`.
+the accuracy is observed, not proven; :attr:`FloquetReduction.residual` measures it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from scipy.linalg import solve_triangular
 from scipy.spatial.transform import Rotation
 
+from ...core.arrays import ComplexArray, FloatArray
 from ..base.no_closed_form import NoClosedFormError
+from .attitude import continuous_signs
 from .quadrature import Series, series
 
 __all__ = ["FloquetReduction", "reduction"]
@@ -37,9 +38,9 @@ _PLACES = (64, 512)
 _STEPS = (128, 2048)
 #: Steps from one kept plane to the next.
 _STRIDE = 4
-#: What an attitude may change by when the steps are halved.
+#: Change of an attitude, at most, when the steps are halved.
 _SETTLED = 4e-14
-#: What Fourier coefficients of the highest waves may be.
+#: Size of the Fourier coefficients of the highest waves, at most.
 _LEVEL = 1e-14
 #: A null vector is one whose residual is below this.
 _NULL = 3e-13
@@ -65,10 +66,10 @@ class FloquetReduction:
 
     rate: float
     parts: tuple[Series, ...]
-    start: Any
+    start: FloatArray
     residual: float
 
-    def attitude(self, v: Any, tau: Any) -> Any:
+    def attitude(self, v: FloatArray, tau: FloatArray) -> FloatArray:
         """Quaternions (n, 4), body to space, continuous from the start.
 
         Parameters
@@ -82,17 +83,23 @@ class FloquetReduction:
         turn = np.stack([np.cos(half), np.sin(half), zero, zero], axis=-1)
         return _product(_product(self.start, turn), self._triad(v))
 
-    def fixed(self, v: Any) -> Any:
+    def fixed_vector(self, v: FloatArray) -> FloatArray:
         """The unit vector that stays in space, body axes, (3, n), at phases v (n, 2)."""
-        return Rotation.from_quat(np.roll(self._triad(v), -1, axis=-1)).as_matrix()[:, 0].T
+        triads: FloatArray = Rotation.from_quat(np.roll(self._triad(v), -1, axis=-1)).as_matrix()
+        return triads[:, 0].T
 
-    def _triad(self, v: Any) -> Any:
-        found = np.stack([part(v) for part in self.parts], axis=-1)
-        return found / np.linalg.norm(found, axis=-1, keepdims=True)
+    def _triad(self, v: FloatArray) -> FloatArray:
+        """The quaternion of F at phases v (n, 2), (n, 4)."""
+        quaternions = np.stack([part(v) for part in self.parts], axis=-1)
+        lengths: FloatArray = np.linalg.norm(quaternions, axis=-1, keepdims=True)
+        return quaternions / lengths
 
 
 def reduction(
-    turning: Callable[[Any], Any], V: Sequence[float], v_0: Any, attitude: Sequence[float]
+    turning: Callable[[FloatArray], FloatArray],
+    V: Sequence[float],
+    v_0: FloatArray,
+    attitude: FloatArray,
 ) -> FloquetReduction:
     """Reduce the equation of the attitude.
 
@@ -114,15 +121,16 @@ def reduction(
     """
     first = int(abs(V[1]) > abs(V[0]))
     speeds = (float(V[first]), float(V[1 - first]))
-    waves = [_Waves.of(part, first) for part in series(turning)]
+    # the phase that makes the turn comes first
+    waves = [f if first == 0 else f.transposed() for f in series(turning)]
     places = _PLACES[0]
     while True:
-        planes = _turn(waves, speeds, places)
+        planes = _turn_attitudes(waves, speeds, places)
         alpha = speeds[1] / abs(speeds[0])
-        K, residual = _still(planes[-1], alpha)
+        K, residual = _fixed_vector(planes[-1], alpha)
         if residual < _NULL:
-            rate, grid = _uniform(planes, K, speeds)
-            if _resolved(grid):
+            rate, grid = _uniform_rotation(planes, K, speeds)
+            if _is_resolved(grid):
                 break
         places *= 2
         if places > _PLACES[-1]:
@@ -131,8 +139,8 @@ def reduction(
                 f"{_PLACES[-1]} places around the torus"
             )
     parts = _quaternions(grid if first == 0 else grid.swapaxes(0, 1))
-    made = FloquetReduction(rate, parts, np.array([1.0, 0.0, 0.0, 0.0]), residual)
-    here = made.attitude(np.asarray(v_0, dtype=float)[None, :], np.zeros(1))[0]
+    motion = FloquetReduction(rate, parts, np.array([1.0, 0.0, 0.0, 0.0]), residual)
+    here = motion.attitude(np.asarray(v_0, dtype=float)[None, :], np.zeros(1))[0]
     start = _product(np.asarray(attitude, dtype=float), here * np.array([1, -1, -1, -1]))
     return FloquetReduction(rate, parts, start, residual)
 
@@ -140,48 +148,40 @@ def reduction(
 # --- one turn ------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class _Waves:
-    """A function on the torus, the phase that makes the turn first."""
-
-    first: Any
-    second: Any
-    coefficients: Any
-
-    @classmethod
-    def of(cls, part: Series, first: int) -> _Waves:
-        """A series with its phases in this order."""
-        if first == 0:
-            return cls(part.first, part.second, part.coefficients)
-        return cls(part.second, part.first, part.coefficients.T)
-
-    def along(self, tau: Any, speeds: tuple[float, float], theta: Any) -> Any:
-        """Values (n, places) at the phases (V₁τ, θ + V₂τ)."""
-        here = np.exp(1j * np.pi * speeds[0] * np.outer(tau, self.first)) @ self.coefficients
-        here = here * np.exp(1j * np.pi * speeds[1] * np.outer(tau, self.second))
-        return (here @ np.exp(1j * np.pi * np.outer(self.second, theta))).real
+def _values_along(
+    f: Series, tau: FloatArray, speeds: tuple[float, float], theta: FloatArray
+) -> FloatArray:
+    """Values (n, places) of a function at the phases (V₁τ, θ + V₂τ)."""
+    here: ComplexArray = np.exp(1j * np.pi * speeds[0] * np.outer(tau, f.first)) @ f.coefficients
+    here = here * np.exp(1j * np.pi * speeds[1] * np.outer(tau, f.second))
+    values: ComplexArray = here @ np.exp(1j * np.pi * np.outer(f.second, theta))
+    return values.real
 
 
-def _turn(waves: Sequence[_Waves], speeds: tuple[float, float], places: int) -> Any:
+def _turn_attitudes(
+    waves: Sequence[Series], speeds: tuple[float, float], places: int
+) -> FloatArray:
     """A(θ) after parts of a turn of the first phase: (planes + 1, places, 3, 3)."""
     steps = max(_STEPS[0], 2 * places)
-    planes = _steps(waves, speeds, places, steps)
+    planes = _magnus_attitudes(waves, speeds, places, steps)
     while True:
         steps *= 2
         if steps > _STEPS[1]:
             raise NoClosedFormError("the attitude turns too fast to be followed around the torus")
-        finer = _steps(waves, speeds, places, steps)
+        finer = _magnus_attitudes(waves, speeds, places, steps)
         if np.max(np.abs(finer[-1] - planes[-1])) < _SETTLED:
             return finer
         planes = finer
 
 
-def _steps(waves: Sequence[_Waves], speeds: tuple[float, float], places: int, steps: int) -> Any:
-    """The same with a given number of steps of Magnus' method of sixth order."""
+def _magnus_attitudes(
+    waves: Sequence[Series], speeds: tuple[float, float], places: int, steps: int
+) -> FloatArray:
+    """A(θ) along a turn, by so many steps of Magnus' method of sixth order."""
     theta = 2.0 * np.arange(places) / places
     h = 2.0 / abs(speeds[0]) / steps
     tau = h * np.add.outer(np.arange(steps), _GAUSS).ravel()
-    turning = np.array([part.along(tau, speeds, theta) for part in waves])
+    turning = np.array([_values_along(f, tau, speeds, theta) for f in waves])
     # of Q′ = Q[Ω], whose commutators are those of Q′ = [Ω]Q turned over
     early, middle, late = (turning[:, place::3] for place in range(3))
     one = h * middle
@@ -192,22 +192,22 @@ def _steps(waves: Sequence[_Waves], speeds: tuple[float, float], places: int, st
     angle = one + three / 12 - _cross(-20 * one - three + inner, outer) / 240
     parts = Rotation.from_rotvec(angle.reshape(3, -1).T).as_matrix()
     A = np.tile(np.eye(3), (places, 1, 1))
-    kept = [A]
+    products = [A]
     for step, part in enumerate(parts.reshape(steps, places, 3, 3), 1):
         A = A @ part
         if step % _STRIDE == 0:
-            kept.append(A)
-    return np.array(kept)
+            products.append(A)
+    return np.array(products)
 
 
-def _cross(u: Any, v: Any) -> Any:
+def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
     return np.cross(u, v, axis=0)
 
 
 # --- what stays in space -------------------------------------------------------------------
 
 
-def _still(A: Any, alpha: float) -> tuple[Any, float]:
+def _fixed_vector(A: FloatArray, alpha: float) -> tuple[FloatArray, float]:
     """K (places, 3) with A(θ)ᵀK(θ) = K(θ + α), and what is left of that equation."""
     places = len(A)
     k = np.arange(-(places // 4), places // 4 + 1)
@@ -217,31 +217,33 @@ def _still(A: Any, alpha: float) -> tuple[Any, float]:
     moved = waves * np.exp(2j * np.pi * k * alpha)
     for i in range(3):
         matrix[:, i, :, i] -= moved
-    coefficients, residual = _null(matrix.reshape(3 * places, -1))
+    coefficients, residual = _null_vector(matrix.reshape(3 * places, -1))
     K = np.einsum("nk,kj->nj", waves, coefficients.reshape(len(k), 3))
     largest = K.ravel()[np.argmax(np.abs(K))]
     real = (K * (np.conj(largest) / abs(largest))).real
     return real / np.linalg.norm(real, axis=1, keepdims=True), residual
 
 
-def _null(matrix: Any) -> tuple[Any, float]:
+def _null_vector(matrix: ComplexArray) -> tuple[ComplexArray, float]:
     """The unit vector that a tall matrix shortens most, and to what: by inverse iteration."""
     upper = np.linalg.qr(matrix, mode="r")
     diagonal = np.einsum("ii->i", upper)
     diagonal[diagonal == 0] = np.finfo(float).eps
-    found = np.ones(len(upper), dtype=complex)
+    vector = np.ones(len(upper), dtype=complex)
     for _ in range(4):
-        found = solve_triangular(upper, solve_triangular(upper, found, trans="C"))
-        found /= np.linalg.norm(found)
-    return found, float(np.linalg.norm(upper @ found))
+        vector = solve_triangular(upper, solve_triangular(upper, vector, trans="C"))
+        vector /= np.linalg.norm(vector)
+    return vector, float(np.linalg.norm(upper @ vector))
 
 
-def _uniform(planes: Any, K: Any, speeds: tuple[float, float]) -> tuple[float, Any]:
+def _uniform_rotation(
+    planes: FloatArray, K: FloatArray, speeds: tuple[float, float]
+) -> tuple[float, FloatArray]:
     """λ, and F on a grid (planes, places, 3, 3) of both phases."""
     places = len(K)
     alpha = speeds[1] / abs(speeds[0])
     frame = _frame(K)
-    back = frame @ planes[-1] @ _shifted(frame, alpha).swapaxes(1, 2)
+    back = frame @ planes[-1] @ _translation(frame, alpha).swapaxes(1, 2)
     angle = np.unwrap(np.arctan2(back[:, 2, 1], back[:, 1, 1]))
     spectrum = np.fft.fft(angle) / places
     k = np.fft.fftfreq(places, 1 / places)
@@ -258,16 +260,16 @@ def _uniform(planes: Any, K: Any, speeds: tuple[float, float]) -> tuple[float, A
     for plane in range(count):
         part = plane / count
         still = _about_first(np.full(places, -mean * part)) @ steady @ planes[plane]
-        grid.append(_shifted(still, -part * alpha))
+        grid.append(_translation(still, -part * alpha))
     if speeds[0] < 0:
         # the planes lie at 0, −2/count, −4/count, …
         grid = [grid[0], *grid[:0:-1]]
     return mean / time, np.array(grid)
 
 
-def _frame(K: Any) -> Any:
+def _frame(K: FloatArray) -> FloatArray:
     """Triads (places, 3, 3), as rows, whose first vectors are K."""
-    directions = _spread(200)
+    directions = _spiral_directions(200)
     closest = np.max(np.abs(K @ directions.T), axis=0)
     reference = directions[np.argmin(closest)]
     two = reference - (K @ reference)[:, None] * K
@@ -275,7 +277,7 @@ def _frame(K: Any) -> Any:
     return np.stack([K, two, np.cross(K, two)], axis=1)
 
 
-def _spread(count: int) -> Any:
+def _spiral_directions(count: int) -> FloatArray:
     """Directions spread over the sphere (count, 3), on a spiral."""
     height = (np.arange(count) + 0.5) / count * 2 - 1
     turn = np.arange(count) * np.pi * (3 - np.sqrt(5))
@@ -283,7 +285,7 @@ def _spread(count: int) -> Any:
     return np.stack([radius * np.cos(turn), radius * np.sin(turn), height], axis=1)
 
 
-def _about_first(angle: Any) -> Any:
+def _about_first(angle: FloatArray) -> FloatArray:
     """Rotations about the first axis by the given angles (n,)."""
     one, zero = np.ones_like(angle), np.zeros_like(angle)
     c, s = np.cos(angle), np.sin(angle)
@@ -291,7 +293,7 @@ def _about_first(angle: Any) -> Any:
     return np.moveaxis(np.array(rows), -1, 0)
 
 
-def _shifted(values: Any, part: float) -> Any:
+def _translation(values: FloatArray, part: float) -> FloatArray:
     """A function of θ, given on its grid (places, …), at the places θ + part of a period."""
     spectrum = np.fft.fft(values, axis=0)
     k = np.fft.fftfreq(len(values), 1 / len(values))
@@ -302,7 +304,7 @@ def _shifted(values: Any, part: float) -> Any:
 # --- Fourier series ------------------------------------------------------------------------
 
 
-def _resolved(grid: Any) -> bool:
+def _is_resolved(grid: FloatArray) -> bool:
     """Whether the highest quarter of the waves is rounding, in both phases."""
     spectrum = np.abs(np.fft.fft2(grid, axes=(0, 1))) / (grid.shape[0] * grid.shape[1])
     for axis in (0, 1):
@@ -313,13 +315,13 @@ def _resolved(grid: Any) -> bool:
     return True
 
 
-def _quaternions(grid: Any) -> tuple[Series, ...]:
+def _quaternions(grid: FloatArray) -> tuple[Series, ...]:
     """Series of the quaternions of triads on a grid (n_1, n_2, 3, 3)."""
     sizes = grid.shape[:2]
     table = Rotation.from_matrix(grid.reshape(-1, 3, 3)).as_quat().reshape(*sizes, 4)
     table = np.roll(table, 1, axis=-1)
-    table[:, 0] *= _signs(table[:, 0])[:, None]
-    table *= np.array([_signs(row) for row in table])[:, :, None]
+    table[:, 0] *= continuous_signs(table[:, 0])[:, None]
+    table *= np.array([continuous_signs(row) for row in table])[:, :, None]
     # a quaternion may return with the other sign: then its waves are half-integers
     halves = [
         0.5 if float(last @ table[0, 0]) < 0 else 0.0 for last in (table[-1, 0], table[0, -1])
@@ -339,12 +341,7 @@ def _quaternions(grid: Any) -> tuple[Series, ...]:
     )
 
 
-def _signs(line: Any) -> Any:
-    steps = np.where(np.sum(line[1:] * line[:-1], axis=1) < 0, -1.0, 1.0)
-    return np.concatenate([[1.0], np.cumprod(steps)])
-
-
-def _product(p: Any, q: Any) -> Any:
+def _product(p: FloatArray, q: FloatArray) -> FloatArray:
     """Products of quaternions (w, x, y, z), (…, 4)."""
     a, b, c, d = np.moveaxis(p, -1, 0)
     w, x, y, z = np.moveaxis(q, -1, 0)

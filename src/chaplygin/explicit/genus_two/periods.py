@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import product
-from typing import Any
 
 from flint import acb, arb, arb_mat
 
@@ -17,16 +16,16 @@ from .curve import Curve, DegenerateError
 
 __all__ = ["Lattice", "abelian", "lattice"]
 
-Pair = tuple[Any, Any]
-Basis = tuple[tuple[int, int], tuple[int, int]]
+Pair = tuple[arb, arb]
+#: Two pairs of whole numbers.
+Integers = tuple[tuple[int, int], tuple[int, int]]
 
 
-def abelian(curve: Curve, left: int, end: Any = None) -> Pair:
+def abelian(curve: Curve, left: int, end: arb | None = None) -> Pair:
     """∫ dz/√|R| and ∫ z dz/√|R| from the root number `left` to the place s = `end`.
 
     Parameters
     ----------
-    curve : Curve
     left : int
         Number of the left end of a bounded interval.
     end : arb, optional
@@ -36,15 +35,16 @@ def abelian(curve: Curve, left: int, end: Any = None) -> Pair:
     middle, half = (low + high) / 2, (high - low) / 2
     stop = arb.pi() if end is None else end
 
-    def integrated(power: int) -> Any:
-        def integrand(s: Any, analytic: bool) -> Any:
+    def integral(power: int) -> arb:
+        def form(s: acb, analytic: bool) -> acb:
             z = middle - half * s.cos()
-            return z**power / curve.rest(left, s).sqrt(analytic=analytic)
+            integrand: acb = z**power / curve.cofactor(left, s).sqrt(analytic=analytic)
+            return integrand
 
         # the relative accuracy aimed at is that of the working precision
-        return acb.integral(integrand, acb(0), acb(stop)).real
+        return acb.integral(form, acb(0), acb(stop)).real
 
-    return integrated(0), integrated(1)
+    return integral(0), integral(1)
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,6 @@ class Lattice:
 
     Attributes
     ----------
-    curve : Curve
     ovals : (int, int)
         The left ends of the ovals of z₁ and z₂.
     inverse : arb_mat (2, 2)
@@ -73,14 +72,14 @@ class Lattice:
 
     curve: Curve
     ovals: tuple[int, int]
-    inverse: Any
-    basis: Basis
-    Y: Any
-    halves: tuple[tuple[tuple[int, int], tuple[int, int]], ...]
+    inverse: arb_mat
+    basis: Integers
+    Y: arb_mat
+    halves: tuple[Integers, ...]
 
     def normalised(self, pair: Pair) -> Pair:
         """P⁻¹ applied to a pair of integrals."""
-        return _applied(self.inverse, pair)
+        return _matrix_product(self.inverse, pair)
 
     def around_ovals(self, v: Pair) -> Pair:
         """Phases, or their rates, counted around the ovals of z₁ and z₂."""
@@ -88,7 +87,7 @@ class Lattice:
         determinant = p * s - q * r
         return (s * v[0] - q * v[1]) * determinant, (p * v[1] - r * v[0]) * determinant
 
-    def characteristic(self, root: int) -> tuple[tuple[int, int], tuple[int, int]]:
+    def characteristic(self, root: int) -> Integers:
         """The odd characteristic (a, b) of a branch point, in units of one half, modulo 2."""
         (k_x, k_y) = self._constant
         x, y = self.halves[root]
@@ -97,7 +96,7 @@ class Lattice:
         return a, b
 
     @property
-    def _constant(self) -> tuple[tuple[int, int], tuple[int, int]]:
+    def _constant(self) -> Integers:
         """Riemann's constant: it makes the images of all six branch points odd half-periods."""
         for k in product((0, 1), repeat=4):
             k_x, k_y = (k[0], k[1]), (k[2], k[3])
@@ -113,7 +112,6 @@ def lattice(curve: Curve, ovals: tuple[int, int]) -> Lattice:
 
     Parameters
     ----------
-    curve : Curve
     ovals : (int, int)
         Their left ends; see :attr:`Curve.ovals`.
 
@@ -123,29 +121,29 @@ def lattice(curve: Curve, ovals: tuple[int, int]) -> Lattice:
     over the whole line vanishes.  So of the six intervals between branch points four are
     integrated and two follow.
     """
-    steps = [_scaled(abelian(curve, left), _sign(left)) for left in range(4)]
-    steps.append(_scaled(_sum(steps[0], steps[2]), -1))
-    steps.append(_scaled(_sum(steps[1], steps[3]), -1))
-    first, second = (_scaled(steps[oval], 2 * _sign(oval)) for oval in ovals)
+    steps = [_multiple(abelian(curve, left), _sign(left)) for left in range(4)]
+    steps.append(_multiple(_sum(steps[0], steps[2]), -1))
+    steps.append(_multiple(_sum(steps[1], steps[3]), -1))
+    first, second = (_multiple(steps[oval], 2 * _sign(oval)) for oval in ovals)
     P = arb_mat([[first[m], second[m]] for m in (0, 1)])
     normal = P.inv()
     (third,) = {curve.first_oval, curve.first_oval + 2, curve.first_oval + 4} - set(ovals)
     rows = []
     for index, oval in enumerate(ovals):
         between = (oval + 1) % 6 if (oval + 2) % 6 == third else (oval - 1) % 6
-        row = _applied(normal, _scaled(steps[between], 2))
-        rows.append(row if row[index] > 0 else _scaled(row, -1))
+        row = _matrix_product(normal, _multiple(steps[between], 2))
+        rows.append(row if row[index] > 0 else _multiple(row, -1))
     shared = rows[0][1].intersection(rows[1][0])
-    basis, Y = _reduced(arb_mat([[rows[0][0], shared], [shared, rows[1][1]]]))
+    basis, Y = _reduced_form(arb_mat([[rows[0][0], shared], [shared, rows[1][1]]]))
     normal = arb_mat([list(row) for row in basis]) * normal
     return Lattice(curve, ovals, normal, basis, Y, _halves(curve, steps, normal, Y))
 
 
-def _reduced(Y: Any) -> tuple[Basis, Any]:
+def _reduced_form(Y: arb_mat) -> tuple[Integers, arb_mat]:
     """Lagrange's reduction of a positive definite form: the basis, and the form in it."""
     first, second = (1, 0), (0, 1)
 
-    def form(one: tuple[int, int], other: tuple[int, int]) -> Any:
+    def form(one: tuple[int, int], other: tuple[int, int]) -> arb:
         return sum((one[i] * other[j] * Y[i, j] for i in (0, 1) for j in (0, 1)), arb(0))
 
     while True:
@@ -164,30 +162,30 @@ def _sign(left: int) -> int:
     return 1 - 2 * ((left // 2) % 2)
 
 
-def _halves(curve: Curve, steps: list[Pair], normal: Any, Y: Any) -> tuple[Any, ...]:
+def _halves(curve: Curve, steps: list[Pair], normal: arb_mat, Y: arb_mat) -> tuple[Integers, ...]:
     """Images of the branch points: ovals give the real part, gaps the imaginary one."""
-    found = [((0, 0), (0, 0))]
+    images = [((0, 0), (0, 0))]
     real: Pair = (arb(0), arb(0))
     imaginary: Pair = (arb(0), arb(0))
     inverse_Y = Y.inv()
     for left, step in enumerate(steps[:5]):
         if left % 2 == curve.first_oval:
-            real = _sum(real, _applied(normal, step))
+            real = _sum(real, _matrix_product(normal, step))
         else:
-            imaginary = _sum(imaginary, _applied(normal, step))
-        found.append((_integers(real), _integers(_applied(inverse_Y, imaginary))))
-    return tuple(found)
+            imaginary = _sum(imaginary, _matrix_product(normal, step))
+        images.append((_integers(real), _integers(_matrix_product(inverse_Y, imaginary))))
+    return tuple(images)
 
 
 def _integers(pair: Pair) -> tuple[int, int]:
     """Twice a pair of half-integers."""
-    doubled = tuple((2 * x).unique_fmpz() for x in pair)
-    if None in doubled:
+    one, two = ((2 * x).unique_fmpz() for x in pair)
+    if one is None or two is None:
         raise DegenerateError
-    return int(doubled[0]), int(doubled[1])
+    return int(one), int(two)
 
 
-def _applied(matrix: Any, pair: Pair) -> Pair:
+def _matrix_product(matrix: arb_mat, pair: Pair) -> Pair:
     result = matrix * arb_mat([[pair[0]], [pair[1]]])
     return result[0, 0], result[1, 0]
 
@@ -196,5 +194,5 @@ def _sum(one: Pair, other: Pair) -> Pair:
     return one[0] + other[0], one[1] + other[1]
 
 
-def _scaled(pair: Pair, factor: int) -> Pair:
+def _multiple(pair: Pair, factor: int) -> Pair:
     return factor * pair[0], factor * pair[1]

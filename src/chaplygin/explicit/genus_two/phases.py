@@ -1,25 +1,45 @@
-"""Phases that grow linearly with time, without loss at long times."""
+"""Phases on the torus: grids, rates of waves, and growth without loss at long times."""
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 from flint import arb
 
-__all__ = ["halves", "turned"]
+from ...core.arrays import ComplexArray, FloatArray, IntArray
+from ...formulas.balls import number
+
+__all__ = ["halves", "phase_grid", "turned", "wave_rates"]
 
 #: Splits a double into two halves of 26 bits (Dekker).
 _SPLITTER = 134217729.0
 
 
-def halves(value: Any) -> tuple[float, float]:
+def phase_grid(sizes: Sequence[int]) -> FloatArray:
+    """The phases 2j/n of a grid with n points per period 2, (n_1 n_2, 2), row by row."""
+    lines = [2.0 * np.arange(size) / size for size in sizes]
+    return np.array(np.meshgrid(*lines, indexing="ij")).reshape(2, -1).T
+
+
+def wave_rates(
+    first: FloatArray | IntArray, second: FloatArray | IntArray, V: Sequence[arb], v_0: FloatArray
+) -> tuple[FloatArray, ComplexArray]:
+    """π(k, V), the rate of every wave (k₁, k₂) along the flow, and exp(iπ(k, v₀))."""
+    k_1, k_2 = np.meshgrid(first, second, indexing="ij")
+    rates = np.pi * np.array(
+        [number(int(k) * V[0] + int(m) * V[1]) for k, m in zip(k_1.flat, k_2.flat, strict=True)]
+    ).reshape(k_1.shape)
+    return rates, np.exp(1j * np.pi * (k_1 * v_0[0] + k_2 * v_0[1]))
+
+
+def halves(value: arb) -> tuple[float, float]:
     """A ball's middle as the sum of two doubles, about 32 digits."""
     high = float(value.mid())
     return high, float((value - arb(high)).mid())
 
 
-def turned(rate: tuple[float, float], times: Any, modulus: float) -> Any:
+def turned(rate: tuple[float, float], times: FloatArray, modulus: float) -> FloatArray:
     """rate · times modulo `modulus`, in absolute value at most `modulus`.
 
     Parameters
@@ -42,13 +62,13 @@ def turned(rate: tuple[float, float], times: Any, modulus: float) -> Any:
     return np.fmod(product, modulus) + np.fmod(error + low * times, modulus)
 
 
-def _low_part(one: float, other: Any, product: Any) -> Any:
-    """What rounding took from a product."""
+def _low_part(one: float, other: FloatArray, product: FloatArray) -> FloatArray:
+    """The part of a product that was lost to rounding."""
     a, b = _split(np.asarray(one)), _split(np.asarray(other))
     return ((a[0] * b[0] - product) + a[0] * b[1] + a[1] * b[0]) + a[1] * b[1]
 
 
-def _split(value: Any) -> tuple[Any, Any]:
+def _split(value: FloatArray) -> tuple[FloatArray, FloatArray]:
     scaled = _SPLITTER * value
     high = scaled - (scaled - value)
     return high, value - high

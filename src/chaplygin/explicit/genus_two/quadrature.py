@@ -12,12 +12,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from flint import arb
 
+from ...core.arrays import ComplexArray, FloatArray, IntArray
 from ...formulas.balls import number
 from ..base.no_closed_form import NoClosedFormError
+from .phases import phase_grid, wave_rates
 
 __all__ = ["Quadrature", "Series", "quadrature", "series"]
 
@@ -45,28 +47,33 @@ class Series:
         Points of the grid from which it was computed.
     """
 
-    first: Any
-    second: Any
-    coefficients: Any
+    first: FloatArray | IntArray
+    second: FloatArray | IntArray
+    coefficients: ComplexArray
     grid: tuple[int, int]
 
-    def waves(self, v: Any) -> tuple[Any, Any]:
+    def transposed(self) -> Series:
+        """The function with its two phases exchanged."""
+        return Series(self.second, self.first, self.coefficients.T, self.grid[::-1])
+
+    def waves(self, v: FloatArray) -> tuple[ComplexArray, ComplexArray]:
         """exp(iπk₁v₁) and exp(iπk₂v₂) at phases v (n, 2)."""
         return (
             np.exp(1j * np.pi * np.outer(v[:, 0], self.first)),
             np.exp(1j * np.pi * np.outer(v[:, 1], self.second)),
         )
 
-    def __call__(self, v: Any) -> Any:
+    def __call__(self, v: FloatArray) -> FloatArray:
         """Values at phases v (n, 2)."""
-        return _combined(self.waves(v), self.coefficients)
+        return _wave_sum(self.waves(v), self.coefficients)
 
 
-def _combined(waves: tuple[Any, Any], coefficients: Any) -> Any:
-    return np.einsum("nk,nk->n", waves[0] @ coefficients, waves[1]).real
+def _wave_sum(waves: tuple[ComplexArray, ComplexArray], coefficients: ComplexArray) -> FloatArray:
+    values: ComplexArray = np.einsum("nk,nk->n", waves[0] @ coefficients, waves[1])
+    return values.real
 
 
-def series(function: Callable[[Any], Any]) -> tuple[Series, ...]:
+def series(function: Callable[[FloatArray], FloatArray]) -> tuple[Series, ...]:
     """Fourier series of smooth functions on the torus, to the rounding of the largest.
 
     Parameters
@@ -81,15 +88,13 @@ def series(function: Callable[[Any], Any]) -> tuple[Series, ...]:
     """
     sizes = [_GRID, _GRID]
     while True:
-        grids = [2.0 * np.arange(size) / size for size in sizes]
-        v = np.array(np.meshgrid(*grids, indexing="ij")).reshape(2, -1).T
-        values = function(v)
+        values = function(phase_grid(sizes))
         spectra = [np.fft.rfft2(block.reshape(sizes)) / block.size for block in values]
         # one of them may be rounding altogether: the largest sets the scale
         scale = max(float(np.max(np.abs(spectrum))) for spectrum in spectra)
-        rough = [not all(_resolved(f, axis, scale) for f in spectra) for axis in (0, 1)]
+        rough = [not all(_is_resolved(f, axis, scale) for f in spectra) for axis in (0, 1)]
         if not any(rough):
-            return tuple(_trimmed(spectrum, sizes, scale) for spectrum in spectra)
+            return tuple(_significant_series(spectrum, sizes, scale) for spectrum in spectra)
         sizes = [2 * size if more else size for size, more in zip(sizes, rough, strict=True)]
         if sizes[0] * sizes[1] > _POINTS:
             raise NoClosedFormError(
@@ -98,7 +103,7 @@ def series(function: Callable[[Any], Any]) -> tuple[Series, ...]:
             )
 
 
-def _resolved(spectrum: Any, axis: int, scale: float) -> bool:
+def _is_resolved(spectrum: ComplexArray, axis: int, scale: float) -> bool:
     """Whether the highest quarter of the wave numbers along one axis is rounding."""
     size = spectrum.shape[0] if axis == 0 else 2 * (spectrum.shape[1] - 1)
     waves = np.abs(np.fft.fftfreq(size, 1 / size)) if axis == 0 else np.arange(size // 2 + 1)
@@ -106,18 +111,16 @@ def _resolved(spectrum: Any, axis: int, scale: float) -> bool:
     return bool(np.max(high) <= 8 * _LEVEL * scale)
 
 
-def _trimmed(spectrum: Any, sizes: Sequence[int], scale: float) -> Series:
+def _significant_series(spectrum: ComplexArray, sizes: Sequence[int], scale: float) -> Series:
     doubled = spectrum.copy()
     # the other half of the wave numbers is the complex conjugate
     doubled[:, 1:] *= 2
     high = np.abs(doubled) > _LEVEL / 8 * scale
     rows, columns = np.flatnonzero(high.any(axis=1)), np.flatnonzero(high.any(axis=0))
     first = np.fft.fftfreq(sizes[0], 1 / sizes[0]).round().astype(int)
+    second = np.arange(spectrum.shape[1])
     return Series(
-        first[rows],
-        np.arange(spectrum.shape[1])[columns],
-        (doubled * high)[np.ix_(rows, columns)],
-        (sizes[0], sizes[1]),
+        first[rows], second[columns], (doubled * high)[np.ix_(rows, columns)], (sizes[0], sizes[1])
     )
 
 
@@ -127,7 +130,6 @@ class Quadrature:
 
     Attributes
     ----------
-    mean : float
     rate : Series
         f without its mean and its slow terms.
     whole : Series
@@ -142,9 +144,9 @@ class Quadrature:
     rate: Series
     whole: Series
     origin: float
-    slow: Any
+    slow: ComplexArray
 
-    def quasi(self, v: Any, tau: Any) -> tuple[Any, Any]:
+    def quasi(self, v: FloatArray, tau: FloatArray) -> tuple[FloatArray, FloatArray]:
         """The integral without its drift, and its derivative in τ.
 
         Parameters
@@ -154,8 +156,8 @@ class Quadrature:
         tau : array (n,)
         """
         waves = self.rate.waves(v)
-        rate = _combined(waves, self.rate.coefficients)
-        value = _combined(waves, self.whole.coefficients) - self.origin
+        rate = _wave_sum(waves, self.rate.coefficients)
+        value = _wave_sum(waves, self.whole.coefficients) - self.origin
         for coefficient, speed in self.slow:
             x = speed.real * tau
             value = value + tau * (coefficient * np.exp(0.5j * x)).real * np.sinc(x / (2 * np.pi))
@@ -164,13 +166,12 @@ class Quadrature:
 
 
 def quadrature(
-    function: Series, V: Sequence[Any], v_0: Any, mean: float | None = None
+    function: Series, V: Sequence[arb], v_0: FloatArray, mean: float | None = None
 ) -> Quadrature:
     """Integrate a function on the torus along the flow.
 
     Parameters
     ----------
-    function : Series
     V : two arb
         Velocity of the phases.
     v_0 : array (2,)
@@ -178,12 +179,9 @@ def quadrature(
     mean : float, optional
         The mean of the function, if it is known better than from the series.
     """
-    k_1, k_2 = np.meshgrid(function.first, function.second, indexing="ij")
-    speeds = np.pi * np.array(
-        [number(int(k) * V[0] + int(m) * V[1]) for k, m in zip(k_1.flat, k_2.flat, strict=True)]
-    ).reshape(k_1.shape)
+    speeds, phases = wave_rates(function.first, function.second, V, v_0)
     coefficients = function.coefficients.copy()
-    still = (k_1 == 0) & (k_2 == 0)
+    still = (function.first[:, None] == 0) & (function.second == 0)
     own = float(coefficients[still].real.sum())
     coefficients[still] = 0
     # a bound of the error that dividing by a small number makes
@@ -193,7 +191,6 @@ def quadrature(
     # of a function that is rounding altogether nothing is left
     scale = np.max(np.abs(function.coefficients), initial=0.0)
     apart = ~still & (np.abs(coefficients) > 0) & (divided > _SLOW * scale)
-    phases = np.exp(1j * np.pi * (k_1 * v_0[0] + k_2 * v_0[1]))
     slow = np.array([(coefficients * phases)[apart], speeds[apart].astype(complex)]).T
     coefficients[apart] = 0
     rate = Series(function.first, function.second, coefficients, function.grid)

@@ -1,4 +1,4 @@
-"""From the reduced motion on a torus to the motion in space: attitude, and places by quadrature."""
+"""Motion in space over a motion on a torus: attitude, and places by quadrature."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 import sympy as sp
 
+from ...core.arrays import FloatArray
 from ...core.system import flat_pairs
 from ...core.vectors import vectors
 from ...errors import InputError
@@ -19,13 +19,22 @@ from ...mechanics.rolling.attitude import attitude
 from .attitude import Cover, Triad, cover
 from .attitude_one_axis import farthest, references, spinning
 from .floquet_attitude import FloquetReduction, reduction
+from .phases import phase_grid
 from .quadrature import Quadrature, quadrature, series
 from .separated_motion import SeparatedMotion, chain
 from .separation import SeparatedSystem
 from .third_frequency import Turning, turning
 from .time_map import TimeMap, TorusPoint
 
-__all__ = ["Held", "Lift", "Reduced", "Spun", "lift", "on_arrays"]
+__all__ = [
+    "Lift",
+    "NoFixedVector",
+    "OneFixedVector",
+    "TwoFixedVectors",
+    "lift",
+    "on_arrays",
+    "spinning_pair",
+]
 
 #: Points per phase at which the directions of two vectors are compared.
 _COARSE = 24
@@ -33,15 +42,15 @@ _COARSE = 24
 
 def on_arrays(
     motion: SeparatedMotion, formulas: Sequence[sp.Expr], further: Sequence[sp.Symbol] = ()
-) -> Callable[..., Any]:
-    """Formulas of the system as a function of ν, ν′, each (3, n), and of `further` arrays (n,)."""
+) -> Callable[..., FloatArray]:
+    """Formulas as a function of ν, ν′, each (3, n), and of `further` arrays (n,)."""
     arguments, steps = chain(motion.separable, formulas)
-    made = array_function((*arguments, *further), tuple(formulas), steps)
+    evaluate = array_function((*arguments, *further), tuple(formulas), steps)
     fixed = [number(motion.values[s]) for s in arguments[6:]]
 
-    def function(direction: Any, turning: Any, *others: Any) -> Any:
-        found = made(*direction, *turning, *fixed, *others)
-        return np.stack([np.broadcast_to(x, direction[0].shape) for x in found])
+    def function(direction: FloatArray, turning: FloatArray, *others: FloatArray) -> FloatArray:
+        values = evaluate(*direction, *turning, *fixed, *others)
+        return np.stack([np.broadcast_to(x, direction[0].shape) for x in values])
 
     return function
 
@@ -52,39 +61,48 @@ class Lift(ABC):
 
     Attributes
     ----------
-    prepared : Prepared
-    clock : Clock
     start : array (4 + places,)
         Attitude (w, x, y, z) and places at t = 0.
     """
 
     prepared: SeparatedMotion
     clock: TimeMap
-    start: Any
+    start: FloatArray
 
     @abstractmethod
-    def at(self, moment: TorusPoint) -> Any:
+    def in_space(self, moment: TorusPoint) -> FloatArray:
         """Attitude and places, (4 + places, n)."""
 
     @cached_property
-    def _origin(self) -> Any:
+    def _origin(self) -> FloatArray:
         return self.clock.v_0[None, :]
 
-    def _torus(self, v: Any) -> tuple[Any, Any]:
+    def _torus(self, v: FloatArray) -> tuple[FloatArray, FloatArray]:
         return self.prepared.torus.values(v)
 
     @cached_property
-    def _clock_rate(self) -> Callable[..., Any]:
+    def _clock_rate(self) -> Callable[..., FloatArray]:
         return on_arrays(self.prepared, components(self.prepared.separable.clock))
 
     @cached_property
-    def _places(self) -> Callable[..., Any]:
+    def _places(self) -> Callable[..., FloatArray]:
         """Rates, per unit of t, of what the motion has besides the attitude."""
         return on_arrays(self.prepared, place_rates(self.prepared.separable), attitude.symbols)
 
-    def _quadrature(self, function: Callable[[Any], Any]) -> tuple[Quadrature, ...]:
+    def _quadrature(self, function: Callable[[FloatArray], FloatArray]) -> tuple[Quadrature, ...]:
         torus = self.prepared.torus
         return tuple(quadrature(f, torus.V, self.clock.v_0) for f in series(function))
+
+
+def spinning_pair(motion: SeparatedMotion) -> tuple[sp.MatrixExpr, sp.MatrixExpr, sp.Expr]:
+    """The one fixed vector, a reference that stays away from it, and its rate of turning in t."""
+    of = motion.separable
+    at_grid = motion.torus.values(phase_grid([_COARSE, _COARSE]))
+    fixed = on_arrays(motion, components(of.fixed[0]))(*at_grid)
+    choice = references(of)
+    directions = [on_arrays(motion, components(e.vector))(*at_grid) for e in choice]
+    best = choice[farthest(fixed, directions)]
+    return of.fixed[0], best.vector, spinning(of, best)
 
 
 def place_rates(of: SeparatedSystem) -> list[sp.Expr]:
@@ -95,12 +113,12 @@ def place_rates(of: SeparatedSystem) -> list[sp.Expr]:
 
 
 @dataclass(frozen=True)
-class _Oriented(Lift):
+class _AttitudeFromVectors(Lift):
     """The attitude on the torus from two vectors of the body."""
 
     @property
     @abstractmethod
-    def _vectors(self) -> Callable[..., Any]:
+    def _vectors(self) -> Callable[..., FloatArray]:
         """Both vectors, body axes, as a function of ν and ν′: (6, n)."""
 
     @cached_property
@@ -108,7 +126,7 @@ class _Oriented(Lift):
         six = self._vectors(*self._torus(self._origin))
         return Triad.through(six[:3, 0], six[3:, 0], self.start[:4])
 
-    def _attitude(self, direction: Any, turning: Any) -> Any:
+    def _attitude(self, direction: FloatArray, turning: FloatArray) -> FloatArray:
         six = self._vectors(direction, turning)
         return self._triad.attitude(six[:3], six[3:])
 
@@ -120,16 +138,16 @@ class _Oriented(Lift):
     def _sign(self) -> float:
         """The sign that makes the covered quaternion that of the start."""
         turns = self._attitude(*self._torus(self._origin))
-        at_start = self._cover.signed(self._origin, turns)
+        at_start = self._cover.with_signs(self._origin, turns)
         return 1.0 if float(at_start[0] @ self.start[:4]) > 0 else -1.0
 
 
 @dataclass(frozen=True)
-class Held(_Oriented):
+class TwoFixedVectors(_AttitudeFromVectors):
     """The attitude from two vectors that are fixed in space."""
 
     @cached_property
-    def _vectors(self) -> Callable[..., Any]:
+    def _vectors(self) -> Callable[..., FloatArray]:
         fixed = self.prepared.separable.fixed
         return on_arrays(self.prepared, [c for vector in fixed[:2] for c in components(vector)])
 
@@ -138,16 +156,16 @@ class Held(_Oriented):
         if len(self.start) == 4:
             return ()
 
-        def rates(v: Any) -> Any:
+        def rates(v: FloatArray) -> FloatArray:
             there = self._torus(v)
             return self._clock_rate(*there) * self._places(*there, *self._attitude(*there).T)
 
         return self._quadrature(rates)
 
-    def at(self, moment: TorusPoint) -> Any:
+    def in_space(self, moment: TorusPoint) -> FloatArray:
         """Attitude and places, (4 + places, n)."""
         there = self._torus(moment.v)
-        turns = self._sign * self._cover.signed(moment.v, self._attitude(*there))
+        turns = self._sign * self._cover.with_signs(moment.v, self._attitude(*there))
         places = [
             start + flow.mean * moment.tau + flow.quasi(moment.v, moment.tau)[0]
             for start, flow in zip(self.start[4:], self._flows, strict=True)
@@ -156,7 +174,7 @@ class Held(_Oriented):
 
 
 @dataclass(frozen=True)
-class Spun(_Oriented):
+class OneFixedVector(_AttitudeFromVectors):
     """The attitude from one vector that is fixed in space and the angle of turning about it.
 
     The attitude is a turn by ψ about the fixed vector, after an attitude on the torus; ψ grows
@@ -164,21 +182,13 @@ class Spun(_Oriented):
     """
 
     @cached_property
-    def _pair(self) -> tuple[Callable[..., Any], sp.Expr]:
+    def _pair(self) -> tuple[Callable[..., FloatArray], sp.Expr]:
         """The fixed vector and a reference that stays away from it; the rate of ψ."""
-        of = self.prepared.separable
-        line = 2.0 * np.arange(_COARSE) / _COARSE
-        v = np.array(np.meshgrid(line, line, indexing="ij")).reshape(2, -1).T
-        there = self._torus(v)
-        fixed = on_arrays(self.prepared, components(of.fixed[0]))(*there)
-        choice = references(of)
-        tried = [on_arrays(self.prepared, components(e.vector))(*there) for e in choice]
-        best = choice[farthest(fixed, tried)]
-        both = on_arrays(self.prepared, [*components(of.fixed[0]), *components(best.vector)])
-        return both, spinning(of, best)
+        fixed, reference, rate = spinning_pair(self.prepared)
+        return on_arrays(self.prepared, [*components(fixed), *components(reference)]), rate
 
     @property
-    def _vectors(self) -> Callable[..., Any]:
+    def _vectors(self) -> Callable[..., FloatArray]:
         return self._pair[0]
 
     @cached_property
@@ -186,7 +196,7 @@ class Spun(_Oriented):
         """∫ (dψ/dτ) dτ."""
         rate = on_arrays(self.prepared, [self._pair[1]])
 
-        def rates(v: Any) -> Any:
+        def rates(v: FloatArray) -> FloatArray:
             there = self._torus(v)
             return self._clock_rate(*there) * rate(*there)
 
@@ -194,18 +204,19 @@ class Spun(_Oriented):
 
     @cached_property
     def _flows(self) -> tuple[tuple[Quadrature, Turning], ...]:
-        """What of each place does not turn with ψ, and what does."""
+        """The part of each place that does not turn with ψ, and the one that does."""
         if len(self.start) == 4:
             return ()
         axis = self._triad.axes[0]
         angle = self._angle
 
-        def parts(v: Any) -> Any:
+        def parts(v: FloatArray) -> FloatArray:
             there = self._torus(v)
             turns = self._attitude(*there).T
             clock = self._clock_rate(*there)
             zero, quarter, half = (
-                clock * self._places(*there, *_turned(axis, np.full(turns.shape[1], psi), turns))
+                clock
+                * self._places(*there, *_after_turn(axis, np.full(turns.shape[1], psi), turns))
                 for psi in (0.0, np.pi / 2, np.pi)
             )
             still = (zero + half) / 2
@@ -214,7 +225,7 @@ class Spun(_Oriented):
             return np.concatenate([still, moving.real, moving.imag])
 
         count = len(self.start) - 4
-        found = series(parts)
+        fourier = series(parts)
         V, v_0 = self.prepared.torus.V, self.clock.v_0
         if len(angle.slow):
             raise InputError(
@@ -222,49 +233,51 @@ class Spun(_Oriented):
             )
         return tuple(
             (
-                quadrature(found[i], V, v_0),
-                turning(found[count + i], found[2 * count + i], V, v_0, angle.mean, -angle.origin),
+                quadrature(fourier[i], V, v_0),
+                turning(
+                    fourier[count + i], fourier[2 * count + i], V, v_0, angle.mean, -angle.origin
+                ),
             )
             for i in range(count)
         )
 
-    def at(self, moment: TorusPoint) -> Any:
+    def in_space(self, moment: TorusPoint) -> FloatArray:
         """Attitude and places, (4 + places, n)."""
         there = self._torus(moment.v)
         psi = self._angle.mean * moment.tau + self._angle.quasi(moment.v, moment.tau)[0]
-        turns = self._sign * self._cover.signed(moment.v, self._attitude(*there))
+        turns = self._sign * self._cover.with_signs(moment.v, self._attitude(*there))
         places = [
             start
             + still.mean * moment.tau
             + still.quasi(moment.v, moment.tau)[0]
-            + moving.at(moment.v, moment.tau)
+            + moving.values(moment.v, moment.tau)
             for start, (still, moving) in zip(self.start[4:], self._flows, strict=True)
         ]
-        whole = _turned(self._triad.axes[0], psi, turns.T)
+        whole = _after_turn(self._triad.axes[0], psi, turns.T)
         return np.concatenate([whole, np.array(places).reshape(-1, len(moment.tau))])
 
 
 @dataclass(frozen=True)
-class Reduced(Lift):
+class NoFixedVector(Lift):
     """The attitude where no fixed vector is known: reduced to a uniform rotation, in numbers."""
 
     @cached_property
     def _reduction(self) -> FloquetReduction:
         omega = on_arrays(self.prepared, vectors("omega")[0].symbols)
 
-        def turning(v: Any) -> Any:
+        def turning(v: FloatArray) -> FloatArray:
             there = self._torus(v)
             return self._clock_rate(*there) * omega(*there)
 
         V = [number(x) for x in self.prepared.torus.V]
         return reduction(turning, V, self.clock.v_0, self.start[:4])
 
-    def at(self, moment: TorusPoint) -> Any:
+    def in_space(self, moment: TorusPoint) -> FloatArray:
         """The attitude, (4, n)."""
         return self._reduction.attitude(moment.v, moment.tau).T
 
 
-def _turned(axis: Any, psi: Any, turns: Any) -> Any:
+def _after_turn(axis: FloatArray, psi: FloatArray, turns: FloatArray) -> FloatArray:
     """Quaternions (4, n) after a further turn by ψ (n,) about an axis in space."""
     w, vector = np.cos(psi / 2), np.sin(psi / 2) * np.asarray(axis)[:, None]
     return np.concatenate(
@@ -286,11 +299,11 @@ def lift(motion: SeparatedMotion, clock: TimeMap, start: Sequence[float]) -> Lif
     of = motion.separable
     if of.system.motion is None:
         return None
-    given = np.array([float(x) for x in start])
-    if not of.fixed and len(given) > 4:
+    numbers = np.array([float(x) for x in start])
+    if not of.fixed and len(numbers) > 4:
         raise InputError(
             f"{of.title}: no direction is known that stays in space, so that the path has no "
             "closed form; solve the reduced system alone"
         )
-    kinds: dict[int, type[Lift]] = {0: Reduced, 1: Spun}
-    return kinds.get(len(of.fixed), Held)(motion, clock, given)
+    kinds: dict[int, type[Lift]] = {0: NoFixedVector, 1: OneFixedVector}
+    return kinds.get(len(of.fixed), TwoFixedVectors)(motion, clock, numbers)

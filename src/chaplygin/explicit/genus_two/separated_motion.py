@@ -1,20 +1,22 @@
-"""A separable system at numbers: constants, curve and torus of one motion, to any precision."""
+"""One motion of a separable system: constants, curve and torus, to any precision."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
+from flint import arb
 
+from ...arguments import Written
+from ...core.system import flat_pairs
 from ...formulas.balls import Steps, Values, ball, components, evaluated, needed
 from ..base.exact_start import on_phase_space
 from .curve import Curve
 from .separation import SeparatedSystem, nu, nuprime
 from .torus import InvariantTorus, torus
 
-__all__ = ["SeparatedMotion", "chain", "flat_state", "separate"]
+__all__ = ["SeparatedMotion", "chain", "separate"]
 
 
 @dataclass(frozen=True)
@@ -23,30 +25,26 @@ class SeparatedMotion:
 
     Attributes
     ----------
-    separable : Separable
     state : tuple of arb
         The reduced start, on the phase space, in flat order.
     values : mapping of Symbol to arb
         Parameters and constants.
-    curve : Curve
-    torus : Torus
     """
 
     separable: SeparatedSystem
-    state: tuple[Any, ...]
+    state: tuple[arb, ...]
     values: Values
     curve: Curve
     torus: InvariantTorus
 
 
 def separate(
-    separable: SeparatedSystem, parameters: Mapping[sp.Symbol, Any], start: Sequence[Any]
+    separable: SeparatedSystem, parameters: Mapping[sp.Symbol, Written], start: Sequence[Written]
 ) -> SeparatedMotion:
     """Find constants, curve and torus through a start, at the working precision.
 
     Parameters
     ----------
-    separable : Separable
     parameters : mapping of Symbol to number
         Taken as exact numbers.
     start : sequence of numbers
@@ -61,7 +59,7 @@ def separate(
         If roots of the curve coincide.
     """
     system = separable.system
-    values: dict[sp.Symbol, Any] = {name: ball(x) for name, x in parameters.items()}
+    values: dict[sp.Symbol, arb] = {name: ball(x) for name, x in parameters.items()}
     state = on_phase_space(system, separable.level, start, values)
     known = {**values, **dict(zip(system.symbols, state, strict=True))}
     for name, formula in system.steps:
@@ -69,28 +67,29 @@ def separate(
     for name, formula in separable.constants:
         known[name] = values[name] = evaluated(components(formula), known)[0]
 
-    def at(*formulas: Any) -> tuple[Any, ...]:
+    def start_values(*formulas: sp.Expr) -> tuple[arb, ...]:
         return evaluated([part for formula in formulas for part in components(formula)], known)
 
-    curve = Curve.of(at(separable.leading)[0], at(*separable.roots))
+    curve = Curve.of(start_values(separable.leading)[0], start_values(*separable.roots))
     motion = torus(
         curve,
-        at(*separable.poles),
-        at(*separable.weights),
-        at(*separable.speeds),
-        at(separable.direction),
-        at(separable.turning),
-        None if separable.along is None else at(*separable.along),
+        start_values(*separable.poles),
+        start_values(*separable.weights),
+        start_values(*separable.speeds),
+        start_values(separable.direction),
+        start_values(separable.turning),
+        None if separable.along is None else start_values(*separable.along),
     )
     return SeparatedMotion(separable, state, values, curve, motion)
 
 
-def chain(separable: SeparatedSystem, formulas: Sequence[sp.Expr]) -> tuple[tuple[Any, ...], Steps]:
+def chain(
+    separable: SeparatedSystem, formulas: Sequence[sp.Expr]
+) -> tuple[tuple[sp.Symbol, ...], Steps]:
     """Arguments and steps by which formulas of the system follow from ν and ν′.
 
     Parameters
     ----------
-    separable : Separable
     formulas : sequence of sympy.Expr
         In the state, the definitions, parameters and constants.
 
@@ -110,17 +109,8 @@ def chain(separable: SeparatedSystem, formulas: Sequence[sp.Expr]) -> tuple[tupl
             changing.append((name, formula))
         else:
             still.append((name, formula))
-    steps = (*still, *flat_state(separable), *changing)
+    steps = (*still, *flat_pairs(separable.state), *changing)
     parameters = tuple(p.symbol for p in separable.system.parameters)
     constants = tuple(name for name, _ in separable.constants)
     arguments = (*nu.symbols, *nuprime.symbols, *parameters, *constants)
     return arguments, needed(steps, formulas)
-
-
-def flat_state(separable: SeparatedSystem) -> Steps:
-    """The state as scalar formulas in ν and ν′."""
-    found = []
-    for name, formula in separable.state:
-        names = (name,) if isinstance(name, sp.Symbol) else name.symbols
-        found += list(zip(names, components(formula), strict=True))
-    return tuple(found)

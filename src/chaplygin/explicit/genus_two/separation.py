@@ -16,16 +16,16 @@ dν/dτ.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
 
 from ...core.laws import Law
 from ...core.system import System
-from ...core.vectors import vectors
+from ...core.vectors import Vector, vectors
 
-__all__ = ["SeparatedSystem", "nu", "nuprime"]
+__all__ = ["SeparatedSystem", "gaps", "nu", "nuprime"]
 
 #: The unit vector and its derivative in the time τ, body axes.
 nu, nuprime = vectors("nu nuprime")
@@ -76,18 +76,24 @@ class SeparatedSystem:
     name: str
     title: str
     system: System
-    level: tuple[Any, ...] = ()
-    constants: tuple[tuple[sp.Symbol, Any], ...] = ()
-    direction: Any
-    turning: Any
-    poles: tuple[Any, Any, Any]
-    weights: tuple[Any, Any, Any]
-    leading: Any
-    roots: tuple[Any, ...]
-    speeds: tuple[Any, Any]
-    clock: Any
-    state: tuple[tuple[Any, Any], ...]
-    fixed: tuple[Any, ...] = ()
-    along: tuple[Any, Any] | None = None
+    level: tuple[sp.Expr, ...] = ()
+    constants: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
+    direction: sp.MatrixExpr
+    turning: sp.MatrixExpr
+    poles: tuple[sp.Expr, sp.Expr, sp.Expr]
+    weights: tuple[sp.Expr, sp.Expr, sp.Expr]
+    leading: sp.Expr
+    roots: tuple[sp.Expr, ...]
+    speeds: tuple[sp.Expr, sp.Expr]
+    clock: sp.Expr
+    state: tuple[tuple[sp.Symbol | Vector, sp.Expr], ...]
+    fixed: tuple[sp.MatrixExpr, ...] = ()
+    along: tuple[sp.Expr, sp.Expr] | None = None
     laws: tuple[Law, ...] = ()
     source: str = ""
+
+
+def gaps(poles: Sequence[sp.Expr]) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """Πᵢ = ∏_{j≠i}(eᵢ − eⱼ) of three numbers eᵢ."""
+    e, f, g = poles
+    return (e - f) * (e - g), (f - e) * (f - g), (g - e) * (g - f)

@@ -1,4 +1,4 @@
-"""What a separable system claims, as laws that :mod:`chaplygin.proof` can prove.
+"""The claims of a separable system, as laws that :mod:`chaplygin.proof` can prove.
 
 The polynomial q(z) = κ(z − z₁)(z − z₂) is the one that takes the values ν_i²/weights_i at the three
 poles, so that κ, z₁ + z₂ and z₁z₂ are rational in ν.  Written with S = z₁ + z₂, P = z₁z₂ and their
@@ -19,14 +19,14 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from ...core.laws import Identity, Law, Rate, Reduction
-from ...core.vectors import cross, norm_squared, real_symbol, to_components, vectors
-from .poles import gaps
-from .separation import SeparatedSystem, nu, nuprime
+from ...core.vectors import Vector, cross, norm_squared, real_symbol, to_components, vectors
+from ...formulas.balls import components
+from .separation import SeparatedSystem, gaps, nu, nuprime
 
 __all__ = ["separation_laws", "with_laws"]
 
 #: c₁z + c₀ as (c₁, c₀).
-Linear: TypeAlias = tuple[Any, Any]
+Linear: TypeAlias = tuple[sp.Expr, sp.Expr]
 
 #: κ, S, P and their derivatives in τ.
 kappa, total, product = (real_symbol(f"separation_{s}") for s in ("kappa", "S", "P"))
@@ -37,11 +37,11 @@ omega, still = vectors("omega still")
 
 
 def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
-    """The laws `constants`, `direction`, `separation`, `reconstruction` and one per fixed vector.
+    """The laws of a separation: constants, direction, curve, state, fixed vectors.
 
     Parameters
     ----------
-    separable : Separable
+    separable : SeparatedSystem
         Its own `laws` are not looked at.
 
     Returns
@@ -62,10 +62,8 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
         after - clock * Rate(before)
         for before, after in zip(nu.symbols, nuprime.symbols, strict=True)
     ]
-    given = [
-        difference
-        for name, formula in separable.state
-        for difference in _entries(to_components(name - formula))
+    residuals = [
+        difference for name, formula in separable.state for difference in components(name - formula)
     ]
     fixed = [
         Identity(
@@ -77,7 +75,7 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
         )
         for number, vector in enumerate(separable.fixed, 1)
     ]
-    kept = [
+    conservation = [
         Reduction(
             "constants",
             constants,
@@ -87,7 +85,7 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
         )
     ]
     return (
-        *(kept if moving else ()),
+        *(conservation if moving else ()),
         Identity(
             "direction",
             (to_components(norm_squared(nu)) - 1, *turned),
@@ -97,30 +95,26 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
         ),
         Identity(
             "separation",
-            _separated(separable),
+            _separated_equations(separable),
             "separated equations on a curve of genus two",
             {**known, **_symmetric(separable)},
             **common,
         ),
-        Identity("reconstruction", tuple(given), "the state from ν and ν′", known, **common),
+        Identity("reconstruction", tuple(residuals), "the state from ν and ν′", known, **common),
         *fixed,
     )
 
 
 def with_laws(separable: SeparatedSystem) -> SeparatedSystem:
-    """The same with its laws."""
+    """The separable system with its laws."""
     return replace(separable, laws=separation_laws(separable))
 
 
-def _entries(value: Any) -> tuple[Any, ...]:
-    return tuple(value) if isinstance(value, sp.MatrixBase) else (value,)
-
-
-def _rate(vector: Any) -> Any:
+def _rate(vector: Vector) -> sp.MatrixExpr:
     return sp.ImmutableDenseMatrix([Rate(s) for s in vector.symbols])
 
 
-def _symmetric(separable: SeparatedSystem) -> Mapping[sp.Symbol, Any]:
+def _symmetric(separable: SeparatedSystem) -> Mapping[sp.Symbol, sp.Expr]:
     """κ, S, P and their derivatives, from ν and ν′ by interpolation at the poles."""
     poles = separable.poles
     others = [[e for e in poles if e != pole] for pole in poles]
@@ -132,7 +126,7 @@ def _symmetric(separable: SeparatedSystem) -> Mapping[sp.Symbol, Any]:
     here = [c * x**2 for c, x in zip(scales, nu.symbols, strict=True)]
     there = [2 * c * x * y for c, x, y in zip(scales, nu.symbols, nuprime.symbols, strict=True)]
 
-    def against(shares: list[Any], values: list[Any]) -> Any:
+    def against(shares: list[sp.Expr], values: list[sp.Expr]) -> sp.Expr:
         return sp.Add(*(share * value for share, value in zip(shares, values, strict=True)))
 
     return {
@@ -145,7 +139,7 @@ def _symmetric(separable: SeparatedSystem) -> Mapping[sp.Symbol, Any]:
     }
 
 
-def _separated(separable: SeparatedSystem) -> tuple[Any, Any]:
+def _separated_equations(separable: SeparatedSystem) -> tuple[sp.Expr, sp.Expr]:
     """Both coefficients of (S′z − P′)² − (b − a(S − z))² y²(z), modulo z² − Sz + P."""
     a, b = separable.speeds
     moving = (totalprime, -productprime)

@@ -1,4 +1,4 @@
-"""Riemann's theta function of genus two at real arguments, for an imaginary period matrix iY.
+"""Riemann's theta function of genus two at real arguments, period matrix iY.
 
     θ[a, b](v) = Σ exp(−π (m, Ym)) cos 2π(m, v + b),       m ∈ ℤ² + a,
 
@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
 from math import ceil, pi, sqrt
-from typing import Any
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb, arb_mat, ctx
 
+from ...core.arrays import FloatArray
 from ...formulas.balls import number
 
 __all__ = ["Theta"]
@@ -39,22 +39,22 @@ class Theta:
         In units of one half.
     """
 
-    Y: Any
+    Y: arb_mat
     characteristic: Characteristic
 
     @cached_property
-    def _least(self) -> Any:
+    def _least(self) -> arb:
         """A lower bound of the eigenvalues of Y."""
         trace, det = self.Y[0, 0] + self.Y[1, 1], self.Y.det()
         return 2 * det / (trace + (trace**2 - 4 * det).sqrt())
 
-    def terms(self, bits: int) -> tuple[tuple[tuple[int, int], Any], ...]:
+    def terms(self, bits: int) -> tuple[tuple[tuple[int, int], arb], ...]:
         """2m and exp(−π (m, Ym)) for all m that matter at so many bits."""
         # m and −m share one term with twice the weight
         reach = (bits + 10) * 0.6931471805599453 / pi
         size = ceil(sqrt(reach / number(self._least.lower()))) + 1
         a = self.characteristic[0]
-        found = []
+        terms = []
         for m in product(range(-size, size + 1), repeat=2):
             p = (2 * m[0] + a[0], 2 * m[1] + a[1])
             if p < (0, 0):
@@ -62,14 +62,14 @@ class Theta:
             power = self._form(p)
             if number(power) < reach:
                 weight = (-arb.pi() * power).exp()
-                found.append((p, weight if p == (0, 0) else 2 * weight))
-        return tuple(found)
+                terms.append((p, weight if p == (0, 0) else 2 * weight))
+        return tuple(terms)
 
-    def _form(self, p: tuple[int, int]) -> Any:
+    def _form(self, p: tuple[int, int]) -> arb:
         Y = self.Y
         return (p[0] ** 2 * Y[0, 0] + 2 * p[0] * p[1] * Y[0, 1] + p[1] ** 2 * Y[1, 1]) / 4
 
-    def tail(self, bits: int) -> Any:
+    def tail(self, bits: int) -> arb:
         """A bound of the sum of |2πm|^j exp(−π (m, Ym)), j = 0 or 1, over all terms left out.
 
         The terms left out have (m, Ym) ≥ ρ, with ρ the reach of :meth:`terms`.  There
@@ -88,7 +88,7 @@ class Theta:
         line = line * (1 + arb(2) ** -8) / (1 - quarter)
         return (-arb.pi() * reach / 2).exp() * line**2
 
-    def ball(self, v: Sequence[Any], V: Sequence[Any]) -> tuple[Any, Any]:
+    def ball(self, v: Sequence[arb], V: Sequence[arb]) -> tuple[arb, arb]:
         """θ and its derivative along V at v, as balls."""
         value, slope = arb(0), arb(0)
         b = self.characteristic[1]
@@ -103,12 +103,12 @@ class Theta:
         reach = 1 + abs(V[0]) + abs(V[1])
         return value + arb(0, tail), slope + arb(0, tail * reach)
 
-    def arrays(self) -> tuple[Any, Any]:
+    def arrays(self) -> tuple[FloatArray, FloatArray]:
         """2m (terms, 2) and the weights of those terms that matter in double precision."""
         terms = self.terms(60)
         return np.array([p for p, _ in terms], dtype=float), np.array([number(w) for _, w in terms])
 
-    def values(self, v: Any, V: Sequence[float]) -> tuple[Any, Any]:
+    def values(self, v: FloatArray, V: FloatArray) -> tuple[FloatArray, FloatArray]:
         """θ and its derivative along V at v (n, 2), as arrays (n,)."""
         p, weights = self._arrays
         rates = pi * (p @ np.asarray(V, dtype=float))
@@ -122,5 +122,5 @@ class Theta:
         return both[0], both[1]
 
     @cached_property
-    def _arrays(self) -> tuple[Any, Any]:
+    def _arrays(self) -> tuple[FloatArray, FloatArray]:
         return self.arrays()

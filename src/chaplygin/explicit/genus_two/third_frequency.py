@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from flint import arb
 
-from ...formulas.balls import number
+from ...core.arrays import ComplexArray, FloatArray, IntArray
+from .phases import wave_rates
 from .quadrature import Series
 
 __all__ = ["Turning", "turning"]
@@ -28,17 +29,16 @@ class Turning:
         π(k, V) + ω.
     start : array of the same shape, complex
         exp(iπ(k, v₀)).
-    omega : float
     """
 
-    first: Any
-    second: Any
-    coefficients: Any
-    speeds: Any
-    start: Any
+    first: FloatArray | IntArray
+    second: FloatArray | IntArray
+    coefficients: ComplexArray
+    speeds: FloatArray
+    start: ComplexArray
     omega: float
 
-    def at(self, v: Any, tau: Any) -> Any:
+    def values(self, v: FloatArray, tau: FloatArray) -> FloatArray:
         """Values at phases v (n, 2), modulo 2, and τ (n,)."""
         # a term with a small divisor is left as it is: τ sin(x)/x
         slow = np.abs(self.speeds) < 1e-3 * np.max(np.abs(self.speeds), initial=0.0)
@@ -48,7 +48,7 @@ class Turning:
             for axis, k in enumerate((self.first, self.second))
         ]
         there = np.exp(1j * self.omega * tau) * np.einsum("nk,nk->n", waves[0] @ divided, waves[1])
-        value = there.real - np.sum(divided * self.start).real
+        value: FloatArray = there.real - np.sum(divided * self.start).real
         for place in zip(*np.nonzero(slow & (np.abs(self.coefficients) > 0)), strict=True):
             x = self.speeds[place] * tau
             term = self.coefficients[place] * self.start[place] * np.exp(0.5j * x)
@@ -57,13 +57,12 @@ class Turning:
 
 
 def turning(
-    real: Series, imaginary: Series, V: Sequence[Any], v_0: Any, omega: float, phase: float
+    real: Series, imaginary: Series, V: Sequence[arb], v_0: FloatArray, omega: float, phase: float
 ) -> Turning:
     """Integrate Re ((real + i·imaginary) exp(i(ωτ + phase))) along the flow.
 
     Parameters
     ----------
-    real, imaginary : Series
     V : two arb
         Velocity of the phases.
     v_0 : array (2,)
@@ -85,9 +84,5 @@ def turning(
         whole[np.ix_(rows, columns)] += half
         rows, columns = np.searchsorted(first, -part.first), np.searchsorted(second, -part.second)
         whole[np.ix_(rows, columns)] += conjugate
-    k_1, k_2 = np.meshgrid(first, second, indexing="ij")
-    speeds = np.pi * np.array(
-        [number(int(k) * V[0] + int(m) * V[1]) for k, m in zip(k_1.flat, k_2.flat, strict=True)]
-    ).reshape(k_1.shape)
-    start = np.exp(1j * np.pi * (k_1 * v_0[0] + k_2 * v_0[1]))
+    speeds, start = wave_rates(first, second, V, v_0)
     return Turning(first, second, whole * np.exp(1j * phase), speeds + omega, start, omega)

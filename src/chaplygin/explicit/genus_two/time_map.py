@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from flint import arb, ctx
 
+from ...core.arrays import FloatArray
 from ...formulas.balls import array_function, ball_function, components, number
 from .phases import halves, turned
 from .quadrature import Quadrature, quadrature, series
@@ -31,8 +31,8 @@ class TorusPoint:
     tau : array (n,)
     """
 
-    v: Any
-    tau: Any
+    v: FloatArray
+    tau: FloatArray
 
 
 @dataclass(frozen=True)
@@ -52,12 +52,12 @@ class TimeMap:
     """
 
     flow: Quadrature
-    mean: Any
+    mean: arb
     Omega: tuple[tuple[float, float], tuple[float, float]]
-    V: Any
-    v_0: Any
+    V: FloatArray
+    v_0: FloatArray
 
-    def at(self, times: Any) -> TorusPoint:
+    def torus_point(self, times: FloatArray) -> TorusPoint:
         """Phases and τ at the times (n,)."""
         mean_clock = self.flow.mean
         ideal = np.stack([turned(rate, times, 4.0) for rate in self.Omega], axis=1) + self.v_0
@@ -89,7 +89,6 @@ def clock_of(motion: SeparatedMotion, bits: int) -> TimeMap:
 
     Parameters
     ----------
-    motion : Prepared
     bits : int
         Working precision of the frequencies.
     """
@@ -101,10 +100,10 @@ def clock_of(motion: SeparatedMotion, bits: int) -> TimeMap:
     on_arrays = array_function(arguments, rate, steps)
     on_balls = ball_function(arguments, rate, steps)
 
-    def rates(v: Any) -> Any:
+    def rates(v: FloatArray) -> FloatArray:
         direction, turning = torus.values(v)
-        (found,) = on_arrays(*direction, *turning, *rounded)
-        return [np.broadcast_to(found, direction[0].shape)]
+        (values,) = on_arrays(*direction, *turning, *rounded)
+        return np.broadcast_to(values, direction.shape[1:])[None]
 
     v_0 = np.array([number(x) for x in torus.v_0])
     (rough,) = series(rates)

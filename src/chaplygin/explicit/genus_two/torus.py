@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from flint import arb, fmpq
 
+from ...core.arrays import FloatArray
 from ...formulas.balls import number
 from ...formulas.relative_zero import vanishes
 from .curve import Curve
@@ -22,10 +22,10 @@ from .theta import Theta
 
 __all__ = ["Divisor", "InvariantTorus", "divisor_of", "torus"]
 
-#: What a motion may miss of its start, relative to ν and ν′: near separatrices digits are lost.
+#: Distance of a motion from its start, relative to ν and ν′: near separatrices digits are lost.
 _PASSED = fmpq(1, 2**30)
 
-Triple = tuple[Any, Any, Any]
+Triple = tuple[arb, arb, arb]
 
 
 @dataclass(frozen=True)
@@ -37,11 +37,11 @@ class Divisor:
 
 
 def divisor_of(
-    nu: Sequence[Any],
-    nuprime: Sequence[Any],
-    poles: Sequence[Any],
-    weights: Sequence[Any],
-    speeds: Sequence[Any],
+    nu: Sequence[arb],
+    nuprime: Sequence[arb],
+    poles: Sequence[arb],
+    weights: Sequence[arb],
+    speeds: Sequence[arb],
 ) -> Divisor:
     """The two points of the curve at which ν and ν′ stand.
 
@@ -56,13 +56,13 @@ def divisor_of(
     z = ((total - gap) / 2, (total + gap) / 2)
     a, b = speeds
 
-    def height(own: Any, other: Any) -> Any:
+    def height(own: arb, other: arb) -> arb:
         return -(change[0] * own * own + change[1] * own + change[2]) / (kappa * (b - a * other))
 
     return Divisor(z, (height(z[0], z[1]), height(z[1], z[0])))
 
 
-def _through(places: Sequence[Any], heights: Sequence[Any]) -> Triple:
+def _through(places: Sequence[arb], heights: Sequence[arb]) -> Triple:
     """Coefficients of x², x, 1 of the quadratic with given values at three places."""
     result = [arb(0), arb(0), arb(0)]
     for i, height in enumerate(heights):
@@ -80,7 +80,6 @@ class InvariantTorus:
 
     Attributes
     ----------
-    lattice : Lattice
     thetas : tuple of Theta
         One for each component of ν.
     factors : tuple of arb
@@ -100,11 +99,15 @@ class InvariantTorus:
     v_0: Pair
     along: Pair
 
-    def ball(self, v: Sequence[Any]) -> tuple[Triple, Triple]:
-        """ν and ν′ at the phases v, as balls."""
+    def numerators(self, v: Sequence[arb]) -> tuple[list[arb], list[arb]]:
+        """N and N′ at the phases v, as balls."""
         pairs = [theta.ball(v, self.along) for theta in self.thetas]
-        N = [c * pair[0] for c, pair in zip(self.factors, pairs, strict=True)]
-        rate = [c * pair[1] for c, pair in zip(self.factors, pairs, strict=True)]
+        N = [c * value for c, (value, _) in zip(self.factors, pairs, strict=True)]
+        return N, [c * rate for c, (_, rate) in zip(self.factors, pairs, strict=True)]
+
+    def ball(self, v: Sequence[arb]) -> tuple[Triple, Triple]:
+        """ν and ν′ at the phases v, as balls."""
+        N, rate = self.numerators(v)
         square = sum((x * x for x in N), arb(0))
         length = square.sqrt()
         pull = sum((x * r for x, r in zip(N, rate, strict=True)), arb(0)) / square
@@ -114,17 +117,17 @@ class InvariantTorus:
 
     @property
     def turns(self) -> Pair:
-        """How often z₁ and z₂ go around their ovals in a unit of τ."""
+        """The rounds of z₁ and z₂ about their ovals in a unit of τ."""
         return self.lattice.around_ovals(self.V)
 
     @cached_property
-    def _numbers(self) -> tuple[Any, Any]:
+    def _numbers(self) -> tuple[FloatArray, FloatArray]:
         return (
             np.array([number(c) for c in self.factors]),
             np.array([number(x) for x in self.along]),
         )
 
-    def values(self, v: Any) -> tuple[Any, Any]:
+    def values(self, v: FloatArray) -> tuple[FloatArray, FloatArray]:
         """ν and ν′ at phases v (n, 2), as arrays (3, n)."""
         factors, along = self._numbers
         pairs = [theta.values(v, along) for theta in self.thetas]
@@ -138,18 +141,17 @@ class InvariantTorus:
 
 def torus(
     curve: Curve,
-    poles: Sequence[Any],
-    weights: Sequence[Any],
-    speeds: Sequence[Any],
-    nu: Sequence[Any],
-    nuprime: Sequence[Any],
-    along: Sequence[Any] | None = None,
+    poles: Sequence[arb],
+    weights: Sequence[arb],
+    speeds: Sequence[arb],
+    nu: Sequence[arb],
+    nuprime: Sequence[arb],
+    along: Sequence[arb] | None = None,
 ) -> InvariantTorus:
     """The motion through ν, ν′ at τ = 0.
 
     Parameters
     ----------
-    curve : Curve
     poles, weights : three arb each
         See :class:`chaplygin.explicit.genus_two.separation.SeparatedSystem`.
     speeds : two arb
@@ -162,7 +164,7 @@ def torus(
     Raises
     ------
     DegenerateError
-        If the curve cannot be told from one with a double root.
+        If the curve may have a double root, as far as its balls say.
     ArithmeticError
         If ν does not fit the curve.
     """
@@ -173,9 +175,12 @@ def torus(
     turning = V if along is None else periods.normalised((along[0], along[1]))
     v_0 = _phases(
         periods,
-        [_angle(curve, left, z, y) for left, z, y in zip(ovals, start.z, start.y, strict=True)],
+        [
+            _oval_angle(curve, left, z, y)
+            for left, z, y in zip(ovals, start.z, start.y, strict=True)
+        ],
     )
-    places = [_place(curve, pole) for pole in poles]
+    places = [_root_number(curve, pole) for pole in poles]
     halves = periods.halves
     # on the real motion v has the constant imaginary part iYη: it moves the characteristics
     shift = [halves[ovals[0]][1][i] + halves[ovals[1]][1][i] for i in (0, 1)]
@@ -186,7 +191,7 @@ def torus(
     # in the middle of both ovals, ν_i² is known up to a common factor
     quarter = arb.pi() / 2
     middle = _phases(periods, [quarter, quarter])
-    z = [_at(curve, left, quarter) for left in ovals]
+    z = [_abscissa(curve, left, quarter) for left in ovals]
     factors = []
     for theta, pole, weight, own, rate in zip(thetas, poles, weights, nu, nuprime, strict=True):
         square = weight * (pole - z[0]) * (pole - z[1])
@@ -196,7 +201,7 @@ def torus(
         # a component that vanishes shows its sign in its rate
         agrees = value * own > 0 if abs(own) > arb(2) ** -40 else slope * rate > 0
         factors.append(factor if agrees else -factor)
-    made = InvariantTorus(
+    motion = InvariantTorus(
         periods,
         (thetas[0], thetas[1], thetas[2]),
         (factors[0], factors[1], factors[2]),
@@ -204,27 +209,28 @@ def torus(
         v_0,
         turning,
     )
-    for found, given in zip(made.ball(v_0), (nu, nuprime), strict=True):
-        size = sum((abs(x) for x in given), arb(0))
-        for x, y in zip(found, given, strict=True):
+    for computed, expected in zip(motion.ball(v_0), (nu, nuprime), strict=True):
+        size = sum((abs(x) for x in expected), arb(0))
+        for x, y in zip(computed, expected, strict=True):
             if not vanishes(x - y, size, _PASSED):
                 raise ArithmeticError("the closed form does not pass through its start")
-    return made
+    return motion
 
 
-def _place(curve: Curve, pole: Any) -> int:
+def _root_number(curve: Curve, pole: arb) -> int:
     """The number of the root that a pole is."""
     (place,) = [i for i, root in enumerate(curve.roots) if root.overlaps(pole)]
     return place
 
 
-def _at(curve: Curve, left: int, s: Any) -> Any:
+def _abscissa(curve: Curve, left: int, s: arb) -> arb:
     low, high = curve.ends(left)
-    return (low + high) / 2 - (high - low) / 2 * s.cos()
+    abscissa: arb = (low + high) / 2 - (high - low) / 2 * s.cos()
+    return abscissa
 
 
-def _angle(curve: Curve, left: int, z: Any, y: Any) -> Any:
-    """The place s of a point on its oval, from −½π to ³⁄₂π, accurate at the turning points too."""
+def _oval_angle(curve: Curve, left: int, z: arb, y: arb) -> arb:
+    """The angle s of a point on its oval, from −½π to ³⁄₂π."""
     low, high = curve.ends(left)
     half = (high - low) / 2
     others = abs(curve.leading)
@@ -237,7 +243,7 @@ def _angle(curve: Curve, left: int, z: Any, y: Any) -> Any:
     return arb.pi() - arb.atan2(sine, -cosine) if cosine < 0 else arb.atan2(sine, cosine)
 
 
-def _phases(periods: Lattice, angles: Sequence[Any]) -> Pair:
+def _phases(periods: Lattice, angles: Sequence[arb]) -> Pair:
     """The real part of the Abelian image of two points, from the first root."""
     total: Pair = (arb(0), arb(0))
     for left, s in zip(periods.ovals, angles, strict=True):

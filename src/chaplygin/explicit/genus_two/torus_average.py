@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 from flint import arb, arb_mat, ctx
 
@@ -19,12 +18,11 @@ BITS = 128
 _MOST = 70_000
 
 
-def mean(torus: InvariantTorus, function: Callable[..., Any], rough: Series) -> Any | None:
+def mean(torus: InvariantTorus, function: Callable[..., arb], rough: Series) -> arb | None:
     """The mean of a function of ν and ν′ on the torus, to about 30 digits.
 
     Parameters
     ----------
-    torus : Torus
     function : callable
         Six balls, ν and ν′ ↦ a ball.
     rough : Series
@@ -61,11 +59,13 @@ def mean(torus: InvariantTorus, function: Callable[..., Any], rough: Series) -> 
                     *(x * scale for x in N),
                     *((r - pull * x) * scale for r, x in zip(rate, N, strict=True)),
                 )
-        found = total / (sizes[0] * sizes[1])
-        return found + arb(0, abs(found) * arb("1e-28"))
+        average = total / (sizes[0] * sizes[1])
+        return average + arb(0, abs(average) * arb("1e-28"))
 
 
-def _table(theta: Theta, places: Sequence[Any], along: Sequence[Any]) -> tuple[Any, Any]:
+def _table(
+    theta: Theta, places: Sequence[Sequence[arb]], along: Sequence[arb]
+) -> tuple[arb_mat, arb_mat]:
     """θ and its derivative on a grid, by products of matrices."""
     b = theta.characteristic[1]
     terms = theta.terms(BITS)

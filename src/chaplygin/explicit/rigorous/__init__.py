@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from math import ceil, log10
-from typing import Any
 
 from flint import arb, ctx
 
+from ...arguments import Written
+from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...formulas.balls import ball, components, number
 from ..genus_two.separated_motion import SeparatedMotion, chain, separate
@@ -37,11 +38,10 @@ class RigorousMotion:
     ----------
     solution : TorusMotion
         The same motion in double precision.
-    prepared : Prepared
+    prepared : SeparatedMotion
         Constants, curve and torus at the precision that is needed.
     clock : RigorousQuadrature
         ∫ (dt/dτ) dτ.
-    digits : int
     reach : float
         The largest |τ|.
     """
@@ -59,7 +59,7 @@ class RigorousMotion:
 
     @cached_property
     def _pair(self) -> Pair | None:
-        return Pair.of(self.prepared)
+        return Pair.of_motion(self.prepared)
 
     def _turn(self, pair: Pair) -> Turn:
         """The triad at the start."""
@@ -84,15 +84,15 @@ class RigorousMotion:
         if self._pair is None or self._pair.rate is not None:
             return None
         with ctx.workprec(self.clock.bits):
-            found = path_rates(self.prepared, self._pair)
-            if found is None:
+            rates = path_rates(self.prepared, self._pair)
+            if rates is None:
                 return None
             torus = self.prepared.torus
-            return found, quadratures(torus, found.functions, self.digits, self.reach)
+            return rates, quadratures(torus, rates.functions, self.digits, self.reach)
 
-    def _lifted(
-        self, tau: Any, there: tuple[list[Any], list[Any]], rough: Sequence[float]
-    ) -> list[Any]:
+    def _motion_in_space(
+        self, tau: arb, there: tuple[list[arb], list[arb]], rough: FloatArray
+    ) -> list[arb]:
         """Attitude and places; balls of infinite radius where nothing is known."""
         start = self.solution.start[-len(rough) :]
         places = [arb(0, arb("inf")) for _ in start[4:]]
@@ -101,21 +101,21 @@ class RigorousMotion:
         turn = self._turn(self._pair)
         if self._paths is not None:
             rates, integrals = self._paths
-            values = [path.at(tau) for path in integrals]
+            values = [path.integral(tau) for path in integrals]
             moved = [
                 sum((turn.axes[k] * values[i] for i, k in own), arb(0)) for own in rates.shares
             ]
             places = [ball(x) + y for x, y in zip(start[4:], moved, strict=True)]
         if self._angle is not None:
-            turn = turn.turned(self._angle.at(tau))
+            turn = turn.after_rotation(self._angle.integral(tau))
         return turn.quaternion(there, rough) + places
 
-    def reduced(self, tau: Any) -> tuple[list[Any], tuple[list[Any], list[Any]]]:
+    def reduced_state(self, tau: arb) -> tuple[list[arb], tuple[list[arb], list[arb]]]:
         """The reduced state, and ν and ν′, at one τ."""
         there = direction(*numerators_at(self.prepared.torus, tau))
         return self._state.at(*there), there
 
-    def state(self, time: Any) -> tuple[Any, ...]:
+    def state(self, time: Written) -> tuple[arb, ...]:
         """The lifted state at one time, as balls (arb).
 
         The sign of the quaternion, which the attitude leaves open, is that of the evaluation in
@@ -135,19 +135,18 @@ class RigorousMotion:
         with ctx.workprec(self.clock.bits):
             moment = ball(time)
             tau = self.clock.inverse(moment)
-            reduced, there = self.reduced(tau)
+            reduced_state, there = self.reduced_state(tau)
             if self.prepared.separable.system.motion is None:
-                return tuple(reduced)
-            rough = self.solution.states([number(moment)])[0, len(reduced) :]
-            return (*reduced, *self._lifted(tau, there, rough))
+                return tuple(reduced_state)
+            rough = self.solution.states([number(moment)])[0, len(reduced_state) :]
+            return (*reduced_state, *self._motion_in_space(tau, there, rough))
 
 
-def rigorous_motion(solution: TorusMotion, digits: int, until: Any) -> RigorousMotion:
+def rigorous_motion(solution: TorusMotion, digits: int, until: Written) -> RigorousMotion:
     """Prepare a motion for evaluation with error bounds.
 
     Parameters
     ----------
-    solution : TorusMotion
     digits : int
         Decimal places after the point that are wanted.
     until : number
@@ -162,7 +161,7 @@ def rigorous_motion(solution: TorusMotion, digits: int, until: Any) -> RigorousM
     own = solution.prepared
     turns = 10 + 1.1 * _turns(solution, until)
     reach = turns / speed_of(own.torus)
-    start: Sequence[Any] = solution.start[: len(own.separable.system.symbols)]
+    start: Sequence[Written] = solution.start[: len(own.separable.system.symbols)]
     with ctx.workprec(bits_for(digits, turns) + _LOST):
         exact = separate(own.separable, solution.parameters, start)
         rate = components(own.separable.clock)
@@ -171,7 +170,7 @@ def rigorous_motion(solution: TorusMotion, digits: int, until: Any) -> RigorousM
     return RigorousMotion(solution, exact, clock, digits, reach)
 
 
-def _turns(solution: TorusMotion, time: Any) -> float:
+def _turns(solution: TorusMotion, time: Written) -> float:
     """Turns of the phases up to a time."""
     latest = number(ball(time))
     pace = solution.pace
@@ -182,12 +181,11 @@ def _turns(solution: TorusMotion, time: Any) -> float:
     return abs(latest) * pace
 
 
-def rigorous_state(solution: TorusMotion, time: Any, digits: int) -> tuple[Any, ...]:
+def rigorous_state(solution: TorusMotion, time: Written, digits: int) -> tuple[arb, ...]:
     """The lifted state of a motion at one time as balls that contain the exact one.
 
     Parameters
     ----------
-    solution : TorusMotion
     time : float, int, str, Fraction or arb
     digits : int
         Decimal places aimed at; the radii of the balls say what was reached.
@@ -198,24 +196,10 @@ def rigorous_state(solution: TorusMotion, time: Any, digits: int) -> tuple[Any, 
         See :func:`rigorous_motion`.
     """
     steps = ceil(log10(max(_turns(solution, time), 1.0)) / _DECADES)
-    return _ready(_Itself(solution), digits, _DECADES * max(1, steps)).state(time)
-
-
-class _Itself:
-    """A solution, equal to itself alone."""
-
-    def __init__(self, solution: TorusMotion) -> None:
-        self.solution = solution
-
-    def __hash__(self) -> int:
-        return id(self.solution)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Itself) and other.solution is self.solution
+    return _prepared_motion(solution, digits, _DECADES * max(1, steps)).state(time)
 
 
 @lru_cache(maxsize=4)
-def _ready(itself: _Itself, digits: int, decades: int) -> RigorousMotion:
-    """A motion prepared for turns up to a power of ten, kept for the next time asked."""
-    until = 10**decades / itself.solution.pace
-    return rigorous_motion(itself.solution, digits, until)
+def _prepared_motion(solution: TorusMotion, digits: int, decades: int) -> RigorousMotion:
+    """A motion prepared for turns up to a power of ten; the latest are kept."""
+    return rigorous_motion(solution, digits, 10**decades / solution.pace)

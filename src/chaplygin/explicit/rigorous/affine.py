@@ -1,4 +1,4 @@
-"""Numbers on many small boxes of the torus: affine functions of the place, with bounds of the rest.
+"""Affine functions on many small boxes of the torus, with bounds of the remainder.
 
     x(c + δ) = x₀ + x₁δ₁ + x₂δ₂ + ε,      |δ_j| ≤ h_j real,  |ε| ≤ rest,
 
@@ -12,10 +12,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
+from flint import arb
 
+from ...core.arrays import BoolArray, ComplexArray, FloatArray
 from ...formulas.balls import number
 
 __all__ = ["ROUNDING", "Affine"]
@@ -40,28 +41,29 @@ class Affine:
         h₁, h₂.
     """
 
-    middle: Any
-    slopes: Any
-    rest: Any
+    middle: ComplexArray
+    slopes: ComplexArray
+    rest: FloatArray
     half: tuple[float, float]
 
     @cached_property
-    def sway(self) -> Any:
+    def sway(self) -> FloatArray:
         """A bound of |x₁δ₁ + x₂δ₂|."""
-        one, two = np.abs(self.slopes)
-        return (one * self.half[0] + two * self.half[1]) * (1 + ROUNDING)
+        moduli: FloatArray = np.abs(self.slopes)
+        sway: FloatArray = moduli[0] * self.half[0] + moduli[1] * self.half[1]
+        return sway * (1 + ROUNDING)
 
     @cached_property
-    def spread(self) -> Any:
+    def spread(self) -> FloatArray:
         """A bound of |x − x₀|."""
         return (self.sway + self.rest) * (1 + ROUNDING)
 
     @cached_property
-    def size(self) -> Any:
+    def size(self) -> FloatArray:
         """A bound of |x|."""
         return (np.abs(self.middle) + self.spread) * (1 + ROUNDING)
 
-    def __add__(self, other: Any) -> Affine:
+    def __add__(self, other: Affine | arb | float) -> Affine:
         if not isinstance(other, Affine):
             value = number(other)
             slack = ROUNDING * (self.size + abs(value))
@@ -74,7 +76,7 @@ class Affine:
     def __sub__(self, other: Affine) -> Affine:
         return self + other * -1
 
-    def __mul__(self, other: Any) -> Affine:
+    def __mul__(self, other: Affine | arb | float) -> Affine:
         if not isinstance(other, Affine):
             value = number(other)
             rest = abs(value) * (self.rest + ROUNDING * self.size)
@@ -90,19 +92,26 @@ class Affine:
 
     __rmul__ = __mul__
 
-    def clear(self, sign: int = 1) -> Any:
-        """Where x, times a sign, surely avoids (−∞, 0]."""
+    def clear(self, sign: int = 1) -> BoolArray:
+        """The boxes on which x, times a sign, surely avoids (−∞, 0]."""
         room = self.spread + ROUNDING * self.size
         return (self.middle.real * sign > room) | (np.abs(self.middle.imag) > room)
 
-    def _through(self, value: Any, slope: Any, curvature: Any, error: Any, safe: Any) -> Affine:
+    def _through(
+        self,
+        value: ComplexArray,
+        slope: ComplexArray,
+        curvature: FloatArray,
+        error: FloatArray,
+        safe: BoolArray,
+    ) -> Affine:
         """f(x) from f(x₀), f′(x₀), a bound of ½|f″| on the disc of x, and the error of f(x₀)."""
         rest = np.abs(slope) * self.rest + curvature * self.spread**2 + error
         rest = rest * (1 + ROUNDING) + ROUNDING * (np.abs(value) + np.abs(slope) * self.spread)
         return Affine(value, slope * self.slopes, np.where(safe, rest, np.inf), self.half)
 
     @property
-    def _least(self) -> Any:
+    def _least(self) -> FloatArray:
         """A lower bound of |x|."""
         return np.abs(self.middle) * (1 - ROUNDING) - self.spread
 
@@ -115,7 +124,7 @@ class Affine:
 
     def sqrt(self) -> Affine:
         """The principal root, where x is clear."""
-        value = np.sqrt(self.middle)
+        value: ComplexArray = np.sqrt(self.middle)
         miss = np.abs(value * value - self.middle) + ROUNDING * np.abs(self.middle)
         error = miss / np.abs(value)
         slope, curvature = 0.5 / value, 0.125 * self._least**-1.5

@@ -18,7 +18,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import ceil, log, pi, sqrt
-from typing import Any
 
 from flint import acb, acb_mat, arb, ctx, fmpq
 
@@ -38,7 +37,7 @@ _SLOW = 2.0**-20
 
 
 def speed_of(torus: InvariantTorus) -> float:
-    """How fast the phases grow with τ, in turns."""
+    """The rate at which the phases grow with τ, in turns."""
     return abs(number(torus.V[0])) + abs(number(torus.V[1]))
 
 
@@ -53,8 +52,6 @@ class RigorousQuadrature:
 
     Attributes
     ----------
-    torus : Torus
-    branch : Branch
     place : int
         Which of the formulas of `branch` is f.
     periods : two of 1, 2
@@ -74,8 +71,8 @@ class RigorousQuadrature:
     place: int
     periods: tuple[int, int]
     shift: tuple[int, int]
-    coefficients: Any
-    doubt: Any
+    coefficients: acb_mat
+    doubt: arb
     bits: int
 
     @property
@@ -83,28 +80,29 @@ class RigorousQuadrature:
         return (self.coefficients.nrows() - 1) // 2, (self.coefficients.ncols() - 1) // 2
 
     @property
-    def mean(self) -> Any:
+    def mean(self) -> arb:
         """The mean of f on the torus (arb)."""
         with ctx.workprec(self.bits):
             return self._level + arb(0, self.doubt)
 
     @property
-    def _level(self) -> Any:
+    def _level(self) -> arb:
         one, two = self._reach
         return arb(0) if any(self.shift) else self.coefficients[one, two].real
 
-    def rate(self, tau: Any) -> Any:
+    def rate(self, tau: arb) -> arb:
         """f at one τ (arb), from its formula."""
         with ctx.workprec(self.bits):
-            return self.branch.at(*direction(*numerators_at(self.torus, tau)))[self.place]
+            values: list[arb] = self.branch.at(*direction(*numerators_at(self.torus, tau)))
+            return values[self.place]
 
-    def _numbers(self, axis: int) -> list[Any]:
+    def _numbers(self, axis: int) -> list[fmpq]:
         """The wave numbers in one phase."""
         reach, shift = self._reach[axis], self.shift[axis]
         return [fmpq(2 * k + shift, 2 * self.periods[axis]) for k in range(-reach, reach + 1)]
 
     @cached_property
-    def _divided(self) -> tuple[Any, list[tuple[Any, Any]]]:
+    def _integrated_terms(self) -> tuple[acb_mat, list[tuple[acb, arb]]]:
         """g_κ/(2πi κ·V) as a matrix, and the slow terms (g_κ exp(2πi κ·v₀), π κ·V)."""
         V, v_0 = self.torus.V, self.torus.v_0
         limit = _SLOW * speed_of(self.torus)
@@ -124,54 +122,45 @@ class RigorousQuadrature:
             rows.append(row)
         return acb_mat(rows), slow
 
-    def _waved(self, tau: Any) -> Any:
+    def _wave_sum(self, tau: arb) -> arb:
         """Σ g_κ/(2πi κ·V) exp(2πi κ·v) at v = v₀ + Vτ."""
         v = [start + speed * tau for start, speed in zip(self.torus.v_0, self.torus.V, strict=True)]
         left, right = (
             [acb(2 * kappa * x).exp_pi_i() for kappa in self._numbers(axis)]
             for axis, x in enumerate(v)
         )
-        table, _ = self._divided
+        table, _ = self._integrated_terms
         return (acb_mat([left]) * table * acb_mat([[x] for x in right]))[0, 0].real
 
     @cached_property
-    def _origin(self) -> Any:
-        return self._waved(arb(0))
+    def _origin(self) -> arb:
+        return self._wave_sum(arb(0))
 
-    def at(self, tau: Any) -> Any:
-        """The integral from 0 to τ, as a ball that contains it.
-
-        Parameters
-        ----------
-        tau : number or arb
-        """
+    def integral(self, tau: arb | float) -> arb:
+        """The integral from 0 to τ, as a ball that contains it."""
         with ctx.workprec(self.bits):
             tau = arb(tau)
-            total = self._level * tau + self._waved(tau) - self._origin
-            for g, speed in self._divided[1]:
+            total = self._level * tau + self._wave_sum(tau) - self._origin
+            for g, speed in self._integrated_terms[1]:
                 x = speed * tau
                 total += (g * tau * acb(0, x).exp() * x.sinc()).real
             return total + arb(0, (self.doubt * abs(tau)).upper())
 
     @cached_property
-    def _least(self) -> Any:
+    def _least(self) -> float:
         return least(self.torus, self.branch, self.periods)
 
-    def inverse(self, value: Any) -> Any:
+    def inverse(self, value: arb | float) -> arb:
         """The τ at which the integral of a positive f has a given value, as a ball.
 
-        The middle is found by Newton's method; the radius is |at(middle) − value|/min f, which
-        bounds the distance to the root by the mean value theorem.
-
-        Parameters
-        ----------
-        value : number or arb
+        The middle is found by Newton's method; the radius |integral(middle) − value|/min f
+        bounds the distance to the root, by the mean value theorem.
         """
         with ctx.workprec(self.bits):
             value, small = arb(value), self._least
             tau = (value / self.mean).mid()
             goal = (arb(2) ** (30 - self.bits)) * (1 / arb(speed_of(self.torus)) + abs(tau))
-            miss = self.at(tau) - value
+            miss = self.integral(tau) - value
             for _ in range(100):
                 step = (miss.mid() / self.rate(tau)).mid()
                 if abs(step) < goal:
@@ -179,7 +168,7 @@ class RigorousQuadrature:
                 # too long a step is halved: the integral grows with τ, so that it gets better
                 while True:
                     following = (tau - step).mid()
-                    left = self.at(following) - value
+                    left = self.integral(following) - value
                     if abs(left.mid()) < abs(miss.mid()) or abs(step) < goal:
                         break
                     step = (step / 2).mid()
@@ -187,7 +176,7 @@ class RigorousQuadrature:
             return tau + arb(0, (abs(miss) / small).upper())
 
 
-def _sums(half: float, period: int, reach: int) -> tuple[Any, Any]:
+def _sums(half: float, period: int, reach: int) -> tuple[arb, arb]:
     """Bounds of Σ exp(−2πr|κ|) over the wave numbers beyond k = ±reach, and over all."""
     q = (-2 * arb.pi() * arb(half) / period).exp()
     return 2 * q**reach * q.sqrt() / (1 - q), 2 / (1 - q)
@@ -217,9 +206,8 @@ def quadratures(
 
     Parameters
     ----------
-    torus : Torus
+    torus : InvariantTorus
         Known to `bits_for` so many digits and turns, and some more.
-    branch : Branch
     digits : int
         Digits that are wanted of what a formula gains in a turn of the phases.
     reach : float
@@ -259,7 +247,7 @@ def quadratures(
                 place,
                 periods,
                 shift,
-                _transformed([value[place] for value in values], lines, shift),
+                _fourier_coefficients([value[place] for value in values], lines, shift),
                 (2 * arb(bound) * outside).upper(),
                 bits,
             )
@@ -267,7 +255,9 @@ def quadratures(
         )
 
 
-def _transformed(values: Sequence[Any], lines: tuple[Line, Line], shift: Sequence[int]) -> Any:
+def _fourier_coefficients(
+    values: Sequence[arb], lines: tuple[Line, Line], shift: Sequence[int]
+) -> acb_mat:
     """Fourier coefficients of values on a grid, lowest wave numbers first."""
     n, m = lines[0].count, lines[1].count
     turns = [

@@ -4,26 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TypeVar
 
-import numpy as np
 import sympy as sp
 from flint import arb, arb_mat
 
+from ...core.arrays import FloatArray
 from ...core.vectors import real_symbol
 from ...formulas.balls import components
 from ...mechanics.rolling.attitude import attitude
-from ..genus_two.attitude_one_axis import farthest, references, spinning, turned
-from ..genus_two.reconstruction import on_arrays, place_rates
+from ..genus_two.attitude_one_axis import rotated_triad
+from ..genus_two.reconstruction import place_rates, spinning_pair
 from ..genus_two.separated_motion import SeparatedMotion, chain
 from .branch_formula import Branch
 
-__all__ = ["Pair", "PathRates", "Turn", "path_rates"]
+__all__ = ["Pair", "PathRates", "Turn", "path_rates", "quaternion_products"]
 
-#: Points per phase at which the directions of two vectors are compared.
-_COARSE = 24
 _AXES = sp.Matrix(3, 3, lambda k, s: real_symbol(f"axis_{k + 1}{s + 1}"))
 _TRIAD = sp.Matrix(3, 3, lambda k, b: real_symbol(f"triad_{k + 1}{b + 1}"))
+
+
+Number = TypeVar("Number", arb, sp.Expr)
 
 
 @dataclass(frozen=True)
@@ -38,25 +39,17 @@ class Pair:
         At which the second turns about the first, in t; None where it is fixed too.
     """
 
-    first: Any
-    second: Any
-    rate: Any
+    first: sp.MatrixExpr
+    second: sp.MatrixExpr
+    rate: sp.Expr | None
 
     @classmethod
-    def of(cls, prepared: SeparatedMotion) -> Pair | None:
+    def of_motion(cls, prepared: SeparatedMotion) -> Pair | None:
         """Two fixed vectors, or one and another that stays away from it; None if none is fixed."""
-        separable, torus = prepared.separable, prepared.torus
-        if not separable.fixed:
+        fixed = prepared.separable.fixed
+        if not fixed:
             return None
-        first, *others = separable.fixed
-        if others:
-            return cls(first, others[0], None)
-        choice = references(separable)
-        parts = [c for vector in (first, *(e.vector for e in choice)) for c in components(vector)]
-        places = 2.0 * np.indices((_COARSE, _COARSE)).reshape(2, -1).T / _COARSE
-        values = on_arrays(prepared, parts)(*torus.values(places)).reshape(-1, 3, _COARSE**2)
-        best = choice[farthest(values[0], list(values[1:]))]
-        return cls(first, best.vector, spinning(separable, best))
+        return cls(fixed[0], fixed[1], None) if len(fixed) > 1 else cls(*spinning_pair(prepared))
 
     def turning(self, prepared: SeparatedMotion) -> Branch:
         """The rate in τ, as a function of ν and ν′."""
@@ -77,13 +70,17 @@ class Turn:
     """
 
     body: Branch
-    axes: Any
+    axes: arb_mat
 
     @classmethod
     def through(
-        cls, prepared: SeparatedMotion, pair: Pair, there: Sequence[Any], quaternion: Sequence[Any]
+        cls,
+        prepared: SeparatedMotion,
+        pair: Pair,
+        there: Sequence[Sequence[arb]],
+        quaternion: Sequence[arb],
     ) -> Turn:
-        """From ν and ν′ and the attitude (w, x, y, z, body to space) at the start."""
+        """The triad of a start with ν, ν′ and the attitude (w, x, y, z, body to space)."""
         formulas = list(_triad(pair.first, pair.second))
         _, steps = chain(prepared.separable, formulas)
         body = Branch(formulas, prepared.values, steps)
@@ -91,25 +88,25 @@ class Turn:
         length = sum((x * x for x in quaternion), arb(0)).sqrt()
         return cls(body, rows * _matrix([x / length for x in quaternion]).transpose())
 
-    def turned(self, angle: Any) -> Turn:
+    def after_rotation(self, angle: arb) -> Turn:
         """The triad turned in space by an angle (arb) about its first vector."""
-        rows = turned(self.axes.table(), angle.cos(), angle.sin())
+        rows = rotated_triad(self.axes.table(), angle.cos(), angle.sin())
         return Turn(self.body, arb_mat([list(row) for row in rows]))
 
-    def matrix(self, there: Sequence[Any]) -> Any:
+    def matrix(self, there: Sequence[Sequence[arb]]) -> arb_mat:
         """The matrix from body to space components (arb_mat), at ν and ν′."""
         return self.axes.transpose() * arb_mat(3, 3, self.body.at(*there))
 
-    def quaternion(self, there: Sequence[Any], rough: Sequence[float]) -> list[Any]:
+    def quaternion(self, there: Sequence[Sequence[arb]], rough: FloatArray) -> list[arb]:
         """The quaternion (w, x, y, z) at ν and ν′, next to a rough one."""
-        squares = _products(self.matrix(there).table())
+        squares = [[x / 4 for x in row] for row in quaternion_products(self.matrix(there).table())]
         # the largest component is safe to divide by
         place = max(range(4), key=lambda i: abs(rough[i]))
         largest = squares[place][place].sqrt() * (1 if rough[place] > 0 else -1)
         return [squares[place][i] / largest if i != place else largest for i in range(4)]
 
 
-def _triad(first: Any, second: Any) -> Any:
+def _triad(first: sp.MatrixExpr, second: sp.MatrixExpr) -> sp.MatrixExpr:
     """Orthonormal: along the first vector, the part of the second across it, and across both."""
     along, other = (sp.Matrix(components(vector)) for vector in (first, second))
     normal = along.cross(other)
@@ -117,7 +114,7 @@ def _triad(first: Any, second: Any) -> Any:
     return sp.Matrix([one.T, three.cross(one).T, three.T])
 
 
-def _matrix(q: Sequence[Any]) -> Any:
+def _matrix(q: Sequence[arb]) -> arb_mat:
     """Body to space, of a unit quaternion."""
     w, x, y, z = q
     return arb_mat(
@@ -129,21 +126,20 @@ def _matrix(q: Sequence[Any]) -> Any:
     )
 
 
-def _products(R: Any) -> list[list[Any]]:
-    """q_i q_j of the quaternion of a rotation matrix (nested rows; numbers or formulas)."""
+def quaternion_products(R: Sequence[Sequence[Number]]) -> list[list[Number]]:
+    """4 q_i q_j of the quaternion of a rotation matrix (rows of balls or of formulas)."""
     (a, b, c), (d, e, f), (g, h, i) = R
-    four = [
+    return [
         [1 + a + e + i, h - f, c - g, d - b],
         [h - f, 1 + a - e - i, b + d, c + g],
         [c - g, b + d, 1 - a + e - i, f + h],
         [d - b, c + g, f + h, 1 - a - e + i],
     ]
-    return [[x / 4 for x in row] for row in four]
 
 
 @dataclass(frozen=True)
 class PathRates:
-    """Rates of coordinates in space, in τ: sums of functions on the torus times components of axes.
+    """Rates of coordinates in space, in τ: functions on the torus times axes.
 
     Attributes
     ----------
@@ -168,15 +164,15 @@ def path_rates(prepared: SeparatedMotion, pair: Pair) -> PathRates | None:
     rates = place_rates(prepared.separable)
     if not rates:
         return None
-    products = _products((_AXES.T * _TRIAD).tolist())
+    products = quaternion_products((_AXES.T * _TRIAD).tolist())
     clock = components(prepared.separable.clock)[0]
-    functions: list[Any] = []
+    functions: list[sp.Expr] = []
     shares = []
     for rate in rates:
         total = sp.S.Zero
         for powers, coefficient in sp.Poly(rate, *names).terms():
             both = [i for i, power in enumerate(powers) for _ in range(power)]
-            total += coefficient * (products[both[0]][both[1]] if both else 1)
+            total += coefficient * (products[both[0]][both[1]] / 4 if both else 1)
         linear = sp.Poly(total, *_AXES)
         own = []
         for place, axis in enumerate(_AXES):

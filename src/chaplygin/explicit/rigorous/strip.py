@@ -1,4 +1,4 @@
-"""How far functions on a torus continue to complex phases, and how large they are there.
+"""Strips of complex phases to which functions on a torus continue, with bounds.
 
 A function f analytic for |Im v_j| ≤ r_j is, by the maximum principle, at most as large there as on
 the four tori Im v = (±r₁, ±r₂), and so its Fourier coefficients on (R/pZ)² obey
@@ -33,7 +33,7 @@ _CLOSE = "start: too close to a separatrix for error bounds"
 
 @dataclass(frozen=True)
 class Strip:
-    """Where formulas are analytic.
+    """A strip of complex phases on which formulas are analytic.
 
     Attributes
     ----------
@@ -97,7 +97,6 @@ def strip_bound(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -
 
     Parameters
     ----------
-    torus : Torus
     branch : Branch
         Its signs learned.
     periods : two of 1, 2
@@ -109,7 +108,7 @@ def strip_bound(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -
         If there is none of reasonable width: the motion is next to a separatrix.
     """
 
-    def proven(half: tuple[float, float]) -> bool:
+    def is_proven(half: tuple[float, float]) -> bool:
         return _holds(torus, branch, half, periods, boxes)
 
     with ctx.workprec(BITS):
@@ -120,11 +119,11 @@ def strip_bound(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -
         low, high = _NARROWEST, _WIDEST
         while high / low > 1.1:
             middle = (low * high) ** 0.5
-            low, high = (middle, high) if proven((middle, middle)) else (low, middle)
+            low, high = (middle, high) if is_proven((middle, middle)) else (low, middle)
         half = (low, low)
         for stretch in (1.6, 1.6, 1.25, 1.25):
             for wider in ((half[0] * stretch, half[1]), (half[0], half[1] * stretch)):
-                half = wider if max(wider) < _WIDEST and proven(wider) else half
+                half = wider if max(wider) < _WIDEST and is_proven(wider) else half
         real = _values(torus, branch, (0.0, 0.0), periods, boxes)
         sizes = (float(np.abs(value.middle).max()) for value in real)
         bounds = _bounds(torus, branch, half, periods, boxes)

@@ -13,11 +13,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from flint import acb, acb_mat, arb, ctx, fmpq
 
+from ...core.arrays import ComplexArray
 from ...formulas.balls import number
 from ..genus_two.torus import InvariantTorus
 from .affine import ROUNDING, Affine
@@ -33,11 +33,11 @@ _ORDER = 3
 class Line:
     """The numbers first + k·step, k = 0, …, count − 1, on one coordinate of the torus."""
 
-    first: Any
-    step: Any
+    first: arb
+    step: arb
     count: int
 
-    def __getitem__(self, k: int) -> Any:
+    def __getitem__(self, k: int) -> arb:
         return self.first + k * self.step
 
 
@@ -47,20 +47,19 @@ class _Sum:
 
     Attributes
     ----------
-    indices : list of fmpq
     outside, everything : arb
         Bounds of Σ (1 + 2π|m|)³ exp(−πμm² + 2π|y m|) over the other indices, and over all.
     """
 
-    indices: list[Any]
-    outside: Any
-    everything: Any
+    indices: list[fmpq]
+    outside: arb
+    everything: arb
 
     @classmethod
-    def over(cls, decay: Any, height: Any, half: int) -> _Sum:
+    def over(cls, decay: arb, height: arb, half: int) -> _Sum:
         """Enough of Z + half/2 for the working precision."""
 
-        def term(index: Any) -> Any:
+        def term(index: fmpq) -> arb:
             m = arb(index)
             return (1 + 2 * arb.pi() * m) ** _ORDER * (
                 -arb.pi() * m * (decay * m - 2 * abs(height))
@@ -87,12 +86,11 @@ class Numerators:
 
     Parameters
     ----------
-    torus : Torus
     heights : two numbers
         y.
     """
 
-    def __init__(self, torus: InvariantTorus, heights: Sequence[Any]) -> None:
+    def __init__(self, torus: InvariantTorus, heights: Sequence[float]) -> None:
         self._torus = torus
         self._y = tuple(arb(y) for y in heights)
         Y = torus.lattice.Y
@@ -103,18 +101,18 @@ class Numerators:
             for theta in torus.thetas
         ]
 
-    def _left_out(self, i: int) -> Any:
+    def _left_out(self, i: int) -> arb:
         """A bound of all terms of N_i left out, times (1 + 2π|m₁|)³(1 + 2π|m₂|)³."""
         one, two = self._sums[i]
         both = one.outside * two.everything + one.everything * two.outside
         return (abs(self._torus.factors[i]) * both).upper()
 
-    def _amplitudes(self, i: int) -> list[list[Any]]:
+    def _amplitudes(self, i: int) -> list[list[arb]]:
         """c_i exp(−π mᵀY m − 2π m·y) for all m that are summed."""
         Y, (y_1, y_2) = self._torus.lattice.Y, self._y
         rows, columns = (part.indices for part in self._sums[i])
 
-        def amplitude(m: Any, n: Any) -> Any:
+        def amplitude(m: fmpq, n: fmpq) -> arb:
             form = Y[0, 0] * m * m + 2 * Y[0, 1] * m * n + Y[1, 1] * n * n
             return self._torus.factors[i] * (-arb.pi() * (form + 2 * (m * y_1 + n * y_2))).exp()
 
@@ -122,7 +120,7 @@ class Numerators:
 
     def _tables(
         self, i: int, lines: Sequence[Line], degrees: Sequence[tuple[int, int]]
-    ) -> list[list[Any]]:
+    ) -> list[list[acb]]:
         """∂₁^p ∂₂^q N_i for (p, q) in `degrees`, as entries of the grid, row by row."""
         rows, columns = (part.indices for part in self._sums[i])
         shift = self._torus.thetas[i].characteristic[1]
@@ -143,7 +141,7 @@ class Numerators:
             tables.append([x + acb(doubt, doubt) for x in grid.entries()])
         return tables
 
-    def real(self, lines: Sequence[Line]) -> list[tuple[list[Any], list[Any]]]:
+    def real(self, lines: Sequence[Line]) -> list[tuple[list[arb], list[arb]]]:
         """N and N′ (arb) at every point of a grid of the real torus, row by row."""
         W = self._torus.along
         values, rates = [], []
@@ -165,15 +163,15 @@ class Numerators:
             rests = [float(r) for r in self._rests(i, half)]
             faults = (bound, bound * (abs(W_1) + abs(W_2)))
             plain, turned = (
-                np.full(x.shape, rest * (1 + ROUNDING) + fault)
-                for rest, fault in zip(rests, faults, strict=True)
+                np.full(x.shape, remainder * (1 + ROUNDING) + fault)
+                for remainder, fault in zip(rests, faults, strict=True)
             )
             N.append(Affine(x, np.array([x_1, x_2]), plain, half))
             slopes = np.array([W_1 * x_11 + W_2 * x_12, W_1 * x_12 + W_2 * x_22])
             rate.append(Affine(W_1 * x_1 + W_2 * x_2, slopes, turned, half))
         return N, rate
 
-    def _doubles(self, i: int, lines: Sequence[Line]) -> tuple[list[Any], float]:
+    def _doubles(self, i: int, lines: Sequence[Line]) -> tuple[list[ComplexArray], float]:
         """All derivatives up to the second on a grid in doubles, and a bound of their errors.
 
         The waves are of modulus 1, so that the error of a sum of n products is at most
@@ -194,7 +192,7 @@ class Numerators:
             tables.append((left @ terms @ right).ravel())
         return tables, 1e-12 * largest + 4 * float(self._left_out(i))
 
-    def _rests(self, i: int, half: Sequence[Any]) -> tuple[Any, Any]:
+    def _rests(self, i: int, half: Sequence[float]) -> tuple[arb, arb]:
         """Bounds of ½ Σ |term| (2π(|m₁|h₁ + |m₂|h₂))², for N_i and for its derivative N_i′."""
         W = self._torus.along
         left_out = self._left_out(i)
@@ -209,24 +207,23 @@ class Numerators:
         return plain.upper(), turned.upper()
 
 
-def _array(matrix: Any) -> Any:
+def _array(matrix: acb_mat) -> ComplexArray:
     return np.array([[complex(x) for x in row] for row in matrix.tolist()])
 
 
-def _waves(places: Line, indices: Sequence[Any], shift: int) -> Any:
+def _waves(places: Line, indices: Sequence[fmpq], shift: int) -> acb_mat:
     """exp(2πi m (x + shift/2)): a row for every place x, a column for every index m."""
     twice = [2 * places[k] + shift for k in range(places.count)]
     return acb_mat([[acb(x * m).exp_pi_i() for m in indices] for x in twice])
 
 
-def _by_point(values: list[list[Any]], rates: list[list[Any]]) -> list[tuple[list[Any], list[Any]]]:
+def _by_point(values: list[list[arb]], rates: list[list[arb]]) -> list[tuple[list[arb], list[arb]]]:
     points = zip(zip(*values, strict=True), zip(*rates, strict=True), strict=True)
     return [(list(value), list(rate)) for value, rate in points]
 
 
-def numerators_at(torus: InvariantTorus, tau: Any) -> tuple[list[Any], list[Any]]:
+def numerators_at(torus: InvariantTorus, tau: arb) -> tuple[list[arb], list[arb]]:
     """N and N′ at one τ (arb)."""
-    v = [start + speed * tau for start, speed in zip(torus.v_0, torus.V, strict=True)]
-    pairs = [theta.ball(v, torus.along) for theta in torus.thetas]
-    N = [c * value for c, (value, _) in zip(torus.factors, pairs, strict=True)]
-    return N, [c * rate for c, (_, rate) in zip(torus.factors, pairs, strict=True)]
+    return torus.numerators(
+        [start + speed * tau for start, speed in zip(torus.v_0, torus.V, strict=True)]
+    )

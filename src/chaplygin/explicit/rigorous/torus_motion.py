@@ -1,12 +1,14 @@
-"""What bounds need to know of a motion on a torus."""
+"""The properties of a motion on a torus that bounds need."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, Protocol
+from typing import Protocol
 
 import sympy as sp
 
+from ...arguments import Numbers, Written
+from ...core.arrays import FloatArray
 from ..genus_two.separated_motion import SeparatedMotion
 
 __all__ = ["TorusMotion"]
@@ -20,20 +22,22 @@ class TorusMotion(Protocol):
         """Constants, curve and torus."""
 
     @property
-    def parameters(self) -> Mapping[sp.Symbol, Any]:
+    def parameters(self) -> Mapping[sp.Symbol, Written]:
         """Values of the parameters."""
 
     @property
-    def start(self) -> tuple[Any, ...]:
+    def start(self) -> tuple[Written, ...]:
         """The lifted state at t = 0, as given."""
 
     @property
     def pace(self) -> float:
-        """How fast the phases grow with time, in turns."""
+        """The rate at which the phases grow with time, in turns."""
 
     @property
     def left_open(self) -> str:
-        """What of the state has no bounds, and why; or nothing."""
+        """A sentence on the part of the state that has no bounds; or ""."""
 
-    def states(self, times: Any) -> Any:
+    def states(self, times: Numbers) -> FloatArray:
         """Lifted states (n, size) at `times` (n,), in double precision."""
+
+    def __hash__(self) -> int: ...

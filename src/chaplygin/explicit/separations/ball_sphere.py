@@ -1,4 +1,4 @@
-"""The hollow ball around a sphere of half its radius, k = −1, without slipping: separated (§8.3).
+"""The hollow ball around a sphere of half its radius, k = −1, separated (§8.3).
 
 I is the tensor about the centre, d = mR², J = I + d, I_Q = J − d n⊗n with the normal n of the
 sphere.  The tensor of the linear integral (AM, n) has A_i = ½T − I_i with T = ΣI + d; for a rigid
@@ -30,8 +30,8 @@ of the separated system itself.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
@@ -39,8 +39,7 @@ from ...catalogue import from_catalogue
 from ...catalogue.ball_on_sphere import ball_on_sphere_equations
 from ...core.system import System
 from ...core.vectors import Vector, constant, cross, dot, norm_squared, real_symbol, vectors
-from ..genus_two.poles import gaps
-from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import separation_laws
 
 __all__ = ["hollow_ball", "of_tensor"]
@@ -49,14 +48,14 @@ M, omega, gamma = vectors("M omega gamma")
 h, f = real_symbol("h"), real_symbol("f")
 
 
-def _tensor(entries: Any) -> sp.ImmutableDenseMatrix:
+def _tensor(entries: Iterable[sp.Expr]) -> sp.ImmutableDenseMatrix:
     return constant(sp.diag(*entries))
 
 
 def _roots(
     half: sp.Expr, d: sp.Expr, A: tuple[sp.Expr, ...]
 ) -> tuple[sp.Expr, tuple[sp.Expr, ...]]:
-    """The leading coefficient of p L (2hzL − fQ), and the roots of L (2hzL − fQ); `half` is ½T."""
+    """The leading coefficient and the roots of L (2hzL − fQ); `half` is ½T."""
     first, second, third = A
     e_2, e_3 = first * second + second * third + third * first, first * second * third
     # 2hzL − fQ = top z² + middle z + last
@@ -68,7 +67,7 @@ def _roots(
     return e_2 * top, (half - e_3 / e_2, *ends)
 
 
-def _around(
+def _separation(
     name: str,
     system: System,
     normal: Vector,
@@ -87,14 +86,14 @@ def _around(
         """(det I_Q)^(1/2)."""
         return sp.sqrt(J.det() * (1 - d * dot(n, inverse * n)))
 
-    def drawn(vector: Any) -> Any:
+    def drawn(vector: sp.MatrixExpr) -> sp.MatrixExpr:
         """I_Q u at n = ν."""
         return J * vector - d * dot(nu, vector) * nu
 
     crossed = drawn(A * nu)
     turning = cross(crossed, nuprime) / (dot(nu, crossed) * clock(nu))
     leading, roots = _roots(T / 2, d, lever)
-    made = SeparatedSystem(
+    separable = SeparatedSystem(
         name=name,
         title="Hollow ball around a sphere of half its radius, at zero linear integral",
         system=system,
@@ -116,7 +115,7 @@ def _around(
         source="§8.3, (8.1)–(8.4)",
     )
     return replace(
-        made, laws=tuple(law for law in separation_laws(made) if law.name != "separation")
+        separable, laws=tuple(law for law in separation_laws(separable) if law.name != "separation")
     )
 
 
@@ -126,7 +125,7 @@ def of_tensor() -> SeparatedSystem:
     A = ball_on_sphere_equations.A.symbols
     # tr A = ½T + d
     inertia = tuple(sp.Add(*A) - d - a for a in A)
-    return _around(
+    return _separation(
         "ball-around-sphere-zero-area",
         ball_on_sphere_equations.vanishing_area(),
         ball_on_sphere_equations.n,
@@ -144,10 +143,10 @@ def hollow_ball(system: System | None = None) -> SeparatedSystem:
     system : System, optional
         A ball around a sphere with the names of the catalogue's, which is the default.
     """
-    made = from_catalogue("ball-around-sphere") if system is None else system
+    ball = from_catalogue("ball-around-sphere") if system is None else system
     m, R, a = (real_symbol(s) for s in ("m", "R", "a"))
     inertia = tuple(real_symbol(f"I_{i}") for i in (1, 2, 3))
     d = m * R**2
     lever = _tensor((sp.Add(*inertia) + d) / 2 - moment for moment in inertia)
     level = (R - 2 * a, dot(lever * M, gamma))
-    return _around("ball-around-sphere", made, gamma, inertia, d, level)
+    return _separation("ball-around-sphere", ball, gamma, inertia, d, level)

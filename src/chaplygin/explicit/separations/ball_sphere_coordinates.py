@@ -30,7 +30,7 @@ def in_coordinates(of: SeparatedSystem) -> System:
 
     Parameters
     ----------
-    of : Separable
+    of : SeparatedSystem
         Of the ball by its tensor A and d; h and f stand for any numbers here.
 
     Returns
@@ -64,7 +64,7 @@ def _direction(of: SeparatedSystem) -> Identity:
 
 
 def _curve(of: SeparatedSystem) -> Identity:
-    """What drives one coordinate is y² of its curve, and so for the other."""
+    """The law that y² of the curve drives each coordinate."""
     a, b = of.speeds
     differences = []
     for here, there in (instant.u, instant.u[::-1]):

@@ -16,7 +16,7 @@ moves as the Veselova system, with J for I and U = ½K(γ, Jγ) − ½KD.
 
 from __future__ import annotations
 
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 
@@ -26,8 +26,7 @@ from ...catalogue.chaplygin_ball.chaplygin_bracket import D
 from ...catalogue.fixed_point import veselova
 from ...core.system import System
 from ...core.vectors import constant, cross, dot, real_symbol, vectors
-from ..genus_two.poles import gaps
-from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 from .neumann import quadratic
 
@@ -52,7 +51,7 @@ h, F = real_symbol("h"), real_symbol("F")
 ROLLING = (I.symbols[0] + D, I.symbols[1] + D, I.symbols[2] + D)
 
 
-def diagonal(entries: Tensor) -> Any:
+def diagonal(entries: Tensor) -> sp.MatrixExpr:
     """The matrix with these entries on its diagonal."""
     return constant(sp.diag(*entries))
 

@@ -79,12 +79,12 @@ def chaplygin_ball_in_bruns_field() -> SeparatedSystem:
         fixed=(gamma,),
         source="Remark 20",
     )
-    kept = tuple(law for law in separation_laws(separable) if law.name != "separation")
-    return replace(separable, laws=(*kept, *_separation(separable)))
+    laws = tuple(law for law in separation_laws(separable) if law.name != "separation")
+    return replace(separable, laws=(*laws, *_separation(separable)))
 
 
 def _coefficients() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """Of the quadratic factor of the curve."""
+    """The coefficients of the quadratic factor of the curve."""
     return 2 * h, 2 * h * D - f - K * EXCESS, K * DET_I
 
 
@@ -126,7 +126,7 @@ def _separation(separable: SeparatedSystem) -> tuple[Law, ...]:
     )
 
 
-def _lagrange(rate: Any) -> tuple[sp.Expr, ...]:
+def _lagrange(rate: sp.MatrixExpr) -> tuple[sp.Expr, ...]:
     """The coefficients of both sides' difference in Lagrange's identity."""
     crossed = cross(rate, gamma)
     bent = z * dot(crossed, I**-1 * crossed) - norm_squared(crossed)
@@ -134,7 +134,7 @@ def _lagrange(rate: Any) -> tuple[sp.Expr, ...]:
     return tuple(sp.Poly(products - DET_I * POLES * bent, z).all_coeffs())
 
 
-def _pair(first: Any, second: Any) -> sp.Expr:
+def _pair(first: sp.MatrixExpr, second: sp.MatrixExpr) -> sp.Expr:
     """⟨b, c⟩."""
     form = dot(first, I * second)
     return (
@@ -142,12 +142,12 @@ def _pair(first: Any, second: Any) -> sp.Expr:
     )
 
 
-def _bend(rate: Any) -> dict[Any, Any]:
+def _bend(rate: sp.Expr) -> dict[sp.Expr, sp.Expr]:
     """(g, I⁻¹g) and g² for γ with this rate."""
     return {g: cross(rate, gamma), turned: dot(g, I**-1 * g), square: norm_squared(g)}
 
 
 def _modulo(polynomial: sp.Expr) -> tuple[sp.Expr, ...]:
     """The coefficients of a polynomial in z modulo z² − Sz + P."""
-    rest = sp.Poly(polynomial, z).rem(sp.Poly(z**2 - total * z + product, z))
-    return tuple(rest.all_coeffs())
+    remainder = sp.Poly(polynomial, z).rem(sp.Poly(z**2 - total * z + product, z))
+    return tuple(remainder.all_coeffs())

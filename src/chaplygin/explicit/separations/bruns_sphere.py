@@ -18,7 +18,6 @@ Its quadratic factor has one root between z₁ and z₂, as L > 0 there; so both
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
@@ -26,8 +25,7 @@ from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_ball import K
 from ...core.laws import Identity
 from ...core.vectors import Diagonal, dot, real_symbol, to_components, vectors
-from ..genus_two.poles import gaps
-from ..genus_two.separation import SeparatedSystem
+from ..genus_two.separation import SeparatedSystem, gaps
 from ..genus_two.separation_laws import separation_laws
 from .ball_sphere import hollow_ball
 from .bruns import integral
@@ -73,19 +71,19 @@ def hollow_ball_in_bruns_field() -> SeparatedSystem:
         fixed=(),
         source="§8.3, §12",
     )
-    kept = tuple(law for law in separation_laws(separable) if law.name != "separation")
-    return replace(separable, laws=(*kept, _field(separable)))
+    laws = tuple(law for law in separation_laws(separable) if law.name != "separation")
+    return replace(separable, laws=(*laws, _field(separable)))
 
 
 def _field(separable: SeparatedSystem) -> Identity:
-    """What the field adds, modulo (z − z₁)(z − z₂)."""
+    """The law of the terms that the field adds, modulo (z − z₁)(z − z₂)."""
     level = E_2 * (HALF - z) - E_3
     ratio = level - D * (HALF - z) ** 2
     added = form * z * level + inverse * ratio - WEIGHT * level + DET_J * (HALF - z) ** 2
-    rest = sp.Poly(added, z).rem(sp.Poly(z**2 - total * z + product, z))
+    remainder = sp.Poly(added, z).rem(sp.Poly(z**2 - total * z + product, z))
     return Identity(
         "field",
-        tuple(rest.all_coeffs()),
+        tuple(remainder.all_coeffs()),
         "what the field adds, in the coordinates",
         {
             **_coordinates(separable),
@@ -96,7 +94,7 @@ def _field(separable: SeparatedSystem) -> Identity:
     )
 
 
-def _coordinates(separable: SeparatedSystem) -> dict[Any, Any]:
+def _coordinates(separable: SeparatedSystem) -> dict[sp.Symbol, sp.Expr]:
     """z₁ + z₂ and z₁z₂, by interpolation at the poles."""
     poles = separable.poles
     shares = [

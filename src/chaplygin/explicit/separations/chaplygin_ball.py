@@ -15,7 +15,6 @@ among the laws here are the isomorphism and that it carries the curve onto the c
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
@@ -26,8 +25,7 @@ from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Law
 from ...core.system import System
 from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors
-from ..genus_two.poles import gaps
-from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import separation_laws
 from .fedorov import E, fedorov, q_1, r
 
@@ -46,8 +44,8 @@ SPIN = -dot(I * TURN, nu) / dot(nu, I * nu)
 
 def chaplygin_ball() -> SeparatedSystem:
     """The Chaplygin ball at zero area constant, with any three different principal moments."""
-    spinning: Any = TURN + SPIN * nu
-    made = SeparatedSystem(
+    spinning: sp.MatrixExpr = TURN + SPIN * nu
+    separable = SeparatedSystem(
         name="chaplygin-ball",
         title="Chaplygin ball at zero area constant",
         system=from_catalogue("chaplygin-ball"),
@@ -65,12 +63,12 @@ def chaplygin_ball() -> SeparatedSystem:
         fixed=(M, gamma),
         source="§7, (7.1)–(7.4)",
     )
-    own = tuple(law for law in separation_laws(made) if law.name != "separation")
-    return replace(made, laws=(*own, *_separation(made.system)))
+    own = tuple(law for law in separation_laws(separable) if law.name != "separation")
+    return replace(separable, laws=(*own, *_separation(separable.system)))
 
 
 def _separation(system: System) -> tuple[Law, ...]:
-    """The way into Fedorov's variables, where the separation is a law, and what the curve becomes.
+    """The isomorphism onto Fedorov's variables, and the curve in them.
 
     With y² det J for the curve there: E det J = h det I, and the quadratic in z divided by det I
     is (z + D)(2h(z + D) − f)/det J.

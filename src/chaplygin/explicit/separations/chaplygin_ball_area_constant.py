@@ -20,13 +20,13 @@ D′ = D − δ lies between 0 and D, and I′ = I + δ.  In the variable z = w�
     y² = 4 (z + δ)(z + D)(2hz − σ) e p(z),        p(z) = ∏(Iᵢ − z).
 
 For g = 0 this is :mod:`.chaplygin_ball`.  What is claimed here is proven in parts in
-:mod:`.chaplygin_chart`, which goes the other way.  λ′ never vanishes, since w = γ′ would give
+:mod:`.chaplygin_reduction`, which goes the other way.  λ′ never vanishes, since w = γ′ would give
 (Aγ′, γ′) = 1/D′, but D′A < 1; so it is positive as it is at g = 0, and
 
     dt/dt′ = 1/λ′ = 1 + (β/n) D′(ω′, γ′).
 
 The second term is odd under ν′ → −ν′, which on the torus is v → −v up to a half period; its mean is
-zero, and the mean of dt/dτ is that of :func:`even_clock`.
+zero, and the mean of dt/dτ is that of `EVEN`.
 
 It fails where M is parallel to γ, g² = f: there σ = f, D′ = 0, n = 0, and any unit vector across M
 may be taken for γ′.  The ball then turns as a free body with the tensor I + D and the momentum
@@ -37,18 +37,16 @@ and γ′, which stay apart when M and γ nearly coincide.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_J, A, D, I
-from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, vectors
-from ..genus_two.poles import gaps
-from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ...core.vectors import Vector, constant, cross, dot, norm_squared, real_symbol, vectors
+from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import separation_laws
 
-__all__ = ["chaplygin_area", "even_clock", "returned"]
+__all__ = ["EVEN", "chaplygin_area", "original_vectors"]
 
 M, gamma, omega = vectors("M gamma omega")
 h, f, g, sigma, delta, e, n = (real_symbol(s) for s in ("h", "f", "g", "sigma", "delta", "e", "n"))
@@ -63,12 +61,12 @@ I_ZERO = constant(sp.diag(*(moment + delta for moment in I.symbols)))
 NORMAL = (gamma + BETA * M) / n
 
 
-def det_iq(normal: Any) -> Any:
+def det_iq(normal: sp.MatrixExpr) -> sp.Expr:
     """det I′_Q for a unit vector γ′."""
     return DET_J * (1 - D_ZERO * dot(normal, A * normal))
 
 
-#: dt′/dτ.
+#: dt′/dτ, the part of the clock that is even in ν′; its mean over the torus is that of the clock.
 EVEN = sp.sqrt(det_iq(nu))
 #: ω′ without its part along γ′, and (ω′, γ′), by which (M′, γ′) vanishes.
 TURN = cross(nuprime, nu) / EVEN
@@ -77,7 +75,9 @@ SPIN = -dot(I_ZERO * TURN, nu) / dot(nu, I_ZERO * nu)
 MOMENTUM = I_ZERO * (TURN + SPIN * nu) + D_ZERO * TURN
 
 
-def returned(momentum: Any, normal: Any) -> tuple[tuple[Any, Any], ...]:
+def original_vectors(
+    momentum: sp.MatrixExpr, normal: sp.MatrixExpr
+) -> tuple[tuple[Vector, sp.MatrixExpr], ...]:
     """M and γ, with their formulas in M′ and γ′."""
     return (
         (M, (momentum + 2 * h * D * BETA * n * normal) / e),
@@ -85,19 +85,11 @@ def returned(momentum: Any, normal: Any) -> tuple[tuple[Any, Any], ...]:
     )
 
 
-def even_clock() -> Any:
-    """The part of the clock that is even in ν′: a formula in ν, ν′, parameters and constants.
-
-    Its mean over the torus is that of the clock.
-    """
-    return EVEN
-
-
 def chaplygin_area() -> SeparatedSystem:
     """The Chaplygin ball with any three different principal moments, M not parallel to γ."""
     moments = I.symbols
     scale = sp.sqrt(det_iq(NORMAL)) * e / (1 - BETA * D * dot(omega, gamma))
-    made = SeparatedSystem(
+    separable = SeparatedSystem(
         name="chaplygin-ball-area",
         title="Chaplygin ball",
         system=from_catalogue("chaplygin-ball"),
@@ -121,9 +113,11 @@ def chaplygin_area() -> SeparatedSystem:
         roots=(*moments, -delta, -D, sigma / (2 * h)),
         speeds=(sp.S.Zero, sp.S.One),
         clock=EVEN * (1 + BETA / n * D_ZERO * SPIN),
-        state=returned(MOMENTUM, nu),
+        state=original_vectors(MOMENTUM, nu),
         fixed=(M, nu),
         source="§7, Chaplygin (1903)",
     )
     own = ("constants", "fixed_1")
-    return replace(made, laws=tuple(law for law in separation_laws(made) if law.name in own))
+    return replace(
+        separable, laws=tuple(law for law in separation_laws(separable) if law.name in own)
+    )

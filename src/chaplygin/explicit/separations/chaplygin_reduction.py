@@ -1,26 +1,25 @@
-"""All motions of the Chaplygin ball from those at zero area constant: Chaplygin's reduction, back.
+"""Motions of the Chaplygin ball from those at zero area constant.
 
 A ball with D′, I′ at (M′, γ′) = 0 and a number b give a ball with D, I, M, γ by
 
     N² = 1 + b²f′,  e = 1 + 2h′D′b²:      D = D′N²/e,      I = I′ + D′ − D,
     M = (M′ + 2h′D′bγ′)/e,      γ = (γ′ − bM′)/N,      dt = (1 + bD′(ω′, γ′)) dt′,
 
-with the energy h′ and f′ = M′².  Read the other way this is :mod:`.chaplygin_area`, with b = β/n.
-Here nothing but N is a root, and what is claimed there comes in parts that can be proven:
+with the energy h′ and f′ = M′².  Read the other way this is :mod:`.chaplygin_ball_area_constant`,
+with b = β/n.  Here nothing but N is a root, and the claims there come in parts that can be proven:
 
 - :func:`chart`: h′ and f′ are constant; M is the momentum that belongs to ω, γ, I and D; its
   energy, square and area constant.  So M and γ, which like M′ and γ′ stay in space, move as those
   of a ball.
-- :func:`frozen`: for all values of h′ and f′ the constants of :mod:`.chaplygin_area` are
-  D′, β/n = b, …, its formulas lead from M, γ to γ′ and from γ′, M′ back, and its curve,
-  clock and momentum M′ are those of :mod:`.chaplygin_ball` with I′, D′, h′, f′, the curve shifted
-  by δ.
+- :func:`chart_at_level`: for all values of h′ and f′ the constants of
+  :mod:`.chaplygin_ball_area_constant` are D′, β/n = b, …, its formulas lead from M, γ to γ′ and
+  from γ′, M′ back, and its curve, clock and momentum M′ are those of :mod:`.chaplygin_ball` with
+  I′, D′, h′, f′, the curve shifted by δ.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
@@ -51,11 +50,11 @@ from .chaplygin_ball_area_constant import (
     g,
     h,
     n,
-    returned,
+    original_vectors,
     sigma,
 )
 
-__all__ = ["chart", "frozen"]
+__all__ = ["chart", "chart_at_level"]
 
 M, gamma, omega, Mprime, gammaprime, omegaprime = vectors(
     "M gamma omega Mprime gammaprime omegaprime"
@@ -115,19 +114,19 @@ def chart() -> System:
     )
 
 
-def frozen() -> System:
-    """The same with h′ and f′ as numbers, positive like those of every motion."""
-    made = chart()
+def chart_at_level() -> System:
+    """The chart with h′ and f′ as positive numbers."""
+    system = chart()
     gone = (hprime, fprime)
     return replace(
-        made,
-        name=f"{made.name}-at-a-level",
+        system,
+        name=f"{system.name}-at-a-level",
         parameters=(
-            *made.parameters,
+            *system.parameters,
             Parameter(hprime, "energy of the ball at zero area constant", 0.9, "J", (hprime > 0,)),
             Parameter(fprime, "square of its momentum", 4.0, "kg^2 m^4/s^2", (fprime > 0,)),
         ),
-        definitions=tuple(pair for pair in made.definitions if pair[0] not in gone),
+        definitions=tuple(pair for pair in system.definitions if pair[0] not in gone),
         guards=(
             Guard(
                 "reach",
@@ -197,7 +196,7 @@ def _still() -> tuple[Law, ...]:
             "M and γ from M′ and γ′",
             [
                 component
-                for vector, formula in returned(Mprime, gammaprime)
+                for vector, formula in original_vectors(Mprime, gammaprime)
                 for component in to_components(vector - formula)
             ],
         ),
@@ -232,7 +231,7 @@ def _still() -> tuple[Law, ...]:
     )
 
 
-def _at_zero(formula: Any) -> Any:
+def _at_zero(formula: sp.Expr) -> sp.Expr:
     """A formula of the ball at zero area constant, for the ball with I′, D′, h′ and f′."""
     primed = dict(zip(I.symbols, Iprime.symbols, strict=True))
     primed |= {m: Dprime / R**2, h: hprime, f: fprime}

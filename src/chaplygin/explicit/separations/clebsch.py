@@ -1,4 +1,4 @@
-"""The Clebsch case at zero area constant on the curve of the Neumann system (§6.3, (6.14)).
+"""The Clebsch case at zero area constant on Neumann's curve (§6.3, (6.14)).
 
 Its Hamiltonian α H₁ + β H₂ combines two functions in involution, those of the Neumann system
 (H₁ = h) and of the Bruns problem (H₂ = f).  Both have the separated momenta y/(4A(z)), whose
@@ -50,8 +50,8 @@ def clebsch_case() -> SeparatedSystem:
         source="Proposition 6",
     )
     on_curve = separation_laws(replace(separable, speeds=neumann.speeds))
-    kept = tuple(law for law in on_curve if law.name != "direction")
-    return replace(separable, laws=(_flow(separable), *kept))
+    laws = tuple(law for law in on_curve if law.name != "direction")
+    return replace(separable, laws=(_flow(separable), *laws))
 
 
 def _flow(separable: SeparatedSystem) -> Identity:

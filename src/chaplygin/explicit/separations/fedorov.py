@@ -19,8 +19,7 @@ import sympy as sp
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_ball_clebsch import DET_I, I, K, beta
 from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors
-from ..genus_two.poles import gaps
-from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 
 __all__ = ["fedorov"]

@@ -18,8 +18,7 @@ from ...catalogue.e3 import Gamma, I, M
 from ...catalogue.fixed_point import clebsch, neumann
 from ...catalogue.fixed_point.neumann import c, f, h
 from ...core.vectors import cross
-from ..genus_two.poles import gaps
-from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 
 __all__ = ["neumann_system", "quadratic"]

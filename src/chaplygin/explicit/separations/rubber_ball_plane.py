@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from ...catalogue.chaplygin_ball.chaplygin_bracket import D, I, J
 from ..genus_two.separation import SeparatedSystem
-from .veselova import separated
+from .veselova import veselova_separation
 
 __all__ = ["rubber_ball_plane"]
 
 
 def rubber_ball_plane() -> SeparatedSystem:
     """The rubber Chaplygin ball on a plane, with any three different principal moments."""
-    return separated(
+    return veselova_separation(
         "rubber-chaplygin-ball",
         "Chaplygin ball with rubber contact",
         J,

@@ -15,7 +15,7 @@ the poles J_i, the other as far beyond ½ tr J > max J_i.  h = 0 is rest.
 No vector that stays in space is known as a formula.  In complex time the equation of the attitude
 has poles where (ν, Jν) = 0, around which its solutions make half turns; the axes of three such half
 turns were found not to lie in a plane (numbers, not a proof), so that no vector algebraic in the
-state can stay in space.  :mod:`.spin_reduction` finds one by its Fourier series on the torus.
+state can stay in space.  :mod:`.floquet_attitude` finds one by its Fourier series on the torus.
 
 For k = 1 the sphere is a plane, and the family is the Veselova system with J for I.
 """
@@ -33,8 +33,7 @@ from ...catalogue.fixed_point import veselova
 from ...core.system import System
 from ...core.vectors import Vector, constant, cross, dot, norm_squared, real_symbol, vectors
 from ..change_symbols import in_symbols_of
-from ..genus_two.poles import gaps
-from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 from .veselova import veselova as without_field
 
@@ -50,7 +49,7 @@ def _tensor(moments: Sequence[sp.Expr], power: sp.Rational) -> sp.ImmutableDense
     return constant(sp.diag(*(moment**power for moment in moments)))
 
 
-def _around(
+def _separation_hollow(
     name: str,
     system: System,
     normal: Vector,
@@ -102,20 +101,20 @@ def _around(
 def of_ratio() -> SeparatedSystem:
     """The family of balls in k and J, at k = −1."""
     family = from_catalogue("rubber-ball-of-ratio", k=-1.0)
-    return _around(
+    return _separation_hollow(
         "rubber-ball-of-ratio", family, n, rubber_ball_ratio.J.symbols, rubber_ball_ratio.k + 1
     )
 
 
 def on_e3() -> SeparatedSystem:
-    """The Hamiltonian form (9.14) on e(3), at k = −1: γ = ν, M = −det J (ν×ν′), dt/dτ = (ν, Jν)."""
+    """The Hamiltonian form (9.14) on e(3), at k = −1, with γ = ν."""
     system = from_catalogue("rubber-ball-on-e3", k=-1.0)
     moments = rubber_ball_ratio.J.symbols
     det = sp.Mul(*moments)
     J, A = (_tensor(moments, sp.Integer(power)) for power in (1, -1))
     stiffness = dot(gamma, J * gamma)
     known = of_ratio()
-    made = replace(
+    separable = replace(
         known,
         name="rubber-ball-on-e3",
         title="Hollow rubber ball around a sphere of half its radius, on e(3)",
@@ -130,21 +129,21 @@ def on_e3() -> SeparatedSystem:
         state=((M, -det * cross(nu, nuprime)), (gamma, nu)),
         source="§9.3, (9.14)",
     )
-    return with_laws(made)
+    return with_laws(separable)
 
 
 def on_plane() -> SeparatedSystem:
     """The family of balls in k and J, at k = 1."""
     family = from_catalogue("rubber-ball-of-ratio", k=1.0)
     moments = dict(zip(veselova.I.symbols, rubber_ball_ratio.J.symbols, strict=True))
-    made = replace(
+    separable = replace(
         in_symbols_of(without_field(), family, moments),
         name="rubber-ball-on-plane",
         title="Rubber ball on a plane",
         level=(rubber_ball_ratio.k - 1,),
         source="§9.2, Remark 16",
     )
-    return with_laws(made)
+    return with_laws(separable)
 
 
 def hollow_ball(system: System | None = None) -> SeparatedSystem:
@@ -155,7 +154,9 @@ def hollow_ball(system: System | None = None) -> SeparatedSystem:
     system : System, optional
         A rubber ball around a sphere with the names of the catalogue's, which is the default.
     """
-    made = from_catalogue("rubber-ball-around-sphere") if system is None else system
+    ball = from_catalogue("rubber-ball-around-sphere") if system is None else system
     m, R, a = (real_symbol(s) for s in ("m", "R", "a"))
     first, second, third = (real_symbol(f"I_{i}") + m * R**2 for i in (1, 2, 3))
-    return _around("rubber-ball-around-sphere", made, gamma, (first, second, third), R - 2 * a)
+    return _separation_hollow(
+        "rubber-ball-around-sphere", ball, gamma, (first, second, third), R - 2 * a
+    )

@@ -11,29 +11,26 @@ F = 0 is rest: then Iω is parallel to γ, and 2h = (Iω, ω) = 0 with it.
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
 
 from ...catalogue import from_catalogue
 from ...catalogue.fixed_point.veselova import A, F, I, gamma, h, omega
 from ...core.vectors import Diagonal, cross, dot, norm_squared
-from ..genus_two.poles import gaps
-from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 
-__all__ = ["separated", "veselova"]
+__all__ = ["veselova", "veselova_separation"]
 
 
 def veselova() -> SeparatedSystem:
     """The Veselova system with any three different principal moments."""
-    return separated(
+    return veselova_separation(
         "veselova", "Veselova system without a field", I, I.symbols, "Remark 16, (6.4)"
     )
 
 
-def separated(
-    name: str, title: str, tensor: Diagonal, moments: tuple[Any, ...], source: str
+def veselova_separation(
+    name: str, title: str, tensor: Diagonal, moments: tuple[sp.Expr, ...], source: str
 ) -> SeparatedSystem:
     """A system of the catalogue that moves as the Veselova system.
 
@@ -45,7 +42,6 @@ def separated(
         What stands for the inertia tensor I, as the system names it.
     moments : three formulas
         Its diagonal, in the parameters.
-    source : str
     """
     clock = sp.sqrt(dot(nu, A * nu))
     return with_laws(

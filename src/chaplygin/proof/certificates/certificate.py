@@ -11,7 +11,6 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import Any
 
 from ...check import FORMAT, BadInputError, CheckError, check
 from ...check.claim.claim import Claim as CheckedClaim, read_claim
@@ -21,8 +20,9 @@ from ...core.laws import Law
 from ...core.system import System
 from ...formulas.errors import NoRealValueError, OutOfReachError
 from ...formulas.number_fields import ball_precision
-from ..claim_text import claim_text
+from ..claim_text import Text, claim_text
 from ..fields.budget import EFFORT, Budget
+from ..fields.quotient_ring import Poly
 from ..fields.unreduced_fields import UnreducedField, UnreducedFormal
 from ..level.alternatives import alternatives
 from ..level.level_set import LevelSet
@@ -32,11 +32,10 @@ from ..random_test import trials
 from ..symbolic_proof import MOST_RUNS, flipped_decisions
 from ..verdict import Verdict
 from ..witness_points import witness_point
-from .identities import Excluded, Made, proof_text
+from .identities import Excluded, proof_text
+from .proof_setting import ProofSetting
 
 __all__ = ["certified"]
-
-Text = dict[str, Any]
 
 
 def certified(system: System, law: Law, effort: int = EFFORT) -> Verdict:
@@ -64,22 +63,22 @@ def certified(system: System, law: Law, effort: int = EFFORT) -> Verdict:
     if verdict.decision == "undecided":
         return verdict
     try:
-        made = _certificate(system, law, verdict, effort)
-        check(made)
+        certificate = _certificate(system, law, verdict, effort)
+        check(certificate)
     except OutOfReachError as reason:
         return replace(verdict, uncertified=str(reason))
     except (BadInputError, CheckError) as reason:
         return replace(verdict, uncertified=f"the certificate does not check: {reason}")
-    return replace(verdict, certificate=made)
+    return replace(verdict, certificate=certificate)
 
 
 def _certificate(system: System, law: Law, verdict: Verdict, effort: int) -> Text:
     claim = claim_text(system, law)
-    content = {"format": FORMAT, "verdict": verdict.decision, "claim": claim}
+    content: Text = {"format": FORMAT, "verdict": verdict.decision, "claim": claim}
     if verdict.decision == "refuted":
         return content | {"witness": _witness(verdict)}
     if verdict.decision == "proven where":
-        content["conditions"] = list(_asked(verdict))
+        content["conditions"] = list(_condition_texts(verdict))
     read = read_claim(claim, "the claim")
     with ball_precision():
         sample = _sample(system, law, read)
@@ -102,7 +101,7 @@ def _witness(verdict: Verdict) -> Text:
     }
 
 
-def _asked(verdict: Verdict) -> tuple[str, ...]:
+def _condition_texts(verdict: Verdict) -> tuple[str, ...]:
     if not verdict.formulas or not all(verdict.formulas):
         raise OutOfReachError("its conditions are not those of single formulas")
     return verdict.formulas
@@ -112,63 +111,62 @@ def _sample(system: System, law: Law, read: CheckedClaim) -> Text:
     """A point of the level at which the law is defined, as a certificate gives it."""
     for alternative in alternatives(system, law):
         claim = polynomial_problems(alternative.system, alternative.law)[-1]
-        for ground in LevelSet(claim.system, claim.law.on).components:
-            points = replace(ground, inner=True) if ground.parent else ground
+        for level in LevelSet(claim.system, claim.law.on).components:
+            points = replace(level, inner=True) if level.parent else level
             for trial in trials(claim.law, points):
-                made = None if trial.witness else witness_point(claim, points, trial.values)
-                if made is not None and _is_located(read, made):
-                    return made
+                point = None if trial.witness else witness_point(claim, points, trial.values)
+                if point is not None and _is_located(read, point):
+                    return point
     raise OutOfReachError("no point of its level was found with coordinates that can be written")
 
 
-def _is_located(read: CheckedClaim, made: Text) -> bool:
+def _is_located(read: CheckedClaim, point: Text) -> bool:
     try:
-        located(read, made)
+        located(read, point)
     except CheckError:
         return False
     return True
-
-
-# --- proofs --------------------------------------------------------------------------------------
 
 
 def _proofs(
     system: System,
     law: Law,
     read: CheckedClaim,
-    sample: Mapping[str, Any],
+    sample: Mapping[str, object],
     verdict: Verdict,
     budget: Budget,
 ) -> list[Text]:
-    ground = LevelSet(system, law.on)
+    level = LevelSet(system, law.on)
     numbers = located(read, sample)
-    point = {str(s): float(numbers(name(str(s))).mid()) for s in ground.generators}
-    asked = [(words, parse_condition(words, "a condition")[0][0]) for words in verdict.formulas]
+    point = {str(s): float(numbers(name(str(s))).mid()) for s in level.generators}
+    conditions = [
+        (words, parse_condition(words, "a condition")[0][0]) for words in verdict.formulas
+    ]
 
-    def excluded(made: Made, poly: Any) -> str | None:
+    def excluding_condition(setting: ProofSetting, poly: Poly) -> str | None:
         """The condition of the verdict that excludes the zeros of a polynomial."""
-        return next((words for words, formula in asked if made.states(formula, poly)), None)
+        return next((words for words, formula in conditions if setting.states(formula, poly)), None)
 
-    def written(kind: type[UnreducedField], signs: Mapping[str, int]) -> Made:
-        return Made(kind, read, law, ground, point, budget, signs)
+    def setting_for(kind: type[UnreducedField], signs: Mapping[str, int]) -> ProofSetting:
+        return ProofSetting(kind, read, law, level, point, budget, signs)
 
-    first = written(UnreducedField, {})
+    first = setting_for(UnreducedField, {})
     if not first.field.decisions:
-        return [proof_text(first, excluded, decided=False)]
+        return [proof_text(first, excluding_condition, decided=False)]
     with contextlib.suppress(OutOfReachError):
-        formal = written(UnreducedFormal, {})
+        formal = setting_for(UnreducedFormal, {})
         if not formal.field.decisions:
-            return [proof_text(formal, excluded, decided=False)]
-    return _by_signs(first, written, excluded)
+            return [proof_text(formal, excluding_condition, decided=False)]
+    return _by_signs(first, setting_for, excluding_condition)
 
 
 def _by_signs(
-    first: Made,
-    written: Callable[[type[UnreducedField], Mapping[str, int]], Made],
-    excluded: Excluded,
+    first: ProofSetting,
+    setting_for: Callable[[type[UnreducedField], Mapping[str, int]], ProofSetting],
+    excluding_condition: Excluded,
 ) -> list[Text]:
     """A proof for every choice of signs for which the law is defined and holds."""
-    found = [proof_text(first, excluded, decided=True)]
+    proofs = [proof_text(first, excluding_condition, decided=True)]
     waiting = flipped_decisions(first.field, 0)
     runs = 1
     while waiting:
@@ -177,11 +175,11 @@ def _by_signs(
         if runs > MOST_RUNS:
             raise OutOfReachError(f"its roots have signs in more than {MOST_RUNS} ways")
         try:
-            made = written(UnreducedField, signs)
+            setting = setting_for(UnreducedField, signs)
         except (NoRealValueError, ZeroDivisionError):
             continue
         # where the law needs a sign, the check finds that a condition asks for it
         with contextlib.suppress(OutOfReachError):
-            found.append(proof_text(made, excluded, decided=True))
-        waiting += flipped_decisions(made.field, size)
-    return found
+            proofs.append(proof_text(setting, excluding_condition, decided=True))
+        waiting += flipped_decisions(setting.field, size)
+    return proofs

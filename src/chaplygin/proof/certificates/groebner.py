@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any
 
 from flint import Ordering, fmpq_mpoly_ctx
 
 from ..fields.budget import Budget
+from ..fields.quotient_ring import Poly
 
 __all__ = ["Basis"]
 
-Poly = Any
 #: Polynomials by the number of the equation with which they are multiplied.
 Multiples = dict[int, Poly]
 
@@ -31,16 +30,9 @@ class _Element:
 
 
 class Basis:
-    """A Gröbner basis, by Buchberger's algorithm, as far as it is needed and not too large.
+    """A Gröbner basis, by Buchberger's algorithm, as far as it is needed and not too large."""
 
-    Parameters
-    ----------
-    ring : fmpq_mpoly_ctx
-    equations : sequence of polynomials
-    budget : Budget
-    """
-
-    def __init__(self, ring: Any, equations: Sequence[Poly], budget: Budget) -> None:
+    def __init__(self, ring: fmpq_mpoly_ctx, equations: Sequence[Poly], budget: Budget) -> None:
         self._given = ring
         self._ring = fmpq_mpoly_ctx.get(ring.names(), Ordering.degrevlex)
         self._budget = budget
@@ -55,21 +47,21 @@ class Basis:
         while waiting and len(self._elements) < size:
             waiting.sort(key=self._degree, reverse=True)
             first, second = waiting.pop()
-            if self._apart(first, second) or self._bridged(first, second, waiting):
+            if self._apart(first, second) or self._is_superfluous(first, second, waiting):
                 continue
-            rest, by = self._reduced(*self._difference(first, second))
-            if rest and len(rest) <= MOST_TERMS:
-                self._add(rest, by)
+            remainder, by = self._reduction(*self._difference(first, second))
+            if remainder and len(remainder) <= MOST_TERMS:
+                self._add(remainder, by)
                 last = len(self._elements) - 1
                 waiting += [(i, last) for i in range(last)]
 
     def quotients(self, poly: Poly) -> Multiples | None:
         """A polynomial as Σ quotient · equation; None where the basis does not show one."""
-        rest, by = self._reduced(self._inside(poly), {})
-        while rest and self._waiting and len(self._elements) < MOST_ELEMENTS:
+        remainder, by = self._reduction(self._inside(poly), {})
+        while remainder and self._waiting and len(self._elements) < MOST_ELEMENTS:
             self._grow(len(self._elements) + 10)
-            rest, by = self._reduced(rest, by)
-        if rest:
+            remainder, by = self._reduction(remainder, by)
+        if remainder:
             return None
         return {i: -self._given.from_dict(part.to_dict()) for i, part in by.items() if part}
 
@@ -92,7 +84,7 @@ class Basis:
         a, b = self._elements[first].lead, self._elements[second].lead
         return not any(x and y for x, y in zip(a, b, strict=True))
 
-    def _bridged(self, first: int, second: int, waiting: Sequence[tuple[int, int]]) -> bool:
+    def _is_superfluous(self, first: int, second: int, waiting: Sequence[tuple[int, int]]) -> bool:
         """Whether a third element, whose pairs with both are done, makes a pair superfluous."""
         common, left = self._common(first, second), set(waiting)
         return any(
@@ -104,7 +96,7 @@ class Basis:
         )
 
     def _difference(self, first: int, second: int) -> tuple[Poly, Multiples]:
-        """What is left when the leading terms of two elements cancel."""
+        """The S-polynomial of two elements, with its multiples of the equations."""
         common = self._common(first, second)
         total: Poly = self._ring.constant(0)
         by: Multiples = {}
@@ -122,17 +114,17 @@ class Basis:
             product = factor * part
             by[i] = by[i] + product if i in by else product
 
-    def _reduced(self, poly: Poly, by: Multiples) -> tuple[Poly, Multiples]:
+    def _reduction(self, poly: Poly, by: Multiples) -> tuple[Poly, Multiples]:
         """The remainder of Σ by · equation, in the same form."""
         by = dict(by)
         while poly:
             before = poly
             for element in self._elements:
-                quotient, rest = divmod(poly, element.poly)
+                quotient, remainder = divmod(poly, element.poly)
                 if quotient:
                     self._budget.foresee(quotient, element.poly)
                     self._gather(by, element.by, -quotient)
-                    poly = rest
+                    poly = remainder
                 if not poly:
                     break
             if poly == before:

@@ -9,20 +9,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
-from flint import fmpq
+from flint import fmpq, fmpq_mpoly_ctx
 
+from ..fields.quotient_ring import Poly
 from ..fields.signs import MANY, completed_squares
 
 __all__ = ["Reasons", "Sum", "Term", "monic"]
 
-Poly = Any
 Powers = tuple[tuple[Poly, int], ...]
 
 
 def monic(poly: Poly) -> tuple[str, int]:
-    """A key that a polynomial shares with its multiples, and the sign of its first coefficient."""
+    """A key that a polynomial shares with its multiples, and its leading sign."""
     lead = poly.leading_coefficient()
     return str(poly / lead), 1 if lead > 0 else -1
 
@@ -51,7 +50,6 @@ class Reasons:
 
     Parameters
     ----------
-    ring : fmpq_mpoly_ctx
     facts : list of (polynomial, str, bool)
         Positive (strictly or not), and what says so.
     equations : sequence of polynomials
@@ -62,7 +60,7 @@ class Reasons:
         The polynomials themselves.
     """
 
-    ring: Any
+    ring: fmpq_mpoly_ctx
     facts: list[tuple[Poly, str, bool]]
     equations: Sequence[Poly] = ()
     nonzero: set[str] = field(default_factory=set)
@@ -102,31 +100,31 @@ class Reasons:
             return 0
         self._open.add(key)
         try:
-            found = self._found(poly)
+            total = self._sum_of(poly)
         finally:
             self._open.discard(key)
-        if found is None:
+        if total is None:
             self._unknown.add(key)
             return 0
-        self.sums.append(found)
-        self.known[key] = monic(found.poly)[1]
+        self.sums.append(total)
+        self.known[key] = monic(total.poly)[1]
         return self.known[key] * lead
 
-    def _found(self, poly: Poly) -> Sum | None:
+    def _sum_of(self, poly: Poly) -> Sum | None:
         key = monic(poly)[0]
         for fact, _, strict in self.facts:
             if not strict and monic(fact)[0] == key and key in self.nonzero:
                 return Sum(fact, (Term(((fact, 1),), fmpq(1), self.ring.constant(1)),))
-        for given in (poly, -poly):
-            if (terms := self._by_terms(given)) is not None:
-                return Sum(given, terms)
+        for signed in (poly, -poly):
+            if (terms := self._by_terms(signed)) is not None:
+                return Sum(signed, terms)
         product = self._by_factors(poly)
         if product is not None:
             return product
-        for given in (poly, -poly):
-            found = self._by_facts(given) or self._by_equations(given) or self._by_squares(given)
-            if found is not None:
-                return found
+        for signed in (poly, -poly):
+            whole = self._by_facts(signed) or self._by_equations(signed) or self._by_squares(signed)
+            if whole is not None:
+                return whole
         return None
 
     def _by_terms(self, poly: Poly, strict: bool = True) -> tuple[Term, ...] | None:
@@ -208,10 +206,10 @@ class Reasons:
             return terms
         if not poly or poly.total_degree() != 2:
             return None
-        found = completed_squares(poly, self.ring)
-        if found is None:
+        forms = completed_squares(poly, self.ring)
+        if forms is None:
             return None
-        return tuple(Term((), weight, base) for weight, base in found)
+        return tuple(Term((), weight, base) for weight, base in forms)
 
 
 def _constant(poly: Poly) -> fmpq:

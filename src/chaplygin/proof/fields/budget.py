@@ -1,4 +1,4 @@
-"""How much a computation may cost, counted so that every machine comes to the same answer.
+"""The cost of a computation, counted alike on every machine.
 
 The unit is a term operation: about one product of a term by a term.  A present-day core does ten
 million of them in a second.
@@ -17,7 +17,7 @@ __all__ = ["EFFORT", "STEP", "Budget", "checked_effort", "spent"]
 Poly = Any
 
 EFFORT = 2_000_000_000
-"""Term operations that one proof may take, unless told otherwise: some minutes of one core."""
+"""Term operations that one proof may take, by default: some minutes of one core."""
 STEP = 200
 """What a step costs besides its terms, in term operations."""
 
@@ -35,13 +35,13 @@ def checked_effort(effort: int) -> int:
 
 
 def spent(effort: int) -> str:
-    """That an effort was too small."""
+    """The error for an effort that was too small."""
     return f"not decided with an effort of {effort:,} term operations"
 
 
 @dataclass
 class Budget:
-    """How large polynomials may become and how many operations the work may take.
+    """Limits of the size of polynomials and of the number of operations.
 
     Parameters
     ----------

@@ -25,41 +25,44 @@ class FormalRoots(FunctionField):
 
     def __init__(self, *given: Any) -> None:
         super().__init__(*given)
-        self._formal: list[tuple[Element, tuple[Any, int], Element]] = []
+        self._formal: list[tuple[Element, tuple[sp.Expr, int], Element]] = []
 
     def power(
-        self, element: Element, exponents: Iterable[tuple[Any, Any]], value: Element | None
+        self,
+        element: Element,
+        exponents: Iterable[tuple[sp.Expr, sp.Rational]],
+        value: Element | None,
     ) -> Element:
-        """As of :class:`Fractions`, without splitting what is raised."""
+        """The product of powers, without splitting the base."""
         exponents = tuple(exponents)
         if self.vanishes(element):
             raise power_of_zero(exponents)
         result = self.one
         for theta, number in exponents:
             exponent = sp.Rational(number) * (1 if theta == 1 else FINENESS)
-            known = self._known(element, theta, 1 if theta != 1 else int(exponent.q))
+            known = self._root_or_power(element, theta, 1 if theta != 1 else int(exponent.q))
             if theta != 1 and exponent.q != 1:
                 return super().power(element, exponents, value)
             result = result * known ** int(exponent.p)
         return result
 
-    def _known(self, element: Element, theta: Any, degree: int) -> Element:
+    def _root_or_power(self, element: Element, theta: sp.Expr, degree: int) -> Element:
         """The root of a degree, or the power θ/FINENESS where θ is no number."""
         if theta == 1 and degree == 1:
             return element
-        for known, key, made in self._formal:
+        for known, key, value in self._formal:
             if key == (theta, degree) and self.vanishes(known - element):
-                return made
-        made = self._root_made(element, degree) if theta == 1 else self._power_made(element, theta)
-        self._formal.append((element, (theta, degree), made))
-        return made
+                return value
+        value = self._new_root(element, degree) if theta == 1 else self._new_power(element, theta)
+        self._formal.append((element, (theta, degree), value))
+        return value
 
-    def _power_made(self, element: Element, theta: Any) -> Element:
+    def _new_power(self, element: Element, theta: sp.Expr) -> Element:
         key = ("formal power", len(self._formal))
         words = f"({element.poly})^({theta}/{FINENESS})"
         return Element(self, self._new(key, words, lambda: 1.0, positive=True), {})
 
-    def _root_made(self, element: Element, degree: int) -> Element:
+    def _new_root(self, element: Element, degree: int) -> Element:
         content, parts = self.factorised(self.reduce(element.poly))
         powers = dict(element.powers)
         for number, power in parts:

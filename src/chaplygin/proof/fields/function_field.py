@@ -10,19 +10,20 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any
+from typing import Any, TypeAlias
 
 import sympy as sp
 from flint import fmpq
 
 from ...formulas.errors import NeedMoreGeneratorsError, NoRealValueError, OutOfReachError
 from .budget import Budget
-from .quotient_ring import Element, QuotientRing
+from .quotient_ring import Element, Poly, QuotientRing
 from .signs import Sign, Signs
 
 __all__ = ["FunctionField", "power_of_zero"]
 
-Poly = Any
+#: The meaning of an auxiliary generator: a word, and what sets it apart.
+Key: TypeAlias = tuple[Any, ...]
 
 #: Denominator of the exponents that symbolic powers may have: base^(θ/4) is the generator.
 FINENESS = 4
@@ -35,7 +36,7 @@ MULTIPLES = tuple(
 )
 
 
-def power_of_zero(exponents: Iterable[tuple[Any, Any]]) -> Exception:
+def power_of_zero(exponents: Iterable[tuple[sp.Expr, sp.Rational]]) -> Exception:
     """Why a power of zero with fractional or symbolic exponents is not to be had.
 
     A root of zero is real, so that the level has such points, but it has no derivative there.
@@ -56,7 +57,6 @@ class FunctionField(QuotientRing):
         Room for auxiliary symbols, which come before all others.
     sample : mapping of str to float
         A point of the phase space, where signs under roots are taken that nothing else tells.
-    budget : Budget
     choices : mapping of str to int
         Signs of factors under roots to be taken in place of those at the sample point.
     """
@@ -77,29 +77,29 @@ class FunctionField(QuotientRing):
         self.spare = spare
         self.sample: dict[str, float] | None = None if sample is None else dict(sample)
         self.meanings: dict[str, str] = {}
-        #: What is known of signs; set by the level on which the field is used.
+        #: Known signs; set by the level on which the field is used.
         self.signs = Signs(self.ring, {})
         #: Signs of factors under roots that nothing known tells, as they were taken.
         self.decisions: dict[str, tuple[Poly, int]] = {}
         self._choices = dict(choices or {})
         self._implied: dict[str, int] = {}
-        #: What a root raised to its degree is: content, factors with powers; and the degree.
+        #: A root raised to its degree: content, factors with powers; and the degree.
         self._root_of: dict[int, tuple[fmpq, tuple[tuple[int, int], ...], int]] = {}
         self._roots: dict[str, tuple[Poly, int]] = {}
-        self._auxiliary: dict[Any, Any] = {}
+        self._auxiliary: dict[Key, Poly] = {}
         self._circles: set[str] = set()
         self._arguments: list[tuple[Element, str]] = []
         self._exponentials: list[tuple[Element, Element]] = []
 
     def _new(
-        self, key: Any, meaning: str, value: Callable[[], float], positive: bool = False
+        self, key: Key, meaning: str, value: Callable[[], float], positive: bool = False
     ) -> Poly:
         """The auxiliary generator that stands for `key`, made when first asked for."""
         if key not in self._auxiliary:
-            taken = len(self._auxiliary)
-            if taken == self.spare:
+            count = len(self._auxiliary)
+            if count == self.spare:
                 raise NeedMoreGeneratorsError(self.spare)
-            name = self._auxiliaries[taken]
+            name = self._auxiliaries[count]
             self._auxiliary[key] = self.generators[name]
             self.meanings[name] = meaning
             if positive:
@@ -151,7 +151,7 @@ class FunctionField(QuotientRing):
         return value
 
     def _positive_parts(
-        self, element: Element, exponents: Sequence[tuple[Any, Any]]
+        self, element: Element, exponents: Sequence[tuple[sp.Expr, sp.Rational]]
     ) -> tuple[fmpq, list[tuple[Poly, int]]]:
         """Content and factors with powers of what is raised to a power, all of them positive.
 
@@ -177,7 +177,7 @@ class FunctionField(QuotientRing):
             if not sign and power % 2 and odd is None:
                 # its sign will follow from those of the others
                 odd = poly
-            sign = sign or (1 if odd is poly else self._decided(poly))
+            sign = sign or (1 if odd is poly else self._decision(poly))
             if power % 2:
                 overall *= sign
             signed.append((poly if sign > 0 else -poly, power))
@@ -196,10 +196,10 @@ class FunctionField(QuotientRing):
             return self._implied[key]
         if key in self.decisions:
             return self.decisions[key][1]
-        found = self.signs.of(poly)
-        return 0 if found is Sign.UNKNOWN else (1 if found > 0 else -1)
+        sign = self.signs.of(poly)
+        return 0 if sign is Sign.UNKNOWN else (1 if sign > 0 else -1)
 
-    def _decided(self, poly: Poly) -> int:
+    def _decision(self, poly: Poly) -> int:
         """The sign that is taken for a factor, here and wherever it stands under a root."""
         key = str(poly)
         sign = self._choices.get(key) or (-1 if self.at_sample(poly) < 0 else 1)
@@ -213,7 +213,10 @@ class FunctionField(QuotientRing):
         return self.power(element, ((sp.S.One, sp.Rational(1, degree)),), None)
 
     def power(
-        self, element: Element, exponents: Iterable[tuple[Any, Any]], value: Element | None
+        self,
+        element: Element,
+        exponents: Iterable[tuple[sp.Expr, sp.Rational]],
+        value: Element | None,
     ) -> Element:
         """The product of element^(number · θ) over pairs (θ, number); θ = 1 or symbolic."""
         exponents = tuple(exponents)
@@ -238,7 +241,7 @@ class FunctionField(QuotientRing):
         value = poly.leading_coefficient() if poly else fmpq(0)
         return sp.Rational(int(value.p), int(value.q))
 
-    def _one_power(self, base: Poly, theta: Any, exponent: Any) -> Element:
+    def _one_power(self, base: Poly, theta: sp.Expr, exponent: sp.Rational) -> Element:
         if str(base) in self._roots:
             inner, degree = self._roots[str(base)]
             return self._one_power(inner, theta, exponent / degree)
@@ -253,32 +256,32 @@ class FunctionField(QuotientRing):
                 f"the exponent {exponent}·{theta} is not a multiple of 1/{FINENESS}"
             )
         value = self.at_sample(base)
-        made = self._new(
+        symbol = self._new(
             ("power", str(base), theta),
             f"({base})^({theta}/{FINENESS})",
             lambda: abs(value) ** 0.37,
             positive=True,
         )
-        return self.integer_power(Element(self, made, {}), int(fine.p))
+        return self.integer_power(Element(self, symbol, {}), int(fine.p))
 
     def _root(self, base: Poly, degree: int) -> Element:
         if base.is_one():
             return self.one
         for known in sorted(k[2] for k in self._auxiliary if k[:2] == ("root", str(base))):
             if known % degree == 0:
-                made = Element(self, self._auxiliary["root", str(base), known], {})
-                return self.integer_power(made, known // degree)
+                higher = Element(self, self._auxiliary["root", str(base), known], {})
+                return self.integer_power(higher, known // degree)
         value = self.at_sample(base)
         key = ("root", str(base), degree)
-        made = self._new(
+        symbol = self._new(
             key, f"({base})^(1/{degree})", lambda: abs(value) ** (1 / degree), positive=True
         )
-        self.impose(str(made), made**degree - base)
-        self._roots[str(made)] = (base, degree)
+        self.impose(str(symbol), symbol**degree - base)
+        self._roots[str(symbol)] = (base, degree)
         if not base.is_constant():
             lead = base.leading_coefficient()
-            self._root_of[self.named(made)] = (lead, ((self.named(base / lead), 1),), degree)
-        return Element(self, made, {})
+            self._root_of[self.named(symbol)] = (lead, ((self.named(base / lead), 1),), degree)
+        return Element(self, symbol, {})
 
     def exponential(self, element: Element) -> Element:
         """The exponential; those of whole multiples of one argument are powers of each other."""
@@ -288,9 +291,9 @@ class FunctionField(QuotientRing):
             for ratio in MULTIPLES:
                 if self.vanishes(element - self.rational(ratio) * argument):
                     return self.root(known, int(ratio.q)) ** int(ratio.p)
-        made = self.known("exp", [element])
-        self._exponentials.append((element, made))
-        return made
+        value = self.known("exp", [element])
+        self._exponentials.append((element, value))
+        return value
 
     def circle(self, angle: Element) -> tuple[Element, Element]:
         """Sine and cosine."""
@@ -306,20 +309,20 @@ class FunctionField(QuotientRing):
 
     def pi(self) -> Element:
         """The number π, as a symbol: it is transcendental."""
-        made = self._new(("pi",), "pi", lambda: math.pi, positive=True)
-        return Element(self, made, {})
+        symbol = self._new(("pi",), "pi", lambda: math.pi, positive=True)
+        return Element(self, symbol, {})
 
     def known(self, name: str, arguments: Sequence[Element]) -> Element:
         """A value of a function such as the logarithm, of which only derivatives are known."""
         keys = tuple(map(self._key, arguments))
         value = getattr(math, name)
-        made = self._new(
+        symbol = self._new(
             ("known", name, *keys),
             f"{name}({', '.join(keys)})",
             lambda: float(value(*map(self.value_at_sample, arguments))),
             positive=name == "exp",
         )
-        return Element(self, made, {})
+        return Element(self, symbol, {})
 
     def unspecified(
         self, function: str, orders: Sequence[int], arguments: Sequence[Element]
@@ -327,12 +330,12 @@ class FunctionField(QuotientRing):
         """A value of an unspecified function, or of one of its partial derivatives."""
         keys = tuple(map(self._key, arguments))
         label = derivative_name(function, orders)
-        made = self._new(
+        symbol = self._new(
             ("unspecified", function, tuple(orders), *keys),
             f"{label}({', '.join(keys)})",
             lambda: 0.7,
         )
-        return Element(self, made, {})
+        return Element(self, symbol, {})
 
     def same(self, first: Sequence[Element], second: Sequence[Element]) -> bool:
         """Whether a function has one value at two places."""
@@ -346,8 +349,8 @@ class FunctionField(QuotientRing):
                 poly = self.product(poly, self.factors[number])
                 powers[number] -= 1
             while powers[number] < 0:
-                quotient, rest = divmod(poly, self.factors[number])
-                if rest:
+                quotient, remainder = divmod(poly, self.factors[number])
+                if remainder:
                     break
                 poly, powers[number] = quotient, powers[number] + 1
         below = "".join(f"/({self.factors[n]})^{-p}" for n, p in sorted(powers.items()) if p)

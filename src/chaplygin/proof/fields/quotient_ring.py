@@ -11,16 +11,16 @@ pseudo-division, whose multipliers are known not to vanish at the witness point.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TypeAlias
 
 import sympy as sp
-from flint import Ordering, fmpq, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from .budget import Budget
 
-__all__ = ["Element", "QuotientRing"]
+__all__ = ["Element", "Poly", "QuotientRing", "coefficient"]
 
-Poly = Any
+Poly: TypeAlias = fmpq_mpoly
 
 FACTORED_UP_TO = 1500
 """Polynomials of more terms are divided by as they are."""
@@ -60,7 +60,6 @@ class QuotientRing:
     ----------
     names : sequence of str
         Generators, highest first; a relation's main variable must be its highest.
-    budget : Budget
     """
 
     exact = True
@@ -76,9 +75,7 @@ class QuotientRing:
         self.one = Element(self, self.ring.constant(1), {})
         self.zero = Element(self, self.ring.constant(0), {})
 
-    # --- making elements -------------------------------------------------------------------
-
-    def rational(self, value: Any) -> Element:
+    def rational(self, value: int | sp.Rational) -> Element:
         """A rational number."""
         number = sp.Rational(value)
         return Element(self, self.ring.constant(fmpq(int(number.p), int(number.q))), {})
@@ -86,8 +83,6 @@ class QuotientRing:
     def generator(self, name: str) -> Element:
         """A generator by its name, reduced where a relation gives its value."""
         return Element(self, self.reduce(self.generators[name]), {})
-
-    # --- arithmetic ------------------------------------------------------------------------
 
     def multiply(self, first: Element, second: Element) -> Element:
         """Product, reduced."""
@@ -109,9 +104,9 @@ class QuotientRing:
     def product(self, first: Poly, second: Poly) -> Poly:
         """Product of polynomials, reduced and within the budget."""
         self.budget.foresee(first, second)
-        made = self.reduce(first * second)
-        self.budget.spend(made)
-        return made
+        product = self.reduce(first * second)
+        self.budget.spend(product)
+        return product
 
     def add(self, first: Element, second: Element) -> Element:
         """Sum over the common denominator."""
@@ -128,9 +123,9 @@ class QuotientRing:
                 common[number] = low
         poly = self._over(first, common) + self._over(second, common)
         self.budget.spend(poly)
-        return self._lightened(poly, common) if poly else self.zero
+        return self._cancelled_generators(poly, common) if poly else self.zero
 
-    def _lightened(self, poly: Poly, powers: dict[int, int]) -> Element:
+    def _cancelled_generators(self, poly: Poly, powers: dict[int, int]) -> Element:
         """An element in which generators are cancelled against the denominator."""
         single = [n for n, p in powers.items() if p < 0 and len(self.factors[n]) == 1]
         if single:
@@ -171,8 +166,8 @@ class QuotientRing:
         powers = {number: -power for number, power in element.powers.items()}
         for number, power in parts:
             powers[number] = powers.get(number, 0) - power
-        kept = {number: power for number, power in powers.items() if power}
-        return self.tidied(Element(self, self.ring.constant(1 / content), kept))
+        nonzero = {number: power for number, power in powers.items() if power}
+        return self.tidied(Element(self, self.ring.constant(1 / content), nonzero))
 
     def factorised(self, poly: Poly) -> tuple[fmpq, list[tuple[int, int]]]:
         """Content and named factors with their powers."""
@@ -195,8 +190,6 @@ class QuotientRing:
             self._factor_numbers[key] = len(self.factors)
             self.factors.append(poly)
         return self._factor_numbers[key]
-
-    # --- relations -------------------------------------------------------------------------
 
     def impose(self, main: str, poly: Poly) -> None:
         """Add a relation with its main variable, above all relations imposed before."""
@@ -238,20 +231,19 @@ class QuotientRing:
         """Remainder in the variable `main`, up to powers of the leading coefficient."""
         position = self.names.index(main)
         degree = int(relation.degrees()[position])
-        lead = self.coefficient(relation, position, degree)
+        lead = coefficient(relation, position, degree)
         variable = self.generators[main]
         while poly and (height := int(poly.degrees()[position])) >= degree:
-            top = self.coefficient(poly, position, height)
+            top = coefficient(poly, position, height)
             poly = lead * poly - top * variable ** (height - degree) * relation
             self.budget.spend(poly)
         return poly
 
-    def coefficient(self, poly: Poly, position: int, degree: int) -> Poly:
-        """Coefficient of a power of one generator."""
-        found = {}
-        for exponents, number in poly.to_dict().items():
-            if exponents[position] == degree:
-                rest = list(exponents)
-                rest[position] = 0
-                found[tuple(rest)] = number
-        return self.ring.from_dict(found)
+
+def coefficient(poly: Poly, position: int, degree: int) -> Poly:
+    """The coefficient of a power of one generator."""
+    terms = {}
+    for exponents, number in poly.to_dict().items():
+        if exponents[position] == degree:
+            terms[(*exponents[:position], 0, *exponents[position + 1 :])] = number
+    return poly.context().from_dict(terms)

@@ -1,4 +1,4 @@
-"""What is known of the signs of polynomials on the domain of a system.
+"""Signs of polynomials on the domain of a system.
 
 Known are the signs of parameters and of other quantities that the system declares (admissible
 sets, guards, assumptions of symbols), and what follows from them term by term.
@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import IntEnum
-from typing import Any
 
-from flint import fmpq
+from flint import fmpq, fmpq_mpoly_ctx
+
+from .quotient_ring import Poly
 
 __all__ = ["Sign", "Signs", "completed_squares"]
 
-Poly = Any
 
 MANY = 400
 """Polynomials of more terms are not compared with facts."""
@@ -44,7 +44,6 @@ class Signs:
 
     Parameters
     ----------
-    ring : fmpq_mpoly_ctx
     known : mapping of str to Sign
         Signs of generators.
     facts : sequence of (polynomial, Sign)
@@ -55,27 +54,27 @@ class Signs:
         Polynomials that vanish.
     """
 
-    ring: Any
+    ring: fmpq_mpoly_ctx
     known: Mapping[str, Sign]
     facts: Sequence[tuple[Poly, Sign]] = ()
     nonzero: Sequence[Poly] = ()
     conditions: Sequence[Poly] = ()
 
     def with_positive(self, name: str) -> Signs:
-        """The same, with one more positive generator."""
+        """The signs, with one more positive generator."""
         return replace(self, known={**self.known, name: Sign.POSITIVE})
 
     def of(self, poly: Poly) -> Sign:
         """The sign of a polynomial wherever the facts and the conditions hold."""
-        found = self._of_one(poly)
-        if abs(found) < Sign.POSITIVE and poly and len(poly) <= MANY:
+        sign = self._of_one(poly)
+        if abs(sign) < Sign.POSITIVE and poly and len(poly) <= MANY:
             content, parts = poly.factor()
             if len(parts) > 1 or any(power > 1 for _, power in parts):
                 product = _number(content)
                 for part, power in parts:
                     product = product.times(self._of_power(part, int(power)))
-                found = product or found
-        return found
+                sign = product or sign
+        return sign
 
     def never_zero(self, poly: Poly) -> bool:
         """Whether a polynomial is certainly not zero."""
@@ -103,13 +102,11 @@ class Signs:
             return [base for _, base in terms]
         return self._linear_squares(poly)
 
-    # --- one polynomial --------------------------------------------------------------------
-
     def _of_one(self, poly: Poly) -> Sign:
-        found = self._by_terms(poly)
-        if found is Sign.UNKNOWN and len(poly) <= MANY:
-            found = self._by_facts(poly) or self._by_conditions(poly) or self._by_squares(poly)
-        return found
+        sign = self._by_terms(poly)
+        if sign is Sign.UNKNOWN and len(poly) <= MANY:
+            sign = self._by_facts(poly) or self._by_conditions(poly) or self._by_squares(poly)
+        return sign
 
     def _by_terms(self, poly: Poly) -> Sign:
         signs = []
@@ -149,21 +146,21 @@ class Signs:
                     part = sign.times(self._by_terms(share))
                     if not part:
                         continue
-                    rest = poly - share * fact
-                    found = _sum([part, self._by_terms(rest)]) if rest else part
-                    if found:
-                        return found
+                    remainder = poly - share * fact
+                    whole = _sum([part, self._by_terms(remainder)]) if remainder else part
+                    if whole:
+                        return whole
         return Sign.UNKNOWN
 
     def _by_conditions(self, poly: Poly) -> Sign:
-        """The same after a multiple of a condition has taken the constant away."""
+        """The sign after a multiple of a condition has taken the constant away."""
         constant = _constant(poly)
         for condition in self.conditions:
             own = _constant(condition)
             if constant != 0 and own != 0:
-                found = self._by_terms(poly - (constant / own) * condition)
-                if found:
-                    return found
+                sign = self._by_terms(poly - (constant / own) * condition)
+                if sign:
+                    return sign
         return Sign.UNKNOWN
 
     def _by_squares(self, poly: Poly) -> Sign:
@@ -178,10 +175,10 @@ class Signs:
         """Linear forms whose squares, with positive weights, add up to a quadratic polynomial."""
         if not poly or poly.total_degree() != 2:
             return None
-        for given in (poly,) if definite else (poly, -poly):
-            found = completed_squares(given, self.ring)
-            if found is not None:
-                return [base for _, base in found]
+        for signed in (poly,) if definite else (poly, -poly):
+            forms = completed_squares(signed, self.ring)
+            if forms is not None:
+                return [base for _, base in forms]
         return None
 
 
@@ -214,19 +211,19 @@ def _ratio(poly: Poly, other: Poly) -> fmpq | None:
     return ratio if poly == ratio * other else None
 
 
-def completed_squares(poly: Poly, ring: Any) -> list[tuple[fmpq, Poly]] | None:
+def completed_squares(poly: Poly, ring: fmpq_mpoly_ctx) -> list[tuple[fmpq, Poly]] | None:
     """Weights and linear forms whose weighted squares add up to a quadratic polynomial.
 
     Squares are completed one variable after the other; None unless all weights are positive.
     The last form is 1 where a positive number remains.
     """
-    found: list[tuple[fmpq, Poly]] = []
-    rest = poly
+    forms: list[tuple[fmpq, Poly]] = []
+    remainder = poly
     for index in range(ring.nvars()):
-        if not rest or not int(rest.degrees()[index]):
+        if not remainder or not int(remainder.degrees()[index]):
             continue
         parts: dict[int, dict[tuple[int, ...], fmpq]] = {1: {}, 2: {}}
-        for exponents, number in rest.to_dict().items():
+        for exponents, number in remainder.to_dict().items():
             power = int(exponents[index])
             if power:
                 lower = tuple(0 if i == index else int(e) for i, e in enumerate(exponents))
@@ -236,10 +233,10 @@ def completed_squares(poly: Poly, ring: Any) -> list[tuple[fmpq, Poly]] | None:
             return None
         weight = square.leading_coefficient()
         base = ring.gen(index) + ring.from_dict(parts[1]) / (2 * weight)
-        found.append((weight, base))
-        rest = rest - weight * base * base
-    if rest:
-        if not rest.leading_coefficient() > 0:
+        forms.append((weight, base))
+        remainder = remainder - weight * base * base
+    if remainder:
+        if not remainder.leading_coefficient() > 0:
             return None
-        found.append((rest.leading_coefficient(), ring.constant(1)))
-    return found
+        forms.append((remainder.leading_coefficient(), ring.constant(1)))
+    return forms

@@ -1,4 +1,4 @@
-"""Fields in which residuals are written for a certificate: nothing is reduced by the level.
+"""Fields for the residuals of a certificate, in which the level reduces nothing.
 
 A certificate compares its residuals with the law at points off the level.  So numerators stay as
 they come; only what holds everywhere is used, the relations of roots and circles.
@@ -8,20 +8,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
+
+import sympy as sp
 
 from .formal_roots import FormalRoots
-from .function_field import FunctionField
-from .quotient_ring import Element
+from .function_field import FunctionField, Key
+from .quotient_ring import Element, Poly
 
 __all__ = ["Meaning", "UnreducedField", "UnreducedFormal"]
 
-Poly = Any
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
 class Meaning:
-    """What an auxiliary symbol stands for.
+    """The meaning of an auxiliary symbol.
 
     Attributes
     ----------
@@ -47,7 +49,7 @@ class Meaning:
     name: str = ""
     number: int = 0
     orders: tuple[int, ...] = ()
-    exponent: Any = None
+    exponent: sp.Expr | None = None
     whole: tuple[tuple[Poly, int], ...] = ()
 
     def agrees(self, other: Meaning) -> bool:
@@ -66,7 +68,7 @@ class UnreducedField(FunctionField):
         self.record: dict[str, Meaning] = {}
         self._pending: list[Meaning] = []
 
-    def _noted(self, meaning: Meaning, task: Callable[[], Any]) -> Any:
+    def _with_meaning(self, meaning: Meaning, task: Callable[[], T]) -> T:
         self._pending.append(meaning)
         try:
             return task()
@@ -74,15 +76,15 @@ class UnreducedField(FunctionField):
             self._pending.pop()
 
     def _new(
-        self, key: Any, meaning: str, value: Callable[[], float], positive: bool = False
+        self, key: Key, meaning: str, value: Callable[[], float], positive: bool = False
     ) -> Poly:
         fresh = key not in self._auxiliary
-        made = super()._new(key, meaning, value, positive)
+        symbol = super()._new(key, meaning, value, positive)
         if fresh:
-            self.record[str(made)] = self._meant(key)
-        return made
+            self.record[str(symbol)] = self._meaning_of(key)
+        return symbol
 
-    def _meant(self, key: Any) -> Meaning:
+    def _meaning_of(self, key: Key) -> Meaning:
         kind = key[0]
         pending = self._pending[-1] if self._pending else Meaning("")
         if kind == "pi":
@@ -97,48 +99,43 @@ class UnreducedField(FunctionField):
 
     def circle(self, angle: Element) -> tuple[Element, Element]:
         """Sine and cosine."""
-        made: tuple[Element, Element] = self._noted(
+        return self._with_meaning(
             Meaning("", (angle,)), lambda: super(UnreducedField, self).circle(angle)
         )
-        return made
 
     def known(self, name: str, arguments: Sequence[Element]) -> Element:
         """A value of a function of which only derivatives are known."""
-        made: Element = self._noted(
+        return self._with_meaning(
             Meaning("known", tuple(arguments), name),
             lambda: super(UnreducedField, self).known(name, arguments),
         )
-        return made
 
     def unspecified(
         self, function: str, orders: Sequence[int], arguments: Sequence[Element]
     ) -> Element:
         """A value of an unspecified function."""
         meaning = Meaning("function", tuple(arguments), function, orders=tuple(orders))
-        made: Element = self._noted(
+        return self._with_meaning(
             meaning, lambda: super(UnreducedField, self).unspecified(function, orders, arguments)
         )
-        return made
 
     def _root(self, base: Poly, degree: int) -> Element:
-        made: Element = self._noted(
+        return self._with_meaning(
             Meaning("", (Element(self, base, {}),)),
             lambda: super(UnreducedField, self)._root(base, degree),
         )
-        return made
 
-    def _one_power(self, base: Poly, theta: Any, exponent: Any) -> Element:
-        made: Element = self._noted(
+    def _one_power(self, base: Poly, theta: sp.Expr, exponent: sp.Rational) -> Element:
+        return self._with_meaning(
             Meaning("", (Element(self, base, {}),)),
             lambda: super(UnreducedField, self)._one_power(base, theta, exponent),
         )
-        return made
 
 
 class UnreducedFormal(UnreducedField, FormalRoots):
-    """The same with roots that are not split."""
+    """An unreduced field with roots that are not split."""
 
-    def _root_made(self, element: Element, degree: int) -> Element:
+    def _new_root(self, element: Element, degree: int) -> Element:
         content, parts = self.factorised(self.reduce(element.poly))
         powers = dict(element.powers)
         for number, power in parts:
@@ -148,22 +145,20 @@ class UnreducedFormal(UnreducedField, FormalRoots):
             inner = inner * self.factors[number] ** (power % degree)
         whole = tuple((self.factors[n], p // degree) for n, p in powers.items() if p // degree)
         meaning = Meaning("formal root", (Element(self, inner, {}),), number=degree, whole=whole)
-        made: Element = self._noted(
-            meaning, lambda: super(UnreducedFormal, self)._root_made(element, degree)
+        return self._with_meaning(
+            meaning, lambda: super(UnreducedFormal, self)._new_root(element, degree)
         )
-        return made
 
-    def _meant(self, key: Any) -> Meaning:
+    def _meaning_of(self, key: Key) -> Meaning:
         if key[0] == "formal root":
             return next(m for m in reversed(self._pending) if m.kind == "formal root")
         if key[0] == "formal power":
             (power,) = (m for m in self._pending[-1:] if m.kind == "power")
             return power
-        return super()._meant(key)
+        return super()._meaning_of(key)
 
-    def _power_made(self, element: Element, theta: Any) -> Element:
+    def _new_power(self, element: Element, theta: sp.Expr) -> Element:
         meaning = Meaning("power", (element,), exponent=theta)
-        made: Element = self._noted(
-            meaning, lambda: super(UnreducedFormal, self)._power_made(element, theta)
+        return self._with_meaning(
+            meaning, lambda: super(UnreducedFormal, self)._new_power(element, theta)
         )
-        return made

@@ -29,7 +29,6 @@ class Alternative:
 
     Attributes
     ----------
-    system : System
     law : Law
         With factors in place of the conditions they are factors of.
     chosen : tuple of sympy.Expr
@@ -45,22 +44,22 @@ def alternatives(system: System, law: Law) -> tuple[Alternative, ...]:
     """The parts of the level of a law that its conditions with functions distinguish."""
     conditions = [to_components(c) for c in (*system.relations, *law.on)]
     factors = [_factors(condition) for condition in conditions]
-    if all(len(made) == 1 for made in factors):
+    if all(len(choices) == 1 for choices in factors):
         return (Alternative(system, law),)
     split = len(system.relations)
-    found = []
+    parts = []
     for choice in _first(product(*factors)):
         there = replace(law, on=choice[split:], as_printed=None)
         if isinstance(there, Measure):
             there = _among(there, conditions, choice)
-        found.append(
+        parts.append(
             Alternative(
                 replace(system, relations=choice[:split], laws=()),
                 there,
-                tuple(c for c, made in zip(choice, factors, strict=True) if len(made) > 1),
+                tuple(c for c, choices in zip(choice, factors, strict=True) if len(choices) > 1),
             )
         )
-    return tuple(found)
+    return tuple(parts)
 
 
 def _among(law: Measure, conditions: list[sp.Expr], choice: tuple[sp.Expr, ...]) -> Measure:
@@ -81,7 +80,7 @@ def _first(choices: Iterator[tuple[sp.Expr, ...]]) -> Iterator[tuple[sp.Expr, ..
 
 
 def _factors(condition: sp.Expr) -> tuple[sp.Expr, ...]:
-    """The factors of a condition that holds functions; the condition itself if it is polynomial."""
+    """The factors of a condition with functions; a polynomial condition itself."""
     functions = condition.atoms(sp.Function, sp.Derivative, sp.Subs)
     roots = any(not power.exp.is_Integer for power in condition.atoms(sp.Pow))
     if not functions and not roots:
@@ -95,10 +94,10 @@ def _factors(condition: sp.Expr) -> tuple[sp.Expr, ...]:
     }
     above, _ = sp.fraction(sp.together(condition.xreplace(names)))
     back = {symbol: part for part, symbol in names.items()}
-    found = []
+    factors = []
     for part in sp.Mul.make_args(sp.factor(above)):
         factor = part.xreplace(back)
         base = factor.base if factor.is_Pow and factor.exp.is_positive else factor
         if not base.is_number and not isinstance(base, sp.exp):
-            found.append(base)
-    return tuple(dict.fromkeys(found)) or (condition,)
+            factors.append(base)
+    return tuple(dict.fromkeys(factors)) or (condition,)

@@ -10,16 +10,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
 
 from ...core.laws import Rate, Reduction
 from ...core.vectors import to_components
 from ...errors import InputError
+from ..fields.field import Field, FieldElement
 from .level_set import LevelSet
 from .named_formulas import quantities_in_order
 from .time_derivatives import without_second_rates
+from .trigonometric import expanded
 
 __all__ = ["closing", "up_to_time"]
 
@@ -55,37 +56,38 @@ class _Rates:
         )
 
 
-def up_to_time(law: Reduction, ground: LevelSet) -> bool:
+def up_to_time(law: Reduction, level: LevelSet) -> bool:
     """Whether the equations speak of paths alone: they are homogeneous in the rates."""
-    return _rates(law, ground).homogeneous
+    return _rates(law, level).homogeneous
 
 
 def closing(
-    law: Reduction, ground: LevelSet, field: Any
-) -> tuple[list[list[Any]], list[list[Any]], int]:
-    """What determines the rates: rows of the equations, rows of what holds anyway, and unknowns.
+    law: Reduction, level: LevelSet, field: Field
+) -> tuple[list[list[FieldElement]], list[list[FieldElement]], int]:
+    """Rows of the equations, rows of identities, and the number of unknown rates.
 
     Raises
     ------
     InputError
         If the equations hold nothing that moves.
     """
-    rates = _rates(law, ground)
-    quantities = quantities_in_order(law, ground)
-    evaluate = ground.along(field).with_steps(quantities)
+    rates = _rates(law, level)
+    quantities = quantities_in_order(law, level)
+    evaluate = level.along(field).with_steps(quantities)
 
-    def value(formula: sp.Expr) -> Any:
+    def value(formula: sp.Expr) -> FieldElement:
         restored = sp.sympify(formula).xreplace(rates.meaning)
-        return evaluate.value(without_second_rates(restored, ground, quantities))
+        number: FieldElement = evaluate.value(without_second_rates(restored, level, quantities))
+        return number
 
-    stated = [[value(slope) for slope in row] for row in _stated(rates)]
-    known = [[value(slope) for slope in row] for row in _known(rates, quantities, ground)]
+    stated = [[value(slope) for slope in row] for row in _equation_rows(rates)]
+    known = [[value(slope) for slope in row] for row in _identity_rows(rates, quantities, level)]
     return stated, known, len(rates.unknowns)
 
 
-def _rates(law: Reduction, ground: LevelSet) -> _Rates:
-    quantities = quantities_in_order(law, ground)
-    variables = {*ground.system.symbols, *quantities}
+def _rates(law: Reduction, level: LevelSet) -> _Rates:
+    quantities = quantities_in_order(law, level)
+    variables = {*level.system.symbols, *quantities}
     meaning: dict[sp.Symbol, sp.Expr] = {}
     symbols: dict[sp.Expr, sp.Symbol] = {}
 
@@ -105,13 +107,13 @@ def _rates(law: Reduction, ground: LevelSet) -> _Rates:
             )
         )
 
-    def written(formula: sp.Expr) -> sp.Expr:
-        """With symbols for the rates, the innermost first."""
+    def with_symbols(formula: sp.Expr) -> sp.Expr:
+        """A formula with symbols for the rates, the innermost first."""
         while rates := [r for r in formula.atoms(Rate) if not r.args[0].has(Rate)]:
             formula = formula.xreplace({r: rate_of(r.args[0]) for r in rates})
         return formula
 
-    equations = tuple(written(ground.expanded(to_components(e))) for e in law.equations)
+    equations = tuple(with_symbols(level.expanded(to_components(e))) for e in law.equations)
     seen = {s for e in equations for s in e.free_symbols}
     moving = {s for s in seen if s in variables}
     # a rate that occurs alone stands for its variable
@@ -130,7 +132,7 @@ def _rates(law: Reduction, ground: LevelSet) -> _Rates:
 
 
 def _below(rates: Iterable[sp.Expr]) -> Iterator[sp.Expr]:
-    """What the rates are rates of."""
+    """The variables of rates."""
     for rate in rates:
         inner = rate
         while isinstance(inner, Rate):
@@ -138,53 +140,41 @@ def _below(rates: Iterable[sp.Expr]) -> Iterator[sp.Expr]:
         yield inner
 
 
-def _stated(rates: _Rates) -> Iterator[list[sp.Expr]]:
+def _equation_rows(rates: _Rates) -> Iterator[list[sp.Expr]]:
     for equation in rates.equations:
         if equation.free_symbols & set(rates.unknowns):
             yield [sp.diff(equation, u) for u in rates.unknowns]
         else:
-            yield _differentiated(equation, rates)
+            yield _derivatives(equation, rates)
 
 
-def _known(
-    rates: _Rates, quantities: dict[sp.Symbol, sp.Expr], ground: LevelSet
+def _identity_rows(
+    rates: _Rates, quantities: dict[sp.Symbol, sp.Expr], level: LevelSet
 ) -> Iterator[list[sp.Expr]]:
-    """From the formulas of the quantities and from the conditions."""
+    """Rows from the formulas of the quantities and from the conditions."""
     own = {s for rate in rates.meaning.values() for s in rate.free_symbols}
     own |= {s for e in rates.equations for s in e.free_symbols} - set(rates.meaning)
     for symbol, formula in quantities.items():
         if symbol in own:
-            written = ground.expanded(_without(formula, quantities, own))
-            if _within(written, own, quantities, ground):
-                yield _differentiated(symbol - written, rates)
-    for condition in ground.moving:
-        if _within(condition, own, quantities, ground):
-            yield _differentiated(condition, rates)
+            others = {s: f for s, f in quantities.items() if s not in own}
+            with_symbols = level.expanded(expanded(formula, others))
+            if _within(with_symbols, own, quantities, level):
+                yield _derivatives(symbol - with_symbols, rates)
+    for condition in level.moving:
+        if _within(condition, own, quantities, level):
+            yield _derivatives(condition, rates)
 
 
-def _differentiated(formula: sp.Expr, rates: _Rates) -> list[sp.Expr]:
+def _derivatives(formula: sp.Expr, rates: _Rates) -> list[sp.Expr]:
     back = {unknown: variable for variable, unknown in rates.first.items()}
     return [sp.diff(formula, back[u]) if u in back else sp.S.Zero for u in rates.unknowns]
 
 
-def _without(
-    formula: sp.Expr, quantities: dict[sp.Symbol, sp.Expr], kept: set[sp.Symbol]
-) -> sp.Expr:
-    """A formula in which the quantities that the equations do not hold are written out."""
-    gone = {s: f for s, f in quantities.items() if s not in kept}
-    while formula.free_symbols & gone.keys():
-        formula = formula.xreplace(gone)
-    return formula
-
-
 def _within(
-    formula: sp.Expr,
-    own: set[sp.Symbol],
-    quantities: dict[sp.Symbol, sp.Expr],
-    ground: LevelSet,
+    formula: sp.Expr, own: set[sp.Symbol], quantities: dict[sp.Symbol, sp.Expr], level: LevelSet
 ) -> bool:
     """Whether a formula moves with the variables of the equations alone."""
-    moving: set[sp.Symbol] = formula.free_symbols & {*ground.system.symbols, *quantities}
+    moving: set[sp.Symbol] = formula.free_symbols & {*level.system.symbols, *quantities}
     return moving <= own
 
 

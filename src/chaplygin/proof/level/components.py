@@ -20,6 +20,7 @@ from typing import Any
 
 from ...formulas.errors import EmptyLevelError, OutOfReachError
 from ..fields.function_field import FunctionField
+from ..fields.quotient_ring import coefficient
 from ..fields.signs import Signs
 from .triangular_set import chain
 
@@ -67,11 +68,11 @@ class _Part:
 
 @dataclass
 class Decomposition:
-    """How conditions fall into components.
+    """The decomposition of conditions into components.
 
     Parameters
     ----------
-    draft : Fractions
+    draft : FunctionField
         The field to which the conditions belong.
     names : sequence of str
         Variables that may be main ones.
@@ -98,7 +99,7 @@ class Decomposition:
         # no component has less dimensions than this, by Krull's height theorem
         least = len(self.names) - len(conditions)
         waiting = [_Part(tuple(conditions))]
-        found: list[Component] = []
+        components: list[Component] = []
         while waiting:
             part = waiting.pop(0)
             forks = self._forks(part.equations, self._real)
@@ -116,25 +117,27 @@ class Decomposition:
             triangular = self._chain(part.equations)
             dimension = len(self.names) - len(triangular)
             inner = part.parent is not None and not part.squared and dimension < least
-            made = Component(part.equations, part.chosen, part.parent, inner)
-            found.append(made)
+            component = Component(part.equations, part.chosen, part.parent, inner)
+            components.append(component)
             for initial in self._initials(triangular):
                 if not self._thin(part.equations, triangular, initial):
                     further = (*part.equations, initial)
                     chosen = (*part.chosen, initial)
-                    waiting.append(_Part(further, chosen, part.parent or made, part.squared))
-        return self._without_repeated(found)
+                    waiting.append(_Part(further, chosen, part.parent or component, part.squared))
+        return self._without_repeated(components)
 
-    def _without_repeated(self, found: Sequence[Component]) -> tuple[Component, ...]:
+    def _without_repeated(self, components: Sequence[Component]) -> tuple[Component, ...]:
         """The parts of no other part; those on which an initial vanishes stay."""
-        own = [part for part in found if part.parent is None]
-        kept: list[Component] = []
+        own = [part for part in components if part.parent is None]
+        distinct: list[Component] = []
         for index, part in enumerate(own):
-            others = [*kept, *own[index + 1 :]]
+            others = [*distinct, *own[index + 1 :]]
             if not any(self._within(part, other) for other in others):
-                kept.append(part)
+                distinct.append(part)
         return tuple(
-            part for part in found if any(part is one or part.parent is one for one in kept)
+            part
+            for part in components
+            if any(part is one or part.parent is one for one in distinct)
         )
 
     def _within(self, part: Component, other: Component) -> bool:
@@ -159,39 +162,39 @@ class Decomposition:
                 f"the level falls into components in more than {MOST_STEPS} steps"
             )
         for index, equation in enumerate(equations):
-            made = alternatives(equation)
-            if made != [(equation,)]:
-                rest = (*equations[:index], *equations[index + 1 :])
-                return self._forked(rest, made)
+            choices = alternatives(equation)
+            if choices != [(equation,)]:
+                others = (*equations[:index], *equations[index + 1 :])
+                return self._parts_of_fork(others, choices)
         try:
             triangular = self._chain(equations)
         except EmptyLevelError:
             return []
         known = {str(poly) for poly in equations}
         for _, poly in triangular:
-            made = alternatives(poly)
+            choices = alternatives(poly)
             # where a factor is an equation already, nothing is left to choose
-            if made != [(poly,)] and not any({*map(str, polys)} <= known for polys in made):
-                return self._forked(equations, made)
+            if choices != [(poly,)] and not any({*map(str, polys)} <= known for polys in choices):
+                return self._parts_of_fork(equations, choices)
         return None
 
-    def _forked(self, rest: Polys, made: list[Polys]) -> list[_Part]:
-        made = sorted(made, key=lambda polys: not any(map(self._moves, polys)))
-        known = {str(poly) for poly in rest}
+    def _parts_of_fork(self, others: Polys, choices: list[Polys]) -> list[_Part]:
+        choices = sorted(choices, key=lambda polys: not any(map(self._moves, polys)))
+        known = {str(poly) for poly in others}
         return [
             _Part(
                 (
-                    *rest,
+                    *others,
                     *(
                         p
                         for p in dict(zip(map(str, polys), polys, strict=True)).values()
                         if str(p) not in known
                     ),
                 ),
-                polys if len(made) > 1 else (),
+                polys if len(choices) > 1 else (),
                 squared=len(polys) > 1,
             )
-            for polys in made
+            for polys in choices
         ]
 
     def _complex(self, poly: Poly) -> list[Polys]:
@@ -201,21 +204,21 @@ class Decomposition:
         if poly.is_constant():
             return []
         _, parts = poly.factor()
-        kept = [part for part, _ in parts if not self.signs.never_zero(part)]
-        if len(kept) == 1 and _alike(kept[0], poly):
+        real = [part for part, _ in parts if not self.signs.never_zero(part)]
+        if len(real) == 1 and _alike(real[0], poly):
             return [(poly,)]
-        return [(part,) for part in kept]
+        return [(part,) for part in real]
 
     def _real(self, poly: Poly) -> list[Polys]:
-        """The same, with what vanishes at the real zeros of a sum of squares."""
-        found: list[Polys] = []
+        """Equations with those that hold at the real zeros of a sum of squares."""
+        real: list[Polys] = []
         for polys in self._complex(poly):
             squares = self.signs.squares(polys[0]) if polys else None
             if squares is None or (len(squares) == 1 and _alike(squares[0], polys[0])):
-                found.append(polys)
+                real.append(polys)
             elif not any(base.is_constant() for base in squares):
-                found.append(tuple(squares))
-        return found
+                real.append(tuple(squares))
+        return real
 
     def _chain(self, equations: Polys) -> list[tuple[str, Poly]]:
         return chain(self.draft, self.names, equations, self.moving)
@@ -228,15 +231,15 @@ class Decomposition:
 
     def _initials(self, triangular: Sequence[tuple[str, Poly]]) -> list[Poly]:
         """Irreducible factors of the initials that are not known to be non-zero."""
-        found: dict[str, Poly] = {}
+        initials: dict[str, Poly] = {}
         for main, poly in triangular:
             position = self.draft.names.index(main)
-            lead = self.draft.coefficient(poly, position, int(poly.degrees()[position]))
+            lead = coefficient(poly, position, int(poly.degrees()[position]))
             if not lead.is_constant():
                 for part, _ in lead.factor()[1]:
                     if not self.signs.never_zero(part):
-                        found.setdefault(str(part), part)
-        return list(found.values())
+                        initials.setdefault(str(part), part)
+        return list(initials.values())
 
     def _thin(
         self, equations: Polys, triangular: Sequence[tuple[str, Poly]], initial: Poly

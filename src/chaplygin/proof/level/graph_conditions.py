@@ -24,6 +24,7 @@ from ..fields.function_field import FunctionField
 from ..fields.signs import Signs
 from .components import Decomposition
 from .triangular_set import numerator
+from .trigonometric import expanded
 
 __all__ = ["Graph", "graph"]
 
@@ -37,8 +38,6 @@ class Graph:
 
     Attributes
     ----------
-    system : System
-    law : Law
     consistency : Identity
         That the variables that are gone move as their expressions do.
     excluded : tuple of sympy.Expr
@@ -57,8 +56,6 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
 
     Parameters
     ----------
-    system : System
-    law : Law
     tame : tuple of type
         Functions that are no obstacle in a condition.
     """
@@ -71,7 +68,7 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
     for condition in (*system.relations, *law.on):
         formula = to_components(condition)
         choice = None
-        if not _polynomial(_written(formula, steps), tame):
+        if not _polynomial(expanded(formula, steps), tame):
             choice = _linear(formula, [s for s in system.symbols if s not in gone], steps, gone)
         if choice is None:
             left.append(formula)
@@ -82,10 +79,10 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
     if not gone:
         return None
     rates = dict(zip(system.symbols, system.rates, strict=True))
-    made = replace(
+    reduced = replace(
         system,
         field={s: rate for s, rate in rates.items() if s not in gone},
-        definitions=_ordered({**steps, **gone}),
+        definitions=_in_order({**steps, **gone}),
         relations=tuple(left),
         laws=(),
         observables=(),
@@ -98,12 +95,12 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
         changed["density"] = (*law.density, *((factor, -sp.S.One) for factor in factors))
     agreement = tuple(Rate(s) - rates[s] for s in gone)
     consistency = Identity("the conditions are kept", agreement)
-    excluded = _excluded(system, (*system.relations, *law.on), factors)
-    return Graph(made, replace(law, **changed), consistency, excluded)
+    excluded = _excluded_factors(system, (*system.relations, *law.on), factors)
+    return Graph(reduced, replace(law, **changed), consistency, excluded)
 
 
-def _excluded(
-    system: System, conditions: Iterable[Any], factors: Iterable[sp.Expr]
+def _excluded_factors(
+    system: System, conditions: Iterable[sp.Expr], factors: Iterable[sp.Expr]
 ) -> tuple[sp.Expr, ...]:
     """Factors whose zeros could hold a component of the level.
 
@@ -122,7 +119,7 @@ def _excluded(
     return ()
 
 
-def _thin(system: System, conditions: tuple[Any, ...], factor: sp.Expr, spare: int) -> bool:
+def _thin(system: System, conditions: tuple[sp.Expr, ...], factor: sp.Expr, spare: int) -> bool:
     symbols = (*system.symbols, *(p.symbol for p in system.parameters))
     draft = FunctionField([str(s) for s in symbols], spare)
     seeds = {s: Jet(draft.generator(str(s)), {}) for s in symbols}
@@ -130,17 +127,11 @@ def _thin(system: System, conditions: tuple[Any, ...], factor: sp.Expr, spare: i
     equations = [numerator(draft, evaluate.value(to_components(c))) for c in conditions]
     lead = numerator(draft, evaluate.value(factor))
     equations += [poly for _, poly, _ in draft.relations]
-    made = Decomposition(
+    decomposition = Decomposition(
         draft, draft.names, {str(s) for s in system.symbols}, Signs(draft.ring, {})
     )
     parts = [part for part, _ in lead.factor()[1]]
-    return all(made.within((*equations, part), len(equations) + 1) for part in parts)
-
-
-def _written(formula: sp.Expr, steps: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    while formula.free_symbols & steps.keys():
-        formula = formula.xreplace(dict(steps))
-    return formula
+    return all(decomposition.within((*equations, part), len(equations) + 1) for part in parts)
 
 
 def _polynomial(formula: sp.Expr, tame: tuple[type, ...]) -> bool:
@@ -164,14 +155,17 @@ def _linear(
         if symbol not in formula.free_symbols:
             continue
         factor = sp.diff(formula, symbol)
-        rest = formula.xreplace({symbol: sp.S.Zero})
-        slope = _written(factor, known)
-        if slope != 0 and symbol not in slope.free_symbols | _written(rest, known).free_symbols:
-            return symbol, -rest / factor, factor
+        remainder = formula.xreplace({symbol: sp.S.Zero})
+        slope = expanded(factor, known)
+        if (
+            slope != 0
+            and symbol not in slope.free_symbols | expanded(remainder, known).free_symbols
+        ):
+            return symbol, -remainder / factor, factor
     return None
 
 
-def _ordered(steps: Mapping[sp.Symbol, sp.Expr]) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+def _in_order(steps: Mapping[sp.Symbol, sp.Expr]) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
     """Definitions in an order in which each can be computed."""
     done: dict[sp.Symbol, sp.Expr] = {}
     waiting = dict(steps)

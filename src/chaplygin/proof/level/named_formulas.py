@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import sympy as sp
 
 from ...core.laws import Identity, Reduction
-from ...core.vectors import to_components
+from ...core.vectors import Vector, to_components
 from ...errors import InputError
 from .level_set import LevelSet
 from .time_derivatives import without_rates
@@ -16,25 +15,27 @@ from .time_derivatives import without_rates
 __all__ = ["components", "quantities_in_order", "scalars"]
 
 
-def scalars(value: Any) -> list[sp.Expr]:
+def scalars(value: object) -> list[sp.Expr]:
     """The scalar formulas of a scalar, vector, matrix or tuple of these."""
     if isinstance(value, (tuple, list)):
         return [scalar for part in value for scalar in scalars(part)]
-    made = to_components(sp.sympify(value))
-    return list(made) if isinstance(made, sp.MatrixBase) else [made]
+    components = to_components(sp.sympify(value))
+    return list(components) if isinstance(components, sp.MatrixBase) else [components]
 
 
-def components(pairs: Sequence[tuple[Any, Any]], ground: LevelSet) -> dict[sp.Symbol, sp.Expr]:
+def components(
+    pairs: Sequence[tuple[sp.Symbol | Vector, sp.Expr]], level: LevelSet
+) -> dict[sp.Symbol, sp.Expr]:
     """Pairs (name, formula) as scalar symbols with scalar formulas, rates written out."""
-    found: dict[sp.Symbol, sp.Expr] = {}
+    formulas_by_symbol: dict[sp.Symbol, sp.Expr] = {}
     for name, formula in pairs:
         symbols = (name,) if isinstance(name, sp.Symbol) else name.symbols
-        formulas = (without_rates(scalar, ground) for scalar in scalars(formula))
-        found.update(zip(symbols, formulas, strict=True))
-    return found
+        formulas = (without_rates(scalar, level) for scalar in scalars(formula))
+        formulas_by_symbol.update(zip(symbols, formulas, strict=True))
+    return formulas_by_symbol
 
 
-def quantities_in_order(law: Reduction | Identity, ground: LevelSet) -> dict[sp.Symbol, sp.Expr]:
+def quantities_in_order(law: Reduction | Identity, level: LevelSet) -> dict[sp.Symbol, sp.Expr]:
     """The quantities of a law, each in terms of the system and of earlier ones.
 
     Raises
@@ -42,26 +43,26 @@ def quantities_in_order(law: Reduction | Identity, ground: LevelSet) -> dict[sp.
     InputError
         If a quantity has the name of something else, or uses itself or a later one.
     """
-    found = components(law.quantities, ground)
-    system = ground.system
+    quantities = components(law.quantities, level)
+    system = level.system
     kinds = {
         "a state variable": set(system.symbols),
         "a definition": {s for s, _ in system.steps},
         "a parameter": {p.symbol for p in system.parameters},
     }
-    for symbol in found:
-        for kind, taken in kinds.items():
-            if symbol in taken:
+    for symbol in quantities:
+        for kind, names in kinds.items():
+            if symbol in names:
                 raise InputError(
                     f"the law {law.name!r} names a quantity {symbol}, which is {kind} of "
                     f"{system.name}; it needs a name of its own"
                 )
-    waiting = set(found)
-    for symbol, formula in found.items():
+    waiting = set(quantities)
+    for symbol, formula in quantities.items():
         if ahead := sorted(map(str, formula.free_symbols & waiting)):
             raise InputError(
                 f"the law {law.name!r}: the formula of {symbol} uses {', '.join(ahead)}; a "
                 "quantity may use those named before it"
             )
         waiting.remove(symbol)
-    return found
+    return quantities

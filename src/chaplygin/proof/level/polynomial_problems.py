@@ -1,9 +1,8 @@
-"""What has to be proved of a law, on phase spaces whose conditions are polynomials."""
+"""The claims that make up a law, on phase spaces with polynomial conditions."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
@@ -23,8 +22,6 @@ class Claim:
 
     Attributes
     ----------
-    system : System
-    law : Law
     excluded : tuple of sympy.Expr
         Formulas whose zeros the claim leaves aside.
     circles : tuple of (angle, sine, cosine, unit)
@@ -35,13 +32,13 @@ class Claim:
 
     system: System
     law: Law
-    excluded: tuple[Any, ...] = ()
+    excluded: tuple[sp.Expr, ...] = ()
     circles: tuple[tuple[sp.Symbol, sp.Symbol, sp.Symbol, sp.Expr], ...] = ()
     expressed: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
 
 
 def polynomial_problems(system: System, law: Law) -> tuple[Claim, ...]:
-    """What has to be proved of a law, on phase spaces whose conditions are polynomial.
+    """The claims that make up a law, on phase spaces with polynomial conditions.
 
     Raises
     ------
@@ -49,29 +46,30 @@ def polynomial_problems(system: System, law: Law) -> tuple[Claim, ...]:
         If there is no such phase space.
     """
     # conditions with sines and cosines go best with circles, others with graphs
-    made = graph(system, law, tame=(TrigonometricFunction,))
+    reduced = graph(system, law, tame=(TrigonometricFunction,))
     try:
-        base = _on_circles(system, law, made)
+        base = _on_circles(system, law, reduced)
     except OutOfReachError:
-        made = graph(system, law)
-        if made is None:
+        reduced = graph(system, law)
+        if reduced is None:
             raise
-        base = Claim(made.system, made.law, expressed=_expressed(system, made))
-    if made is None:
+        base = Claim(reduced.system, reduced.law, expressed=_expressed_variables(system, reduced))
+    if reduced is None:
         return (base,)
     return (
         replace(
-            _on_circles(made.system, made.consistency, None), expressed=_expressed(system, made)
+            _on_circles(reduced.system, reduced.consistency, None),
+            expressed=_expressed_variables(system, reduced),
         ),
-        replace(base, excluded=made.excluded),
+        replace(base, excluded=reduced.excluded),
     )
 
 
-def _on_circles(system: System, law: Law, made: Graph | None) -> Claim:
+def _on_circles(system: System, law: Law, reduced: Graph | None) -> Claim:
     expressed: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
-    if made is not None:
-        expressed = _expressed(system, made)
-        system, law = made.system, made.law
+    if reduced is not None:
+        expressed = _expressed_variables(system, reduced)
+        system, law = reduced.system, reduced.law
     changed: Circles | None = circles(system, law.on, formulas_of(law))
     if changed is None:
         return Claim(system, law, expressed=expressed)
@@ -79,7 +77,7 @@ def _on_circles(system: System, law: Law, made: Graph | None) -> Claim:
     return Claim(changed.system, changed.law(law), circles=lost, expressed=expressed)
 
 
-def _expressed(system: System, made: Graph) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+def _expressed_variables(system: System, reduced: Graph) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
     """The variables that a graph takes from the state, with their formulas."""
-    gone = set(system.symbols) - set(made.system.symbols)
-    return tuple((s, value) for s, value in made.system.steps if s in gone)
+    gone = set(system.symbols) - set(reduced.system.symbols)
+    return tuple((s, value) for s, value in reduced.system.steps if s in gone)

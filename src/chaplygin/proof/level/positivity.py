@@ -1,4 +1,4 @@
-"""What must be positive for a law to make sense.
+"""Quantities that must be positive for a law to make sense.
 
 A formula is positive on a whole level, or the law makes sense only where it is.  What is positive
 by its form wherever it is real is left out: roots, exponentials, positive numbers, and squares in
@@ -8,7 +8,6 @@ denominators.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 import sympy as sp
 
@@ -16,6 +15,7 @@ from ...core.isomorphism import Isomorphism
 from ...core.laws import Law, Measure
 from ...core.vectors import to_components
 from ...printing.formula import text
+from ..fields.field import Field, FieldElement
 from .level_set import LevelSet
 from .time_derivatives import without_rates
 
@@ -24,16 +24,11 @@ __all__ = ["orienting", "positives", "unmet"]
 Named = tuple[str, sp.Expr]
 
 
-def positives(law: Law, ground: LevelSet) -> tuple[Named, ...]:
-    """What a law needs to be positive: each in words, and as a formula.
+def positives(law: Law, level: LevelSet) -> tuple[Named, ...]:
+    """Quantities that a law needs to be positive, each in words and as a formula.
 
     Of an isomorphism it is dτ/dt; of a measure every base of its density that stands under a root,
     so that the density is real.
-
-    Parameters
-    ----------
-    law : Law
-    ground : Ground
 
     Returns
     -------
@@ -42,44 +37,38 @@ def positives(law: Law, ground: LevelSet) -> tuple[Named, ...]:
         that is a number is negative or zero.
         Where all of them are positive the law makes sense, provided that its formulas are real.
     """
-    found: list[Named] = []
+    bases: list[Named] = []
     match law:
         case Isomorphism():
-            found = [("dτ/dt", _plain(law.time, ground))]
+            bases = [("dτ/dt", _plain(law.time, level))]
         case Measure():
-            found = [
+            bases = [
                 (f"the base {text(base)} of the density", formula)
-                for base, formula, power in _bases(law, ground)
+                for base, formula, power in _bases(law, level)
                 if not power.is_Integer
             ]
-    settled = ((what, _unsettled(formula, ground)) for what, formula in found)
+    settled = ((what, _factors_of_open_sign(formula, level)) for what, formula in bases)
     return tuple((what, formula) for what, formula in settled if formula != 1)
 
 
-def orienting(law: Law, ground: LevelSet) -> tuple[Named, ...]:
-    """What decides whether a density is positive: its bases with odd exponents.
+def orienting(law: Law, level: LevelSet) -> tuple[Named, ...]:
+    """The bases of a density with odd exponents, which decide its sign.
 
     Where the product of all of them has one sign, the density or its negative is positive; where it
     has either sign, the measure is a signed one.
     """
     if not isinstance(law, Measure):
         return ()
-    found = (
-        (f"the base {text(base)} of the density", _unsettled(formula, ground))
-        for base, formula, power in _bases(law, ground)
+    bases = (
+        (f"the base {text(base)} of the density", _factors_of_open_sign(formula, level))
+        for base, formula, power in _bases(law, level)
         if power.is_Integer and power % 2
     )
-    return tuple((what, formula) for what, formula in found if not formula.is_number)
+    return tuple((what, formula) for what, formula in bases if not formula.is_number)
 
 
-def unmet(law: Law, ground: LevelSet, field: Any) -> tuple[tuple[str, Any], ...]:
-    """What is not positive at a point though a law needs it, with the value there.
-
-    Parameters
-    ----------
-    law : Law
-    ground : Ground
-    field : Rationals or Balls
+def unmet(law: Law, level: LevelSet, field: Field) -> tuple[tuple[str, FieldElement], ...]:
+    """Quantities that are not positive at a point though a law needs them.
 
     Raises
     ------
@@ -88,33 +77,33 @@ def unmet(law: Law, ground: LevelSet, field: Any) -> tuple[tuple[str, Any], ...]
     ZeroDivisionError
         If a formula has no value at the point, or if a ball leaves the sign open.
     """
-    evaluate = ground.evaluator(field)
-    found = []
-    for what, formula in positives(law, ground):
+    evaluate = level.evaluator(field)
+    failures = []
+    for what, formula in positives(law, level):
         value = evaluate.value(formula)
         if value > 0:
             continue
         if not field.exact and not value <= 0:
             raise ZeroDivisionError
-        found.append((what, value))
-    return tuple(found)
+        failures.append((what, value))
+    return tuple(failures)
 
 
-def _bases(law: Measure, ground: LevelSet) -> Iterator[tuple[Any, sp.Expr, sp.Expr]]:
+def _bases(law: Measure, level: LevelSet) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:
     """Base as given, base without rates, and exponent on the level; none of exponent zero."""
     for base, exponent in law.density:
-        power = ground.expanded(sp.sympify(exponent))
+        power = level.expanded(sp.sympify(exponent))
         if power != 0:
-            yield base, _plain(base, ground), power
+            yield base, _plain(base, level), power
 
 
-def _plain(formula: Any, ground: LevelSet) -> sp.Expr:
-    return without_rates(to_components(sp.sympify(formula)), ground)
+def _plain(formula: sp.Expr, level: LevelSet) -> sp.Expr:
+    return without_rates(to_components(sp.sympify(formula)), level)
 
 
-def _unsettled(formula: sp.Expr, ground: LevelSet) -> sp.Expr:
+def _factors_of_open_sign(formula: sp.Expr, level: LevelSet) -> sp.Expr:
     """The factors whose signs count: a formula that is positive where the given one is."""
-    steps = ground.steps
+    steps = level.steps
     left = []
     for factor in sp.Mul.make_args(sp.sympify(formula)):
         if factor.is_positive:
@@ -127,6 +116,6 @@ def _unsettled(formula: sp.Expr, ground: LevelSet) -> sp.Expr:
             or (exponent < 0 and exponent.p % 2 == 0)
         ):
             continue
-        elif base not in steps or _unsettled(steps[base], ground) != 1:
+        elif base not in steps or _factors_of_open_sign(steps[base], level) != 1:
             left.append(base if exponent == -1 else factor)
     return sp.Mul(*left)

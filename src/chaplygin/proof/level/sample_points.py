@@ -17,7 +17,7 @@ __all__ = ["broad", "far", "near", "number_text", "on_sphere", "real_root"]
 
 
 def near(default: float | None, generator: random.Random, signed: bool = False) -> fmpq:
-    """A random rational number, near the default of a parameter; not 1, whose powers are alike."""
+    """A random rational number, near the default of a parameter; not 1."""
     if default is None or default == 0:
         reach = generator.choice([17, 17, 60])
         sign, above = generator.choice([-1, 1]), generator.randint(3, reach)
@@ -51,8 +51,8 @@ def broad(default: float | None, generator: random.Random, signed: bool = False)
 
 
 def on_sphere(
-    main: str, terms: Terms, taken: set[str], generator: random.Random
-) -> dict[str, Any] | None:
+    main: str, terms: Terms, fixed: set[str], generator: random.Random
+) -> dict[str, fmpq] | None:
     """A rational point of x² + y² + … = c, if the relation is one and c is a square."""
     members, constant, scale = [], fmpq(0), None
     for named, number in terms.items():
@@ -64,7 +64,7 @@ def on_sphere(
             scale = number
         else:
             return None
-    if scale is None or len(members) < 2 or taken & set(members):
+    if scale is None or len(members) < 2 or fixed & set(members):
         return None
     try:
         radius = exact_root(-constant / scale, 2)
@@ -78,11 +78,13 @@ def on_sphere(
     return {n: radius * x for n, x in zip(sorted(members), point, strict=True)}
 
 
-def real_root(main: str, terms: Terms, values: Mapping[str, Any], generator: random.Random) -> Any:
+def real_root(
+    main: str, terms: Terms, values: Mapping[str, fmpq | arb], generator: random.Random
+) -> fmpq | arb:
     """A real value of the main variable, the others being given."""
-    coefficients: dict[int, Any] = {}
+    coefficients: dict[int, fmpq | arb] = {}
     for named, number in terms.items():
-        total: Any = number
+        total: fmpq | arb = number
         degree = 0
         for name, power in named:
             if name == main:
@@ -93,7 +95,7 @@ def real_root(main: str, terms: Terms, values: Mapping[str, Any], generator: ran
     top = max(coefficients)
     c = [coefficients.get(i, fmpq(0)) for i in range(top + 1)]
     if top == 1:
-        return _divided(-c[0], c[1])
+        return _quotient(-c[0], c[1])
     if top == 2:
         square = c[1] * c[1] - 4 * c[0] * c[2]
         if not square > 0:
@@ -102,24 +104,25 @@ def real_root(main: str, terms: Terms, values: Mapping[str, Any], generator: ran
         try:
             if not isinstance(square, fmpq):
                 raise NotExactError
-            root: Any = exact_root(square, 2)
+            root: fmpq | arb = exact_root(square, 2)
         except NotExactError:
             root = arb(square).sqrt()
-        return _divided(sign * root - c[1], 2 * c[2])
-    if all(isinstance(x, fmpq) for x in c):
-        roots: Any = fmpq_poly(c).complex_roots()
-        real = [z.real for z, _ in roots if z.imag == 0]
+        return _quotient(sign * root - c[1], 2 * c[2])
+    rational = [x for x in c if isinstance(x, fmpq)]
+    if len(rational) == len(c):
+        roots: Any = fmpq_poly(rational).complex_roots()
+        real: list[arb] = [z.real for z, _ in roots if z.imag == 0]
         if real:
             return generator.choice(real)
     raise ZeroDivisionError
 
 
-def number_text(value: Any) -> str:
+def number_text(value: fmpq | arb) -> str:
     """A number for a reader."""
     return str(value) if isinstance(value, fmpq) else str(value.str(20))
 
 
-def _divided(above: Any, below: Any) -> Any:
+def _quotient(above: fmpq | arb, below: fmpq | arb) -> fmpq | arb:
     if below == 0 or (not isinstance(below, fmpq) and 0 in below):
         raise ZeroDivisionError
     return above / below

@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any
 
 import sympy as sp
 
 from ...core.laws import Rate, Separation
 from ...core.vectors import to_components
 from ...errors import InputError
+from ..fields.field import Field, FieldElement
 from .level_set import LevelSet
 from .named_formulas import quantities_in_order
 
@@ -31,7 +31,7 @@ class _Parts:
     constants: frozenset[sp.Symbol]
 
 
-def separated(law: Separation, ground: LevelSet) -> Iterator[tuple[str, sp.Expr]]:
+def separated(law: Separation, level: LevelSet) -> Iterator[tuple[str, sp.Expr]]:
     """Formulas in the quantities and the state that vanish if the equations separate.
 
     Raises
@@ -39,12 +39,12 @@ def separated(law: Separation, ground: LevelSet) -> Iterator[tuple[str, sp.Expr]
     InputError
         If the equations are not one for each quantity.
     """
-    parts = _parts(law, ground)
-    still = {*parts.constants, *(p.symbol for p in ground.system.parameters)}
+    parts = _parts(law, level)
+    still = {*parts.constants, *(p.symbol for p in level.system.parameters)}
     for (first, own), (second, other) in combinations(parts.squares.items(), 2):
         ratio = own / other
         label = f"the ratio of the rates of {first} and {second}"
-        left = _mixed(ratio, first, second, still)
+        left = _mixed_part(ratio, first, second, still)
         if left is None:
             yield f"{label} is a product", sp.S.Zero
             continue
@@ -56,27 +56,27 @@ def separated(law: Separation, ground: LevelSet) -> Iterator[tuple[str, sp.Expr]
 
 
 def of_separation(
-    law: Separation, ground: LevelSet, field: Any
-) -> tuple[list[list[Any]], list[list[Any]]]:
+    law: Separation, level: LevelSet, field: Field
+) -> tuple[list[list[FieldElement]], list[list[FieldElement]]]:
     """Gradients of the conditions and the constants, and of the quantities that separate."""
-    parts = _parts(law, ground)
-    partial = ground.partial(field).with_steps(quantities_in_order(law, ground))
-    size = len(ground.system.symbols)
+    parts = _parts(law, level)
+    partial = level.partial(field).with_steps(quantities_in_order(law, level))
+    size = len(level.system.symbols)
 
-    def row(formula: sp.Expr) -> list[Any]:
+    def row(formula: sp.Expr) -> list[FieldElement]:
         slopes = partial(formula).slopes
         return [slopes.get(i, field.zero) for i in range(size)]
 
     constants = sorted(parts.constants, key=str)
-    return [row(f) for f in (*ground.moving, *constants)], [row(u) for u in parts.squares]
+    return [row(f) for f in (*level.moving, *constants)], [row(u) for u in parts.squares]
 
 
-def _parts(law: Separation, ground: LevelSet) -> _Parts:
-    variables = {*ground.system.symbols, *quantities_in_order(law, ground)}
+def _parts(law: Separation, level: LevelSet) -> _Parts:
+    variables = {*level.system.symbols, *quantities_in_order(law, level)}
     squares: dict[sp.Symbol, sp.Expr] = {}
     constants = set()
     for number, raw in enumerate(law.equations, 1):
-        equation = ground.expanded(to_components(raw))
+        equation = level.expanded(to_components(raw))
         rates = equation.atoms(Rate)
         symbols = {rate.args[0] for rate in rates}
         if len(rates) != 1 or not symbols <= variables:
@@ -109,20 +109,20 @@ def _square(equation: sp.Expr, rate: sp.Expr) -> sp.Expr | None:
     symbol = sp.Dummy(real=True)
     above = sp.fraction(sp.together(equation.xreplace({rate: symbol})))[0]
     slope = sp.diff(above, symbol)
-    rest = above.xreplace({symbol: sp.S.Zero})
+    remainder = above.xreplace({symbol: sp.S.Zero})
     if symbol not in slope.free_symbols:
-        return (rest / slope) ** 2
+        return (remainder / slope) ** 2
     curvature = sp.diff(slope, symbol)
     linear = slope.xreplace({symbol: sp.S.Zero})
     if symbol in curvature.free_symbols or sp.expand(linear) != 0:
         return None
-    return -2 * rest / curvature
+    return -2 * remainder / curvature
 
 
-def _mixed(
+def _mixed_part(
     ratio: sp.Expr, first: sp.Symbol, second: sp.Symbol, still: set[sp.Symbol]
 ) -> sp.Expr | None:
-    """What is left of a ratio without its factors that hold one of two quantities alone."""
+    """A ratio without its factors that hold one of two quantities alone."""
     left = []
     for factor in sp.Mul.make_args(sp.factor(ratio)):
         moving = factor.free_symbols - still

@@ -1,4 +1,4 @@
-"""Time derivatives in formulas, written out where an evaluation needs more than their values."""
+"""Time derivatives in formulas, written out where their values do not suffice."""
 
 from __future__ import annotations
 
@@ -15,39 +15,37 @@ Quantities = Mapping[sp.Symbol, sp.Expr]
 
 
 def without_rates(
-    formula: sp.Expr, ground: LevelSet, quantities: Quantities | None = None
+    formula: sp.Expr, level: LevelSet, quantities: Quantities | None = None
 ) -> sp.Expr:
     """A formula in which every rate is written out as a formula in the state.
 
     Parameters
     ----------
-    formula : sympy.Expr
-    ground : Ground
     quantities : mapping of Symbol to formula, optional
         Further names that may stand under a rate.
     """
     while rates := formula.atoms(Rate):
         innermost = [rate for rate in rates if not rate.args[0].has(Rate)]
         formula = formula.xreplace(
-            {rate: _written(rate.args[0], ground, quantities or {}) for rate in innermost}
+            {rate: _written(rate.args[0], level, quantities or {}) for rate in innermost}
         )
     return formula
 
 
 def without_second_rates(
-    formula: sp.Expr, ground: LevelSet, quantities: Quantities | None = None
+    formula: sp.Expr, level: LevelSet, quantities: Quantities | None = None
 ) -> sp.Expr:
     """A formula in which rates stand under no other rate: the inner ones are written out."""
     deep = {rate for rate in formula.atoms(Rate) if rate.args[0].has(Rate)}
     outermost = {r for r in deep if not any(r in o.args[0].atoms(Rate) for o in deep - {r})}
     return formula.xreplace(
-        {r: Rate(without_rates(r.args[0], ground, quantities)) for r in outermost}
+        {r: Rate(without_rates(r.args[0], level, quantities)) for r in outermost}
     )
 
 
-def _written(formula: sp.Expr, ground: LevelSet, quantities: Quantities) -> sp.Expr:
+def _written(formula: sp.Expr, level: LevelSet, quantities: Quantities) -> sp.Expr:
     while formula.free_symbols & set(quantities):
         formula = formula.xreplace(dict(quantities))
-    formula = ground.expanded(formula)
-    rates = zip(ground.system.symbols, ground.system.rates, strict=True)
+    formula = level.expanded(formula)
+    rates = zip(level.system.symbols, level.system.rates, strict=True)
     return sp.Add(*(sp.diff(formula, s) * rate for s, rate in rates))

@@ -4,18 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+
+from flint import fmpq
 
 from ...formulas.errors import EmptyLevelError, OutOfReachError
 from ..fields.function_field import FunctionField
-from ..fields.quotient_ring import Element
+from ..fields.quotient_ring import Element, Poly, coefficient
 
 __all__ = ["Terms", "TriangularSet", "chain", "numerator", "triangle"]
 
-Poly = Any
-
 #: A polynomial as a mapping of named exponents to coefficients, in whatever order of variables.
-Terms = Mapping[tuple[tuple[str, int], ...], Any]
+Terms = Mapping[tuple[tuple[str, int], ...], fmpq]
 
 
 @dataclass(frozen=True)
@@ -41,11 +40,10 @@ def triangle(
 
     Parameters
     ----------
-    draft : Fractions
+    draft : FunctionField
         The field to which the conditions belong.
     names : sequence of str
         Variables that may be main ones.
-    conditions : sequence of polynomials
     moving : set of str
         Names of the state variables.
 
@@ -59,7 +57,7 @@ def triangle(
     ordered = chain(draft, names, conditions, moving)
     mains = [main for main, _ in ordered]
     order = (*reversed(mains), *(n for n in names if n not in mains))
-    return TriangularSet(order, tuple((main, _named(draft, poly)) for main, poly in ordered))
+    return TriangularSet(order, tuple((main, _terms(draft, poly)) for main, poly in ordered))
 
 
 def chain(
@@ -67,18 +65,18 @@ def chain(
 ) -> list[tuple[str, Poly]]:
     """Main variables and polynomials of a triangular set, from the lowest to the highest.
 
-    Parameters, errors: as for :func:`triangle`.
+    Parameters and errors are those of `triangle`.
     """
-    found = _chain(draft, names, conditions, moving, _merit)
-    if found is None:
+    relations = _chain(draft, names, conditions, moving, _merit)
+    if relations is None:
         # orthonormal frames: the linear conditions must come first
-        found = _chain(draft, names, conditions, moving, _merit_by_degree)
-    if found is None:
+        relations = _chain(draft, names, conditions, moving, _merit_by_degree)
+    if relations is None:
         raise OutOfReachError("the conditions of the level cannot be made triangular")
-    return _sorted(draft, found)
+    return _in_order(draft, relations)
 
 
-def _named(draft: FunctionField, poly: Poly) -> Terms:
+def _terms(draft: FunctionField, poly: Poly) -> Terms:
     return {
         tuple(zip(draft.names, map(int, exponents), strict=True)): number
         for exponents, number in poly.to_dict().items()
@@ -129,10 +127,10 @@ def _variables(draft: FunctionField, poly: Poly) -> set[str]:
 
 
 def _merit(draft: FunctionField, poly: Poly, name: str, moving: set[str]) -> tuple[int, int, int]:
-    """How well a variable serves as the main one of a relation; smaller is better."""
+    """The merit of a variable as the main one of a relation; smaller is better."""
     position = draft.names.index(name)
     degree = int(poly.degrees()[position])
-    lead = draft.coefficient(poly, position, degree)
+    lead = coefficient(poly, position, degree)
     if lead.is_constant():
         kind = 0 if degree == 1 else degree - 1
     else:
@@ -144,7 +142,7 @@ def _merit(draft: FunctionField, poly: Poly, name: str, moving: set[str]) -> tup
 def _merit_by_degree(
     draft: FunctionField, poly: Poly, name: str, moving: set[str]
 ) -> tuple[int, int, int]:
-    """The same, with linear relations first."""
+    """The merit with linear relations first."""
     degree = int(poly.degrees()[draft.names.index(name)])
     return (degree, *_merit(draft, poly, name, moving)[:2])
 
@@ -154,13 +152,13 @@ def _possible(draft: FunctionField, poly: Poly, name: str, chain: list[tuple[str
     if name in {main for main, _ in chain} or name not in _variables(draft, poly):
         return False
     try:
-        _sorted(draft, [*chain, (name, poly)])
+        _in_order(draft, [*chain, (name, poly)])
     except OutOfReachError:
         return False
     return True
 
 
-def _sorted(draft: FunctionField, chain: list[tuple[str, Poly]]) -> list[tuple[str, Poly]]:
+def _in_order(draft: FunctionField, chain: list[tuple[str, Poly]]) -> list[tuple[str, Poly]]:
     """The relations from the lowest main variable to the highest."""
     mains = {main for main, _ in chain}
     needs = {main: (_variables(draft, poly) & mains) - {main} for main, poly in chain}

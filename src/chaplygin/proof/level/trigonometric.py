@@ -16,12 +16,12 @@ import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from ...core.laws import ConformallyHamiltonian, Law, PoissonStructure, Symmetry
-from ...core.system import Parameter, System
+from ...core.system import Parameter, System, flat_pairs
 from ...core.vectors import real_symbol, to_components
 from ...formulas.errors import OutOfReachError
 from ...formulas.jets import MOST_MULTIPLES
 
-__all__ = ["Circles", "circles", "formulas_of", "without_angles"]
+__all__ = ["Circles", "circles", "expanded", "formulas_of", "without_angles"]
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class Circles:
             not in ("name", "source", "misprint", "meaning", "as_printed", "target", "onto")
         }
         if isinstance(law, Symmetry):
-            changed["field"] = self._pushed(dict(_flat(law.field)))
+            changed["field"] = self._pushed_forward(dict(flat_pairs(law.field)))
         if isinstance(law, PoissonStructure):
             changed["matrix"] = self._bracket(to_components(law.matrix))
         if isinstance(law, ConformallyHamiltonian):
@@ -71,17 +71,21 @@ class Circles:
             return self.law(value)
         return value
 
-    def _pushed(self, field: Mapping[sp.Symbol, sp.Expr]) -> tuple[tuple[Any, Any], ...]:
+    def _pushed_forward(
+        self, field: Mapping[sp.Symbol, sp.Expr]
+    ) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
         """A vector field in the new variables."""
-        found: dict[sp.Symbol, sp.Expr] = {}
+        components: dict[sp.Symbol, sp.Expr] = {}
         for symbol, value in field.items():
             rate = to_components(value).xreplace(dict(self.table))
-            found |= dict(_turned(self.lost[symbol], rate)) if symbol in self.lost else {}
+            components |= (
+                dict(_rates_on_circle(self.lost[symbol], rate)) if symbol in self.lost else {}
+            )
             if symbol not in self.lost:
-                found[symbol] = rate
-        return tuple(found.items())
+                components[symbol] = rate
+        return tuple(components.items())
 
-    def _bracket(self, matrix: Any) -> sp.ImmutableDenseMatrix:
+    def _bracket(self, matrix: sp.MatrixBase) -> sp.ImmutableDenseMatrix:
         """A bracket in the new variables: {s, x} = c {φ, x}, {c, x} = −s {φ, x}."""
         old = self._old
         rows = [[(old.index(s), factor) for s, factor in self._old_of(n)] for n in self.new]
@@ -123,12 +127,13 @@ class Circles:
         return [(symbol, sp.S.One)]
 
 
-def circles(system: System, on: Iterable[Any] = (), also: Iterable[Any] = ()) -> Circles | None:
-    """The system with points of circles for the angles of its conditions, or None if it has none.
+def circles(
+    system: System, on: Iterable[sp.Expr] = (), also: Iterable[sp.Expr] = ()
+) -> Circles | None:
+    """The system with points of circles for the angles of its conditions, if any.
 
     Parameters
     ----------
-    system : System
     on : iterable of formulas
         The level, beside the relations.
     also : iterable of formulas
@@ -140,16 +145,16 @@ def circles(system: System, on: Iterable[Any] = (), also: Iterable[Any] = ()) ->
         If an angle occurs otherwise than in sines and cosines, or beside something else.
     """
     steps = dict(system.steps)
-    conditions = [_written(to_components(c), steps) for c in (*system.relations, *on)]
+    conditions = [expanded(to_components(c), steps) for c in (*system.relations, *on)]
     nodes = {n for c in conditions for n in c.atoms(TrigonometricFunction)}
     angles = _angles(system, nodes)
     if not angles:
         return None
     formulas = [*system.rates, *steps.values(), *conditions, *map(to_components, also)]
     formulas += [to_components(g.value) for g in system.guards]
-    found = {n for f in formulas for n in f.atoms(TrigonometricFunction)}
-    table, lost = _replacements(found, angles, steps)
-    taken = {*system.symbols, *steps, *(p.symbol for p in system.parameters)}
+    functions = {n for f in formulas for n in f.atoms(TrigonometricFunction)}
+    table, lost = _replacements(functions, angles, steps)
+    names = {*system.symbols, *steps, *(p.symbol for p in system.parameters)}
     for f in formulas:
         left = f.xreplace(table).free_symbols & set(angles)
         if left:
@@ -159,10 +164,10 @@ def circles(system: System, on: Iterable[Any] = (), also: Iterable[Any] = ()) ->
             )
     meaning: dict[sp.Symbol, sp.Expr] = {}
     for angle, (s, c, unit) in lost.items():
-        if {s, c} & taken:
+        if {s, c} & names:
             raise OutOfReachError(f"the names {s} and {c} are taken")
         meaning |= {s: sp.sin(unit * angle), c: sp.cos(unit * angle)}
-    return Circles(_changed(system, table, lost), meaning, table, lost)
+    return Circles(_with_circles(system, table, lost), meaning, table, lost)
 
 
 def without_angles(system: System, law: Law) -> tuple[System, Law]:
@@ -173,23 +178,23 @@ def without_angles(system: System, law: Law) -> tuple[System, Law]:
     OutOfReachError
         As :func:`circles`.
     """
-    made = circles(system, law.on, formulas_of(law))
-    return (system, law) if made is None else (made.system, made.law(law))
+    points = circles(system, law.on, formulas_of(law))
+    return (system, law) if points is None else (points.system, points.law(law))
 
 
 def _angles(system: System, nodes: Iterable[sp.Expr]) -> list[sp.Symbol]:
     """State variables in the arguments, and parameters that shift them."""
     state = set(system.symbols)
-    found = {
+    symbols = {
         s
         for node in nodes
         for s in node.free_symbols
         if s in state or sp.diff(node.args[0], s).is_Rational
     }
-    return sorted(found, key=str)
+    return sorted(symbols, key=str)
 
 
-def formulas_of(value: Any) -> list[Any]:
+def formulas_of(value: object) -> list[sp.Expr]:
     """All formulas in a law."""
     if isinstance(value, sp.Basic):
         return [value]
@@ -197,34 +202,24 @@ def formulas_of(value: Any) -> list[Any]:
         return [f for part in value for f in formulas_of(part)]
     if isinstance(value, Law):
         skip = {"target", "as_printed", "onto"}
-        pushed: list[Any] = []
+        pushed: list[sp.Expr] = []
         if isinstance(value, Symmetry):
             # an angle that is moved does not stand there by itself
             skip |= {"field"}
-            pushed = [rate for _, rate in _flat(value.field)]
+            pushed = [rate for _, rate in flat_pairs(value.field)]
         parts = [getattr(value, f.name) for f in fields(value) if f.name not in skip]
         return [*pushed, *(f for part in parts for f in formulas_of(part))]
     return []
 
 
-def _written(formula: sp.Expr, steps: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+def expanded(formula: sp.Expr, steps: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """A formula with its definitions put in, and theirs."""
     while formula.free_symbols & steps.keys():
         formula = formula.xreplace(dict(steps))
     return formula
 
 
-def _flat(pairs: Iterable[tuple[Any, Any]]) -> list[tuple[sp.Symbol, sp.Expr]]:
-    found: list[tuple[sp.Symbol, sp.Expr]] = []
-    for name, formula in pairs:
-        value = to_components(sp.sympify(formula))
-        if isinstance(name, sp.Symbol):
-            found.append((name, value))
-        else:
-            found.extend(zip(name.symbols, value, strict=True))
-    return found
-
-
-def _turned(
+def _rates_on_circle(
     circle: tuple[sp.Symbol, sp.Symbol, sp.Expr], rate: sp.Expr
 ) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
     s, c, unit = circle
@@ -286,7 +281,7 @@ def _by_sine_and_cosine(node: sp.Expr, scaled: sp.Expr) -> sp.Expr:
     return forms[node.func]
 
 
-def _changed(
+def _with_circles(
     system: System,
     table: Mapping[sp.Expr, sp.Expr],
     lost: Mapping[sp.Symbol, tuple[sp.Symbol, sp.Symbol, sp.Expr]],
@@ -295,7 +290,7 @@ def _changed(
     for symbol, rate in zip(system.symbols, system.rates, strict=True):
         value = rate.xreplace(dict(table))
         if symbol in lost:
-            field |= dict(_turned(lost[symbol], value))
+            field |= dict(_rates_on_circle(lost[symbol], value))
         else:
             field[symbol] = value
     parameters: list[Parameter] = []

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from chaplygin.explicit.genus_two.poles import gaps
+from chaplygin.explicit.genus_two.separation import gaps
 
 
 def test_gaps():

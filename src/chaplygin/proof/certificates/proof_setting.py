@@ -1,0 +1,118 @@
+"""The setting of a proof: a field, with conditions, residuals and divisors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import cast
+
+from flint import fmpq
+
+from ...check.claim.claim import Claim as CheckedClaim
+from ...check.claim.formulas import Formula
+from ...core.laws import Law, Reduction, Separation
+from ...formulas.errors import NeedMoreGeneratorsError
+from ..claim_text import Terms, powers_text, terms_text
+from ..domain import divisors, sympy_formula
+from ..fields.budget import Budget
+from ..fields.quotient_ring import Element, Poly
+from ..fields.unreduced_fields import UnreducedField
+from ..level.level_set import LevelSet
+from ..level.triangular_set import numerator
+from ..random_test import everything
+from .sign_reasons import monic
+
+__all__ = ["ProofSetting"]
+
+
+class ProofSetting:
+    """A field in which a proof is written, with what is known in it.
+
+    Parameters
+    ----------
+    claim : chaplygin.check.claim.claim.Claim
+        As the check reads it.
+    level : LevelSet
+        The whole level.
+    sample : mapping of str to float
+        A point of the level, by the names of the generators.
+    signs : mapping of str to int
+        Signs of factors under roots that are to be taken.
+    """
+
+    def __init__(
+        self,
+        kind: type[UnreducedField],
+        claim: CheckedClaim,
+        law: Law,
+        level: LevelSet,
+        sample: Mapping[str, float],
+        budget: Budget,
+        signs: Mapping[str, int],
+    ) -> None:
+        spare = 8
+        while True:
+            self.field = kind([str(s) for s in level.generators], spare, sample, budget, signs)
+            try:
+                self._fill(claim, law, level)
+            except NeedMoreGeneratorsError:
+                spare *= 2
+                continue
+            break
+        self.level, self.sample = level, sample
+
+    def _fill(self, claim: CheckedClaim, law: Law, level: LevelSet) -> None:
+        field = self.field
+        evaluate = level.evaluator(field)
+        field.signs = level.signs_with(field, [])
+        self.conditions = []
+        for condition in level.conditions:
+            value = field.zero if condition in level.zeros else evaluate.value(condition)
+            if value.poly:
+                self.conditions.append((str(condition), value))
+        polys = [numerator(field, value) for _, value in self.conditions]
+        field.signs = level.signs_with(field, polys)
+        self.residuals = [
+            (what, cast(Element, value)) for what, value in everything(_formulas(law), level, field)
+        ]
+        self.divisors = list(divisors(claim, law, level, field))
+
+    @property
+    def ring(self) -> tuple[str, ...]:
+        """The generators: auxiliary symbols that are used, and all others."""
+        plain = self.field.names[self.field.spare :]
+        return (*reversed(list(self.field.record)), *plain)
+
+    @property
+    def places(self) -> list[int | None]:
+        """The places of the generators of the field in the ring."""
+        index = {name: i for i, name in enumerate(self.ring)}
+        return [index.get(name) for name in self.field.names]
+
+    def terms(self, poly: Poly) -> Terms:
+        """A polynomial as text."""
+        return terms_text(poly, self.places)
+
+    def powers(self, powers: Sequence[tuple[Poly, int]]) -> list[list[object]]:
+        """A product of powers as text."""
+        return powers_text(powers, self.places)
+
+    def states(self, formula: Formula, poly: Poly) -> bool:
+        """Whether a formula of the check vanishes or is positive where a polynomial is."""
+        value = self.level.evaluator(self.field).value(sympy_formula(formula, self.level.named))
+        own = numerator(self.field, value)
+        return bool(own) and monic(own)[0] == monic(poly)[0]
+
+    def product(self, element: Element) -> tuple[fmpq, list[tuple[Poly, int]]]:
+        """Content, and factors with their powers, of an element."""
+        content, parts = self.field.factorised(element.poly)
+        total = dict(element.powers)
+        for number, power in parts:
+            total[number] = total.get(number, 0) + power
+        return content, [(self.field.factors[n], p) for n, p in total.items() if p]
+
+
+def _formulas(law: Law) -> Law:
+    """The part of a law that is a matter of formulas; the check separates by itself."""
+    if not isinstance(law, Separation):
+        return law
+    return Reduction(law.name, law.quantities, law.equations, on=law.on)

@@ -1,0 +1,316 @@
+"""The verdict on a law, from what is found on each component of its level.
+
+The level of a law is decomposed into components first.  On each of them the law is tried at
+points: where a residual is not zero, exactly or as a ball that does not contain zero, it is
+refuted.  What survives is computed symbolically; where every residual vanishes modulo the
+equations of the component, the law holds on all of it.  A law that holds on every component is
+proven; one that holds on some, and is neither proven nor refuted on others, is proven where these
+are left aside.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import sympy as sp
+
+from ..check import CheckError
+from ..check.claim.claim import Claim as CheckedClaim, read_claim
+from ..check.claim.errors import UndefinedError
+from ..check.witness import located
+from ..core.isomorphism import Isomorphism
+from ..core.laws import Law, Measure, PoissonStructure, Separation
+from ..core.system import System
+from ..core.vectors import to_components
+from ..errors import InputError
+from ..formulas.errors import NeedMoreGeneratorsError, NotExactError, OutOfReachError
+from ..printing.formula import text
+from .claim_text import claim_text
+from .fields.budget import Budget
+from .fields.function_field import FunctionField
+from .fields.signs import Sign
+from .level.alternatives import Alternative, alternatives
+from .level.level_formulas import EmptyLevelSetError
+from .level.level_set import LevelSet
+from .level.polynomial_problems import Claim, polynomial_problems
+from .level.positivity import orienting, positives
+from .level.sample_points import far, near
+from .random_test import Trial, backwards, trials
+from .rank import DIMENSION
+from .remarks import remark
+from .symbolic_proof import Proof, proof
+from .verdict import Verdict
+from .witness_points import Witness, witness, witness_point
+
+__all__ = ["verdict_of"]
+
+FURTHER = (near,) * 6 + (far,) * 40
+"""Points tried where a remainder is left, before a law is called undecided."""
+
+
+NOTHING = Proof(0)
+NOWHERE = "no point was found at which the density is real"
+
+
+@dataclass(frozen=True)
+class _Part:
+    """The outcome for a law on one part of its level.
+
+    Attributes
+    ----------
+    chosen : tuple of sympy.Expr
+        What sets the part apart from the others.
+    trial : Trial, optional
+        A point where the law fails.
+    point : mapping of str to str, optional
+        State and parameters there.
+    needs : tuple of (str, str)
+        What must be positive for the law to make sense, where that is not known: in words, and as
+        a formula.
+    remark : str
+        What is to be said of the law besides.
+    witness : Witness, optional
+        The same as the check of certificates found it.
+    """
+
+    chosen: tuple[sp.Expr, ...]
+    proof: Proof = NOTHING
+    trial: Trial | None = None
+    point: dict[str, str] | None = None
+    needs: tuple[tuple[str, str], ...] = ()
+    remark: str = ""
+    witness: Witness | None = None
+
+    @property
+    def where(self) -> str:
+        """The part, as equations."""
+        return " and ".join(f"{text(c)} = 0" for c in self.chosen)
+
+    @property
+    def elsewhere(self) -> str:
+        """All but the part."""
+        if len(self.chosen) == 1:
+            return f"{text(self.chosen[0])} ≠ 0"
+        return f"not ({self.where})"
+
+    @property
+    def formula(self) -> str:
+        """The complement as a formula of Python, if it is one."""
+        return f"{self.chosen[0]} != 0" if len(self.chosen) == 1 else ""
+
+
+def verdict_of(system: System, law: Law, budget: Budget) -> Verdict:
+    """The verdict on a law within a budget.
+
+    Raises
+    ------
+    InputError
+        If the level is empty, or the law is defined nowhere on it.
+    """
+    parts: list[_Part] = []
+    empty: list[EmptyLevelSetError] = []
+    for alternative in alternatives(system, law):
+        # what fails on a part fails on the whole
+        checked = _Checker(alternative.system, alternative.law)
+        try:
+            parts += _of_alternative(alternative, budget, checked)
+        except EmptyLevelSetError as nothing:
+            empty.append(nothing)
+    if empty and not parts:
+        raise empty[0]
+    if failed := [part for part in parts if part.trial is not None]:
+        return _refutation(law, failed[0], parts)
+    open_parts = [part for part in parts if part.proof.failure]
+    proven = [part for part in parts if part.proof.residuals and not part.proof.failure]
+    nowhere = all(part.proof.failure == NOWHERE for part in open_parts)
+    if not nowhere and (not proven or any(not part.chosen for part in open_parts)):
+        return Verdict(law.name, "undecided", reason=open_parts[0].proof.failure)
+    if not proven:
+        raise InputError(
+            f"{system.name}: the law {law.name!r} divides by zero, or takes a root of a "
+            "negative quantity, at every point tried on its level"
+        )
+    conditions = dict([(part.elsewhere, part.formula) for part in open_parts])
+    conditions |= {
+        sign: sign.replace("^", "**") for part in proven for sign in part.proof.conditions
+    }
+    conditions |= {need: formula for part in proven for need, formula in part.needs}
+    count = sum(part.proof.residuals for part in proven)
+    return Verdict(
+        law.name,
+        "proven where" if conditions else "proven",
+        shown=_words(law, count, len(proven)) + "".join({p.remark: 0 for p in proven}),
+        conditions=tuple(conditions),
+        formulas=tuple(conditions.values()),
+    )
+
+
+@dataclass(frozen=True)
+class _Checker:
+    """A law as the check of certificates reads it, which has to agree with every refutation."""
+
+    system: System
+    law: Law
+
+    @cached_property
+    def read(self) -> CheckedClaim:
+        return read_claim(claim_text(self.system, self.law), "the claim")
+
+    def refutation(self, claim: Claim, level: LevelSet, trial: Trial) -> _Part | None:
+        """The part on which the law fails at a point; None if the check disagrees."""
+        try:
+            confirmed = witness(self.read, claim, level, trial.values)
+            if confirmed is None and not self._beyond(claim, level, trial):
+                return None
+        except (CheckError, UndefinedError):
+            return None
+        return _Part((), trial=trial, point=level.point_shown(trial.field), witness=confirmed)
+
+    def _beyond(self, claim: Claim, level: LevelSet, trial: Trial) -> bool:
+        """Whether the check has the point, but not the residual, which it does not know.
+
+        It knows rates of the conditions as they are given, not of the equations of a component;
+        nor does it know that quantities separate, or that time runs forward.
+        """
+        what = trial.witness[0] if trial.witness else ""
+        if not (isinstance(self.law, Separation) or what.startswith(("invariance", "dτ/dt"))):
+            return False
+        point = witness_point(claim, level, trial.values)
+        if point is not None:
+            located(self.read, point)
+        return point is not None
+
+
+def _of_alternative(alternative: Alternative, budget: Budget, checked: _Checker) -> Iterator[_Part]:
+    """The law on the components of one alternative of its level."""
+    try:
+        claims = polynomial_problems(alternative.system, alternative.law)
+    except OutOfReachError as reason:
+        yield _Part(alternative.chosen, Proof(0, failure=str(reason)))
+        return
+    for claim in claims:
+        levels = LevelSet(claim.system, claim.law.on).components
+        for level in levels:
+            part = _on(level, claim, budget, checked)
+            yield replace(part, chosen=(*alternative.chosen, *level.chosen))
+            if part.trial is not None or (part.proof.failure and not level.chosen):
+                return
+        for excluded in claim.excluded:
+            yield _Part((*alternative.chosen, excluded), Proof(0, failure="not decided"))
+
+
+def _on(level: LevelSet, claim: Claim, budget: Budget, checked: _Checker) -> _Part:
+    """The law on one component."""
+    # motions may leave a part on which an initial vanishes for the rest of the component
+    points = replace(level, inner=True) if level.parent else level
+    law = claim.law
+    sample: dict[str, float] | None = None
+    first: Trial | None = None
+    # a rank is that at almost all points, not the one where an initial vanishes
+    attained = level.parent is not None
+    for trial in trials(law, points):
+        if trial.witness is not None:
+            refuted = checked.refutation(claim, points, trial)
+            if refuted is not None:
+                return refuted
+            continue
+        if trial.lack is not None and trial.lack[0] == DIMENSION:
+            failed = replace(trial, witness=trial.lack)
+            return _Part((), trial=failed, point=points.point_shown(trial.field))
+        first = first or trial
+        sample = sample or {name: float(value) for name, value in trial.field.values.items()}
+        attained = attained or trial.lack is None
+    if first is None:
+        last = backwards(law, points)
+        if last is not None and last.witness is not None:
+            refuted = checked.refutation(claim, points, last)
+            if refuted is not None:
+                return refuted
+        if isinstance(law, Measure) and positives(law, level):
+            return _Part((), Proof(0, failure=NOWHERE))
+    outcome = proof(law, level, sample, budget, attained)
+    if outcome.lack is not None and first is not None:
+        failed = replace(first, witness=outcome.lack)
+        return _Part((), trial=failed, point=points.point_shown(first.field))
+    if outcome.failure or outcome.conditions:
+        for trial in trials(law, points, FURTHER):
+            refuted = trial.witness and checked.refutation(claim, points, trial)
+            if refuted:
+                return refuted
+    return _Part((), outcome, needs=_needs(law, level), remark=_remark(law, level, first))
+
+
+def _needs(law: Law, level: LevelSet) -> tuple[tuple[str, str], ...]:
+    """Time must run forward: rates of time not known to be positive, in words and as formulas."""
+    if not isinstance(law, Isomorphism) or level.sign(to_components(law.time)) is Sign.POSITIVE:
+        return ()
+    return tuple(
+        (f"{what} > 0", f"{formula} > 0")
+        for what, formula in positives(law, level)
+        if level.sign(formula) is not Sign.POSITIVE
+    )
+
+
+def _remark(law: Law, level: LevelSet, first: Trial | None) -> str:
+    """A remark on a law that holds: where a density is real, or that it is trivial."""
+    if isinstance(law, Measure):
+        return _of_density(law, level)
+    try:
+        said = first is not None and remark(law, level, first.field)
+        return f"; {said}" if said and said == remark(law, level, _symbols(level)) else ""
+    except (NotExactError, OutOfReachError, NeedMoreGeneratorsError, ZeroDivisionError):
+        return ""
+
+
+def _symbols(level: LevelSet) -> FunctionField:
+    return level.fractions(FunctionField, 32, None, Budget())
+
+
+def _of_density(law: Measure, level: LevelSet) -> str:
+    real = [
+        f"{text(formula)} > 0"
+        for _, formula in positives(law, level)
+        if level.sign(formula) is not Sign.POSITIVE
+        # an even power is positive where the density is defined at all
+        and not (formula.is_Pow and formula.exp.is_even)
+    ]
+    signed = [
+        f"({text(formula)})"
+        for _, formula in orienting(law, level)
+        if abs(level.sign(formula)) != Sign.POSITIVE
+    ]
+    return (f"; ρ is real where {', '.join(real)}" if real else "") + (
+        f"; a signed measure, with the sign of {' · '.join(signed)}" if signed else ""
+    )
+
+
+def _refutation(law: Law, failed: _Part, parts: list[_Part]) -> Verdict:
+    assert failed.trial is not None and failed.trial.witness is not None
+    what, residual = failed.trial.witness
+    place = f"a point where {failed.where}" if failed.chosen else "a point"
+    holds = [
+        part.where
+        for part in parts
+        if part.chosen
+        and part.proof.residuals
+        and not part.proof.failure
+        and not part.proof.conditions
+    ]
+    besides = f"; it holds where {', and where '.join(dict.fromkeys(holds))}" if holds else ""
+    witness = {"point": failed.point, "what": what, "residual": str(residual)}
+    return Verdict(
+        law.name,
+        "refuted",
+        shown=f"{what} fails at {place}{besides}",
+        witness=witness | (vars(failed.witness) if failed.witness is not None else {}),
+    )
+
+
+def _words(law: Law, count: int, parts: int) -> str:
+    kind = {Isomorphism: "carried onto the target", PoissonStructure: "Jacobi identity"}
+    extra = next((words for cls, words in kind.items() if isinstance(law, cls)), "")
+    many = "1 residual is" if count == 1 else f"{count} residuals are"
+    on = f" on {parts} components" if parts > 1 else ""
+    return f"{many} zero modulo the relations{on}" + (f" ({extra})" if extra else "")
