@@ -9,10 +9,10 @@ import pytest
 from flint import acb, arb, ctx
 
 from chaplygin.errors import InputError
-from chaplygin.explicit.one_degree import Equilibrium, QuadratureMotion, chart_of
+from chaplygin.explicit.one_degree import Equilibrium, QuadratureMotion, motion_chart
 from chaplygin.explicit.one_degree.chebyshev_integrals import working_bits
+from chaplygin.explicit.one_degree.functions import BALLS, DOUBLES
 from chaplygin.explicit.one_degree.uniformisation import (
-    BALLS,
     Asymptotic,
     Equation,
     Heteroclinic,
@@ -43,20 +43,18 @@ def course(
     made = equation(numerator, denominator, edge)
     start = arb(x)
     rate = sign * made.square(start).sqrt()
-    chart = chart_of(made, start, rate)
+    chart = motion_chart(made, start, rate)
     assert not isinstance(chart, Equilibrium)
     return QuadratureMotion(chart, start, rate, lambda x, rate: [x, rate * rate], units=(1.0, 1.0))
 
 
 def positions(found: QuadratureMotion, times: list[float]) -> list[float]:
-    at = found.fast.place(np.array(times))
-    from chaplygin.explicit.one_degree.uniformisation import DOUBLES
-
-    return list(found.chart.place(DOUBLES, at.phase))
+    sample = found.fast.sample(np.array(times))
+    return list(found.chart.coordinate(DOUBLES, sample.phase))
 
 
 def position(found: QuadratureMotion, time: Any) -> Any:
-    return found.chart.place(BALLS, found.place(arb(time), DIGITS).phase)
+    return found.chart.coordinate(BALLS, found.sample(arb(time), DIGITS).phase)
 
 
 def test_harmonic_oscillation() -> None:
@@ -82,7 +80,7 @@ def test_drift_and_periodic_part() -> None:
     mean, energy = found.mean_rates(DIGITS)
     assert abs(mean - 2) < 1e-39
     assert abs(energy - arb(1) / 2) < 1e-39
-    at = found.place(arb(7), DIGITS)
+    at = found.sample(arb(7), DIGITS)
     # q = 2t + 1 − cos t, from the turning point at t = π/2
     whole = at.values[0] + at.periods * found.advances(DIGITS)[1]
     exact = 2 * (7 - arb.pi() / 2) - arb(7).cos()
@@ -121,9 +119,9 @@ def test_there_and_back_from_a_double_root() -> None:
     for time in (-30, -1, 0, 2, 20):
         assert abs(position(found, time) - (arb(time) + shift).sech()) < 1e-38
     # ∫ x dt in the tail stays what it was, 2·atan e^t less its value at the turning point
-    late = found.place(arb(1000), DIGITS)
+    late = found.sample(arb(1000), DIGITS)
     assert abs(late.values[0] - arb.pi() / 2) < 1e-38
-    assert late.beyond > 900
+    assert late.tail > 900
 
 
 @pytest.mark.parametrize("sign", [1, -1])
@@ -138,11 +136,11 @@ def test_from_one_double_root_to_another(sign: int) -> None:
 
 def test_steady_motions_and_their_stability() -> None:
     bottom = equation(lambda x: -(x * x))
-    stable = chart_of(bottom, arb(0), arb(0))
+    stable = motion_chart(bottom, arb(0), arb(0))
     assert isinstance(stable, Equilibrium)
     assert stable.stable is True
     assert stable.rigidity.contains(1)
-    top = chart_of(equation(lambda x: x * x - x * x * (x * x)), arb(0), arb(0))
+    top = motion_chart(equation(lambda x: x * x - x * x * (x * x)), arb(0), arb(0))
     assert isinstance(top, Equilibrium)
     assert top.stable is False
 

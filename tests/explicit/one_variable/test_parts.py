@@ -10,11 +10,11 @@ import sympy as sp
 from flint import acb, arb, ctx, fmpq
 
 from chaplygin.errors import InputError
+from chaplygin.explicit.one_degree.angles import walk, walks
 from chaplygin.explicit.one_degree.chebyshev_integrals import integrals, working_bits
 from chaplygin.explicit.one_degree.divided_differences import jet, slope, value
 from chaplygin.explicit.one_degree.formula import program
-from chaplygin.explicit.one_degree.phase_reduction import fraction, pair, reduced
-from chaplygin.explicit.revolution.angles import walk, walks
+from chaplygin.explicit.one_degree.phase_reduction import fraction, pair, reduced_phase
 
 x = sp.Symbol("x", real=True)
 
@@ -119,7 +119,7 @@ def test_reduced_phases_are_exact() -> None:
     with ctx.workprec(200):
         pairs = [pair(arb(fmpq(v.numerator, v.denominator))) for v in (offset, period)]
     times = np.array([1e3, 123456.789, 1e6 / 3, 1e12])
-    counts, rest = reduced(times, *pairs)
+    counts, rest = reduced_phase(times, *pairs)
     for time, count, found in zip(times, counts, rest, strict=True):
         exact = Fraction(float(time)) + offset - int(count) * period
         assert abs(float(exact) - found) < 3e-16

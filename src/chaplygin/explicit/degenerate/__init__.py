@@ -22,10 +22,11 @@ from typing import Any
 import sympy as sp
 from flint import ctx
 
+from ...formulas.balls import ball
 from ..base.solution import Solution
 from ..genus_two.separation import SeparatedSystem
 from .collisions import double_roots, motion_at_double_root
-from .exact_start import PRECISION, begin, exact_ball
+from .exact_start import PRECISION, begin
 from .solution import DegenerateSolution
 
 __all__ = ["solved_degenerate"]
@@ -63,7 +64,7 @@ def solved_degenerate(
             if found is not None:
                 lifted = system.motion is not None and len(separable.fixed) == 2
                 whole = system.lifted() if lifted else replace(system, motion=None)
-                numbers = {s: exact_ball(x) for s, x in values.items()}
+                numbers = {s: ball(x) for s, x in values.items()}
                 return DegenerateSolution(
                     whole, numbers, tuple(start), separable, beginning, found, e
                 )

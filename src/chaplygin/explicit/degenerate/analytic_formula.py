@@ -9,7 +9,7 @@ import sympy as sp
 from flint import acb
 
 from ...formulas.balls import Steps, ball
-from .quaternion import cross
+from ..one_degree.vectors import cross
 
 __all__ = ["analytic", "root", "triad"]
 

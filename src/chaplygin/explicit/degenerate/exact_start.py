@@ -10,7 +10,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import mpmath
 import sympy as sp
 from flint import arb, ctx
 
@@ -18,7 +17,7 @@ from ...formulas.balls import ball, components, evaluated
 from ..base.exact_start import on_phase_space
 from ..genus_two.separation import SeparatedSystem
 
-__all__ = ["PRECISION", "Beginning", "begin", "constants_of", "exact_ball"]
+__all__ = ["PRECISION", "Beginning", "begin", "constants_of"]
 
 #: Bits in which starts are worked out.
 PRECISION = 420
@@ -67,14 +66,6 @@ class Beginning:
         return max(abs(root) for root in self.roots)
 
 
-def exact_ball(value: Any) -> Any:
-    """A number of any kind as a ball, to all its digits."""
-    if isinstance(value, mpmath.mpf):
-        sign, mantissa, exponent, _ = value._mpf_
-        return (-1) ** int(sign) * arb(int(mantissa)) * arb(2) ** int(exponent)
-    return ball(value)
-
-
 def constants_of(
     separable: SeparatedSystem, state: Sequence[Any], values: Mapping[Any, Any]
 ) -> Any:
@@ -116,8 +107,8 @@ def _begin(
     separable: SeparatedSystem, values: Mapping[Any, Any], start: Sequence[Any]
 ) -> Beginning:
     system = separable.system
-    given = [exact_ball(x) for x in start[: len(system.symbols)]]
-    exact = {symbol: exact_ball(value) for symbol, value in values.items()}
+    given = [ball(x) for x in start[: len(system.symbols)]]
+    exact = {symbol: ball(value) for symbol, value in values.items()}
     state = on_phase_space(system, separable.level, given, exact)
     known = constants_of(separable, state, exact)
 

@@ -17,15 +17,15 @@ import numpy as np
 from flint import acb, arb, ctx
 
 from ...core.system import flat_pairs
-from ...formulas.balls import components
+from ...formulas.balls import ball, components
 from ...mechanics.rolling.attitude import attitude
 from ..genus_two.separated_motion import chain
 from ..one_degree.chebyshev_integrals import Integrals, integrals, working_bits
-from ..revolution import balls_of, needed
+from ..one_degree.vectors import cross, dot, product
+from ..one_degree.working_precision import exact_time, working_digits
 from .analytic_formula import analytic, root, triad, velocity
-from .exact_start import exact_ball
 from .motion import DegenerateMotion
-from .quaternion import cross, dot, product, quaternion
+from .quaternion import quaternion
 from .theta_motion import Asymptotic
 
 __all__ = ["rigorous_state"]
@@ -56,8 +56,8 @@ def rigorous_state(solution: DegenerateMotion, time: Any, digits: int) -> tuple[
     InputError
         If more digits are needed than the start is carried with.
     """
-    moment = balls_of(time)
-    work = needed(time, digits, 1, solution.pace)
+    moment = exact_time(time)
+    work = working_digits(time, digits, 1, solution.pace)
     with ctx.workprec(working_bits(work)):
         return Rigorous(solution, work).state(moment)
 
@@ -150,7 +150,7 @@ class Rigorous:
         """The triad in space axes."""
         beginning = self.solution.beginning
         size = len(beginning.state)
-        turn = [exact_ball(x) for x in self.solution.start[size : size + 4]]
+        turn = [ball(x) for x in self.solution.start[size : size + 4]]
         length = sum((q * q for q in turn), arb(0)).sqrt()
         return [
             product([q / length for q in turn], v)
@@ -321,9 +321,9 @@ class Rigorous:
         ]
         turn = quaternion(rows, near[size : size + 4])
         places = [
-            exact_ball(x) + self._total(index, sigma) + turns * self._total(index, 2 * arb.pi())
+            ball(x) + self._total(index, sigma) + turns * self._total(index, 2 * arb.pi())
             if turns
-            else exact_ball(x) + self._total(index, sigma)
+            else ball(x) + self._total(index, sigma)
             for index, x in enumerate(self.solution.start[size + 4 :], 1)
         ]
         return (*reduced, *turn, *places)
