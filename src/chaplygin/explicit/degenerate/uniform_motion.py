@@ -24,7 +24,7 @@ from ..base.exact_start import on_phase_space
 from ..base.solution import ClosedForm, NamedConstant
 from ..one_degree.uniform import Rotation, UniformSolution
 from ..one_degree.vectors import cross, dot, product
-from .exact_start import PRECISION
+from .exact_start import PRECISION, with_definitions
 
 __all__ = ["resting", "uniform"]
 
@@ -57,7 +57,7 @@ def uniform(
         The principal moments, which tell the symmetry.
     """
     size = len(system.symbols)
-    known = _with_definitions(system, values, start)
+    known = with_definitions(system, values, start)
     rates = evaluated(system.rates, known)
     vectors = [start[k : k + 3] for k in range(0, size, 3)]
     changes = [rates[k : k + 3] for k in range(0, size, 3)]
@@ -103,19 +103,11 @@ def resting(
         rates = [to_components(rate) for rate in system.rates]
         if not all(x.vanishes() for x in sized(rates, {**fixed, **numbers}, system.steps)):
             return None
-        definitions = _with_definitions(system, known, state)
+        definitions = with_definitions(system, known, state)
         zero = [arb(0)] * 3
         vectors = [state[k : k + 3] for k in range(0, size, 3)]
         omega = [definitions.get(symbol, arb(0)) for symbol in _OMEGA]
         return _solution(system, known, (*state, *lifted[size:]), vectors, zero, omega)
-
-
-def _with_definitions(system: System, values: Values, state: Balls) -> dict[sp.Symbol, arb]:
-    """Parameters, state and definitions of a system by their symbols."""
-    known = {**values, **dict(zip(system.symbols, state, strict=False))}
-    for symbol, formula in system.steps:
-        (known[symbol],) = evaluated([formula], known)
-    return known
 
 
 def _turned_vectors(vectors: Sequence[Balls], turning: Balls, angle: arb) -> Sequence[Balls]:
@@ -136,7 +128,7 @@ def _turns_rigidly(
     speed: arb,
 ) -> bool:
     """Whether the rates of all vectors x are −Ω×x at a state, relative to |ω||x|."""
-    known = _with_definitions(system, values, _flat(vectors))
+    known = with_definitions(system, values, _flat(vectors))
     rates = evaluated(system.rates, known)
     sides = [cross(turning, vector) for vector in vectors]
     return all(
@@ -220,7 +212,7 @@ def _velocity(system: System, values: Values, start: Balls) -> Balls:
     rates = [f for name, f in flat_pairs(system.motion.field) if name not in attitude.symbols]
     if not rates:
         return ()
-    known = _with_definitions(system, values, start)
+    known = with_definitions(system, values, start)
     half = arb("0.5")
     upright = dict(zip(attitude.symbols, (arb(1), arb(0), arb(0), arb(0)), strict=True))
     # this attitude takes the third body axis to the first one of space

@@ -140,7 +140,9 @@ class UniformSolution(Solution):
         t = np.asarray(times, dtype=float)
         # constants are rounded to doubles once
         with ctx.workprec(working_bits(DIGITS)):
-            spin, precession = (LinearPhase.from_balls(x.rate) for x in (self.spin, self.precession))
+            spin, precession = (
+                LinearPhase.from_balls(x.rate) for x in (self.spin, self.precession)
+            )
             circle = glides(t, self.precession.rate, acb(1))
             sums = (circle.real, circle.imag)
             state = self._state(DOUBLES, t, (spin(t), precession(t)), sums)
