@@ -10,7 +10,7 @@ import sympy as sp
 from flint import acb, arb, ctx, fmpq
 
 from chaplygin.errors import InputError
-from chaplygin.explicit.one_degree.angles import walk, walks
+from chaplygin.explicit.one_degree.angles import displacement_sum, displacement_sums
 from chaplygin.explicit.one_degree.chebyshev_integrals import integrals, working_bits
 from chaplygin.explicit.one_degree.divided_differences import jet, slope, value
 from chaplygin.explicit.one_degree.formula import program
@@ -135,7 +135,10 @@ def test_walks(turn: str) -> None:
     with ctx.workprec(120):
         angle, step = arb(turn), acb(1, 2)
         direct = sum((step * acb(0, k * angle).exp() for k in range(7)), acb(0))
-        assert abs(walk(7, angle, step) - direct) < 1e-15
-        assert abs(complex(walks(np.array([7.0]), angle, step)[0]) - complex(direct)) < 1e-13
+        assert abs(displacement_sum(7, angle, step) - direct) < 1e-15
+        assert (
+            abs(complex(displacement_sums(np.array([7.0]), angle, step)[0]) - complex(direct))
+            < 1e-13
+        )
         back = -sum((step * acb(0, -k * angle).exp() for k in range(1, 4)), acb(0))
-        assert abs(walk(-3, angle, step) - back) < 1e-15
+        assert abs(displacement_sum(-3, angle, step) - back) < 1e-15

@@ -14,7 +14,7 @@ point of the conic is inside, and e rests there.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 
 import numpy as np
 import sympy as sp
@@ -36,14 +36,14 @@ from ..one_degree.uniformisation import Oscillating
 from ..one_degree.vectors import conjugate, cross, dot, product, times
 from .axisymmetric import Axial
 
-__all__ = ["AxialFrame", "SpaceFrame", "axial_solution"]
+__all__ = ["AxialFrame", "AxialStart", "axial_solution"]
 
 #: Points of a period at which e is compared with the vectors that stand still.
 POINTS = 65
 
 
 @dataclass(frozen=True)
-class SpaceFrame:
+class AxialStart:
     """A body with an axis of symmetry at the start of a motion.
 
     Attributes
@@ -98,7 +98,7 @@ class AxialFrame(BodyFrame):
     reference: int
     symmetry: int
     position: Sequence[arb]
-    attitude: Sequence[arb] = field(default=())
+    attitude: Sequence[arb] = ()
 
     def _half_angles(self, F: Functions[T], e: Sequence[T]) -> tuple[T, T]:
         """sin θ/2 and cos θ/2, neither of which vanishes."""
@@ -143,12 +143,12 @@ def _reference(axial: Axial, chart: Oscillating) -> int:
 
 
 def axial_solution(
-    scene: SpaceFrame, axial: Axial, chart: Oscillating, u: arb, rate: arb
+    start: AxialStart, axial: Axial, chart: Oscillating, u: arb, rate: arb
 ) -> QuadratureSolution:
     """The motion on which u changes, from u and u̇ at time 0."""
     r = _reference(axial, chart)
     # the vectors that stand still, in space axes
-    still = [product(scene.attitude, scene.in_body_order(k)) for k in axial.frame()]
+    still = [product(start.attitude, start.in_body_order(k)) for k in axial.frame()]
 
     def rates(u: acb, rate: acb) -> list[acb]:
         e, omega = axial.axis(BALLS, u, rate), axial.omega(BALLS, u, rate)
@@ -161,16 +161,16 @@ def axial_solution(
 
     length = float(axial.length.mid())
     motion = QuadratureMotion(chart, u, rate, rates, units=(1.0, 1.0, length, length))
-    frame = AxialFrame(axial, r, scene.symmetry, scene.position)
+    frame = AxialFrame(axial, r, start.symmetry, start.position)
     first, *vector = frame.start_quaternion(motion)
-    start = conjugate([first, *scene.in_body_order(vector)])
-    frame = AxialFrame(axial, r, scene.symmetry, scene.position, times(scene.attitude, start))
+    inverse = conjugate([first, *start.in_body_order(vector)])
+    frame = replace(frame, attitude=times(start.attitude, inverse))
     return QuadratureSolution(
-        scene.system, scene.parameters, motion, frame, lambda: _form(scene, axial, motion)
+        start.system, start.parameters, motion, frame, lambda: _form(start, axial, motion)
     )
 
 
-def _form(scene: SpaceFrame, axial: Axial, motion: QuadratureMotion) -> ClosedForm:
+def _form(start: AxialStart, axial: Axial, motion: QuadratureMotion) -> ClosedForm:
     """The equation of u, its turning points, period and mean rates."""
     first, second = motion.chart.first.x, motion.chart.second.x
     low, high = sorted(float(x.mid()) for x in (first, second))
@@ -183,10 +183,10 @@ def _form(scene: SpaceFrame, axial: Axial, motion: QuadratureMotion) -> ClosedFo
         NamedConstant("phi", turn / period, "mean rate of the angle φ about e", "rad/s"),
     )
     return ClosedForm(
-        title=scene.title + ", two equal moments",
+        title=start.title + ", two equal moments",
         motion="the axis of symmetry is periodic in space, the body turns about it",
-        equations=axial.shown,
+        equations=axial.equations,
         figures=constants,
         ovals=((low, high),),
-        source=scene.source,
+        source=start.source,
     )

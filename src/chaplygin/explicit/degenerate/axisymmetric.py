@@ -74,7 +74,7 @@ class Axial(ABC):
 
     @property
     @abstractmethod
-    def shown(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+    def equations(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
         """The equations, for a reader."""
 
     @property
@@ -138,7 +138,7 @@ class VeselovaAxial(Axial):
         return Equation(numerator, denominator, arb(-1.5), arb(1.5))
 
     @property
-    def shown(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+    def equations(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
         """A u̇² = 2h(1 − u²) − c²."""
         A, h, c, u, udot = sp.symbols("A h c u udot")
         return ((A * udot**2, 2 * h * (1 - u**2) - c**2),)
@@ -203,8 +203,8 @@ class ChaplyginAxial(Axial):
     ----------
     a, b, D, R : arb
         R is the radius.
-    own : arb
-        K.
+    K : arb
+        The constant of the body of revolution.
     area, square : arb
         g and f.
     start : (M, gamma)
@@ -215,7 +215,7 @@ class ChaplyginAxial(Axial):
     b: arb
     D: arb
     R: arb
-    own: arb
+    K: arb
     area: arb
     square: arb
     start: tuple[Vector, Vector]
@@ -251,7 +251,7 @@ class ChaplyginAxial(Axial):
         g, f = self.area, self.square
 
         def numerator(u: Argument) -> Argument:
-            M = self.own * analytic_root(self._W(u)) + self._lean * u
+            M = self.K * analytic_root(self._W(u)) + self._lean * u
             return f * (1 - u * u) - g * g + 2 * g * u * M - M * M
 
         def denominator(u: Argument) -> Argument:
@@ -265,7 +265,7 @@ class ChaplyginAxial(Axial):
         return Equation(numerator, denominator, -high, high)
 
     @property
-    def shown(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+    def equations(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
         """a²u̇² and M₃ in u."""
         a, b, D, K, f, g, u, udot, M = sp.symbols("a b D K f g u udot M_3")
         W = 1 - D / a - D * (1 / b - 1 / a) * u**2
@@ -283,14 +283,14 @@ class ChaplyginAxial(Axial):
             ("D", self.D, "mR²"),
             ("f", self.square, "square of the momentum"),
             ("g", self.area, "area integral"),
-            ("K", self.own, "constant of the ball of revolution"),
+            ("K", self.K, "constant of the ball of revolution"),
         )
 
     def _M(self, F: Functions[N], u: N) -> tuple[N, N, N]:
         """W, M₃ and s."""
         D, epsilon = F.number(self.D), F.number(self._epsilon)
         W = F.number(1 - self.D / self.a) - D * epsilon * u * u
-        M = F.number(self.own) * F.sqrt(W) + F.number(self._lean) * u
+        M = F.number(self.K) * F.sqrt(W) + F.number(self._lean) * u
         return W, M, (F.number(self.area / self.a) + epsilon * M * u) / W
 
     def axis(self, F: Functions[N], u: N, rate: N) -> list[N]:

@@ -32,7 +32,7 @@ def form_of(
     e : arb
         The double root.
     turn : arb
-        What the clock gains in a period.
+        The gain of the clock in a period.
     """
     w, z, y, e_ = sp.symbols("w z y e")
     z_1, z_2, w_1, w_2 = sp.symbols("z_1 z_2 w_1 w_2")

@@ -48,12 +48,12 @@ def motion_at_double_root(
     if _stays(start, e):
         z = start.total[0] - e
         oval = oval_around(start.leading, others, z)
-        return None if oval is None else _one_frequency(start, e, z, oval)
+        return None if oval is None else _periodic_motion(start, e, z, oval)
     oval = oval_around(start.leading, others, e)
     apart, size = start.separating(e).mid(), start.size * start.size
     if oval is None or (apart > 0 and not vanishes(apart, size)):
         return None
-    return _between(start, e, oval)
+    return _asymptotic_motion(start, e, oval)
 
 
 def _stays(start: ExactStart, e: arb) -> bool:
@@ -69,7 +69,7 @@ def _stays(start: ExactStart, e: arb) -> bool:
     return vanishes(start.separating(e).mid(), start.size * start.size)
 
 
-def _one_frequency(start: ExactStart, e: arb, z: arb, oval: Oval) -> Periodic:
+def _periodic_motion(start: ExactStart, e: arb, z: arb, oval: Oval) -> Periodic:
     speed, turn = ((b - a * e) / oval.scale for a, b in (start.speeds, start.along))
     phase = oval.phase(z, start.total[1] / turn)
     indices, amplitudes = [], []
@@ -89,7 +89,7 @@ def _one_frequency(start: ExactStart, e: arb, z: arb, oval: Oval) -> Periodic:
     return Periodic(oval.thetas, tuple(indices), tuple(amplitudes), phase.mid(), speed, turn)
 
 
-def _between(start: ExactStart, e: arb, oval: Oval) -> Asymptotic:
+def _asymptotic_motion(start: ExactStart, e: arb, oval: Oval) -> Asymptotic:
     slope = oval.square(e).sqrt()
     s = oval.phase(e, slope * oval.scale)
     value, rate = oval.thetas.pair(1, s)
@@ -153,15 +153,15 @@ def _through(motion: Asymptotic, start: ExactStart) -> Asymptotic:
 def _gauss_newton(motion: Asymptotic, wanted: list[arb], weights: list[arb]) -> list[arb]:
     """The step in U and κ that brings the motion at τ = 0 nearest to the start."""
 
-    def weighted(phase: arb, offset: arb) -> list[arb]:
+    def weighted_components(phase: arb, offset: arb) -> list[arb]:
         nu, rate = direction(*motion.with_start(phase, offset).balls(arb(0)))
         return [w * x.mid() for w, x in zip(weights, [*nu, *rate], strict=True)]
 
-    here = weighted(motion.phase, motion.offset)
+    here = weighted_components(motion.phase, motion.offset)
     missed = arb_mat([[w * x.mid() - h] for w, x, h in zip(weights, wanted, here, strict=True)])
     moved = (
-        weighted(motion.phase + STEP, motion.offset),
-        weighted(motion.phase, motion.offset + STEP),
+        weighted_components(motion.phase + STEP, motion.offset),
+        weighted_components(motion.phase, motion.offset + STEP),
     )
     slope = arb_mat([[(m[i] - here[i]) / STEP for m in moved] for i in range(6)])
     slope = slope.mid()

@@ -35,16 +35,16 @@ class DegenerateMotion(Protocol):
         """The state at t = 0, as given."""
 
     @property
-    def lifted(self) -> bool:
+    def in_space(self) -> bool:
         """Whether the motion in space is part of the states."""
 
     @property
     def pace(self) -> float:
-        """How fast the phase grows with time, in turns."""
+        """Periods in a unit of time."""
 
     @property
     def clock(self) -> Quadratures:
-        """t and places in space as functions of τ."""
+        """t and the position in space as functions of τ."""
 
     def states(self, times: Sequence[float] | FloatArray) -> FloatArray:
         """Lifted states (n, size) at `times` (n,), in double precision."""

@@ -51,7 +51,7 @@ class PeriodicQuadratures:
     period : float
         In τ.
     turn : float
-        What the clock gains in a period.
+        The gain of the clock in a period.
     frequency : (float, float)
         Periods in a unit of time, as a sum of two doubles.
     means : array (m,)
@@ -124,7 +124,7 @@ def _periodic(motion: Periodic, integrands: Integrands, turn: arb) -> PeriodicQu
     motion : Periodic
     integrands : callable
     turn : arb
-        What the clock gains in a period.
+        The gain of the clock in a period.
     """
     period = float(motion.period)
     count = 64
@@ -234,7 +234,7 @@ def _asymptotic(motion: Asymptotic, integrands: Integrands, turn: arb) -> Asympt
     motion : Asymptotic
     integrands : callable
     turn : arb
-        What the clock gains in a period of the limits.
+        The gain of the clock in a period of the limits.
     """
     growth, offset = float(motion.growth), float(motion.offset)
     crossings = ((-FADED - offset) / growth, (FADED - offset) / growth)

@@ -19,10 +19,10 @@ from ..base.exact_start import on_phase_space
 from ..base.solution import Solution
 from ..one_degree import motion_chart
 from ..one_degree.uniformisation import Oscillating
-from .axial_frame import SpaceFrame, axial_solution
+from .axial_frame import AxialStart, axial_solution
 from .axisymmetric import Axial, ChaplyginAxial, VeselovaAxial
 from .exact_start import PRECISION
-from .uniform_motion import uniform
+from .uniform_motion import uniform_solution
 
 __all__ = ["chaplygin_of_revolution", "equal_pair", "veselova_of_revolution"]
 
@@ -56,14 +56,14 @@ def _solution(
         numbers = [ball(x) for x in start]
         size = len(system.symbols)
         state = on_phase_space(system, (), numbers[:size], known)
-        steady = uniform(system, known, (*state, *numbers[size:]), moments)
+        steady = uniform_solution(system, known, (*state, *numbers[size:]), moments)
         if steady is not None:
             return steady
         axis = equal_pair(moments)
         if axis is None:
             return None
         length = sum((q * q for q in numbers[size : size + 4]), arb(0)).sqrt()
-        scene = SpaceFrame(
+        initial = AxialStart(
             system.lifted(),
             known,
             system.title,
@@ -72,14 +72,14 @@ def _solution(
             tuple(q / length for q in numbers[size : size + 4]),
             tuple(numbers[size + 4 :]),
         )
-        first, second = (scene.with_axis_last(state[k : k + 3]) for k in (0, 3))
+        first, second = (initial.with_axis_last(state[k : k + 3]) for k in (0, 3))
         axial = axial_motion(moments[(axis + 1) % 3], moments[axis], first, second)
         u = second[2]
         rate = axial.start_rate
         chart = motion_chart(axial.equation, u, rate)
         if not isinstance(chart, Oscillating):
             return None
-        return axial_solution(scene, axial, chart, u, rate)
+        return axial_solution(initial, axial, chart, u, rate)
 
 
 def veselova_of_revolution(

@@ -3,7 +3,7 @@
 The clock and the places are integrated in the phase σ = |dU/dτ| τ, over one period of a periodic
 motion, or over as much as is asked for of the window outside of which an asymptotic one agrees
 with its limits to the digits wanted.  Beyond it the numerators are those of the limit with balls
-for what still differs, so that one period of them bounds every period to come.
+for the remaining difference, so that one period of them bounds every period to come.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ B = TypeVar("B", arb, acb)
 Numerators: TypeAlias = Callable[[acb], tuple[list[acb], list[acb]]]
 #: ν and ν′ ↦ values of formulas in balls.
 BallFunction: TypeAlias = Callable[[Sequence[B], Sequence[B]], list[B]]
-#: How far, in σ, the boxes reach from a panel inside which functions are bounded.
+#: The distance, in σ, to which boxes reach from a panel in which functions are bounded.
 REACH = 4
 #: Balls smaller than this are points; larger ones are boxes, on which only bounds are wanted.
 POINTLIKE, BOX_BITS = 1e-6, 64
@@ -129,7 +129,7 @@ class Rigorous:
         """The clock, then the velocity in body axes."""
         clock = components(self.solution.separable.clock)
         motion = self.solution.separable.system.motion
-        if motion is None or not self.solution.lifted:
+        if motion is None or not self.solution.in_space:
             return self._function(clock)
         pairs = flat_pairs(motion.field)
         velocities = [formula for name, formula in pairs if name not in attitude.symbols]
@@ -317,7 +317,7 @@ class Rigorous:
         sigma, turns = self._phase(time)
         nu, nuprime = direction(*self._numerators(sigma))
         reduced = self._reduced_state(nu, nuprime)
-        if not self.solution.lifted:
+        if not self.solution.in_space:
             return tuple(reduced)
         size = len(reduced)
         near = self.solution.states(np.array([float(time.mid())]))[0]

@@ -87,7 +87,7 @@ class DegenerateSolution(Solution):
         return self._arrays([c for vector in self.separable.fixed for c in components(vector)])
 
     @property
-    def lifted(self) -> bool:
+    def in_space(self) -> bool:
         """Whether the motion in space is part of the states."""
         return len(self.system.symbols) > len(self.separable.system.symbols)
 
@@ -96,7 +96,7 @@ class DegenerateSolution(Solution):
         """The rate of the clock, then the velocity in space, all in τ."""
         clock = self._arrays(components(self.separable.clock))
         motion = self.separable.system.motion
-        if motion is None or not self.lifted:
+        if motion is None or not self.in_space:
             return clock
         pairs = flat_pairs(motion.field)
         rates = [formula for name, formula in pairs if name not in attitude.symbols]
@@ -131,7 +131,7 @@ class DegenerateSolution(Solution):
 
     @cached_property
     def turn(self) -> arb:
-        """What the clock gains in a period, of the motion or of its limits.
+        """The gain of the clock in a period, of the motion or of its limits.
 
         By the trapezoid rule, whose error falls off exponentially: the number of points is
         doubled until it does not change any more.
@@ -194,7 +194,7 @@ class DegenerateSolution(Solution):
         moment = self.clock.moment(np.asarray(times, dtype=float))
         nu, nuprime = self._directions(moment.remainder, moment.turns)
         reduced = self._state(nu, nuprime)
-        if not self.lifted:
+        if not self.in_space:
             return reduced.T
         turns = self._signs.continuous(moment.remainder, moment.turns, self._attitude(nu, nuprime))
         first = len(self.separable.system.symbols) + 4

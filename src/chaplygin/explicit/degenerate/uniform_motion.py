@@ -1,4 +1,4 @@
-"""Uniform motions recognised: rest, permanent rotations, steady precession, three equal moments.
+"""The recognition of uniform motions: rest, permanent rotation, steady precession.
 
 The vectors of the reduced state turn rigidly in the body, x(t) = e^{−tΩ×} x(0), with a constant Ω:
 zero for an equilibrium of the reduced system, along the axis of symmetry of a body of revolution, ω
@@ -26,7 +26,7 @@ from ..one_degree.uniform import Rotation, UniformSolution
 from ..one_degree.vectors import cross, dot, product
 from .exact_start import PRECISION, with_definitions
 
-__all__ = ["resting", "uniform"]
+__all__ = ["resting", "uniform_solution"]
 
 #: Angles of a turn about ω at which the field is compared with that turn.
 ANGLES = 7
@@ -37,7 +37,7 @@ Balls = Sequence[arb]
 Values = Mapping[sp.Symbol, arb]
 
 
-def uniform(
+def uniform_solution(
     system: System,
     values: Values,
     start: Balls,

@@ -32,12 +32,7 @@ from ..revolution.state import intrinsic_angle
 from .closed_form import form_of, steady_form
 from .top import Top, Vector, level_of
 
-__all__ = ["TopFrame", "is_lagrange_top", "solve_top"]
-
-
-def is_lagrange_top(system: System) -> bool:
-    """Whether a System is the catalogue's Lagrange top in M and Γ."""
-    return system.name == "lagrange-top"
+__all__ = ["TopFrame", "solve_top"]
 
 
 def solve_top(
@@ -59,7 +54,7 @@ def solve_top(
     InputError
         If Γ is not a unit vector.
     """
-    if not is_lagrange_top(system):
+    if system.name != "lagrange-top":
         return None
     values = {**system.defaults, **(parameters or {})}
     if len(start) != len(system.symbols):

@@ -180,12 +180,12 @@ class QuadratureMotion:
 
     def integrals(self, digits: int) -> Integrals:
         """The time (first), the quadratures and the nested ones, by σ."""
-        if digits not in self._known:
-            self._known[digits] = self._build(digits)
-        return self._known[digits]
+        if digits not in self._by_digits:
+            self._by_digits[digits] = self._build(digits)
+        return self._by_digits[digits]
 
     @cached_property
-    def _known(self) -> dict[int, Integrals]:
+    def _by_digits(self) -> dict[int, Integrals]:
         return {}
 
     @cached_property
@@ -231,7 +231,7 @@ class QuadratureMotion:
         """The period of a periodic motion, and what every quadrature gains in it."""
         with ctx.workprec(working_bits(digits)):
             known = self.integrals(digits)
-            return tuple(known.end(i) - known.begin(i) for i in range(known.count))
+            return tuple(known.right_end(i) - known.left_end(i) for i in range(known.count))
 
     def mean_rates(self, digits: int) -> tuple[arb, ...]:
         """Mean rates of the quadratures: their linear drift."""

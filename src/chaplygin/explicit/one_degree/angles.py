@@ -21,7 +21,15 @@ from flint import acb, arb
 from ...core.arrays import FloatArray
 from .phase_reduction import Pair, fraction, pair
 
-__all__ = ["ComplexArray", "LinearPhase", "glide", "glides", "unit_complex", "walk", "walks"]
+__all__ = [
+    "ComplexArray",
+    "LinearPhase",
+    "circular_path",
+    "circular_paths",
+    "displacement_sum",
+    "displacement_sums",
+    "unit_complex",
+]
 
 ComplexArray: TypeAlias = npt.NDArray[np.complex128]
 
@@ -69,7 +77,7 @@ class LinearPhase:
         return 4 * np.pi * fraction(times, self.share) + self.begin
 
 
-def walk(count: int, turn: arb, step: acb) -> acb:
+def displacement_sum(count: int, turn: arb, step: acb) -> acb:
     """Σ step · e^{ij turn} for j from 0 to count − 1, in balls."""
     half = principal(turn) / 2
     sine = half.sin()
@@ -82,7 +90,7 @@ def walk(count: int, turn: arb, step: acb) -> acb:
     return step * unit_complex((count - 1) * half) * ratio
 
 
-def walks(counts: FloatArray, turn: arb, step: acb) -> ComplexArray:
+def displacement_sums(counts: FloatArray, turn: arb, step: acb) -> ComplexArray:
     """Σ step · e^{ij turn} for j from 0 to count − 1, for counts (n,) in double precision."""
     half = principal(turn) / 2
     angle = 4 * np.pi * fraction(counts, turns(half))
@@ -93,13 +101,13 @@ def walks(counts: FloatArray, turn: arb, step: acb) -> ComplexArray:
     return sums
 
 
-def glide(time: arb, rate: arb, speed: acb) -> acb:
+def circular_path(time: arb, rate: arb, speed: acb) -> acb:
     """∫ speed · e^{i rate t} dt from 0 to `time`, in balls."""
     half = rate * time / 2
     return speed * unit_complex(half) * time * half.sinc()
 
 
-def glides(times: FloatArray, rate: arb, speed: acb) -> ComplexArray:
+def circular_paths(times: FloatArray, rate: arb, speed: acb) -> ComplexArray:
     """∫ speed · e^{i rate t} dt from 0 to times (n,), in double precision."""
     half = rate / 2
     angle = 4 * np.pi * fraction(times, turns(half))

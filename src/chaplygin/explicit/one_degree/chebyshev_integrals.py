@@ -171,11 +171,11 @@ class Integrals:
         """The number of integrals."""
         return len(self.panels[0].series)
 
-    def begin(self, index: int) -> arb:
+    def left_end(self, index: int) -> arb:
         """The integral up to the left end."""
         return self.panels[0].value(index, self.panels[0].low)
 
-    def end(self, index: int) -> arb:
+    def right_end(self, index: int) -> arb:
         """The integral up to the right end."""
         return self.panels[-1].value(index, self.panels[-1].high)
 

@@ -27,7 +27,15 @@ from ...core.arrays import FloatArray
 from ...core.system import System
 from ..base.solution import ClosedForm, Solution
 from . import FAST, MotionSample, QuadratureMotion
-from .angles import ComplexArray, LinearPhase, glide, glides, unit_complex, walk, walks
+from .angles import (
+    ComplexArray,
+    LinearPhase,
+    circular_path,
+    circular_paths,
+    displacement_sum,
+    displacement_sums,
+    unit_complex,
+)
 from .chebyshev_integrals import working_bits
 from .functions import BALLS, DOUBLES, Functions
 from .vectors import times
@@ -62,7 +70,7 @@ class Inclination(Generic[T]):
 
 
 class BodyFrame(ABC):
-    """How the state of a body follows from x, x′ and the angles of a motion.
+    """The state of a body as a function of x, x′ and the angles of a motion.
 
     Attributes
     ----------
@@ -71,11 +79,11 @@ class BodyFrame(ABC):
     attitude : four arb, or none
         Q₀; the unit quaternion if there are none.
     angles : int
-        How many quadratures are angles: φ, or φ and ψ for a motion in space.
+        The number of quadratures that are angles: φ, or φ and ψ for a motion in space.
     position : two arb, or none
         At time 0, if the path is among the quadratures.
     turning_path : bool
-        Whether the path is that for ψ = 0 at the turning point.
+        Whether the path turns with ψ, and is integrated as if ψ = 0 at the turning point.
     """
 
     symmetry: int = 2
@@ -107,7 +115,7 @@ def euler_quaternion(F: Functions[T], sine: T, cosine: T, phi: T, psi: T) -> lis
 
 @dataclass(frozen=True)
 class Constants:
-    """What joins the quadratures of a motion to its start.
+    """The constants that join the quadratures of a motion to its start.
 
     Attributes
     ----------
@@ -117,18 +125,18 @@ class Constants:
         Of the angles in a period.
     origin : acb
         The position at that turning point.
-    facing : acb
+    heading : acb
         e^{iψ} by which the path is turned.
     turn : arb
-        By which the path turns in a period.
+        The angle by which the path turns in a period.
     step : acb
-        By which it is displaced, before `facing`.
+        Its displacement in a period, before it is turned by `heading`.
     """
 
     angles: tuple[arb, ...]
     gains: tuple[arb, ...]
     origin: acb
-    facing: acb
+    heading: acb
     turn: arb
     step: acb
 
@@ -174,20 +182,20 @@ class QuadratureSolution(Solution):
             for angle, quadrature in zip(frame.start_angles(motion), quadratures, strict=False)
         )
         gains = motion.advances(digits)[1:] if motion.periodic else ()
-        own = gains[: len(angles)]
+        angle_gains = gains[: len(angles)]
         if not frame.position:
-            return Constants(angles, own, acb(0), acb(1), arb(0), acb(0))
-        facing = unit_complex(angles[1]) if frame.turning_path else acb(1)
-        origin = acb(*frame.position) - facing * acb(*quadratures[-2:])
+            return Constants(angles, angle_gains, acb(0), acb(1), arb(0), acb(0))
+        heading = unit_complex(angles[1]) if frame.turning_path else acb(1)
+        origin = acb(*frame.position) - heading * acb(*quadratures[-2:])
         if not motion.periodic:
-            return Constants(angles, own, origin, facing, arb(0), acb(0))
+            return Constants(angles, angle_gains, origin, heading, arb(0), acb(0))
         if not frame.turning_path:
-            return Constants(angles, own, origin, facing, arb(0), acb(*gains[-2:]))
-        turn = own[1] + (arb.pi() if sum(motion.passed_edges) == 1 else 0)
+            return Constants(angles, angle_gains, origin, heading, arb(0), acb(*gains[-2:]))
+        turn = angle_gains[1] + (arb.pi() if sum(motion.passed_edges) == 1 else 0)
         last = (known.count - 2, known.count - 1)
-        left, right = (acb(*(end(i) for i in last)) for end in (known.begin, known.end))
+        left, right = (acb(*(end(i) for i in last)) for end in (known.left_end, known.right_end))
         step = right - unit_complex(turn) * left
-        return Constants(angles, own, origin, facing, turn, step)
+        return Constants(angles, angle_gains, origin, heading, turn, step)
 
     def _state(
         self,
@@ -234,7 +242,7 @@ class QuadratureSolution(Solution):
             angles, count = list(sample.values[: frame.angles]), sample.periods
             path = acb(0)
             if frame.position:
-                path = walk(count, constants.turn, constants.step)
+                path = displacement_sum(count, constants.turn, constants.step)
                 path += unit_complex(count * constants.turn) * acb(*sample.values[-2:])
             if motion.periodic:
                 angles = [x + count * gain for x, gain in zip(angles, constants.gains, strict=True)]
@@ -245,10 +253,10 @@ class QuadratureSolution(Solution):
                     # all values of x between the edge of the integrals and the double root
                     x = acb(end.x.union(motion.chart.coordinate(BALLS, sample.phase)))
                     speed = unit_complex(angles[1]) * frame.path_speed(x)
-                    path += glide(sample.tail, rates[1], speed)
+                    path += circular_path(sample.tail, rates[1], speed)
                 angles = [x + rate * sample.tail for x, rate in zip(angles, rates, strict=True)]
             angles = [x + begin for x, begin in zip(angles, constants.angles, strict=True)]
-            place = constants.origin + constants.facing * path
+            place = constants.origin + constants.heading * path
             position = [place.real, place.imag] if frame.position else []
             return tuple(self._state(BALLS, sample, angles, position))
 
@@ -278,7 +286,7 @@ class _FastAngles:
         self._begin = [float(angle) for angle in constants.angles]
         self._gains = [LinearPhase.from_balls(gain) for gain in constants.gains]
         self._turn = LinearPhase.from_balls(constants.turn)
-        self._origin, self._facing = (_double(x) for x in (constants.origin, constants.facing))
+        self._origin, self._heading = (_double(x) for x in (constants.origin, constants.heading))
         self._tails = (
             () if motion.periodic else tuple(_Tail(motion, frame, side) for side in (-1, 1))
         )
@@ -293,12 +301,12 @@ class _FastAngles:
         path: ComplexArray = np.zeros(len(times), dtype=complex)
         if self._frame.position:
             x, y = sample.values[-2:]
-            path = walks(count, constants.turn, constants.step)
+            path = displacement_sums(count, constants.turn, constants.step)
             path = path + np.exp(1j * self._turn(count)) * (x + 1j * y)
         for tail in self._tails:
-            angles, path = tail.continued(times, sample, angles, path)
+            angles, path = tail.continuation(times, sample, angles, path)
         angles = [begin + angle for begin, angle in zip(self._begin, angles, strict=True)]
-        place = self._origin + self._facing * path
+        place = self._origin + self._heading * path
         return angles, [place.real, place.imag] if self._frame.position else []
 
 
@@ -332,11 +340,11 @@ class _Tail:
         if frame.position:
             # a precession so slow that its rate is no good divisor
             self._slow = abs(float(rates[1])) * motion.time_scale < SLOW
-            self._rate, self._facing = rates[1], float(values[1])
+            self._rate, self._heading = rates[1], float(values[1])
             self._speed = acb(frame.path_speed(acb(end.x)))
-            self._corner = _double(acb(*values[-2:]))
+            self._tail_start = _double(acb(*values[-2:]))
 
-    def continued(
+    def continuation(
         self,
         times: FloatArray,
         sample: MotionSample[FloatArray, FloatArray],
@@ -347,12 +355,12 @@ class _Tail:
         inside = sample.tail * self._side > 0
         limits = [phase(times) for phase in self._angles]
         if self._frame.position:
-            start = np.exp(1j * self._facing)
+            start = np.exp(1j * self._heading)
             if self._slow:
-                way = start * glides(sample.tail, self._rate, self._speed)
+                arc = start * circular_paths(sample.tail, self._rate, self._speed)
             else:
                 speed = _double(self._speed) / (1j * float(self._rate))
-                way = speed * (np.exp(1j * limits[1]) - start)
-            path = np.where(inside, self._corner + way, path)
+                arc = speed * (np.exp(1j * limits[1]) - start)
+            path = np.where(inside, self._tail_start + arc, path)
         pairs = zip(limits, angles, strict=True)
         return [np.where(inside, limit, angle) for limit, angle in pairs], path

@@ -1,6 +1,6 @@
-"""Where a motion x′² = N(x)/B(x) turns: roots isolated in ball arithmetic.
+"""The turning points of a motion x′² = N(x)/B(x): roots isolated in ball arithmetic.
 
-From where it is, a motion runs to the nearest root of N on either side.  Every interval on the way
+From its start a motion runs to the nearest root of N on either side.  Every interval on the way
 is shown to contain no root, or exactly one, by the signs of N, N′ and N″ over the whole of it.
 """
 

@@ -22,7 +22,7 @@ from ...arguments import Numbers, Written, arguments_checked
 from ...core.arrays import FloatArray
 from ...core.system import System
 from ..base.solution import ClosedForm, Solution
-from .angles import LinearPhase, glide, glides
+from .angles import LinearPhase, circular_path, circular_paths
 from .chebyshev_integrals import working_bits
 from .functions import BALLS, DOUBLES, Functions
 from .vectors import cross, dot, product, times
@@ -131,7 +131,7 @@ class UniformSolution(Solution):
         with ctx.workprec(working_bits(working_digits(time, digits, 1, self.pace))):
             t = exact_time(time)
             angles = (self.spin.rate * t, self.precession.rate * t)
-            circle = glide(t, self.precession.rate, acb(1))
+            circle = circular_path(t, self.precession.rate, acb(1))
             return tuple(self._state(BALLS, t, angles, (circle.real, circle.imag)))
 
     @arguments_checked
@@ -143,7 +143,7 @@ class UniformSolution(Solution):
             spin, precession = (
                 LinearPhase.from_balls(x.rate) for x in (self.spin, self.precession)
             )
-            circle = glides(t, self.precession.rate, acb(1))
+            circle = circular_paths(t, self.precession.rate, acb(1))
             sums = (circle.real, circle.imag)
             state = self._state(DOUBLES, t, (spin(t), precession(t)), sums)
         return np.stack([np.broadcast_to(x, t.shape) for x in state], axis=1)

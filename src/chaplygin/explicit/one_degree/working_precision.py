@@ -1,4 +1,4 @@
-"""How many digits a state far away in time needs, and times as balls."""
+"""The digits that a state far away in time needs, and times as balls."""
 
 from __future__ import annotations
 

@@ -36,20 +36,7 @@ from .state import (
     turning_rates,
 )
 
-__all__ = ["recognised", "solve_rolling"]
-
-
-def recognised(rolling: Rolling, parameters: Mapping[sp.Symbol, Written]) -> bool:
-    """Whether this is a rubber body of revolution on a plane, in a potential U(γ₃) or in none.
-
-    Parameters
-    ----------
-    rolling : Rolling
-        Kind of shape, surface, contact and field.
-    parameters : mapping of Symbol to number
-        The values that count.
-    """
-    return body_of(rolling, parameters) is not None
+__all__ = ["solve_rolling"]
 
 
 def solve_rolling(
@@ -58,21 +45,21 @@ def solve_rolling(
     start: Sequence[Written],
     parameters: Mapping[sp.Symbol, Written] | None = None,
 ) -> Solution | None:
-    """The motion of a rubber body of revolution, or None if it is none.
+    """The motion of a rubber body of revolution on a plane, or None for another body.
 
-    The contact is taken to be two-sided, as by the equations: where the normal force would have to
-    pull, the motion goes on.
+    The contact is two-sided, as in the equations: the motion goes on when the normal force would
+    have to pull.
 
     Parameters
     ----------
     rolling : Rolling
-        What rolls on what; its numbers are not used.
+        The body, the surface and the forces; their numbers are not used.
     system : System
         ``rolling.system()`` or that of a catalogue entry, not lifted.
     start : sequence of 12 numbers
         ω, γ, attitude and position at time 0; see
         :func:`~chaplygin.mechanics.rolling.initial_state.initial_state`. Numbers are read to fifty
-        digits: what these do not tell from zero is zero.
+        digits: a number that vanishes to these is zero.
     parameters : mapping of Symbol to number, optional
         Values that replace the system's defaults.
 

@@ -28,7 +28,14 @@ from ..base.problem import exact
 from ..one_degree.divided_differences import Argument, Formula, jet
 from .body import AxisymmetricBody, body_of, u
 
-__all__ = ["Column", "Diagram", "Rest", "columns_at", "motions_at", "revolution_diagram"]
+__all__ = [
+    "Column",
+    "Diagram",
+    "PermanentRotation",
+    "columns_at",
+    "motions_at",
+    "revolution_diagram",
+]
 
 #: Bits to compute with.
 BITS = 120
@@ -44,7 +51,7 @@ NARROWEST = 1e-14
 
 
 @dataclass(frozen=True)
-class Rest:
+class PermanentRotation:
     """A permanent rotation at given K.
 
     Attributes
@@ -63,20 +70,20 @@ class Rest:
 
 @dataclass(frozen=True)
 class Column:
-    """All motions with one value of K, but for those within MARGIN of the vertical.
+    """All motions with one value of K, except those within MARGIN of the vertical.
 
     Attributes
     ----------
     K : float
-    rests : tuple of Rest
+    rests : tuple of PermanentRotation
         In order of their energy.
     counts : tuple of int
-        How many separate motions there are below the first rest (none), between the first and
-        the second, …, above the last.
+        Numbers of separate motions below the first rotation (none), between the first and the
+        second, …, above the last.
     """
 
     K: float
-    rests: tuple[Rest, ...]
+    rests: tuple[PermanentRotation, ...]
     counts: tuple[int, ...]
 
 
@@ -152,7 +159,7 @@ def columns_at(body: AxisymmetricBody, K: float) -> Column:
         rests = []
         for x, rising in _zeros(G):
             energy = body.value(body.energy, x) + square / (2 * (1 - x * x))
-            rests.append(Rest(x, energy, rising))
+            rests.append(PermanentRotation(x, energy, rising))
         rests.sort(key=lambda rest: float(rest.h))
         counts = [0]
         for rest in rests:
@@ -161,7 +168,7 @@ def columns_at(body: AxisymmetricBody, K: float) -> Column:
 
 
 def motions_at(column: Column, h: float) -> int | None:
-    """How many separate motions have the energy h; None where this is not decided."""
+    """The number of separate motions with the energy h; None where this is not decided."""
     with ctx.workprec(BITS):
         value = exact(h)
         energy = arb(fmpq(value.numerator, value.denominator))

@@ -7,7 +7,7 @@ so that (ω, γ) = 0 says ψ̇ = −φ̇ cos θ.  The centre of mass moves with
 
     ẋ + iẏ = −p(K/A + iθ̇ sin θ) e^{iψ}/sin θ.
 
-Where the axis passes the vertical (K = 0) sin θ/2 or cos θ/2 changes its sign, and φ and ψ do not
+If the axis passes the vertical (K = 0), sin θ/2 or cos θ/2 changes its sign, and φ and ψ do not
 jump.
 """
 
@@ -165,7 +165,7 @@ def path_rates(level: Level) -> Nested:
 def path_parities(chart: Uniformisation) -> tuple[int, ...]:
     """Parities of t, φ, ψ, x and y as functions of σ; none for a motion without a turning point.
 
-    Where a turning point lies on the vertical, the axis passes it and goes on to the other side.
+    At a turning point on the vertical the axis passes to the other side.
     """
     if isinstance(chart, Heteroclinic):
         return ()
