@@ -24,11 +24,17 @@ from ...formulas.relative_zero import GIVEN, vanishes
 from ..base.solution import Solution
 from ..one_degree import Equilibrium, MotionSample, QuadratureMotion, motion_chart
 from ..one_degree.functions import BALLS, Functions
-from ..one_degree.solution import BodyFrame, Count, Inclination, QuadratureSolution, T
+from ..one_degree.solution import (
+    BodyFrame,
+    Count,
+    Inclination,
+    QuadratureSolution,
+    T,
+    intrinsic_angle,
+)
 from ..one_degree.uniform import Rotation, UniformSolution
 from ..one_degree.working_precision import exact_time
 from ..revolution.body import BITS
-from ..revolution.state import intrinsic_angle
 from .closed_form import form_of, steady_form
 from .top import Top, Vector, level_of
 

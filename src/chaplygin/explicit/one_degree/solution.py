@@ -41,7 +41,7 @@ from .functions import BALLS, DOUBLES, Functions
 from .vectors import times
 from .working_precision import exact_time, working_digits
 
-__all__ = ["BodyFrame", "Inclination", "QuadratureSolution", "euler_quaternion"]
+__all__ = ["BodyFrame", "Inclination", "QuadratureSolution", "euler_quaternion", "intrinsic_angle"]
 
 #: Below this angle of precession, in the time of one unit of the phase, the path in a tail is
 #: computed as that of a slow turn.
@@ -111,6 +111,28 @@ def euler_quaternion(F: Functions[T], sine: T, cosine: T, phi: T, psi: T) -> lis
     """R₃(ψ) R₁(θ) R₃(φ), from sin θ/2 and cos θ/2."""
     plus, minus = (psi + phi) / 2, (psi - phi) / 2
     return [cosine * F.cos(plus), sine * F.cos(minus), sine * F.sin(minus), cosine * F.sin(plus)]
+
+
+def intrinsic_angle(
+    sine: arb, cosine: arb, lean: arb, vertical: Sequence[arb], turning: Sequence[arb]
+) -> arb:
+    """φ at a start, from the vertical or, where the axis is vertical, from the rotation.
+
+    Parameters
+    ----------
+    sine, cosine : arb
+        Of θ/2, with their signs.
+    lean : arb
+        θ̇, or a number with its sign.
+    vertical, turning : three arb
+        γ, and ω or the angular momentum; body axes, the axis of symmetry last.
+    """
+    across = 2 * sine * cosine
+    if across > 0 or across < 0:
+        return arb.atan2(vertical[0] / across, vertical[1] / across)
+    if lean > 0 or lean < 0:
+        return arb.atan2(-turning[1] / lean, turning[0] / lean)
+    return arb(0)
 
 
 @dataclass(frozen=True)

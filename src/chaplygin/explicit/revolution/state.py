@@ -27,14 +27,13 @@ from ...formulas.balls import array_function
 from ...formulas.relative_zero import GIVEN, vanishes
 from ..one_degree import MotionSample, Nested, QuadratureMotion, Rates
 from ..one_degree.functions import BALLS, Functions
-from ..one_degree.solution import BodyFrame, Count, Inclination, T
+from ..one_degree.solution import BodyFrame, Count, Inclination, T, intrinsic_angle
 from ..one_degree.uniformisation import Heteroclinic, Oscillating, Uniformisation
 from .body import AxisymmetricBody, Level, level_of, u
 
 __all__ = [
     "RevolutionFrame",
     "StartState",
-    "intrinsic_angle",
     "path_parities",
     "path_rates",
     "path_speed",
@@ -101,26 +100,6 @@ def start_state(state: Vector) -> StartState:
     spin = spin / length
     omega = [w - spin * x for w, x in zip(omega, normal, strict=True)]
     return StartState(omega, normal, [q / size for q in attitude], position)
-
-
-def intrinsic_angle(sine: arb, cosine: arb, lean: arb, vertical: Vector, turning: Vector) -> arb:
-    """φ at a start, from the vertical or, where the axis is vertical, from the rotation.
-
-    Parameters
-    ----------
-    sine, cosine : arb
-        Of θ/2, with their signs.
-    lean : arb
-        θ̇, or a number with its sign.
-    vertical, turning : three arb
-        γ, and ω or the angular momentum; body axes, the axis of symmetry last.
-    """
-    across = 2 * sine * cosine
-    if across > 0 or across < 0:
-        return arb.atan2(vertical[0] / across, vertical[1] / across)
-    if lean > 0 or lean < 0:
-        return arb.atan2(-turning[1] / lean, turning[0] / lean)
-    return arb(0)
 
 
 def start_angles(start: StartState, sine: arb, cosine: arb, lean: arb) -> tuple[arb, arb]:
