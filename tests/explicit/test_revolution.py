@@ -15,7 +15,8 @@ from chaplygin import lambdify
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.errors import InputError
 from chaplygin.explicit.base.solution import Solution
-from chaplygin.explicit.revolution import recognised, solve_rolling
+from chaplygin.explicit.revolution import solve_rolling
+from chaplygin.explicit.revolution.body import body_of
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, Rolling
@@ -198,8 +199,8 @@ def test_other_bodies_are_not_recognised() -> None:
     marble = Rolling(DISK.body, contact="marble", field=Forces(9.81))
     triaxial = Rolling(Body(1.0, (0.3, 0.4, 0.5), Ellipsoid((1.0, 1.0, 1.2))), contact="rubber")
     for rolling in (marble, triaxial):
-        assert not recognised(rolling, rolling.system().defaults)
-    assert recognised(DISK, DISK.system().defaults)
+        assert body_of(rolling, rolling.system().defaults) is None
+    assert body_of(DISK, DISK.system().defaults) is not None
 
 
 # --- campaign ------------------------------------------------------------------------------

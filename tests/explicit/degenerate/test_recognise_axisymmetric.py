@@ -11,13 +11,13 @@ from flint import arb, ctx
 from chaplygin.catalogue import from_catalogue
 from chaplygin.explicit.base.problem import exact
 from chaplygin.explicit.base.solution import Solution
-from chaplygin.explicit.degenerate.axisymmetric_solution import AxialSolution
 from chaplygin.explicit.degenerate.recognise_axisymmetric import (
     chaplygin_of_revolution,
     equal_pair,
     veselova_of_revolution,
 )
-from chaplygin.explicit.degenerate.uniform_motion import UniformSolution
+from chaplygin.explicit.one_degree.solution import QuadratureSolution
+from chaplygin.explicit.one_degree.uniform import UniformSolution
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.rolling.initial_state import initial_state
 
@@ -94,7 +94,7 @@ def across(omega: Any, gamma: Any) -> Any:
 def test_veselova(name: str) -> None:
     moments, gamma = VESELOVA[name]
     omega = (0.3, -0.5, 0.0) if gamma[2] == 1 else across((0.3, -0.5, 0.7), gamma)
-    kind = UniformSolution if gamma[2] == 1 else AxialSolution
+    kind = UniformSolution if gamma[2] == 1 else QuadratureSolution
     agrees("veselova", moments, omega, gamma, kind)
 
 
@@ -104,7 +104,7 @@ def test_veselova_with_its_axis_passing_the_vertical() -> None:
 
 @pytest.mark.parametrize("name", BALL)
 def test_chaplygin_ball(name: str) -> None:
-    agrees("chaplygin-ball", *BALL[name], AxialSolution)
+    agrees("chaplygin-ball", *BALL[name], QuadratureSolution)
 
 
 @pytest.mark.parametrize("name", UNIFORM)
@@ -119,13 +119,13 @@ def test_three_equal_moments_of_veselova() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", BALL)
 def test_chaplygin_ball_for_long(name: str) -> None:
-    agrees("chaplygin-ball", *BALL[name], AxialSolution, LONG)
+    agrees("chaplygin-ball", *BALL[name], QuadratureSolution, LONG)
 
 
 @pytest.mark.slow
 def test_veselova_for_long() -> None:
     moments, gamma = VESELOVA["third"]
-    agrees("veselova", moments, across((0.3, -0.5, 0.7), gamma), gamma, AxialSolution, LONG)
+    agrees("veselova", moments, across((0.3, -0.5, 0.7), gamma), gamma, QuadratureSolution, LONG)
 
 
 def test_different_moments_are_left_alone() -> None:
@@ -145,7 +145,7 @@ def test_moments_are_equal_only_when_they_are() -> None:
 def test_far_away_in_time() -> None:
     # the error of a double at t = 1e6 is 1e-10 in the time itself
     found, _, _ = case("chaplygin-ball", *BALL["third"])
-    assert isinstance(found, AxialSolution)
+    assert isinstance(found, QuadratureSolution)
     far = found.states(np.array([1e6]))[0]
     balls = found.rigorous(10**6, 20)
     for ball, number in zip(balls[:10], far[:10], strict=True):

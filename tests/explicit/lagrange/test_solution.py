@@ -10,20 +10,22 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-from flint import ctx
+from flint import acb, arb, ctx
 
 from chaplygin import lambdify
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.errors import InputError
-from chaplygin.explicit.lagrange.solution import LagrangeSolution, solve_top
+from chaplygin.explicit.base.solution import Solution
+from chaplygin.explicit.lagrange.solution import TopFrame, solve_top
+from chaplygin.explicit.one_degree.solution import QuadratureSolution
 from chaplygin.flow.integrator import integrate
 
 TOP = CATALOGUE["lagrange-top"].system()
 
 
-def solved(state: Sequence[Any], system: Any = TOP) -> LagrangeSolution:
+def solved(state: Sequence[Any], system: Any = TOP) -> Solution:
     solution = solve_top(system, state)
-    assert isinstance(solution, LagrangeSolution)
+    assert solution is not None
     return solution
 
 
@@ -77,20 +79,35 @@ def test_against_integration() -> None:
         assert np.abs(trajectory.states.astype(float) - found).max() < 1e-12
 
 
+def sn_squared(modulus: arb, w: arb, time: arb) -> arb:
+    """sn²(wt, k) by theta functions: sn = (θ₃/θ₂)(θ₁(v)/θ₄(v)), v = wt/2K."""
+    quarter, other = (acb(m).elliptic_k().real for m in (modulus, 1 - modulus))
+    tau = acb(0, other / quarter)
+    _, second, third, _ = acb.modular_theta(acb(0), tau)
+    v = w * time / (2 * quarter)
+    first, _, _, fourth = acb.modular_theta(acb(v - v.mid().floor()), tau)
+    sine = (third * first / (second * fourth)).real
+    return sine * sine
+
+
 def test_nutation_is_the_elliptic_function() -> None:
     solution = solved(CASES["nods"])
+    assert isinstance(solution, QuadratureSolution)
+    assert isinstance(solution.frame, TopFrame)
     with ctx.workprec(200):
-        elliptic = solution.top.elliptic(solution.course.chart)
+        motion = solution.motion
+        elliptic = solution.frame.top.elliptic_parameters(motion.chart)
         assert elliptic is not None
-        period = solution.course.advances(40)[0]
-        assert abs(elliptic.period - period) < 1e-40
+        modulus, w = elliptic
+        period = motion.advances(40)[0]
+        assert abs(2 * acb(modulus).elliptic_k().real / w - period) < 1e-40
+        low, high = sorted((motion.chart.first.x, motion.chart.second.x), key=float)
         # the phase is zero at the upper root, half a period after the lower one
-        begin = solution.course.integrals(40).value(
-            0, solution.course.chart.phase(solution.course.x, solution.course.rate)
-        )
+        begin = motion.integrals(40).value(0, motion.start_phase)
         for time in (0, 5, 1000):
             u = solution.rigorous(time, 30)[5]
-            assert abs(elliptic.at(time + begin - period / 2) - u) < 1e-30
+            exact = low + (high - low) * sn_squared(modulus, w, time + begin - period / 2)
+            assert abs(exact - u) < 1e-30
 
 
 def test_sleeping_top_is_stable_when_it_is_fast() -> None:

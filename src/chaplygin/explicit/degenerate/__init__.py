@@ -17,28 +17,29 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 from flint import ctx
 
+from ...arguments import Written
+from ...formulas.balls import ball
 from ..base.solution import Solution
 from ..genus_two.separation import SeparatedSystem
 from .collisions import double_roots, motion_at_double_root
-from .exact_start import PRECISION, begin, exact_ball
+from .exact_start import PRECISION, exact_start
 from .solution import DegenerateSolution
 
 __all__ = ["solved_degenerate"]
 
 
 def solved_degenerate(
-    separable: SeparatedSystem, values: Mapping[sp.Symbol, Any], start: Sequence[Any]
+    separable: SeparatedSystem, values: Mapping[sp.Symbol, Written], start: Sequence[Written]
 ) -> Solution | None:
     """Solve a motion whose curve is degenerate.
 
     Parameters
     ----------
-    separable : Separable
+    separable : SeparatedSystem
         With three different poles at these values.
     values : mapping of Symbol to number
         The parameters of its system, taken as exact numbers.
@@ -57,14 +58,12 @@ def solved_degenerate(
     """
     system = separable.system
     with ctx.workprec(PRECISION):
-        beginning = begin(separable, values, start)
-        for e, others in double_roots(beginning):
-            found = motion_at_double_root(beginning, e, others)
-            if found is not None:
+        exact = exact_start(separable, values, start)
+        for e, others in double_roots(exact):
+            motion = motion_at_double_root(exact, e, others)
+            if motion is not None:
                 lifted = system.motion is not None and len(separable.fixed) == 2
                 whole = system.lifted() if lifted else replace(system, motion=None)
-                numbers = {s: exact_ball(x) for s, x in values.items()}
-                return DegenerateSolution(
-                    whole, numbers, tuple(start), separable, beginning, found, e
-                )
+                numbers = {s: ball(x) for s, x in values.items()}
+                return DegenerateSolution(whole, numbers, tuple(start), separable, exact, motion, e)
     return None

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from ...formulas.program import ANALYTIC, Steps, StraightLineProgram
-from .quaternion import cross
+from ..one_degree.vectors import cross
 
 __all__ = ["analytic", "root", "triad"]
 

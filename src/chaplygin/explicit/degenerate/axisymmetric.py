@@ -11,8 +11,8 @@ Both systems have two vectors that stand still in space, and e is known in the f
         k₃ = γ, k₁ ∥ M − gγ, m² = f − g²,      e = ((M₃ − gu)/m, a u̇/m, u),
         ω = (M + Dsγ)/a + ε(M₃ + Dsu)e,      s = (ω, γ) = (g/a + εM₃u)/W.
 
-c and K are constants of the motion that only these bodies have; :mod:`.degenerate.laws` states them
-and the equations of u as laws of the systems.
+c and K are constants of the motion that only these bodies have; :mod:`.axisymmetric_laws` states
+them and the equations of u as laws of the systems.
 """
 
 from __future__ import annotations
@@ -20,29 +20,30 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TypeAlias, TypeVar
 
 import sympy as sp
 from flint import acb, arb
 
+from ...core.arrays import FloatArray
+from ..one_degree.divided_differences import Argument, analytic_root
+from ..one_degree.functions import Functions
 from ..one_degree.uniformisation import Equation
-from .quaternion import cross, dot
+from ..one_degree.vectors import cross, dot
 
 __all__ = ["Axial", "ChaplyginAxial", "VeselovaAxial"]
 
-Vector = Sequence[Any]
+Vector: TypeAlias = Sequence[arb]
 
-
-def _root(x: Any) -> Any:
-    return x.sqrt(analytic=True) if isinstance(x, acb) else x.sqrt()
+#: Balls, or arrays in double precision.
+N = TypeVar("N", arb, acb, FloatArray)
 
 
 @dataclass(frozen=True)
 class Axial(ABC):
     """A motion of a body with the axis e.
 
-    Components are those in the frame k, which stands still in space.  `F` is
-    :data:`.one_variable_charts.BALLS` or :data:`.one_variable_charts.DOUBLES`.
+    Components are those in the frame k, which stands still in space.
     """
 
     @property
@@ -51,43 +52,43 @@ class Axial(ABC):
         """That of u."""
 
     @abstractmethod
-    def axis(self, F: Any, u: Any, rate: Any) -> list[Any]:
+    def axis(self, F: Functions[N], u: N, rate: N) -> list[N]:
         """e at u, u̇."""
 
     @abstractmethod
-    def omega(self, F: Any, u: Any, rate: Any) -> list[Any]:
+    def omega(self, F: Functions[N], u: N, rate: N) -> list[N]:
         """ω."""
 
     @abstractmethod
-    def vectors(self, F: Any, u: Any, rate: Any) -> list[list[Any]]:
+    def vectors(self, F: Functions[N], u: N, rate: N) -> list[list[N]]:
         """The vectors of the reduced state."""
 
     @abstractmethod
-    def velocity(self, F: Any, u: Any, rate: Any) -> list[Any] | None:
+    def velocity(self, F: Functions[N], u: N, rate: N) -> list[N] | None:
         """Rate of the place, three components; None for a body with a fixed point."""
 
     @property
     @abstractmethod
-    def length(self) -> Any:
+    def length(self) -> arb:
         """A length of the body, with which paths are compared; 1 for a body with a fixed point."""
 
     @property
     @abstractmethod
-    def shown(self) -> tuple[tuple[Any, Any], ...]:
+    def equations(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
         """The equations, for a reader."""
 
     @property
     @abstractmethod
-    def constants(self) -> tuple[tuple[str, Any, str], ...]:
+    def constants(self) -> tuple[tuple[str, arb, str], ...]:
         """Symbol, value and meaning of the constants in them."""
 
     @property
     @abstractmethod
-    def rising(self) -> Any:
+    def start_rate(self) -> arb:
         """u̇ at the start."""
 
     @abstractmethod
-    def frame(self) -> list[list[Any]]:
+    def frame(self) -> list[list[arb]]:
         """k₁, k₂, k₃ at the start, body axes with e last."""
 
 
@@ -108,15 +109,15 @@ class VeselovaAxial(Axial):
         Body axes, e last.
     """
 
-    A: Any
-    C: Any
-    spin: Any
-    energy: Any
-    momentum: Any
+    A: arb
+    C: arb
+    spin: arb
+    energy: arb
+    momentum: arb
     start: tuple[Vector, Vector]
 
     @classmethod
-    def begun(cls, A: Any, C: Any, omega: Vector, gamma: Vector) -> VeselovaAxial:
+    def from_start(cls, A: arb, C: arb, omega: Vector, gamma: Vector) -> VeselovaAxial:
         """The motion through a state on the phase space."""
         Iomega = [A * omega[0], A * omega[1], C * omega[2]]
         L = cross(Iomega, gamma)
@@ -127,20 +128,23 @@ class VeselovaAxial(Axial):
     def equation(self) -> Equation:
         """That of u."""
 
-        def numerator(u: Any) -> Any:
+        def numerator(u: Argument) -> Argument:
             return self.energy * (1 - u * u) - self.spin * self.spin
 
+        def denominator(u: Argument) -> Argument:
+            return 0 * u + self.A
+
         # beyond ±1 the square is negative: the edges are no roots
-        return Equation(numerator, lambda u: 0 * u + self.A, arb(-1.5), arb(1.5))
+        return Equation(numerator, denominator, arb(-1.5), arb(1.5))
 
     @property
-    def shown(self) -> tuple[tuple[Any, Any], ...]:
+    def equations(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
         """A u̇² = 2h(1 − u²) − c²."""
         A, h, c, u, udot = sp.symbols("A h c u udot")
         return ((A * udot**2, 2 * h * (1 - u**2) - c**2),)
 
     @property
-    def constants(self) -> tuple[tuple[str, Any, str], ...]:
+    def constants(self) -> tuple[tuple[str, arb, str], ...]:
         """A, h and c."""
         return (
             ("A", self.A, "moment across the axis"),
@@ -148,42 +152,42 @@ class VeselovaAxial(Axial):
             ("c", self.spin, "constant of the body of revolution"),
         )
 
-    def axis(self, F: Any, u: Any, rate: Any) -> list[Any]:
+    def axis(self, F: Functions[N], u: N, rate: N) -> list[N]:
         """e at u, u̇."""
         size = F.number(self.momentum.sqrt())
         return [-F.number(self.A) / size * rate, F.number(self.spin) * self._G(F, u) / size, u]
 
-    def _G(self, F: Any, u: Any) -> Any:
+    def _G(self, F: Functions[N], u: N) -> N:
         """√G."""
         return F.sqrt(F.number(self.C) + F.number(self.A - self.C) * u * u)
 
-    def omega(self, F: Any, u: Any, rate: Any) -> list[Any]:
+    def omega(self, F: Functions[N], u: N, rate: N) -> list[N]:
         """ω at u, u̇."""
         e, size = self.axis(F, u, rate), F.number(self.momentum.sqrt())
         own = F.number((self.C - self.A) * self.spin) / self._G(F, u)
         A = F.number(self.A)
         return [-own * e[0] / A, (size - own * e[1]) / A, 0 * u]
 
-    def vectors(self, F: Any, u: Any, rate: Any) -> list[list[Any]]:
+    def vectors(self, F: Functions[N], u: N, rate: N) -> list[list[N]]:
         """The vectors of the reduced state."""
         return [self.omega(F, u, rate), [0 * u, 0 * u, 0 * u + 1]]
 
-    def velocity(self, F: Any, u: Any, rate: Any) -> list[Any] | None:
+    def velocity(self, F: Functions[N], u: N, rate: N) -> list[N] | None:
         """Rate of the place."""
         return None
 
     @property
-    def length(self) -> Any:
+    def length(self) -> arb:
         """Nothing is compared with it."""
         return arb(1)
 
     @property
-    def rising(self) -> Any:
+    def start_rate(self) -> arb:
         """u̇ at the start."""
         omega, gamma = self.start
         return gamma[0] * omega[1] - gamma[1] * omega[0]
 
-    def frame(self) -> list[list[Any]]:
+    def frame(self) -> list[list[arb]]:
         """k₁, k₂, k₃ at the start, body axes with e last."""
         omega, gamma = self.start
         L = cross([self.A * omega[0], self.A * omega[1], self.C * omega[2]], gamma)
@@ -199,46 +203,46 @@ class ChaplyginAxial(Axial):
     ----------
     a, b, D, R : arb
         R is the radius.
-    own : arb
-        K.
+    K : arb
+        The constant of the body of revolution.
     area, square : arb
         g and f.
     start : (M, gamma)
         Body axes, e last.
     """
 
-    a: Any
-    b: Any
-    D: Any
-    R: Any
-    own: Any
-    area: Any
-    square: Any
+    a: arb
+    b: arb
+    D: arb
+    R: arb
+    K: arb
+    area: arb
+    square: arb
     start: tuple[Vector, Vector]
 
     @classmethod
-    def begun(cls, a: Any, b: Any, D: Any, R: Any, M: Vector, gamma: Vector) -> ChaplyginAxial:
+    def from_start(cls, a: arb, b: arb, D: arb, R: arb, M: Vector, gamma: Vector) -> ChaplyginAxial:
         """The motion through a state on the phase space."""
         g = dot(M, gamma)
-        made = cls(a, b, D, R, arb(0), g, dot(M, M), (M, gamma))
-        own = (M[2] - made._lean * gamma[2]) / made._W(gamma[2]).sqrt()
+        level = cls(a, b, D, R, arb(0), g, dot(M, M), (M, gamma))
+        own = (M[2] - level._lean * gamma[2]) / level._W(gamma[2]).sqrt()
         return cls(a, b, D, R, own, g, dot(M, M), (M, gamma))
 
     @property
-    def _epsilon(self) -> Any:
+    def _epsilon(self) -> arb:
         return 1 / self.b - 1 / self.a
 
     @property
-    def _lean(self) -> Any:
+    def _lean(self) -> arb:
         """−Dg/(a − D)."""
         return -self.D * self.area / (self.a - self.D)
 
     @property
-    def across(self) -> Any:
+    def across(self) -> arb:
         """m."""
         return (self.square - self.area * self.area).sqrt()
 
-    def _W(self, u: Any) -> Any:
+    def _W(self, u: Argument) -> Argument:
         return 1 - self.D / self.a - self.D * self._epsilon * u * u
 
     @property
@@ -246,19 +250,22 @@ class ChaplyginAxial(Axial):
         """That of u."""
         g, f = self.area, self.square
 
-        def numerator(u: Any) -> Any:
-            M = self.own * _root(self._W(u)) + self._lean * u
+        def numerator(u: Argument) -> Argument:
+            M = self.K * analytic_root(self._W(u)) + self._lean * u
             return f * (1 - u * u) - g * g + 2 * g * u * M - M * M
+
+        def denominator(u: Argument) -> Argument:
+            return 0 * u + self.a**2
 
         high = arb(1.5)
         if self._epsilon > 0:
             # between 1 and where W vanishes
             end = ((1 - self.D / self.a) / (self.D * self._epsilon)).sqrt()
             high = high.min((1 + end) / 2)
-        return Equation(numerator, lambda u: 0 * u + self.a**2, -high, high)
+        return Equation(numerator, denominator, -high, high)
 
     @property
-    def shown(self) -> tuple[tuple[Any, Any], ...]:
+    def equations(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
         """a²u̇² and M₃ in u."""
         a, b, D, K, f, g, u, udot, M = sp.symbols("a b D K f g u udot M_3")
         W = 1 - D / a - D * (1 / b - 1 / a) * u**2
@@ -268,7 +275,7 @@ class ChaplyginAxial(Axial):
         )
 
     @property
-    def constants(self) -> tuple[tuple[str, Any, str], ...]:
+    def constants(self) -> tuple[tuple[str, arb, str], ...]:
         """a, b, D, f, g and K."""
         return (
             ("a", self.a, "moment about the contact, across the axis"),
@@ -276,23 +283,23 @@ class ChaplyginAxial(Axial):
             ("D", self.D, "mR²"),
             ("f", self.square, "square of the momentum"),
             ("g", self.area, "area integral"),
-            ("K", self.own, "constant of the ball of revolution"),
+            ("K", self.K, "constant of the ball of revolution"),
         )
 
-    def _M(self, F: Any, u: Any) -> tuple[Any, Any, Any]:
+    def _M(self, F: Functions[N], u: N) -> tuple[N, N, N]:
         """W, M₃ and s."""
         D, epsilon = F.number(self.D), F.number(self._epsilon)
         W = F.number(1 - self.D / self.a) - D * epsilon * u * u
-        M = F.number(self.own) * F.sqrt(W) + F.number(self._lean) * u
+        M = F.number(self.K) * F.sqrt(W) + F.number(self._lean) * u
         return W, M, (F.number(self.area / self.a) + epsilon * M * u) / W
 
-    def axis(self, F: Any, u: Any, rate: Any) -> list[Any]:
+    def axis(self, F: Functions[N], u: N, rate: N) -> list[N]:
         """e at u, u̇."""
         _, M, _ = self._M(F, u)
         m = F.number(self.across)
         return [(M - F.number(self.area) * u) / m, F.number(self.a) * rate / m, u]
 
-    def omega(self, F: Any, u: Any, rate: Any) -> list[Any]:
+    def omega(self, F: Functions[N], u: N, rate: N) -> list[N]:
         """ω at u, u̇."""
         _, M, s = self._M(F, u)
         e = self.axis(F, u, rate)
@@ -304,29 +311,29 @@ class ChaplyginAxial(Axial):
             (F.number(self.area) + D * s) / a + own * e[2],
         ]
 
-    def vectors(self, F: Any, u: Any, rate: Any) -> list[list[Any]]:
+    def vectors(self, F: Functions[N], u: N, rate: N) -> list[list[N]]:
         """The vectors of the reduced state."""
         zero = 0 * u
         M = [zero + F.number(self.across), zero, zero + F.number(self.area)]
         return [M, [zero, zero, zero + 1]]
 
-    def velocity(self, F: Any, u: Any, rate: Any) -> list[Any] | None:
+    def velocity(self, F: Functions[N], u: N, rate: N) -> list[N] | None:
         """Rate of the place."""
         omega, R = self.omega(F, u, rate), F.number(self.R)
         return [R * omega[1], -R * omega[0], 0 * u]
 
     @property
-    def length(self) -> Any:
+    def length(self) -> arb:
         """The radius."""
         return self.R
 
     @property
-    def rising(self) -> Any:
+    def start_rate(self) -> arb:
         """u̇ at the start."""
         M, gamma = self.start
         return (gamma[0] * M[1] - gamma[1] * M[0]) / self.a
 
-    def frame(self) -> list[list[Any]]:
+    def frame(self) -> list[list[arb]]:
         """k₁, k₂, k₃ at the start, body axes with e last."""
         M, gamma = self.start
         first = [(x - self.area * n) / self.across for x, n in zip(M, gamma, strict=True)]

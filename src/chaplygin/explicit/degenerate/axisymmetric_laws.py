@@ -1,4 +1,4 @@
-"""What bodies of revolution claim: constants and the equation of u = (γ, e) as provable laws.
+"""Constants and the equation of u = (γ, e) for bodies of revolution, as provable laws.
 
 With I₁ = I₂, so that e is the third body axis; other axes follow by renaming.
 """

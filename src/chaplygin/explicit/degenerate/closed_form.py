@@ -1,8 +1,6 @@
-"""What the closed form of a degenerate motion looks like."""
+"""The closed form of a degenerate motion, as it is printed."""
 
 from __future__ import annotations
-
-from typing import Any
 
 import sympy as sp
 from flint import arb
@@ -11,7 +9,7 @@ from ...formulas.balls import components, number
 from ...formulas.relative_zero import vanishes
 from ..base.solution import ClosedForm, NamedConstant
 from ..genus_two.separation import SeparatedSystem
-from .exact_start import Beginning
+from .exact_start import ExactStart
 from .theta_motion import Asymptotic, Periodic
 
 __all__ = ["form_of"]
@@ -19,22 +17,22 @@ __all__ = ["form_of"]
 
 def form_of(
     separable: SeparatedSystem,
-    beginning: Beginning,
+    start: ExactStart,
     motion: Periodic | Asymptotic,
-    e: Any,
-    turn: Any,
+    e: arb,
+    turn: arb,
 ) -> ClosedForm:
     """The curve without its double root, the equations on it, frequencies.
 
     Parameters
     ----------
-    separable : Separable
-    beginning : Beginning
+    separable : SeparatedSystem
+    start : ExactStart
     motion : Periodic or Asymptotic
     e : arb
         The double root.
     turn : arb
-        What the clock gains in a period.
+        The gain of the clock in a period.
     """
     w, z, y, e_ = sp.symbols("w z y e")
     z_1, z_2, w_1, w_2 = sp.symbols("z_1 z_2 w_1 w_2")
@@ -43,18 +41,18 @@ def form_of(
     curve = (y**2, sp.Mul(separable.leading, *(z - root for root in separable.roots)))
     asymptotic = isinstance(motion, Asymptotic)
     if asymptotic:
-        equations: tuple[tuple[Any, Any], ...] = (
+        equations: tuple[tuple[sp.Expr, sp.Expr], ...] = (
             (d[1] / w_1 + d[2] / w_2, (b - a * e_) * d[3]),
             (d[1] / ((z_1 - e_) * w_1) + d[2] / ((z_2 - e_) * w_2), a * d[3]),
         )
     else:
         equations = ((d[0] / w, (b - a * e_) * d[3]),)
-    figures = [
-        *(NamedConstant(str(s), beginning.values[s], "constant") for s, _ in separable.constants),
+    constants = [
+        *(NamedConstant(str(s), start.values[s], "constant") for s, _ in separable.constants),
         NamedConstant("e", e, "root of the curve, double"),
         *(
             NamedConstant(f"r_{i}", r, "root of the curve")
-            for i, r in enumerate(_others(beginning, e), 1)
+            for i, r in enumerate(_others(start, e), 1)
         ),
         NamedConstant("y", motion.thetas.y, "period ratio iy of the elliptic curve"),
         NamedConstant("P", motion.period, "period in τ"),
@@ -64,8 +62,8 @@ def form_of(
     kind = "periodic in the body: one variable stays at a double root of the curve"
     if isinstance(motion, Asymptotic):
         kind = "separatrix: asymptotic to a periodic motion in both directions of time"
-        figures.append(NamedConstant("lambda", abs(motion.growth), "rate of approach in τ"))
-        figures.append(
+        constants.append(NamedConstant("lambda", abs(motion.growth), "rate of approach in τ"))
+        constants.append(
             NamedConstant(
                 "Lambda", abs(motion.growth) * motion.period / turn, "mean rate of approach", "1/s"
             )
@@ -79,18 +77,16 @@ def form_of(
             *equations,
             (d[4] / d[3], components(separable.clock)[0]),
         ),
-        figures=tuple(figures),
-        ovals=tuple((number(x), number(y)) for x, y in _ovals(beginning, motion, e)),
+        figures=tuple(constants),
+        ovals=tuple((number(x), number(y)) for x, y in _ovals(start, motion, e)),
         source=separable.source,
     )
 
 
-def _ovals(
-    beginning: Beginning, motion: Periodic | Asymptotic, e: Any
-) -> tuple[tuple[Any, Any], ...]:
-    """Where z₁ and z₂ live."""
-    z = beginning.total[0] - e
-    others = _others(beginning, e)
+def _ovals(start: ExactStart, motion: Periodic | Asymptotic, e: arb) -> tuple[tuple[arb, arb], ...]:
+    """The intervals of z₁ and z₂."""
+    z = start.total[0] - e
+    others = _others(start, e)
     if isinstance(motion, Asymptotic):
         low = max((r for r in others if r < e), key=lambda r: r.mid())
         high = min((r for r in others if r > e), key=lambda r: r.mid())
@@ -101,7 +97,7 @@ def _ovals(
     return ((e, e), moving) if e < z else (moving, (e, e))
 
 
-def _others(beginning: Beginning, e: Any) -> list[Any]:
+def _others(start: ExactStart, e: arb) -> list[arb]:
     """The roots that have not collided, in increasing order."""
-    apart = (r for r in beginning.roots if not vanishes((r - e).mid(), beginning.size))
+    apart = (r for r in start.roots if not vanishes((r - e).mid(), start.size))
     return sorted(apart, key=lambda r: r.mid())

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from itertools import pairwise
 
 from flint import acb, arb
 
@@ -43,40 +43,40 @@ class Oval:
         dz/w = scale · dv, positive: v and z grow together from a to b while w > 0.
     """
 
-    leading: Any
-    ends: tuple[Any, Any]
-    outer: tuple[Any, Any]
+    leading: arb
+    ends: tuple[arb, arb]
+    outer: tuple[arb | None, arb | None]
     thetas: Thetas
-    modulus: Any
-    quarter: Any
-    scale: Any
+    modulus: arb
+    quarter: arb
+    scale: arb
 
-    def square(self, z: Any) -> Any:
+    def square(self, z: arb) -> arb:
         """w² at z."""
         value = self.leading
         for root in (*self.ends, *self.outer):
             value = value if root is None else value * (z - root)
         return value
 
-    def index(self, root: Any) -> int | None:
+    def index(self, root: arb) -> int | None:
         """The number of the theta function that vanishes with z − root, None for no root."""
         for number, own in zip((1, 2, 3, 4), (*self.ends, *self.outer), strict=True):
             if own is not None and own.overlaps(root):
                 return number
         return None
 
-    def portion(self, z: Any) -> Any:
+    def portion(self, z: arb) -> arb:
         """sn² at z: 0 at a, 1 at b."""
         (a, b), (_, d) = self.ends, self.outer
         return (z - a) / (b - a) * (1 if d is None else (b - d) / (z - d))
 
-    def phase(self, z: Any, rate: Any) -> Any:
-        """v at a place on the oval, of a motion that passes it with dz/dv of the sign of `rate`.
+    def phase(self, z: arb, rate: arb) -> arb:
+        """v at a point of the oval, of a motion that passes it with dz/dv of the sign of `rate`.
 
         Parameters
         ----------
         z, rate : arb
-            A place and dz/dv there; at a turning point both decide by their middles.
+            A point and dz/dv there; at a turning point both decide by their middles.
         """
         x = self.portion(z)
         # of sine and cosine the smaller one is taken from the rate, where nothing cancels
@@ -92,11 +92,11 @@ class Oval:
         integral = acb.elliptic_f(acb(angle), acb(self.modulus))
         return integral.real * arb.pi() / (2 * self.quarter)
 
-    def _portion_rate(self, z: Any) -> Any:
+    def _portion_rate(self, z: arb) -> arb:
         (a, b), (_, d) = self.ends, self.outer
         return 1 / (b - a) if d is None else (b - d) * (a - d) / ((b - a) * (z - d) ** 2)
 
-    def factor(self, root: Any) -> Any:
+    def factor(self, root: arb) -> arb:
         """κ in z − root = κ θ²(v)/D(v), for a root; D is common to all of them."""
         index = self.index(root)
         a, b = self.ends
@@ -108,15 +108,15 @@ class Oval:
         value = self.thetas.value
         return fraction * (value(4, v) / value(index or 1, v)) ** 2
 
-    def simple_factor(self, e: Any, s: Any) -> Any:
-        """κ in z − e = κ θ₁(v − s) θ₁(v + s)/D(v), for a place e inside the oval, z(s) = e."""
+    def simple_factor(self, e: arb, s: arb) -> arb:
+        """κ in z − e = κ θ₁(v − s) θ₁(v + s)/D(v), for a point e inside the oval, z(s) = e."""
         a, d = self.ends[0], self.outer[1]
         fraction = (a - e) if d is None else (a - e) / (a - d)
         value = self.thetas.value
         return -fraction * (value(4, arb(0)) / value(1, s)) ** 2
 
 
-def oval_around(leading: Any, roots: Sequence[Any], z: Any) -> Oval | None:
+def oval_around(leading: arb, roots: Sequence[arb], z: arb) -> Oval | None:
     """The bounded oval on which z lies, of w² = leading ∏ (z − root).
 
     Parameters
@@ -133,29 +133,29 @@ def oval_around(leading: Any, roots: Sequence[Any], z: Any) -> Oval | None:
         None if the middle of z is beyond all roots or w² < 0 there.
     """
     ordered = sorted(roots, key=lambda root: root.mid())
-    places = range(len(ordered) - 1)
-    for place in places:
-        low, high = ordered[place], ordered[place + 1]
+    for number, (low, high) in enumerate(pairwise(ordered)):
         middle = (low + high) / 2
-        made = _oval(leading, ordered, place)
+        oval = _oval(leading, ordered, number)
         inside = (z - low).mid() >= -low.rad() - z.rad() and (
             high - z
         ).mid() >= -high.rad() - z.rad()
-        if inside and made.square(middle) > 0:
-            return made
+        if inside and oval.square(middle) > 0:
+            return oval
     return None
 
 
-def _oval(leading: Any, ordered: list[Any], place: int) -> Oval:
-    a, b = ordered[place], ordered[place + 1]
-    above = [*ordered[place + 2 :], *([None] if len(ordered) % 2 else []), *ordered[:place]]
+def _oval(leading: arb, ordered: list[arb], number: int) -> Oval:
+    a, b = ordered[number], ordered[number + 1]
+    infinity = [None] if len(ordered) % 2 else []
+    above: list[arb | None] = [*ordered[number + 2 :], *infinity, *ordered[:number]]
     c, d = above
-    if d is None:
-        inverse = (c - a) / (b - a)
-    elif c is None:
-        inverse = (b - d) / (b - a)
-    else:
+    if c is not None and d is not None:
         inverse = (c - a) * (b - d) / ((c - d) * (b - a))
+    elif c is not None:
+        inverse = (c - a) / (b - a)
+    else:
+        assert d is not None
+        inverse = (b - d) / (b - a)
     modulus = 1 / inverse
     quarter = acb(modulus).elliptic_k().real
     conjugate = acb(1 - modulus).elliptic_k().real

@@ -1,4 +1,4 @@
-"""Where a motion of a separated system begins, in numbers of high precision.
+"""The start of a motion of a separated system, in numbers of high precision.
 
 A start is a row of numbers that are taken exactly and moved onto the phase space (and onto the
 level of the separation) to far more digits than are asked of the motion.
@@ -8,25 +8,28 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TypeAlias
 
-import mpmath
 import sympy as sp
-from flint import arb, ctx
+from flint import arb
 
+from ...arguments import Written
+from ...core.system import System
 from ...formulas.balls import ball, components, evaluated
 from ..base.exact_start import on_phase_space
 from ..genus_two.separation import SeparatedSystem
 
-__all__ = ["PRECISION", "Beginning", "begin", "constants_of", "exact_ball"]
+__all__ = ["PRECISION", "ExactStart", "exact_start", "with_definitions"]
+
+Balls: TypeAlias = tuple[arb, ...]
 
 #: Bits in which starts are worked out.
 PRECISION = 420
 
 
 @dataclass(frozen=True)
-class Beginning:
-    """A separable system with all its numbers, at the beginning of a motion.
+class ExactStart:
+    """The numbers of a separable system at the start of a motion.
 
     Attributes
     ----------
@@ -44,84 +47,62 @@ class Beginning:
         z₁ + z₂ and z₁z₂, each with its derivative along that flow.
     """
 
-    values: Mapping[sp.Symbol, Any]
-    state: tuple[Any, ...]
-    nu: tuple[Any, ...]
-    nuprime: tuple[Any, ...]
-    poles: tuple[Any, ...]
-    weights: tuple[Any, ...]
-    roots: tuple[Any, ...]
-    speeds: tuple[Any, ...]
-    along: tuple[Any, ...]
-    leading: Any
-    total: tuple[Any, Any]
-    product: tuple[Any, Any]
+    values: Mapping[sp.Symbol, arb]
+    state: Balls
+    nu: Balls
+    nuprime: Balls
+    poles: Balls
+    weights: Balls
+    roots: Balls
+    speeds: Balls
+    along: Balls
+    leading: arb
+    total: tuple[arb, arb]
+    product: tuple[arb, arb]
 
-    def separating(self, e: Any) -> Any:
+    def separating(self, e: arb) -> arb:
         """(e − z₁)(e − z₂)."""
         return e * e - e * self.total[0] + self.product[0]
 
     @property
-    def size(self) -> Any:
-        """The largest modulus of a root: the unit in which roots are told apart."""
+    def size(self) -> arb:
+        """The largest modulus of a root: the unit in which roots are compared."""
         return max(abs(root) for root in self.roots)
 
 
-def exact_ball(value: Any) -> Any:
-    """A number of any kind as a ball, to all its digits."""
-    if isinstance(value, mpmath.mpf):
-        sign, mantissa, exponent, _ = value._mpf_
-        return (-1) ** int(sign) * arb(int(mantissa)) * arb(2) ** int(exponent)
-    return ball(value)
-
-
-def constants_of(
-    separable: SeparatedSystem, state: Sequence[Any], values: Mapping[Any, Any]
-) -> Any:
-    """Values of the state, the definitions, parameters and constants of a separable system.
-
-    Parameters
-    ----------
-    separable : Separable
-    state : sequence of arb
-        The reduced state.
-    values : mapping of Symbol to arb
-        The parameters.
-    """
-    known = {**values, **dict(zip(separable.system.symbols, state, strict=True))}
-    for symbol, formula in separable.system.steps:
+def with_definitions(
+    system: System, values: Mapping[sp.Symbol, arb], state: Sequence[arb]
+) -> dict[sp.Symbol, arb]:
+    """Parameters, state and definitions of a system by their symbols."""
+    known = {**values, **dict(zip(system.symbols, state, strict=False))}
+    for symbol, formula in system.steps:
         (known[symbol],) = evaluated([formula], known)
-    for symbol, formula in separable.constants:
-        (known[symbol],) = evaluated(components(formula), known)
     return known
 
 
-def begin(separable: SeparatedSystem, values: Mapping[Any, Any], start: Sequence[Any]) -> Beginning:
-    """A separable system at a start.
+def exact_start(
+    separable: SeparatedSystem, values: Mapping[sp.Symbol, Written], start: Sequence[Written]
+) -> ExactStart:
+    """The numbers of a separable system at a start; the working precision must suffice.
 
     Parameters
     ----------
-    separable : Separable
+    separable : SeparatedSystem
     values : mapping of Symbol to number
         The parameters of its system.
     start : sequence of numbers
         The state, reduced or lifted, in flat order; floats are taken as the decimals that they are
         written as.
     """
-    with ctx.workprec(PRECISION):
-        return _begin(separable, values, start)
-
-
-def _begin(
-    separable: SeparatedSystem, values: Mapping[Any, Any], start: Sequence[Any]
-) -> Beginning:
     system = separable.system
-    given = [exact_ball(x) for x in start[: len(system.symbols)]]
-    exact = {symbol: exact_ball(value) for symbol, value in values.items()}
-    state = on_phase_space(system, separable.level, given, exact)
-    known = constants_of(separable, state, exact)
+    exact = {symbol: ball(value) for symbol, value in values.items()}
+    reduced = [ball(x) for x in start[: len(system.symbols)]]
+    state = on_phase_space(system, separable.level, reduced, exact)
+    known = with_definitions(system, exact, state)
+    for symbol, formula in separable.constants:
+        (known[symbol],) = evaluated(components(formula), known)
 
-    def numbers(formulas: Any) -> tuple[Any, ...]:
+    def numbers(formulas: Sequence[sp.Expr]) -> Balls:
         return tuple(evaluated(components(sp.Matrix(list(formulas))), known))
 
     poles, weights = numbers(separable.poles), numbers(separable.weights)
@@ -130,7 +111,7 @@ def _begin(
     total, product = _symmetric(poles, weights, nu, nuprime)
     (leading,) = numbers([separable.leading])
     names = {*values, *(symbol for symbol, _ in separable.constants)}
-    return Beginning(
+    return ExactStart(
         {symbol: value for symbol, value in known.items() if symbol in names},
         state,
         nu,
@@ -146,7 +127,9 @@ def _begin(
     )
 
 
-def _symmetric(poles: Any, weights: Any, nu: Any, nuprime: Any) -> tuple[Any, Any]:
+def _symmetric(
+    poles: Balls, weights: Balls, nu: Balls, nuprime: Balls
+) -> tuple[tuple[arb, arb], tuple[arb, arb]]:
     """z₁ + z₂ and z₁z₂ with their rates: νᵢ²/weightᵢ is proportional to (eᵢ − z₁)(eᵢ − z₂)."""
     shares, rates = [], []
     for i, own in enumerate(poles):
@@ -158,13 +141,13 @@ def _symmetric(poles: Any, weights: Any, nu: Any, nuprime: Any) -> tuple[Any, An
     sums = [sum(poles, arb(0)) - own for own in poles]
     products = [poles[1] * poles[2], poles[2] * poles[0], poles[0] * poles[1]]
 
-    def quotient(factors: list[Any]) -> tuple[Any, Any]:
-        above, below = (_weighted(shares, factors), sum(shares, arb(0)))
+    def quotient(factors: list[arb]) -> tuple[arb, arb]:
+        above, below = _weighted_sum(shares, factors), sum(shares, arb(0))
         value = above / below
-        return value, (_weighted(rates, factors) - value * sum(rates, arb(0))) / below
+        return value, (_weighted_sum(rates, factors) - value * sum(rates, arb(0))) / below
 
     return quotient(sums), quotient(products)
 
 
-def _weighted(numbers: list[Any], factors: list[Any]) -> Any:
+def _weighted_sum(numbers: list[arb], factors: list[arb]) -> arb:
     return sum((x * f for x, f in zip(numbers, factors, strict=True)), arb(0))

@@ -14,14 +14,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TypeAlias, TypeVar
 
 import numpy as np
 from flint import acb, arb, ctx
 
+from ...core.arrays import FloatArray
+
 __all__ = ["Thetas"]
 
-Pair = tuple[Any, Any]
+#: Real or complex balls.
+B = TypeVar("B", arb, acb)
+#: A function and its derivative.
+Pair: TypeAlias = tuple[B, B]
 
 #: For each function: multiples of ½π by which its centres are moved, and whether signs alternate.
 _CENTRES = {1: (1, True), 2: (0, True), 3: (0, False), 4: (1, False)}
@@ -39,27 +44,28 @@ class Thetas:
         Positive; the period ratio is iy.
     """
 
-    y: Any
+    y: arb
 
     @cached_property
     def gaussian(self) -> bool:
         """Whether the sums of Gaussians are used."""
-        return bool(self.y.mid() < 1)
+        return self.y.mid() < 1
 
-    def value(self, index: int, zeta: Any) -> Any:
-        """θ_index(ζ), a ball."""
+    def value(self, index: int, zeta: B) -> B:
+        """θ_index(ζ)."""
         return self.pair(index, zeta)[0]
 
-    def pair(self, index: int, zeta: Any) -> Pair:
-        """θ_index and its derivative at an arb or acb, as balls."""
+    def pair(self, index: int, zeta: B) -> Pair[B]:
+        """θ_index and its derivative at ζ."""
         pi = arb.pi()
         turns = _nearest(zeta / pi)
-        rest = zeta - turns * pi
-        value, slope = self._gaussians(index, rest) if self.gaussian else self._waves(index, rest)
+        reduced = zeta - turns * pi
+        series = self._gaussians if self.gaussian else self._waves
+        value, slope = series(index, reduced)
         flips = _CENTRES[index][1] and turns % 2
         return (-value, -slope) if flips else (value, slope)
 
-    def _waves(self, index: int, zeta: Any) -> Pair:
+    def _waves(self, index: int, zeta: B) -> Pair[B]:
         odd = _CENTRES[index][1]
         pi = arb.pi()
         shifted = zeta + (pi / 2 if index in (2, 4) else 0)
@@ -67,21 +73,21 @@ class Thetas:
         value, slope = (0 * zeta, 0 * zeta) if odd else (0 * zeta + 1, 0 * zeta)
         n = 0 if odd else 1
         while True:
-            place = 2 * n + 1 if odd else 2 * n
-            weight = 2 * (-pi * self.y * place**2 / 4).exp()
-            bound = place * weight * (place * height).exp()
-            ratio = (-pi * self.y * (place + 1)).exp() * (2 * height).exp() * (place + 2) / place
+            order = 2 * n + 1 if odd else 2 * n
+            weight = 2 * (-pi * self.y * order**2 / 4).exp()
+            bound = order * weight * (order * height).exp()
+            ratio = (-pi * self.y * (order + 1)).exp() * (2 * height).exp() * (order + 2) / order
             if ratio < 0.5 and bound < arb(2) ** (-ctx.prec - 8):
-                return _widened(value, 2 * bound), _widened(slope, 2 * bound)
-            angle = place * shifted
+                return _with_error(value, 2 * bound), _with_error(slope, 2 * bound)
+            angle = order * shifted
             if odd:
                 signed = weight * (-1) ** n
-                value, slope = value + signed * angle.sin(), slope + place * signed * angle.cos()
+                value, slope = value + signed * angle.sin(), slope + order * signed * angle.cos()
             else:
-                value, slope = value + weight * angle.cos(), slope - place * weight * angle.sin()
+                value, slope = value + weight * angle.cos(), slope - order * weight * angle.sin()
             n += 1
 
-    def _gaussians(self, index: int, zeta: Any) -> Pair:
+    def _gaussians(self, index: int, zeta: B) -> Pair[B]:
         moved, alternating = _CENTRES[index]
         pi = arb.pi()
         height, width = _height(zeta), _width(zeta)
@@ -108,50 +114,49 @@ class Thetas:
             ratio = (-(2 * distance + pi) / self.y).exp() * (reach + pi) / reach
             if ratio < 0.5 and bound < arb(2) ** (-ctx.prec - 8):
                 # two terms a step, and the terms left out at most double the first ones
-                return _widened(value, 4 * bound), _widened(slope, 4 * bound)
+                return _with_error(value, 4 * bound), _with_error(slope, 4 * bound)
 
     @cached_property
     def _ratio(self) -> float:
         return float(self.y.mid())
 
-    def array(self, index: int, zeta: Any) -> Pair:
-        """θ_index and its derivative at an array of real numbers, in double precision."""
+    def doubles(self, index: int, zeta: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """θ_index and its derivative at real numbers, in double precision."""
         moved, alternating = _CENTRES[index]
         turns = np.rint(zeta / np.pi)
-        rest = (zeta - turns * np.pi)[..., None]
+        reduced = (zeta - turns * np.pi)[..., None]
         n = np.arange(-_TERMS, _TERMS + 1)
         y = self._ratio
         if self.gaussian:
-            from_centre = rest - (2 * n + moved) * np.pi / 2
+            from_centre = reduced - (2 * n + moved) * np.pi / 2
             terms = np.exp(-(from_centre**2) / (np.pi * y))
             terms = terms * (-1.0) ** n if alternating else terms
             value, slope = terms.sum(-1), (-2 / (np.pi * y) * from_centre * terms).sum(-1)
         else:
-            place = 2 * n + 1 if alternating else 2 * n
-            weight = np.exp(-np.pi * y * place**2 / 4)
+            order = 2 * n + 1 if alternating else 2 * n
+            weight = np.exp(-np.pi * y * order**2 / 4)
             if index in (1, 4):
                 weight = weight * (-1.0) ** n
             wave = (np.sin, np.cos, 1) if index == 1 else (np.cos, np.sin, -1)
-            value = (weight * wave[0](place * rest)).sum(-1)
-            slope = (wave[2] * weight * place * wave[1](place * rest)).sum(-1)
+            value = (weight * wave[0](order * reduced)).sum(-1)
+            slope = (wave[2] * weight * order * wave[1](order * reduced)).sum(-1)
         sign = np.where(turns % 2 == 1, -1.0, 1.0) if alternating else 1.0
         return sign * value, sign * slope
 
 
-def _nearest(ball: Any) -> int:
+def _nearest(ball: arb | acb) -> int:
     """An integer near the real part."""
-    real = ball.real if isinstance(ball, acb) else ball
-    return round(float(real.mid()))
+    return round(float(ball.real.mid()))
 
 
-def _height(zeta: Any) -> Any:
-    return zeta.imag.abs_upper() if isinstance(zeta, acb) else arb(0)
+def _height(zeta: arb | acb) -> arb:
+    return zeta.imag.abs_upper()
 
 
-def _width(zeta: Any) -> Any:
-    return (zeta.real if isinstance(zeta, acb) else zeta).abs_upper()
+def _width(zeta: arb | acb) -> arb:
+    return zeta.real.abs_upper()
 
 
-def _widened(ball: Any, radius: Any) -> Any:
+def _with_error(ball: B, radius: arb) -> B:
     doubt = arb(0, radius.upper())
     return ball + acb(doubt, doubt) if isinstance(ball, acb) else ball + doubt

@@ -10,17 +10,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
+from flint import arb
 
+from ...core.arrays import BoolArray, FloatArray
 from ..genus_two.phases import halves, turned
+from ..one_degree.angles import ComplexArray
 from .theta_motion import Asymptotic, Periodic, direction_array
 
-__all__ = ["Moment", "Quadratures", "Window", "along"]
+__all__ = ["AsymptoticQuadratures", "Moment", "Quadratures", "quadratures_along"]
 
 #: The integrands at ν, ν′ (3, n): an array (m, n), the clock first.
-Integrands = Callable[[Any, Any], Any]
+Integrands: TypeAlias = Callable[[FloatArray, FloatArray], FloatArray]
 
 #: |κ| beyond which e^{−|κ|} is lost in a double.
 FADED = 38.0
@@ -32,15 +35,15 @@ SPAN = 0.4
 
 
 class Moment(NamedTuple):
-    """Where a motion is: τ = rest + turns · period, and the other quadratures up to there."""
+    """τ = remainder + turns · period at some times, and the other quadratures up to there."""
 
-    rest: Any
-    turns: Any
-    integrals: Any
+    remainder: FloatArray
+    turns: FloatArray
+    integrals: FloatArray
 
 
 @dataclass(frozen=True)
-class Quadratures:
+class PeriodicQuadratures:
     """∫ f dτ from τ = 0 along a periodic motion.
 
     Attributes
@@ -48,7 +51,7 @@ class Quadratures:
     period : float
         In τ.
     turn : float
-        What the clock gains in a period.
+        The gain of the clock in a period.
     frequency : (float, float)
         Periods in a unit of time, as a sum of two doubles.
     means : array (m,)
@@ -60,53 +63,60 @@ class Quadratures:
     period: float
     turn: float
     frequency: tuple[float, float]
-    means: Any
-    waves: Any
+    means: FloatArray
+    waves: ComplexArray
 
-    def _sums(self, tau: Any, coefficients: Any) -> Any:
+    def _sums(self, tau: FloatArray, coefficients: ComplexArray) -> FloatArray:
         order = np.arange(1, coefficients.shape[-1] + 1)
         phases = np.exp(2j * np.pi / self.period * np.multiply.outer(order, tau))
-        return 2 * (coefficients @ phases).real
+        sums: FloatArray = 2 * (coefficients @ phases).real
+        return sums
 
     @cached_property
-    def _risen(self) -> Any:
+    def _antiderivative(self) -> ComplexArray:
+        """Fourier coefficients of the quadratures, less their means."""
         order = np.arange(1, self.waves.shape[-1] + 1)
         return self.waves / (2j * np.pi / self.period * order)
 
-    def up_to(self, tau: Any) -> Any:
+    def up_to(self, tau: FloatArray) -> FloatArray:
         """The quadratures (m, n) at τ."""
-        start = 2 * self._risen.real.sum(-1)[:, None]
-        return np.multiply.outer(self.means, tau) + self._sums(tau, self._risen) - start
+        start = 2 * self._antiderivative.real.sum(-1)[:, None]
+        linear = np.multiply.outer(self.means, tau)
+        values: FloatArray = linear + self._sums(tau, self._antiderivative) - start
+        return values
 
     @cached_property
-    def _table(self) -> tuple[Any, Any]:
+    def _table(self) -> tuple[FloatArray, FloatArray]:
         tau = np.linspace(0.0, self.period, 4 * self.waves.shape[-1] + 65)
         return tau, self.up_to(tau)[0]
 
-    def clock_inverted(self, times: Any) -> Any:
-        """τ at which the clock stands at `times`, between 0 and its gain in a period."""
-        tau, stands = self._table
-        found = np.interp(times, stands, tau)
+    def inverse_clock(self, times: FloatArray) -> FloatArray:
+        """τ at `times`, between 0 and the gain of the clock in a period."""
+        grid, grid_times = self._table
+        tau: FloatArray = np.interp(times, grid_times, grid)
         for _ in range(4):
-            rate = self.means[0] + self._sums(found, self.waves[:1])[0]
-            risen = self._sums(found, self._risen[:1])[0] - 2 * self._risen[0].real.sum()
-            found = found - (self.means[0] * found + risen - times) / rate
-        return found
+            rate = self.means[0] + self._sums(tau, self.waves[:1])[0]
+            waves = (
+                self._sums(tau, self._antiderivative[:1])[0]
+                - 2 * self._antiderivative[0].real.sum()
+            )
+            tau = tau - (self.means[0] * tau + waves - times) / rate
+        return tau
 
-    def when(self, times: Any, offset: float = 0.0) -> Moment:
-        """Where the motion is when the clock stands at `times` + `offset`."""
+    def moment(self, times: FloatArray, offset: float = 0.0) -> Moment:
+        """The motion at `times` + `offset`."""
         part = turned(self.frequency, times, 1.0)
         turns = np.rint(times * self.frequency[0] - part)
-        stands = part * self.turn + offset
-        more = np.floor(stands / self.turn)
-        rest = self.clock_inverted(stands - more * self.turn)
+        clock = part * self.turn + offset
+        more = np.floor(clock / self.turn)
+        remainder = self.inverse_clock(clock - more * self.turn)
         turns = turns + more
-        integrals = self.up_to(rest)[1:]
+        integrals = self.up_to(remainder)[1:]
         whole = np.multiply.outer(self.means[1:] * self.period, turns)
-        return Moment(rest, turns, integrals + whole)
+        return Moment(remainder, turns, integrals + whole)
 
 
-def _periodic(motion: Periodic, integrands: Integrands, turn: Any) -> Quadratures:
+def _periodic(motion: Periodic, integrands: Integrands, turn: arb) -> PeriodicQuadratures:
     """Means and Fourier series along a periodic motion.
 
     Parameters
@@ -114,13 +124,13 @@ def _periodic(motion: Periodic, integrands: Integrands, turn: Any) -> Quadrature
     motion : Periodic
     integrands : callable
     turn : arb
-        What the clock gains in a period.
+        The gain of the clock in a period.
     """
     period = float(motion.period)
     count = 64
     while True:
-        tau = np.arange(count) * (period / count)
-        nu, rate = direction_array(*motion.array(tau, 0.0))
+        tau = np.arange(count, dtype=float) * (period / count)
+        nu, rate = direction_array(*motion.doubles(tau, 0.0))
         waves = np.fft.rfft(integrands(nu, rate)) / count
         size = np.abs(waves).max(-1, keepdims=True)
         # the clock and the velocities have different units
@@ -130,14 +140,15 @@ def _periodic(motion: Periodic, integrands: Integrands, turn: Any) -> Quadrature
         if last < 1e-16 or count >= 1 << 14:
             break
         count *= 2
-    kept = waves[:, 1:-1]
-    needed = np.nonzero((np.abs(kept) > 1e-17 * size).any(0))[0]
-    kept = kept[:, : (needed[-1] + 1 if len(needed) else 1)]
-    return Quadratures(period, float(turn.mid()), halves(1 / turn), waves[:, 0].real, kept)
+    harmonics = waves[:, 1:-1]
+    needed = np.nonzero((np.abs(harmonics) > 1e-17 * size).any(0))[0]
+    harmonics = harmonics[:, : (needed[-1] + 1 if len(needed) else 1)]
+    means = waves[:, 0].real
+    return PeriodicQuadratures(period, float(turn.mid()), halves(1 / turn), means, harmonics)
 
 
 @dataclass(frozen=True)
-class Window:
+class AsymptoticQuadratures:
     """∫ f dτ from τ = 0 along an asymptotic motion.
 
     Attributes
@@ -150,40 +161,41 @@ class Window:
         The quadratures at the edges, from τ = 0.
     panels : array (NODES + 1, m, p)
         Legendre coefficients of the quadratures from the left edge of each panel.
-    before, after : Quadratures
+    before, after : PeriodicQuadratures
         Of the limits.
     """
 
     period: float
-    edges: Any
-    sums: Any
-    panels: Any
-    before: Quadratures
-    after: Quadratures
+    edges: FloatArray
+    sums: FloatArray
+    panels: FloatArray
+    before: PeriodicQuadratures
+    after: PeriodicQuadratures
 
-    def within(self, tau: Any) -> Any:
+    def within(self, tau: FloatArray) -> FloatArray:
         """The quadratures (m, n) at τ inside the window."""
-        place = np.clip(np.searchsorted(self.edges, tau) - 1, 0, len(self.edges) - 2)
-        low, high = self.edges[place], self.edges[place + 1]
-        x = (2 * tau - low - high) / (high - low)
-        found = np.polynomial.legendre.legval(x, self.panels[:, :, place], tensor=False)
-        return self.sums[:, place] + found
+        panel = np.clip(np.searchsorted(self.edges, tau) - 1, 0, len(self.edges) - 2)
+        low, high = self.edges[panel], self.edges[panel + 1]
+        x: FloatArray = (2 * tau - low - high) / (high - low)
+        gains = np.polynomial.legendre.legval(x, self.panels[:, :, panel], tensor=False)
+        values: FloatArray = self.sums[:, panel] + gains
+        return values
 
     @cached_property
-    def _table(self) -> tuple[Any, Any]:
+    def _table(self) -> tuple[FloatArray, FloatArray]:
         tau = np.linspace(self.edges[0], self.edges[-1], 16 * len(self.edges))
         return tau, self.within(tau)[0]
 
-    def when(self, times: Any) -> Moment:
-        """Where the motion is at `times`."""
+    def moment(self, times: FloatArray) -> Moment:
+        """The motion at `times`."""
         inside = np.clip(times, self.sums[0, 0], self.sums[0, -1])
-        tau, stands = self._table
-        found = np.interp(inside, stands, tau)
-        rates = np.gradient(stands, tau)
+        grid, clock = self._table
+        tau: FloatArray = np.interp(inside, clock, grid)
+        rates = np.gradient(clock, grid)
         for _ in range(8):
-            found = found - (self.within(found)[0] - inside) / np.interp(found, tau, rates)
-            found = np.clip(found, self.edges[0], self.edges[-1])
-        moment = Moment(found, np.zeros_like(found), self.within(found)[1:])
+            tau = tau - (self.within(tau)[0] - inside) / np.interp(tau, grid, rates)
+            tau = np.clip(tau, self.edges[0], self.edges[-1])
+        moment = Moment(tau, np.zeros_like(tau), self.within(tau)[1:])
         for chosen, side, edge in (
             (times < self.sums[0, 0], self.before, 0),
             (times > self.sums[0, -1], self.after, -1),
@@ -193,23 +205,28 @@ class Window:
         return moment
 
     def _continue(
-        self, moment: Moment, chosen: Any, times: Any, side: Quadratures, edge: int
+        self,
+        moment: Moment,
+        chosen: BoolArray,
+        times: FloatArray,
+        side: PeriodicQuadratures,
+        edge: int,
     ) -> None:
-        """Put the moments beyond an edge where the limit has them, within a period of the edge."""
+        """Replace the moments beyond an edge by those of the limit, within a period of the edge."""
         start = float(self.edges[edge])
         first = np.floor(start / side.period)
         reached = side.up_to(np.array([start - first * side.period]))[:, 0]
         offset = reached + first * side.means * side.period - self.sums[:, edge]
-        beyond = side.when(times[chosen], float(offset[0]))
-        near = beyond.rest + first * side.period
+        beyond = side.moment(times[chosen], float(offset[0]))
+        near = beyond.remainder + first * side.period
         near = near + side.period * ((edge == -1) & (near < start))
         near = near - side.period * ((edge == 0) & (near > start))
-        moment.rest[chosen] = near
-        moment.turns[chosen] = beyond.turns + np.rint((beyond.rest - near) / side.period)
+        moment.remainder[chosen] = near
+        moment.turns[chosen] = beyond.turns + np.rint((beyond.remainder - near) / side.period)
         moment.integrals[:, chosen] = beyond.integrals - offset[1:, None]
 
 
-def _asymptotic(motion: Asymptotic, integrands: Integrands, turn: Any) -> Window:
+def _asymptotic(motion: Asymptotic, integrands: Integrands, turn: arb) -> AsymptoticQuadratures:
     """Quadratures along an asymptotic motion.
 
     Parameters
@@ -217,7 +234,7 @@ def _asymptotic(motion: Asymptotic, integrands: Integrands, turn: Any) -> Window
     motion : Asymptotic
     integrands : callable
     turn : arb
-        What the clock gains in a period of the limits.
+        The gain of the clock in a period of the limits.
     """
     growth, offset = float(motion.growth), float(motion.offset)
     crossings = ((-FADED - offset) / growth, (FADED - offset) / growth)
@@ -230,7 +247,7 @@ def _asymptotic(motion: Asymptotic, integrands: Integrands, turn: Any) -> Window
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
     half = np.diff(edges) / 2
     tau = (edges[:-1] + half) + np.multiply.outer(nodes, half)
-    nu, rate = direction_array(*motion.array(tau.ravel(), 0.0))
+    nu, rate = direction_array(*motion.doubles(tau.ravel(), 0.0))
     values = integrands(nu, rate).reshape(-1, *tau.shape)
     order = np.arange(NODES)
     basis = np.polynomial.legendre.legvander(nodes, NODES - 1)
@@ -245,11 +262,17 @@ def _asymptotic(motion: Asymptotic, integrands: Integrands, turn: Any) -> Window
     sides = [_periodic(motion.limit(side), integrands, turn) for side in (-1, 1)]
     if growth < 0:
         sides.reverse()
-    return Window(float(motion.period), edges, sums, panels, sides[0], sides[1])
+    return AsymptoticQuadratures(float(motion.period), edges, sums, panels, sides[0], sides[1])
 
 
-def along(motion: Periodic | Asymptotic, integrands: Integrands, turn: Any) -> Quadratures | Window:
-    """Quadratures along any degenerate motion."""
+#: Quadratures of either kind.
+Quadratures: TypeAlias = PeriodicQuadratures | AsymptoticQuadratures
+
+
+def quadratures_along(
+    motion: Periodic | Asymptotic, integrands: Integrands, turn: arb
+) -> Quadratures:
+    """The quadratures along a degenerate motion."""
     if isinstance(motion, Periodic):
         return _periodic(motion, integrands, turn)
     return _asymptotic(motion, integrands, turn)

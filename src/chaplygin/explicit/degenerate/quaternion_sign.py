@@ -1,16 +1,17 @@
-"""The sign of a quaternion followed along a motion that is periodic, or so on either side."""
+"""Continuous signs of quaternions along a motion that is periodic, at least in both limits."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
-__all__ = ["Signs", "signs"]
+from ...core.arrays import FloatArray
 
-#: Points in a period at which the quaternion is remembered.
+__all__ = ["Signs", "continuous_signs"]
+
+#: Points of a period in the table of quaternions.
 POINTS = 512
 
 
@@ -30,23 +31,27 @@ class Signs:
 
     low: float
     step: float
-    table: Any
+    table: FloatArray
     flips: tuple[float, float]
 
-    def signed(self, tau: Any, turns: Any, quaternions: Any) -> Any:
+    def continuous(self, tau: FloatArray, turns: FloatArray, quaternions: FloatArray) -> FloatArray:
         """Quaternions (n, 4) at τ on the grid, `turns` periods later, with their signs."""
-        place = np.clip(np.rint((tau - self.low) / self.step), 0, len(self.table) - 1)
-        near = self.table[place.astype(int)]
+        index = np.clip(np.rint((tau - self.low) / self.step), 0, len(self.table) - 1)
+        near = self.table[index.astype(int)]
         agree = np.sum(near * quaternions, axis=1) < 0
         flip = np.where(turns < 0, self.flips[0], self.flips[1])
         sign = np.where(agree, -1.0, 1.0) * np.where(turns % 2 == 1, flip, 1.0)
         return sign[:, None] * quaternions
 
 
-def signs(
-    attitude: Callable[[Any], Any], first: float, last: float, period: float, start: Any
+def continuous_signs(
+    attitude: Callable[[FloatArray], FloatArray],
+    first: float,
+    last: float,
+    period: float,
+    start: FloatArray,
 ) -> Signs:
-    """Follow the sign of a quaternion.
+    """The signs that make the quaternion of a motion continuous.
 
     Parameters
     ----------
@@ -60,7 +65,7 @@ def signs(
     """
     step = period / POINTS
     count = int(np.ceil((last - first) / step)) + 2 * POINTS
-    tau = first - period + step * np.arange(count + 1)
+    tau = first - period + step * np.arange(count + 1, dtype=float)
     table = attitude(tau)
     change = np.where(np.sum(table[1:] * table[:-1], axis=1) < 0, -1.0, 1.0)
     table = table * np.concatenate([[1.0], np.cumprod(change)])[:, None]

@@ -1,34 +1,36 @@
 """Bodies with two equal moments, of the Veselova system and of the Chaplygin ball.
 
-Any two of the three may be the equal ones; they are told to be equal when they are so to within
-1e-40.  The Chaplygin ball is solved for every (M, γ).
+Any two of the three may be the equal ones; they count as equal when they agree to within 1e-40.
+The Chaplygin ball is solved for every (M, γ).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
 
 import sympy as sp
 from flint import arb, ctx
 
+from ...arguments import Written
 from ...core.system import System
+from ...formulas.balls import ball
 from ...formulas.relative_zero import vanishes
 from ..base.exact_start import on_phase_space
 from ..base.solution import Solution
-from ..one_degree import chart_of
+from ..one_degree import motion_chart
 from ..one_degree.uniformisation import Oscillating
+from .axial_frame import AxialStart, axial_solution
 from .axisymmetric import Axial, ChaplyginAxial, VeselovaAxial
-from .axisymmetric_solution import AxialSolution, SpaceFrame
-from .exact_start import PRECISION, exact_ball
-from .uniform_motion import uniform
+from .exact_start import PRECISION
+from .uniform_motion import uniform_solution
 
 __all__ = ["chaplygin_of_revolution", "equal_pair", "veselova_of_revolution"]
 
-Numbers = Mapping[sp.Symbol, Any]
+Numbers = Mapping[sp.Symbol, Written]
+Vector = Sequence[arb]
 
 
-def equal_pair(moments: Sequence[Any]) -> int | None:
+def equal_pair(moments: Vector) -> int | None:
     """The number, from 0, of the axis whose moment is not in a pair of equal ones.
 
     None when all three differ; the last axis when all are equal.
@@ -41,47 +43,47 @@ def equal_pair(moments: Sequence[Any]) -> int | None:
     return None
 
 
-def _solved(
+def _solution(
     system: System,
     values: Numbers,
-    start: Sequence[Any],
-    moments: Sequence[Any],
+    start: Sequence[Written],
+    moments: Vector,
     source: str,
-    made: Callable[[Any, Any, list[Any], list[Any]], Axial],
+    axial_motion: Callable[[arb, arb, Vector, Vector], Axial],
 ) -> Solution | None:
     with ctx.workprec(PRECISION):
-        known = {symbol: exact_ball(value) for symbol, value in values.items()}
-        given = [exact_ball(x) for x in start]
+        known = {symbol: ball(value) for symbol, value in values.items()}
+        numbers = [ball(x) for x in start]
         size = len(system.symbols)
-        state = on_phase_space(system, (), given[:size], known)
-        steady = uniform(system, known, (*state, *given[size:]), moments)
+        state = on_phase_space(system, (), numbers[:size], known)
+        steady = uniform_solution(system, known, (*state, *numbers[size:]), moments)
         if steady is not None:
             return steady
         axis = equal_pair(moments)
         if axis is None:
             return None
-        length = sum((q * q for q in given[size : size + 4]), arb(0)).sqrt()
-        scene = SpaceFrame(
+        length = sum((q * q for q in numbers[size : size + 4]), arb(0)).sqrt()
+        initial = AxialStart(
             system.lifted(),
             known,
             system.title,
             source,
             axis,
-            tuple(q / length for q in given[size : size + 4]),
-            tuple(given[size + 4 :]),
+            tuple(q / length for q in numbers[size : size + 4]),
+            tuple(numbers[size + 4 :]),
         )
-        first, second = (scene.with_axis_last(state[k : k + 3]) for k in (0, 3))
-        axial = made(moments[(axis + 1) % 3], moments[axis], first, second)
+        first, second = (initial.with_axis_last(state[k : k + 3]) for k in (0, 3))
+        axial = axial_motion(moments[(axis + 1) % 3], moments[axis], first, second)
         u = second[2]
-        rate = axial.rising
-        chart = chart_of(axial.equation, u, rate)
+        rate = axial.start_rate
+        chart = motion_chart(axial.equation, u, rate)
         if not isinstance(chart, Oscillating):
             return None
-        return AxialSolution(scene, axial, chart, u, rate)
+        return axial_solution(initial, axial, chart, u, rate)
 
 
 def veselova_of_revolution(
-    system: System, values: Numbers, start: Sequence[Any], moments: Sequence[Any]
+    system: System, values: Numbers, start: Sequence[Written], moments: Vector
 ) -> Solution | None:
     """The Veselova system with two equal moments, or turning uniformly.
 
@@ -101,16 +103,16 @@ def veselova_of_revolution(
     Solution or None
         None when all moments differ and the body does not turn uniformly.
     """
-    return _solved(system, values, start, moments, "(6.1)", VeselovaAxial.begun)
+    return _solution(system, values, start, moments, "(6.1)", VeselovaAxial.from_start)
 
 
 def chaplygin_of_revolution(
     system: System,
     values: Numbers,
-    start: Sequence[Any],
-    moments: Sequence[Any],
-    D: Any,
-    R: Any,
+    start: Sequence[Written],
+    moments: Vector,
+    D: arb,
+    R: arb,
 ) -> Solution | None:
     """The Chaplygin ball with two equal moments, or turning uniformly, for every (M, γ).
 
@@ -124,7 +126,7 @@ def chaplygin_of_revolution(
         mR² and the radius.
     """
 
-    def made(I_1: Any, I_3: Any, M: list[Any], gamma: list[Any]) -> Axial:
-        return ChaplyginAxial.begun(I_1 + D, I_3 + D, D, R, M, gamma)
+    def axial_motion(I_1: arb, I_3: arb, M: Vector, gamma: Vector) -> Axial:
+        return ChaplyginAxial.from_start(I_1 + D, I_3 + D, D, R, M, gamma)
 
-    return _solved(system, values, start, moments, "(7.1)", made)
+    return _solution(system, values, start, moments, "(7.1)", axial_motion)

@@ -3,7 +3,7 @@
 The clock and the places are integrated in the phase σ = |dU/dτ| τ, over one period of a periodic
 motion, or over as much as is asked for of the window outside of which an asymptotic one agrees
 with its limits to the digits wanted.  Beyond it the numerators are those of the limit with balls
-for what still differs, so that one period of them bounds every period to come.
+for the remaining difference, so that one period of them bounds every period to come.
 """
 
 from __future__ import annotations
@@ -11,38 +11,44 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
+import sympy as sp
 from flint import acb, arb, ctx
 
+from ...arguments import Written
 from ...core.system import flat_pairs
-from ...formulas.balls import components
+from ...formulas.balls import ball, components
 from ...mechanics.rolling.attitude import attitude
 from ..genus_two.separated_motion import chain
 from ..one_degree.chebyshev_integrals import Integrals, integrals, working_bits
-from ..revolution import balls_of, needed
+from ..one_degree.vectors import cross, dot, product
+from ..one_degree.working_precision import exact_time, working_digits
 from .analytic_formula import analytic, root, triad, velocity
-from .exact_start import exact_ball
 from .motion import DegenerateMotion
-from .quaternion import cross, dot, product, quaternion
-from .theta_motion import Asymptotic
+from .quaternion import quaternion
+from .theta_motion import Asymptotic, direction
 
 __all__ = ["rigorous_state"]
 
+#: Real or complex balls.
+B = TypeVar("B", arb, acb)
 #: σ ↦ N and N′ in complex balls.
-Numerators = Callable[[Any], tuple[list[Any], list[Any]]]
-#: How far, in σ, the boxes reach from a panel inside which functions are bounded.
+Numerators: TypeAlias = Callable[[acb], tuple[list[acb], list[acb]]]
+#: ν and ν′ ↦ values of formulas in balls.
+BallFunction: TypeAlias = Callable[[Sequence[B], Sequence[B]], list[B]]
+#: The distance, in σ, to which boxes reach from a panel in which functions are bounded.
 REACH = 4
 #: Balls smaller than this are points; larger ones are boxes, on which only bounds are wanted.
 POINTLIKE, BOX_BITS = 1e-6, 64
 #: Boxes smaller than this are not divided any further.
 SMALLEST = 0.02
-#: Places of a turn at which the sizes of the integrands are seen.
-PLACES = 8
+#: Points of a turn at which the integrands are compared.
+POINTS = 8
 
 
-def rigorous_state(solution: DegenerateMotion, time: Any, digits: int) -> tuple[Any, ...]:
+def rigorous_state(solution: DegenerateMotion, time: Written, digits: int) -> tuple[arb, ...]:
     """The lifted state at one time as balls that contain the exact one.
 
     Parameters
@@ -56,8 +62,8 @@ def rigorous_state(solution: DegenerateMotion, time: Any, digits: int) -> tuple[
     InputError
         If more digits are needed than the start is carried with.
     """
-    moment = balls_of(time)
-    work = needed(time, digits, 1, solution.pace)
+    moment = exact_time(time)
+    work = working_digits(time, digits, 1, solution.pace)
     with ctx.workprec(working_bits(work)):
         return Rigorous(solution, work).state(moment)
 
@@ -76,18 +82,18 @@ class Tail:
         1 after the window, −1 before it.
     """
 
-    edge: Any
+    edge: arb
     integrals: Integrals
     side: int
 
-    def value(self, index: int, sigma: Any) -> Any:
+    def value(self, index: int, sigma: arb) -> arb:
         """An integral from the edge to σ beyond it."""
         turns = self.turns(sigma)
-        rest = sigma - self.edge - turns * 2 * arb.pi()
+        remainder = sigma - self.edge - turns * 2 * arb.pi()
         whole = self.integrals.value(index, self.side * 2 * arb.pi())
-        return abs(turns) * whole + self.integrals.value(index, rest)
+        return abs(turns) * whole + self.integrals.value(index, remainder)
 
-    def turns(self, sigma: Any) -> int:
+    def turns(self, sigma: arb) -> int:
         """Whole periods from the edge to σ, with the sign of the side."""
         return self.side * int(abs(float((sigma - self.edge).mid())) / (2 * np.pi))
 
@@ -107,15 +113,15 @@ class Rigorous:
 
     # --- formulas --------------------------------------------------------------------------
 
-    def _function(self, formulas: Sequence[Any]) -> Callable[..., list[Any]]:
+    def _function(self, formulas: Sequence[sp.Expr]) -> Callable[..., list[Any]]:
         """Formulas of the system as a function of ν and ν′."""
         arguments, steps = chain(self.solution.separable, formulas)
-        made = analytic(arguments, formulas, steps)
-        fixed = [self.solution.beginning.values[s] for s in arguments[6:]]
-        return lambda nu, nuprime: made(*nu, *nuprime, *fixed)
+        function = analytic(arguments, formulas, steps)
+        constants = [self.solution.exact.values[s] for s in arguments[6:]]
+        return lambda nu, nuprime: function(*nu, *nuprime, *constants)
 
     @cached_property
-    def _reduced(self) -> Callable[..., list[Any]]:
+    def _reduced_state(self) -> Callable[..., list[Any]]:
         return self._function(self.solution.separable.system.symbols)
 
     @cached_property
@@ -123,11 +129,13 @@ class Rigorous:
         """The clock, then the velocity in body axes."""
         clock = components(self.solution.separable.clock)
         motion = self.solution.separable.system.motion
-        if motion is None or not self.solution.lifted:
+        if motion is None or not self.solution.in_space:
             return self._function(clock)
         pairs = flat_pairs(motion.field)
-        places = [formula for name, formula in pairs if name not in attitude.symbols]
-        return self._function([*clock, *(velocity(places, attitude.symbols) if places else ())])
+        velocities = [formula for name, formula in pairs if name not in attitude.symbols]
+        return self._function(
+            [*clock, *(velocity(velocities, attitude.symbols) if velocities else ())]
+        )
 
     @cached_property
     def _triad(self) -> Callable[..., list[list[Any]]]:
@@ -135,78 +143,77 @@ class Rigorous:
             [c for vector in self.solution.separable.fixed for c in components(vector)]
         )
 
-        six = vectors(self.solution.beginning.nu, self.solution.beginning.nuprime)
+        six = vectors(self.solution.exact.nu, self.solution.exact.nuprime)
         normal = cross(six[:3], six[3:])
         sizes = (root(dot(six[:3], six[:3])), root(dot(normal, normal)))
 
-        def found(nu: Any, nuprime: Any) -> list[list[Any]]:
+        def triad_at(nu: Sequence[B], nuprime: Sequence[B]) -> list[list[B]]:
             six = vectors(nu, nuprime)
             return triad(six[:3], six[3:], sizes)
 
-        return found
+        return triad_at
 
     @cached_property
-    def _stand(self) -> list[list[Any]]:
+    def _still_triad(self) -> list[list[arb]]:
         """The triad in space axes."""
-        beginning = self.solution.beginning
-        size = len(beginning.state)
-        turn = [exact_ball(x) for x in self.solution.start[size : size + 4]]
+        start = self.solution.exact
+        size = len(start.state)
+        turn = [ball(x) for x in self.solution.start[size : size + 4]]
         length = sum((q * q for q in turn), arb(0)).sqrt()
         return [
-            product([q / length for q in turn], v)
-            for v in self._triad(beginning.nu, beginning.nuprime)
+            product([q / length for q in turn], v) for v in self._triad(start.nu, start.nuprime)
         ]
 
     # --- along the motion ------------------------------------------------------------------
 
     @property
-    def _speed(self) -> Any:
+    def _speed(self) -> arb:
         return abs(self.solution.motion.speed)
 
-    def _integrands(self, numerators: Numerators) -> Callable[[Any], list[Any]]:
-        """Derivatives by σ of the clock and the places."""
+    def _integrands(self, numerators: Numerators) -> Callable[[acb], list[acb]]:
+        """Derivatives by σ of the clock and the position."""
 
-        def rates(sigma: Any) -> list[Any]:
+        def rates(sigma: acb) -> list[acb]:
             size = max(float(sigma.real.rad()), float(sigma.imag.rad()))
             if size < POINTLIKE:
-                return at(sigma)
+                return on_box(sigma)
             with ctx.workprec(BOX_BITS):
-                return bound(sigma, size)
+                return on_quarters(sigma, size)
 
-        def bound(sigma: Any, size: float) -> list[Any]:
+        def on_quarters(sigma: acb, size: float) -> list[acb]:
             """On a box that is too large for its dependent terms: the union over its quarters."""
-            found = at(sigma)
-            if size < SMALLEST or all(f.is_finite() for f in found):
-                return found
-            quarters = [bound(quarter, size / 2) for quarter in _quarters(sigma)]
+            values = on_box(sigma)
+            if size < SMALLEST or all(f.is_finite() for f in values):
+                return values
+            quarters = [on_quarters(quarter, size / 2) for quarter in _quarters(sigma)]
             return [a.union(b).union(c).union(d) for a, b, c, d in zip(*quarters, strict=True)]
 
-        def at(sigma: Any) -> list[Any]:
-            nu, nuprime = _direction(*numerators(sigma))
-            clock, *moved = self._rates(nu, nuprime)
-            found = [clock]
-            if moved:
-                along = [dot(axis, moved) for axis in self._triad(nu, nuprime)]
-                found += [clock * dot(along, [k[i] for k in self._stand]) for i in (0, 1)]
-            return [acb(f / self._speed) for f in found]
+        def on_box(sigma: acb) -> list[acb]:
+            nu, nuprime = direction(*numerators(sigma))
+            clock, *velocity = self._rates(nu, nuprime)
+            values = [clock]
+            if velocity:
+                along = [dot(axis, velocity) for axis in self._triad(nu, nuprime)]
+                values += [clock * dot(along, [k[i] for k in self._still_triad]) for i in (0, 1)]
+            return [acb(f / self._speed) for f in values]
 
         return rates
 
     @cached_property
     def _units(self) -> tuple[float, ...]:
         """The rate of the clock, and the largest velocity, at some places of a turn."""
-        rates = self._integrands(self._exactly)
-        seen = [rates(acb(2 * arb.pi() * k / PLACES)) for k in range(PLACES)]
+        rates = self._integrands(self._numerators)
+        seen = [rates(acb(2 * arb.pi() * k / POINTS)) for k in range(POINTS)]
         sizes = [[float(abs(f.real).mid()) for f in row] for row in seen]
         fastest = max((x for row in sizes for x in row[1:]), default=0.0) or 1.0
         return (max(row[0] for row in sizes), fastest, fastest)
 
-    def _exactly(self, sigma: Any) -> tuple[list[Any], list[Any]]:
-        return self.solution.motion.at(sigma / self._speed)
+    def _numerators(self, sigma: B) -> tuple[list[B], list[B]]:
+        return self.solution.motion.balls(sigma / self._speed)
 
     @cached_property
-    def _edges(self) -> tuple[Any, Any]:
-        """σ at the ends of what is integrated."""
+    def _edges(self) -> tuple[arb, arb]:
+        """σ at the ends of the interval of integration."""
         motion = self.solution.motion
         if not isinstance(motion, Asymptotic):
             return arb(0), 2 * arb.pi() + arb(2) ** -20
@@ -214,7 +221,7 @@ class Rigorous:
         ends = [(k * faded - motion.offset) / motion.growth * self._speed for k in (-1, 1)]
         return min(*ends, arb(-1), key=float).mid(), max(*ends, arb(1), key=float).mid()
 
-    def _window(self, sigma: Any) -> Integrals:
+    def _window(self, sigma: arb) -> Integrals:
         """The integrals at least from 0 to σ."""
         low, high = self._edges
         pieces = 4 * (1 + abs(int(float(sigma.mid()))) // 4)
@@ -224,7 +231,7 @@ class Rigorous:
             ends = (arb(0), min(high, arb(pieces), key=float))
         key = (float(ends[0]), float(ends[1]))
         if key not in self._windows:
-            rates = self._integrands(self._exactly)
+            rates = self._integrands(self._numerators)
             self._windows[key] = integrals(rates, *ends, self.digits, self._units)
         return self._windows[key]
 
@@ -241,14 +248,14 @@ class Rigorous:
         faint = (slack - abs(kappa)).exp().upper()
         after = bool(kappa > 0)
 
-        def numerators(sigma: Any) -> tuple[list[Any], list[Any]]:
+        def numerators(sigma: acb) -> tuple[list[acb], list[acb]]:
             if not abs(sigma.real - side * arb.pi()) < arb.pi() + 2 * REACH:
                 return [acb("nan")] * 3, [acb("nan")] * 3
             doubt = arb(0, faint)
             small = acb(doubt * faint, doubt * faint)
             U = motion.phase + motion.speed * (edge + sigma) / self._speed
             down, up = (small, acb(1)) if after else (acb(1), small)
-            return motion.combined(U, down, up, acb(doubt, doubt))
+            return motion.combination(U, down, up, acb(doubt, doubt))
 
         low, high = (arb(-7), arb("0.5")) if side < 0 else (arb(0), arb(7))
         rates = self._integrands(numerators)
@@ -258,7 +265,7 @@ class Rigorous:
     def _tails(self) -> dict[int, Tail]:
         return {}
 
-    def _beyond(self, sigma: Any) -> Tail | None:
+    def _tail_at(self, sigma: arb) -> Tail | None:
         """The tail in which σ lies."""
         low, high = self._edges
         if not isinstance(self.solution.motion, Asymptotic) or low <= sigma <= high:
@@ -268,20 +275,20 @@ class Rigorous:
             self._tails[side] = self._tail(side)
         return self._tails[side]
 
-    def _total(self, index: int, sigma: Any) -> Any:
+    def _total(self, index: int, sigma: arb) -> arb:
         """An integral from τ = 0 to σ."""
-        tail = self._beyond(sigma.mid())
+        tail = self._tail_at(sigma.mid())
         if tail is None:
             return self._window(sigma).value(index, sigma)
         return self._window(tail.edge).value(index, tail.edge) + tail.value(index, sigma)
 
     # --- answers ---------------------------------------------------------------------------
 
-    def _phase(self, time: Any) -> tuple[Any, int]:
+    def _phase(self, time: arb) -> tuple[arb, int]:
         """σ at a time, less whole periods of a periodic motion, and how many these are."""
-        rough = self.solution.clock.when(np.array([float(time.mid())]))
+        rough = self.solution.clock.moment(np.array([float(time.mid())]))
         turns = 0
-        sigma = (arb(float(rough.rest[0])) * self._speed).mid()
+        sigma = (arb(float(rough.remainder[0])) * self._speed).mid()
         if isinstance(self.solution.motion, Asymptotic):
             sigma = (sigma + 2 * arb.pi() * int(rough.turns[0])).mid()
         else:
@@ -302,45 +309,37 @@ class Rigorous:
             reach = 2 * reach
         return arb(sigma, arb("inf")), turns
 
-    def _rate(self, sigma: Any) -> Any:
-        return self._integrands(self._exactly)(acb(sigma))[0].real
+    def _rate(self, sigma: arb) -> arb:
+        return self._integrands(self._numerators)(acb(sigma))[0].real
 
-    def state(self, time: Any) -> tuple[Any, ...]:
+    def state(self, time: arb) -> tuple[arb, ...]:
         """The lifted state at a time (arb)."""
         sigma, turns = self._phase(time)
-        nu, nuprime = _direction(*self._exactly(sigma))
-        reduced = self._reduced(nu, nuprime)
-        if not self.solution.lifted:
+        nu, nuprime = direction(*self._numerators(sigma))
+        reduced = self._reduced_state(nu, nuprime)
+        if not self.solution.in_space:
             return tuple(reduced)
         size = len(reduced)
         near = self.solution.states(np.array([float(time.mid())]))[0]
         axes = self._triad(nu, nuprime)
         rows = [
-            [dot([k[i] for k in self._stand], [a[j] for a in axes]) for j in range(3)]
+            [dot([k[i] for k in self._still_triad], [a[j] for a in axes]) for j in range(3)]
             for i in range(3)
         ]
         turn = quaternion(rows, near[size : size + 4])
-        places = [
-            exact_ball(x) + self._total(index, sigma) + turns * self._total(index, 2 * arb.pi())
+        position = [
+            ball(x) + self._total(index, sigma) + turns * self._total(index, 2 * arb.pi())
             if turns
-            else exact_ball(x) + self._total(index, sigma)
+            else ball(x) + self._total(index, sigma)
             for index, x in enumerate(self.solution.start[size + 4 :], 1)
         ]
-        return (*reduced, *turn, *places)
+        return (*reduced, *turn, *position)
 
 
-def _quarters(box: Any) -> list[Any]:
+def _quarters(box: acb) -> list[acb]:
     """Four boxes that cover a box."""
     halves = []
     for side in (box.real, box.imag):
         half = side.rad() / 2
         halves.append([arb(side.mid() - half, half), arb(side.mid() + half, half)])
     return [acb(x, y) for x in halves[0] for y in halves[1]]
-
-
-def _direction(values: Sequence[Any], slopes: Sequence[Any]) -> tuple[list[Any], list[Any]]:
-    """ν and ν′ from N and N′."""
-    length = root(dot(values, values))
-    nu = [n / length for n in values]
-    along = dot(nu, slopes)
-    return nu, [(d - v * along) / length for v, d in zip(nu, slopes, strict=True)]

@@ -19,16 +19,22 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TypeAlias, TypeVar
 
 import numpy as np
 from flint import acb, arb
 
+from ...core.arrays import FloatArray
+from ..one_degree.divided_differences import analytic_root
+from ..one_degree.vectors import dot
 from .jacobi_theta import Thetas
 
 __all__ = ["Asymptotic", "Numerators", "Periodic", "direction", "direction_array"]
 
-Triples = tuple[list[Any], list[Any]]
+#: Real or complex balls.
+B = TypeVar("B", arb, acb)
+#: N and N′, or ν and ν′.
+Pair: TypeAlias = tuple[list[B], list[B]]
 
 
 class Numerators(ABC):
@@ -39,15 +45,15 @@ class Numerators(ABC):
 
     @property
     @abstractmethod
-    def period(self) -> Any:
+    def period(self) -> arb:
         """The time τ after which all theta functions return."""
 
     @abstractmethod
-    def at(self, tau: Any) -> Triples:
-        """N and N′ at an arb or acb."""
+    def balls(self, tau: B) -> Pair[B]:
+        """N and N′ at τ."""
 
     @abstractmethod
-    def array(self, tau: Any, turns: Any) -> tuple[Any, Any]:
+    def doubles(self, tau: FloatArray, turns: FloatArray | float) -> tuple[FloatArray, FloatArray]:
         """N and N′ (3, n) at the times τ + turns · period, in double precision."""
 
 
@@ -70,18 +76,18 @@ class Periodic(Numerators):
 
     thetas: Thetas
     indices: tuple[int, ...]
-    amplitudes: tuple[Any, ...]
-    phase: Any
-    speed: Any
-    turn: Any
+    amplitudes: tuple[arb, ...]
+    phase: arb
+    speed: arb
+    turn: arb
 
     @property
-    def period(self) -> Any:
+    def period(self) -> arb:
         """The time τ in which U grows by 2π."""
         return 2 * arb.pi() / abs(self.speed)
 
-    def at(self, tau: Any) -> Triples:
-        """N and N′ at an arb or acb."""
+    def balls(self, tau: B) -> Pair[B]:
+        """N and N′ at τ."""
         v = self.phase + self.speed * tau
         pairs = [
             (c * value, c * self.turn * slope)
@@ -91,13 +97,13 @@ class Periodic(Numerators):
         ]
         return [value for value, _ in pairs], [slope for _, slope in pairs]
 
-    def array(self, tau: Any, turns: Any) -> tuple[Any, Any]:
+    def doubles(self, tau: FloatArray, turns: FloatArray | float) -> tuple[FloatArray, FloatArray]:
         """N and N′ (3, n) in double precision."""
         turn = float(self.turn)
         v = float(self.phase) + float(self.speed) * tau
         values, slopes = [], []
         for c, index in zip(self.amplitudes, self.indices, strict=True):
-            value, slope = self.thetas.array(index, v)
+            value, slope = self.thetas.doubles(index, v)
             values.append(float(c) * value)
             slopes.append(float(c) * turn * slope)
         return np.array(values), np.array(slopes)
@@ -125,32 +131,31 @@ class Asymptotic(Numerators):
     """
 
     thetas: Thetas
-    shift: Any
+    shift: arb
     indices: tuple[int, ...]
-    amplitudes: tuple[Any, ...]
-    phase: Any
-    speed: Any
-    offset: Any
-    growth: Any
-    turn: tuple[Any, Any]
+    amplitudes: tuple[arb, ...]
+    phase: arb
+    speed: arb
+    offset: arb
+    growth: arb
+    turn: tuple[arb, arb]
 
     @property
-    def period(self) -> Any:
+    def period(self) -> arb:
         """The time τ in which U grows by 2π."""
         return 2 * arb.pi() / abs(self.speed)
 
-    def at(self, tau: Any) -> Triples:
-        """N and N′ at an arb or acb."""
+    def balls(self, tau: B) -> Pair[B]:
+        """N and N′ at τ."""
         U, kappa = self.phase + self.speed * tau, self.offset + self.growth * tau
-        real = kappa.real if isinstance(kappa, acb) else kappa
         # the common factor keeps the larger exponential at one
-        after = bool(real.mid() > 0)
+        after = kappa.real.mid() > 0
         small = (-2 * kappa if after else 2 * kappa).exp()
         middle = (-kappa if after else kappa).exp()
-        down, up = (small, arb(1)) if after else (arb(1), small)
-        return self.combined(U, down, up, middle)
+        one = 0 * small + 1
+        return self.combination(U, *((small, one) if after else (one, small)), middle)
 
-    def combined(self, U: Any, down: Any, up: Any, middle: Any) -> Triples:
+    def combination(self, U: B, down: B, up: B, middle: B) -> Pair[B]:
         """N and N′ with the factors of θ(U − s), θ(U + s) and of the component that dies out."""
         pair, s = self.thetas.pair, self.shift
         speed, growth = self.turn
@@ -169,14 +174,14 @@ class Asymptotic(Numerators):
             slopes.append(c * slope)
         return values, slopes
 
-    def array(self, tau: Any, turns: Any) -> tuple[Any, Any]:
+    def doubles(self, tau: FloatArray, turns: FloatArray | float) -> tuple[FloatArray, FloatArray]:
         """N and N′ (3, n) in double precision."""
         growth = float(self.growth)
         U = float(self.phase) + float(self.speed) * tau
         kappa = float(self.offset) + growth * tau + growth * float(self.period) * turns
         return self.with_phases(U, kappa)
 
-    def with_phases(self, U: Any, kappa: Any) -> tuple[Any, Any]:
+    def with_phases(self, U: FloatArray, kappa: FloatArray) -> tuple[FloatArray, FloatArray]:
         """N and N′ (3, n) for given U and κ (arrays)."""
         speed, growth = (float(x) for x in self.turn)
         s = float(self.shift)
@@ -185,12 +190,12 @@ class Asymptotic(Numerators):
         values, slopes = [], []
         for c, index in zip(self.amplitudes, self.indices, strict=True):
             if index == 0:
-                value, slope = self.thetas.array(1, U)
+                value, slope = self.thetas.doubles(1, U)
                 value, slope = middle * value, middle * speed * slope
             else:
                 sign = -1 if index == 1 else 1
-                one, one_slope = self.thetas.array(index, U - s)
-                two, two_slope = self.thetas.array(index, U + s)
+                one, one_slope = self.thetas.doubles(index, U - s)
+                two, two_slope = self.thetas.doubles(index, U + s)
                 value = down * one + sign * up * two
                 slope = down * (speed * one_slope - growth * one)
                 slope = slope + sign * up * (speed * two_slope + growth * two)
@@ -208,29 +213,21 @@ class Asymptotic(Numerators):
         phase = self.phase + side * self.shift
         return Periodic(self.thetas, indices, amplitudes, phase, self.speed, self.turn[0])
 
-    def begun(self, phase: Any, offset: Any, signs: Sequence[int]) -> Asymptotic:
-        """The same motion begun elsewhere, with components reflected."""
+    def with_start(self, phase: arb, offset: arb, signs: Sequence[int] = (1, 1, 1)) -> Asymptotic:
+        """The motion with other phases at τ = 0 and with components reflected."""
         reflected = tuple(sign * c for sign, c in zip(signs, self.amplitudes, strict=True))
         return replace(self, phase=phase, offset=offset, amplitudes=reflected)
 
 
-def direction(values: Sequence[Any], slopes: Sequence[Any], analytic: bool = False) -> Triples:
-    """ν and ν′ from N and N′, real or complex balls.
-
-    Parameters
-    ----------
-    values, slopes : three arb or acb
-    analytic : bool
-        Whether to give no number (NaN) where the square root of N² may be cut.
-    """
-    square = sum((n * n for n in values[1:]), values[0] * values[0])
-    length = square.sqrt(analytic=analytic) if isinstance(square, acb) else square.sqrt()
+def direction(values: Sequence[B], slopes: Sequence[B]) -> Pair[B]:
+    """ν and ν′ from N and N′, not finite where the square root of N² may be cut."""
+    length = analytic_root(dot(values, values))
     nu = [n / length for n in values]
-    along = sum((v * d for v, d in zip(nu, slopes, strict=True)), 0 * length)
+    along = dot(nu, slopes)
     return nu, [(d - v * along) / length for v, d in zip(nu, slopes, strict=True)]
 
 
-def direction_array(values: Any, slopes: Any) -> tuple[Any, Any]:
+def direction_array(values: FloatArray, slopes: FloatArray) -> tuple[FloatArray, FloatArray]:
     """ν and ν′ (3, n) from N and N′."""
     length = np.sqrt((values**2).sum(0))
     nu = values / length

@@ -13,11 +13,11 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 from flint import acb, arb, arb_mat, ctx
 
+from ...core.arrays import FloatArray, IntArray
 from ...errors import InputError
 
 __all__ = ["Integrals", "Panel", "Table", "integrals", "working_bits"]
@@ -39,19 +39,19 @@ BOXES = tuple(
     for sign in (-1, 1)
 )
 
-#: Places on a panel at which its table knows the time.
+#: Points of a panel at which its table knows the time.
 KNOTS = 24
 
-#: The number of a panel, and a coordinate from −1 to 1 in it; arrays.
-Place = tuple[Any, Any]
+#: Numbers of panels, and coordinates from −1 to 1 in them.
+PanelPoints = tuple[IntArray, FloatArray]
 
 #: A panel may not become narrower than this.
 NARROWEST = 1e-25
 
 #: σ ↦ the functions to be integrated, complex balls to complex balls.
-Rates = Callable[[Any], Sequence[Any]]
+Rates = Callable[[acb], Sequence[acb]]
 #: (σ, the first functions, their integrals) ↦ further functions.
-Nested = Callable[[Any, Sequence[Any], Sequence[Any]], Sequence[Any]]
+Nested = Callable[[acb, Sequence[acb], Sequence[acb]], Sequence[acb]]
 
 
 def degree(digits: int) -> int:
@@ -65,7 +65,7 @@ def working_bits(digits: int) -> int:
 
 
 @lru_cache(maxsize=16)
-def _transform(n: int, bits: int) -> tuple[tuple[Any, ...], Any]:
+def _transform(n: int, bits: int) -> tuple[tuple[arb, ...], arb_mat]:
     """The Chebyshev points, and the matrix from values there to coefficients."""
     with ctx.workprec(bits):
         angles = [arb(2 * j + 1) / (2 * n + 2) for j in range(n + 1)]
@@ -80,8 +80,8 @@ def _transform(n: int, bits: int) -> tuple[tuple[Any, ...], Any]:
 class Series:
     """A Chebyshev series on [−1, 1].
 
-    The coefficients are exact and their errors summed up beside them, since |T_k| ≤ 1: so errors do
-    not grow with the number of terms when the series is summed in balls.
+    The coefficients are exact and their errors are summed up in one number, since |T_k| ≤ 1: so
+    errors do not grow with the number of terms when the series is summed in balls.
 
     Attributes
     ----------
@@ -89,23 +89,23 @@ class Series:
     error : arb
     """
 
-    coefficients: list[Any]
-    error: Any
+    coefficients: list[arb]
+    error: arb
 
     @classmethod
-    def of(cls, coefficients: Sequence[Any], error: Any = 0) -> Series:
-        """From coefficients with errors, and a further error of the sum."""
+    def from_balls(cls, coefficients: Sequence[arb], error: arb | int = 0) -> Series:
+        """The series of coefficients with errors, and with a further error of the sum."""
         radius = sum((c.rad() for c in coefficients), arb(error))
         return cls([c.mid() for c in coefficients], arb(radius.upper()))
 
-    def at(self, x: Any) -> Any:
+    def __call__(self, x: arb) -> arb:
         """The sum at an exact number (Clenshaw)."""
         first = second = arb(0)
         for coefficient in reversed(self.coefficients[1:]):
             first, second = 2 * x * first - second + coefficient, first
         return x * first - second + self.coefficients[0] + arb(0, self.error)
 
-    def mirrored(self, sign: int) -> Series:
+    def reflection(self, sign: int) -> Series:
         """sign · f(−x)."""
         signed = [-sign * c if k % 2 else sign * c for k, c in enumerate(self.coefficients)]
         return Series(signed, self.error)
@@ -127,22 +127,22 @@ class Panel:
         Of the functions around the panel.
     """
 
-    low: Any
-    high: Any
+    low: arb
+    high: arb
     series: tuple[Series, ...]
-    first: list[Any]
-    bounds: tuple[Any, ...]
+    first: list[arb]
+    bounds: tuple[arb, ...]
 
-    def value(self, index: int, place: Any) -> Any:
-        """An integral at a place of the panel (arb), given as a ball."""
-        nearest = place.mid().max(self.low).min(self.high).mid()
+    def value(self, index: int, sigma: arb) -> arb:
+        """An integral at a small ball of the panel."""
+        nearest = sigma.mid().max(self.low).min(self.high).mid()
         x = (2 * nearest - self.low - self.high) / (self.high - self.low)
-        error = self.bounds[index] * abs(place - nearest)
-        return self.series[index].at(x) + arb(0, error.upper())
+        error = self.bounds[index] * abs(sigma - nearest)
+        return self.series[index](x) + arb(0, error.upper())
 
-    def mirrored(self, parities: Sequence[int]) -> Panel:
+    def reflection(self, parities: Sequence[int]) -> Panel:
         """The panel on the other side of zero, the integrals being even (1) or odd (−1)."""
-        series = tuple(s.mirrored(sign) for s, sign in zip(self.series, parities, strict=True))
+        series = tuple(s.reflection(sign) for s, sign in zip(self.series, parities, strict=True))
         first = [-c if k % 2 else c for k, c in enumerate(self.first)]
         return Panel(-self.high, -self.low, series, first, self.bounds)
 
@@ -159,26 +159,35 @@ class Integrals:
 
     panels: tuple[Panel, ...]
 
-    def value(self, index: int, place: Any) -> Any:
-        """An integral from 0 to `place`, a small ball inside the interval."""
-        middle = place.mid()
+    def value(self, index: int, sigma: arb) -> arb:
+        """An integral from 0 to σ, a small ball inside the interval."""
+        middle = sigma.mid()
         inside = (p for p in self.panels if p.low <= middle and middle <= p.high)
         panel = next(inside, self.panels[0 if middle < 0 else -1])
-        return panel.value(index, place)
+        return panel.value(index, sigma)
 
-    def end(self, index: int) -> Any:
+    @property
+    def count(self) -> int:
+        """The number of integrals."""
+        return len(self.panels[0].series)
+
+    def left_end(self, index: int) -> arb:
+        """The integral up to the left end."""
+        return self.panels[0].value(index, self.panels[0].low)
+
+    def right_end(self, index: int) -> arb:
         """The integral up to the right end."""
         return self.panels[-1].value(index, self.panels[-1].high)
 
     def table(self) -> Table:
-        """The same in double precision."""
+        """These integrals in double precision."""
         return Table(self)
 
 
 def integrals(
     rates: Rates,
-    low: Any,
-    high: Any,
+    low: arb,
+    high: arb,
     digits: int,
     units: Sequence[float],
     nested: Nested | None = None,
@@ -211,7 +220,7 @@ def integrals(
     build = _Build(rates, nested, digits, units)
     right = build.side(arb(0), high.mid())
     if parities:
-        left = [panel.mirrored(parities) for panel in right]
+        left = [panel.reflection(parities) for panel in right]
     else:
         left = build.side(arb(0), low.mid()) if low < 0 else []
     return Integrals((*reversed(left), *right))
@@ -224,13 +233,13 @@ class _Build:
     digits: int
     units: Sequence[float]
 
-    def side(self, start: Any, end: Any) -> list[Panel]:
+    def side(self, start: arb, end: arb) -> list[Panel]:
         """Panels from `start` outwards, to the right or to the left."""
         pieces = max(1, math.ceil(abs(float(end - start))))
         stops = [start + (end - start) * k / pieces for k in range(1, pieces)]
         waiting = [end, *(stop.mid() for stop in reversed(stops))]
-        made: list[Panel] = []
-        totals: Sequence[Any] = ()
+        panels: list[Panel] = []
+        totals: Sequence[arb] = ()
         while waiting:
             stop = waiting[-1]
             panel = self._panel(start, stop, totals)
@@ -239,12 +248,12 @@ class _Build:
                     raise InputError("a quadrature of this motion is singular on its way")
                 waiting.append(((start + stop) / 2).mid())
                 continue
-            made.append(panel)
+            panels.append(panel)
             start = waiting.pop()
-            totals = [s.at(arb(1 if start == panel.high else -1)) for s in panel.series]
-        return made
+            totals = [s(arb(1 if start == panel.high else -1)) for s in panel.series]
+        return panels
 
-    def _panel(self, start: Any, stop: Any, totals: Sequence[Any]) -> Panel | None:
+    def _panel(self, start: arb, stop: arb, totals: Sequence[arb]) -> Panel | None:
         low, high = (start, stop) if start < stop else (stop, start)
         half, centre = (high - low) / 2, (high + low) / 2
         boxes = [
@@ -260,35 +269,35 @@ class _Build:
         known = [self.rates(acb(centre + half * node)) for node in nodes]
         values = matrix * arb_mat([[f.real for f in row] for row in known])
         anchor = -1 if start == low else 1
-        series = _integrated(values, bounds, half, anchor, totals)
+        series = _antiderivatives(values, bounds, half, anchor, totals)
         if self.nested is not None:
-            around = [_around(s, m, half) for s, m in zip(series, bounds, strict=True)]
-            inside = self.nested(acb(centre), middle, [acb(s.at(arb(0))) for s in series])
+            around = [_enclosure(s, m, half) for s, m in zip(series, bounds, strict=True)]
+            inside = self.nested(acb(centre), middle, [acb(s(arb(0))) for s in series])
             every = (self.nested(box, self.rates(box), around) for box in boxes)
             further = _bounds(every, inside, self.units[len(middle) :])
             if further is None:
                 return None
             rows = [
-                self.nested(acb(centre + half * x), row, [acb(s.at(x)) for s in series])
+                self.nested(acb(centre + half * x), row, [acb(s(x)) for s in series])
                 for x, row in zip(nodes, known, strict=True)
             ]
-            rest = matrix * arb_mat([[f.real for f in row] for row in rows])
-            series += _integrated(rest, further, half, anchor, totals[len(series) :])
+            coefficients = matrix * arb_mat([[f.real for f in row] for row in rows])
+            series += _antiderivatives(coefficients, further, half, anchor, totals[len(series) :])
             bounds = [*bounds, *further]
         first = [values[k, 0] for k in range(n + 1)]
         return Panel(low, high, tuple(series), first, tuple(bounds))
 
 
 def _bounds(
-    around: Iterable[Sequence[Any]], middle: Sequence[Any], units: Sequence[float]
-) -> list[Any] | None:
+    boxes: Iterable[Sequence[acb]], middle: Sequence[acb], units: Sequence[float]
+) -> list[arb] | None:
     """Bounds of functions in all boxes, if they are not too large beside those in the middle."""
     limits = [
         10 * RHO**6 * max(unit, float(f.abs_upper()))
         for f, unit in zip(middle, units, strict=False)
     ]
     bounds = [arb(0)] * len(middle)
-    for box in around:
+    for box in boxes:
         for index, (f, limit) in enumerate(zip(box, limits, strict=True)):
             size = arb(f.abs_upper())
             if not size < limit:
@@ -297,34 +306,34 @@ def _bounds(
     return bounds
 
 
-def _around(series: Series, bound: Any, half: Any) -> Any:
+def _enclosure(series: Series, bound: arb, half: arb) -> acb:
     """An integral in the boxes."""
     across = ACROSS * half * bound
     along = (ALONG + ACROSS) * half * bound
-    return acb(series.at(arb(0)) + arb(0, along.upper()), arb(0, across.upper()))
+    return acb(series(arb(0)) + arb(0, along.upper()), arb(0, across.upper()))
 
 
-def _integrated(
-    known: Any, bounds: Sequence[Any], half: Any, anchor: int, totals: Sequence[Any]
+def _antiderivatives(
+    coefficients: arb_mat, bounds: Sequence[arb], half: arb, anchor: int, totals: Sequence[arb]
 ) -> list[Series]:
     """The integrals that continue `totals` from the end `anchor`, by coefficients."""
-    n = known.nrows() - 1
-    made = []
+    n = coefficients.nrows() - 1
+    antiderivatives = []
     for index, bound in enumerate(bounds):
-        c = [known[k, index] for k in range(n + 1)] + [arb(0), arb(0)]
+        c = [coefficients[k, index] for k in range(n + 1)] + [arb(0), arb(0)]
         integral = [arb(0), half * (c[0] - c[2] / 2)]
         integral += [half * (c[k - 1] - c[k + 1]) / (2 * k) for k in range(2, n + 2)]
-        begin = Series.of(integral).at(arb(anchor))
+        begin = Series.from_balls(integral)(arb(anchor))
         integral[0] = (totals[index] if totals else 0) - begin
         error = 4 * bound / arb(RHO) ** n / (RHO - 1) * 2 * half
-        made.append(Series.of(integral, error))
-    return made
+        antiderivatives.append(Series.from_balls(integral, error))
+    return antiderivatives
 
 
 class Table:
-    """Integrals in double precision, for many places at once.
+    """Integrals in double precision, at many points at once.
 
-    A place is the number of its panel and the coordinate in it, from −1 to 1: so it is known to
+    A point is the number of its panel and the coordinate in it, from −1 to 1: so it is known to
     full relative accuracy on the narrowest panel.
     """
 
@@ -349,28 +358,31 @@ class Table:
         """The first integral at both ends."""
         return float(self._times[0]), float(self._times[-1])
 
-    def phase(self, place: Place) -> Any:
-        """σ at places."""
-        panel, x = place
+    def phase(self, points: PanelPoints) -> FloatArray:
+        """σ at points."""
+        panel, x = points
         return self._centre[panel] + self._half[panel] * x
 
-    def value(self, index: int, place: Place) -> Any:
-        """An integral at places."""
-        panel, x = place
-        return np.polynomial.chebyshev.chebval(x, self._series[index][:, panel], tensor=False)
+    def value(self, index: int, points: PanelPoints) -> FloatArray:
+        """An integral at points."""
+        panel, x = points
+        series = self._series[index][:, panel]
+        sums: FloatArray = np.polynomial.chebyshev.chebval(x, series, tensor=False)
+        return sums
 
-    def rate(self, place: Place) -> Any:
-        """The first function at places."""
-        panel, x = place
-        return np.polynomial.chebyshev.chebval(x, self._first[:, panel], tensor=False)
+    def rate(self, points: PanelPoints) -> FloatArray:
+        """The first function at points."""
+        panel, x = points
+        sums: FloatArray = np.polynomial.chebyshev.chebval(x, self._first[:, panel], tensor=False)
+        return sums
 
-    def inverse(self, values: Any) -> Place:
-        """Where the first integral, which increases, has these values (n,)."""
+    def inverse(self, values: FloatArray) -> PanelPoints:
+        """The points at which the first integral, which increases, has values (n,)."""
         panel = np.clip(np.searchsorted(self._begins, values, side="right") - 1, 0, None)
         knots = np.interp(values, self._times, np.arange(len(self._times)) / KNOTS)
         x = np.clip(2 * (knots - panel) - 1, -1.0, 1.0)
         for _ in range(4):
-            place = (panel, x)
-            step = (self.value(0, place) - values) / (self.rate(place) * self._half[panel])
+            points = (panel, x)
+            step = (self.value(0, points) - values) / (self.rate(points) * self._half[panel])
             x = np.clip(x - step, -1.0, 1.0)
         return panel, x

@@ -12,17 +12,17 @@ says that the formula is analytic there.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Sequence
+from typing import Protocol, TypeAlias, TypeVar
 
-from flint import acb, acb_mat, arb
+from flint import acb, acb_mat, arb, fmpq
 
-__all__ = ["DividedDifferences", "jet", "slope", "value"]
+__all__ = ["DividedDifferences", "Formula", "analytic_root", "jet", "slope", "value"]
 
-#: What becomes of a formula when its variable takes a value.
-Formula = Callable[[Any], Any]
+#: Constants in formulas.
+Constant: TypeAlias = int | float | fmpq | arb | acb
 
-_NOWHERE = acb(float("nan"), float("nan"))
+_UNDEFINED = acb(float("nan"), float("nan"))
 
 
 class DividedDifferences:
@@ -36,11 +36,11 @@ class DividedDifferences:
 
     __slots__ = ("matrix",)
 
-    def __init__(self, matrix: Any) -> None:
+    def __init__(self, matrix: acb_mat) -> None:
         self.matrix = matrix
 
     @classmethod
-    def variable(cls, points: Sequence[Any]) -> DividedDifferences:
+    def variable(cls, points: Sequence[arb | acb]) -> DividedDifferences:
         """The function x at `points` (arb or acb)."""
         size = len(points)
         matrix = acb_mat(size, size)
@@ -50,7 +50,7 @@ class DividedDifferences:
                 matrix[i, i + 1] = 1
         return cls(matrix)
 
-    def _constant(self, number: Any) -> Any:
+    def _constant(self, number: Constant) -> acb_mat:
         size = self.matrix.nrows()
         matrix = acb_mat(size, size)
         for i in range(size):
@@ -60,20 +60,20 @@ class DividedDifferences:
     def __neg__(self) -> DividedDifferences:
         return DividedDifferences(-self.matrix)
 
-    def __add__(self, other: Any) -> DividedDifferences:
+    def __add__(self, other: Constant | DividedDifferences) -> DividedDifferences:
         matrix = other.matrix if isinstance(other, DividedDifferences) else self._constant(other)
         return DividedDifferences(self.matrix + matrix)
 
     __radd__ = __add__
 
-    def __sub__(self, other: Any) -> DividedDifferences:
+    def __sub__(self, other: Constant | DividedDifferences) -> DividedDifferences:
         matrix = other.matrix if isinstance(other, DividedDifferences) else self._constant(other)
         return DividedDifferences(self.matrix - matrix)
 
-    def __rsub__(self, other: Any) -> DividedDifferences:
+    def __rsub__(self, other: Constant) -> DividedDifferences:
         return DividedDifferences(self._constant(other) - self.matrix)
 
-    def __mul__(self, other: Any) -> DividedDifferences:
+    def __mul__(self, other: Constant | DividedDifferences) -> DividedDifferences:
         return DividedDifferences(
             self.matrix * (other.matrix if isinstance(other, DividedDifferences) else acb(other))
         )
@@ -83,20 +83,20 @@ class DividedDifferences:
     def inverse(self) -> DividedDifferences:
         """1/f; not finite where f may vanish."""
         size = self.matrix.nrows()
-        known, found = self.matrix, acb_mat(size, size)
+        known, inverse = self.matrix, acb_mat(size, size)
         for i in range(size):
-            found[i, i] = 1 / known[i, i]
+            inverse[i, i] = 1 / known[i, i]
         for width in range(1, size):
             for i in range(size - width):
                 j = i + width
-                rest = sum((known[i, k] * found[k, j] for k in range(i + 1, j + 1)), acb(0))
-                found[i, j] = -rest * found[i, i]
-        return DividedDifferences(found)
+                inner = sum((known[i, k] * inverse[k, j] for k in range(i + 1, j + 1)), acb(0))
+                inverse[i, j] = -inner * inverse[i, i]
+        return DividedDifferences(inverse)
 
-    def __truediv__(self, other: Any) -> DividedDifferences:
+    def __truediv__(self, other: Constant | DividedDifferences) -> DividedDifferences:
         return self * (other.inverse() if isinstance(other, DividedDifferences) else 1 / acb(other))
 
-    def __rtruediv__(self, other: Any) -> DividedDifferences:
+    def __rtruediv__(self, other: Constant) -> DividedDifferences:
         return DividedDifferences(self.inverse().matrix * acb(other))
 
     def __pow__(self, exponent: int) -> DividedDifferences:
@@ -111,15 +111,15 @@ class DividedDifferences:
     def sqrt(self) -> DividedDifferences:
         """The root with positive real part; not finite where a ball meets the negative axis."""
         size = self.matrix.nrows()
-        known, found = self.matrix, acb_mat(size, size)
+        known, root = self.matrix, acb_mat(size, size)
         for i in range(size):
-            found[i, i] = known[i, i].sqrt(analytic=True)
+            root[i, i] = known[i, i].sqrt(analytic=True)
         for width in range(1, size):
             for i in range(size - width):
                 j = i + width
-                rest = sum((found[i, k] * found[k, j] for k in range(i + 1, j)), acb(0))
-                found[i, j] = (known[i, j] - rest) / (found[i, i] + found[j, j])
-        return DividedDifferences(found)
+                inner = sum((root[i, k] * root[k, j] for k in range(i + 1, j)), acb(0))
+                root[i, j] = (known[i, j] - inner) / (root[i, i] + root[j, j])
+        return DividedDifferences(root)
 
     def exp(self) -> DividedDifferences:
         """e to the power of the function."""
@@ -127,38 +127,50 @@ class DividedDifferences:
 
     def cos(self) -> DividedDifferences:
         """The cosine of the function."""
-        turned = self.matrix * acb(0, 1)
-        return DividedDifferences((turned.exp() + (-turned).exp()) * acb(0.5))
+        rotated = self.matrix * acb(0, 1)
+        return DividedDifferences((rotated.exp() + (-rotated).exp()) * acb(0.5))
 
     def sin(self) -> DividedDifferences:
         """The sine of the function."""
-        turned = self.matrix * acb(0, 1)
-        return DividedDifferences((turned.exp() - (-turned).exp()) * acb(0, -0.5))
+        rotated = self.matrix * acb(0, 1)
+        return DividedDifferences((rotated.exp() - (-rotated).exp()) * acb(0, -0.5))
 
 
-def _last(function: Formula, points: Sequence[Any]) -> Any:
+#: Real or complex balls, or divided differences of them.
+Argument = TypeVar("Argument", arb, acb, DividedDifferences)
+
+
+class Formula(Protocol):
+    """A formula in one variable; where it is constant its value may be a ball."""
+
+    def __call__(self, x: Argument, /) -> Argument | arb:
+        """The value at a point, or the divided differences at several."""
+
+
+def analytic_root(x: Argument) -> Argument:
+    """A square root, not finite where a complex ball meets the branch cut."""
+    return x.sqrt(analytic=True) if isinstance(x, acb) else x.sqrt()
+
+
+def value(function: Formula, point: arb | acb) -> acb:
+    """The function at a point, not finite where it may not be analytic."""
+    if isinstance(point, acb) and not point.imag.is_zero():
+        return slope(function, point)
+    return acb(function(point.real))
+
+
+def slope(function: Formula, *points: arb | acb) -> acb:
+    """The divided difference f[x₀, …, x_n]."""
     result = function(DividedDifferences.variable(points))
     if not isinstance(result, DividedDifferences):
         # a constant
         return acb(result) if len(points) == 1 else acb(0)
-    found = result.matrix[0, len(points) - 1]
-    return found if found.is_finite() else _NOWHERE
+    last = result.matrix[0, len(points) - 1]
+    return last if last.is_finite() else _UNDEFINED
 
 
-def value(function: Formula, point: Any) -> Any:
-    """The function at a point (acb), not finite where it may not be analytic."""
-    if isinstance(point, acb) and not point.imag.is_zero():
-        return _last(function, (point,))
-    return acb(function(point.real))
-
-
-def slope(function: Formula, *points: Any) -> Any:
-    """The divided difference f[x₀, …, x_n] as an acb."""
-    return _last(function, points)
-
-
-def jet(function: Formula, ball: Any) -> tuple[Any, Any, Any]:
-    """f, f′ and f″/2 on a real ball (arb)."""
+def jet(function: Formula, ball: arb) -> tuple[arb, arb, arb]:
+    """f, f′ and f″/2 on a real ball."""
     result = function(DividedDifferences.variable((ball, ball, ball)))
     if not isinstance(result, DividedDifferences):
         return arb(result), arb(0), arb(0)

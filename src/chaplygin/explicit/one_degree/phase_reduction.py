@@ -7,11 +7,12 @@ phase does not grow with the number of periods, until that number times 2⁻¹�
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
+from flint import arb
 
-__all__ = ["Pair", "fraction", "pair", "reduced"]
+from ...core.arrays import FloatArray
+
+__all__ = ["Pair", "fraction", "pair", "reduced_phase"]
 
 #: A number as the sum of two doubles.
 Pair = tuple[float, float]
@@ -20,13 +21,13 @@ Pair = tuple[float, float]
 _SPLIT = 134217729.0
 
 
-def pair(ball: Any) -> Pair:
-    """The middle of a ball (arb) as two doubles."""
+def pair(ball: arb) -> Pair:
+    """The middle of a ball as two doubles."""
     high = float(ball.mid())
     return high, float((ball - high).mid())
 
 
-def _product(a: Any, b: float) -> tuple[Any, Any]:
+def _product(a: FloatArray, b: float) -> tuple[FloatArray, FloatArray]:
     """a·b as the sum of two doubles, exactly (Dekker)."""
     p = a * b
     a_high = _SPLIT * a - (_SPLIT * a - a)
@@ -35,7 +36,7 @@ def _product(a: Any, b: float) -> tuple[Any, Any]:
     return p, ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
 
 
-def reduced(times: Any, offset: Pair, period: Pair) -> tuple[Any, Any]:
+def reduced_phase(times: FloatArray, offset: Pair, period: Pair) -> tuple[FloatArray, FloatArray]:
     """Whole numbers n and remainders with t + offset = n·period + remainder.
 
     Parameters
@@ -44,11 +45,11 @@ def reduced(times: Any, offset: Pair, period: Pair) -> tuple[Any, Any]:
     offset, period : pairs of doubles
     """
     count = np.rint((times + offset[0]) / period[0])
-    whole, rest = _product(count, period[0])
-    return count, ((times - whole) + offset[0]) - rest - count * period[1] + offset[1]
+    whole, remainder = _product(count, period[0])
+    return count, ((times - whole) + offset[0]) - remainder - count * period[1] + offset[1]
 
 
-def fraction(counts: Any, share: Pair) -> Any:
+def fraction(counts: FloatArray, share: Pair) -> FloatArray:
     """counts·share less the nearest whole number."""
-    whole, rest = _product(counts, share[0])
-    return (whole - np.rint(whole)) + rest + counts * share[1]
+    whole, remainder = _product(counts, share[0])
+    return (whole - np.rint(whole)) + remainder + counts * share[1]

@@ -1,6 +1,6 @@
-"""Where a motion x′² = N(x)/B(x) turns: roots isolated in ball arithmetic.
+"""The turning points of a motion x′² = N(x)/B(x): roots isolated in ball arithmetic.
 
-From where it is, a motion runs to the nearest root of N on either side.  Every interval on the way
+From its start a motion runs to the nearest root of N on either side.  Every interval on the way
 is shown to contain no root, or exactly one, by the signs of N, N′ and N″ over the whole of it.
 """
 
@@ -8,13 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 from flint import arb, ctx
 
 from ...errors import InputError
 from ...formulas.relative_zero import vanishes
-from .divided_differences import Formula, jet, slope
+from .divided_differences import Argument, Formula, jet, slope
 
 __all__ = ["End", "next_end"]
 
@@ -25,7 +24,7 @@ NARROWEST = 1e-13
 HALVINGS = 400
 
 #: N, N′ and N″/2 over an interval.
-Jet = Callable[[Any], tuple[Any, Any, Any]]
+Jet = Callable[[arb], tuple[arb, arb, arb]]
 
 
 @dataclass(frozen=True)
@@ -34,20 +33,20 @@ class End:
 
     Attributes
     ----------
-    place : flint.arb
+    x : flint.arb
     double : bool
         Whether it is a double root, within the resolution; it is then never reached.
     edge : bool
         Whether it is the edge of the domain itself, a root by construction.
     """
 
-    place: Any
+    x: arb
     double: bool = False
     edge: bool = False
 
 
 def next_end(
-    function: Formula, start: Any, edge: Any, *, leaving: bool, closed: bool
+    function: Formula, start: arb, edge: arb, *, leaving: bool, closed: bool
 ) -> End | None:
     """The nearest root between a point and the edge of the domain.
 
@@ -75,48 +74,48 @@ def next_end(
     sign = 1 if edge > start else -1
     length = abs(edge - start)
 
-    def outward(tau: Any) -> Any:
-        return function(sign * tau + start)
+    def outward(distance: Argument) -> Argument | arb:
+        return function(sign * distance + start)
 
-    def left_behind(ball: Any) -> tuple[Any, Any, Any]:
+    def quotient_jet(ball: arb) -> tuple[arb, arb, arb]:
         points = (arb(0), ball, ball, ball)
         first, second, third = (slope(outward, *points[:n]).real for n in (2, 3, 4))
         return first, second, third
 
-    jets: Jet = left_behind if leaving else lambda ball: jet(outward, ball)
+    jets: Jet = quotient_jet if leaving else lambda ball: jet(outward, ball)
     if closed:
         last = jets(length)[0]
         if vanishes(last, jets(arb(0))[0]):
             inner = _first(jets, length * (1 - arb(NARROWEST)))
-            found = inner or End(length, double=True, edge=True)
+            nearest = inner or End(length, double=True, edge=True)
         else:
-            nearest = _first(jets, length)
-            if nearest is None:
+            first = _first(jets, length)
+            if first is None:
                 return None
-            found = nearest
+            nearest = first
     else:
         regular = all(part.is_finite() for part in jets(length))
-        nearest = _first(jets, length if regular else _beyond(jets, length))
-        if nearest is None:
+        first = _first(jets, length if regular else _beyond(jets, length))
+        if first is None:
             raise InputError("the motion reaches the edge of its domain")
-        found = nearest
-    if found.edge:
+        nearest = first
+    if nearest.edge:
         return End(edge, double=True, edge=True)
-    return End(start + sign * found.place, found.double)
+    return End(start + sign * nearest.x, nearest.double)
 
 
-def _beyond(jets: Jet, length: Any) -> Any:
+def _beyond(jets: Jet, length: arb) -> arb:
     """A point with a negative value, close enough to the edge."""
     remaining = length
     for _ in range(HALVINGS):
         remaining = (remaining / 2).mid()
-        place = length - remaining
-        if jets(place)[0] < 0:
-            return place.mid()
+        point = length - remaining
+        if jets(point)[0] < 0:
+            return point.mid()
     raise InputError("the motion reaches the edge of its domain")
 
 
-def _first(jets: Jet, length: Any) -> End | None:
+def _first(jets: Jet, length: arb) -> End | None:
     """The first root in (0, length], of a function positive at zero."""
     waiting = [(arb(0), arb(length.mid()))]
     while waiting:
@@ -157,7 +156,7 @@ def _first(jets: Jet, length: Any) -> End | None:
     return None
 
 
-def _root(jets: Jet, left: Any, right: Any) -> Any:
+def _root(jets: Jet, left: arb, right: arb) -> arb:
     """The root between a positive value on the left and a negative one on the right."""
     for _ in range(HALVINGS):
         middle = ((left + right) / 2).mid()
@@ -174,10 +173,10 @@ def _root(jets: Jet, left: Any, right: Any) -> Any:
     raise InputError("a turning point could not be isolated")
 
 
-def _critical(jets: Jet, left: Any, right: Any) -> Any:
+def _critical(jets: Jet, left: arb, right: arb) -> arb:
     """The zero of the first derivative, which changes from negative to positive."""
 
-    def slopes(ball: Any) -> tuple[Any, Any]:
+    def slopes(ball: arb) -> tuple[arb, arb]:
         _, rate, bend = jets(ball)
         return rate, 2 * bend
 
@@ -193,7 +192,7 @@ def _critical(jets: Jet, left: Any, right: Any) -> Any:
     raise InputError("an equilibrium could not be isolated")
 
 
-def _newton(function: Callable[[Any], tuple[Any, Any]], guess: Any, width: Any) -> Any:
+def _newton(function: Callable[[arb], tuple[arb, arb]], guess: arb, width: arb) -> arb | None:
     """Interval Newton from a guess; None unless it proves a root within `width` of the guess."""
     for _ in range(12):
         value, rate = function(guess)
@@ -209,10 +208,10 @@ def _newton(function: Callable[[Any], tuple[Any, Any]], guess: Any, width: Any) 
     image = guess - value / function(ball)[1]
     if not (image.is_finite() and ball.contains(image) and abs(image - guess) < width):
         return None
-    return _narrowed(function, image)
+    return _contraction(function, image)
 
 
-def _narrowed(function: Callable[[Any], tuple[Any, Any]], ball: Any) -> Any:
+def _contraction(function: Callable[[arb], tuple[arb, arb]], ball: arb) -> arb:
     """A ball that contains exactly one root, as small as the precision allows."""
     for _ in range(HALVINGS):
         middle = ball.mid()

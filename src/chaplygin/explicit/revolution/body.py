@@ -1,4 +1,4 @@
-"""The numbers and formulas of a rubber body of revolution on a plane, in balls (§5).
+"""The formulas of a rubber body of revolution on a plane, evaluated in balls (§5).
 
 With u = γ₃ = cos θ and the height p(u) of the centre of mass above the plane,
 
@@ -8,14 +8,15 @@ With u = γ₃ = cos θ and the height p(u) of the centre of mass above the plan
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
-from typing import Any
+from fractions import Fraction
+from functools import cached_property, partial
 
 import sympy as sp
-from flint import arb, ctx, fmpq
+from flint import acb, arb, ctx, fmpq
 
+from ...arguments import Written
 from ...core.vectors import real_symbol, vectors
 from ...errors import InputError
 from ...formulas.relative_zero import vanishes
@@ -23,7 +24,7 @@ from ...mechanics.rolling.equations import Rolling
 from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Revolution, Shape, Torus
 from ...mechanics.rolling.surfaces import Plane
 from ..base.problem import exact
-from ..one_degree.divided_differences import value
+from ..one_degree.divided_differences import Argument, value
 from ..one_degree.formula import program
 from ..one_degree.uniformisation import Equation
 
@@ -57,7 +58,7 @@ class AxisymmetricBody:
 
     support: sp.Expr
     potential: sp.Expr
-    values: Mapping[sp.Symbol, Any]
+    values: Mapping[sp.Symbol, arb]
     flat: bool
 
     @cached_property
@@ -81,25 +82,26 @@ class AxisymmetricBody:
         """The formula A²."""
         return I_1 * u**2 + I_3 * (1 - u**2) + m * self.height**2
 
-    def at(self, formula: sp.Expr, x: Any) -> Any:
-        """One of these formulas at u = x (arb, acb or slopes)."""
-        return program(formula)({**self.values, u: x})
+    def value(self, formula: sp.Expr, x: Argument) -> Argument:
+        """One of these formulas at u = x."""
+        result: Argument = program(formula)({**self.values, u: x})
+        return result
 
-    def p(self, x: Any) -> Any:
-        """The height at a point (acb)."""
-        return value(lambda y: self.at(self.height, y), x)
+    def p(self, x: acb) -> acb:
+        """The height at a point."""
+        return value(partial(self.value, self.height), x)
 
-    def A(self, x: Any) -> Any:
-        """A at a point (acb)."""
-        return value(lambda y: self.at(self.square, y), x).sqrt(analytic=True)
+    def A(self, x: acb) -> acb:
+        """A at a point."""
+        return value(partial(self.value, self.square), x).sqrt(analytic=True)
 
-    def require_convex(self, low: Any, high: Any) -> None:
+    def require_convex(self, low: arb, high: arb) -> None:
         """Refuse a motion on which the contact leaves the convex part of the body.
 
         Raises
         ------
         InputError
-            Naming the place.
+            With the γ₃ at which it does.
         """
         parallel = self.support - u * self.support.diff(u)
         meridian = parallel + (1 - u**2) * self.support.diff(u, 2)
@@ -109,10 +111,13 @@ class AxisymmetricBody:
         while waiting:
             left, right = waiting.pop()
             ball = left.union(right)
-            if all(self.at(radius, ball) > 0 for radius in (parallel, meridian)):
+            if all(self.value(radius, ball) > 0 for radius in (parallel, meridian)):
                 continue
             middle = ((left + right) / 2).mid()
-            if any(not self.at(r, middle) > 0 for r in (parallel, meridian)) or right - left < 1e-9:
+            if (
+                any(not self.value(r, middle) > 0 for r in (parallel, meridian))
+                or right - left < 1e-9
+            ):
                 raise InputError(
                     f"the contact leaves the convex part of the body at gamma_3 = "
                     f"{float(middle):.6g}: the closed form needs positive radii of curvature all "
@@ -127,36 +132,36 @@ class Level:
 
     Attributes
     ----------
-    body : Body
+    body : AxisymmetricBody
     h, K : flint.arb
-        Energy, and K = Aω₃; K is exactly zero where it cannot be told from zero.
+        Energy, and K = Aω₃; K is exactly zero if it is zero to the digits of the start.
     """
 
     body: AxisymmetricBody
-    h: Any
-    K: Any
+    h: arb
+    K: arb
 
     @cached_property
     def equation(self) -> Equation:
         """The equation of u = γ₃."""
         body, h, K = self.body, self.h, self.K
 
-        def inner(x: Any) -> Any:
-            return 2 * (h - body.at(body.energy, x))
+        def inner(x: Argument) -> Argument:
+            return 2 * (h - body.value(body.energy, x))
 
-        def numerator(x: Any) -> Any:
+        def numerator(x: Argument) -> Argument:
             return inner(x) * (1 - x * x) - K * K
 
-        def denominator(x: Any) -> Any:
-            return body.at(body.principal, x)
+        def denominator(x: Argument) -> Argument:
+            return body.value(body.principal, x)
 
         if K != 0 or body.flat:
             return Equation(numerator, denominator, arb(-1), arb(1))
         return Equation(numerator, denominator, arb(-1), arb(1), inner, (True, True))
 
 
-def body_of(rolling: Rolling, parameters: Mapping[sp.Symbol, Any]) -> AxisymmetricBody | None:
-    """The body of revolution, or None if it is none, or does not roll so.
+def body_of(rolling: Rolling, parameters: Mapping[sp.Symbol, Written]) -> AxisymmetricBody | None:
+    """The rubber body of revolution on a plane, or None if it is another body.
 
     Parameters
     ----------
@@ -186,7 +191,7 @@ def body_of(rolling: Rolling, parameters: Mapping[sp.Symbol, Any]) -> Axisymmetr
     return AxisymmetricBody(support, field, values, flat)
 
 
-def _support(shape: Shape, numbers: Mapping[sp.Symbol, Any]) -> sp.Expr | None:
+def _support(shape: Shape, numbers: Mapping[sp.Symbol, Fraction]) -> sp.Expr | None:
     if isinstance(shape, Ball):
         return R if not shape.hollow else None
     if isinstance(shape, Disk):
@@ -200,17 +205,17 @@ def _support(shape: Shape, numbers: Mapping[sp.Symbol, Any]) -> sp.Expr | None:
     return None
 
 
-def level_of(body: AxisymmetricBody, omega: Any, normal: Any) -> Level:
+def level_of(body: AxisymmetricBody, omega: Sequence[arb], normal: Sequence[arb]) -> Level:
     """The integrals at a state on the phase space (three balls each)."""
     x, sine_square = normal[2], normal[0] * normal[0] + normal[1] * normal[1]
     spin, turn = omega[2], normal[1] * omega[0] - normal[0] * omega[1]
     size = sum((abs(w) for w in omega), arb(0))
     if vanishes(spin, size) or size == 0:
         spin = arb(0)
-    K = body.at(body.square, x).sqrt() * spin
+    K = body.value(body.square, x).sqrt() * spin
     # ω = θ̇ n + φ̇ (e₃ − γ₃γ) and θ̇ sin θ = turn; at a pole ω is horizontal
-    reach = body.at(body.principal, x)
-    energy = body.at(body.energy, x)
+    inertia = body.value(body.principal, x)
+    energy = body.value(body.energy, x)
     if sine_square > 0:
-        return Level(body, (reach * turn * turn + K * K) / (2 * sine_square) + energy, K)
-    return Level(body, reach * (omega[0] * omega[0] + omega[1] * omega[1]) / 2 + energy, K)
+        return Level(body, (inertia * turn * turn + K * K) / (2 * sine_square) + energy, K)
+    return Level(body, inertia * (omega[0] * omega[0] + omega[1] * omega[1]) / 2 + energy, K)

@@ -1,22 +1,17 @@
-"""What the closed form of a rubber body of revolution looks like: formulas and numbers of §5."""
+"""The closed form of a rubber body of revolution, as it is printed: formulas and numbers of §5."""
 
 from __future__ import annotations
-
-from typing import Any
 
 import sympy as sp
 from flint import arb
 
 from ...core.vectors import real_symbol
 from ..base.solution import ClosedForm, NamedConstant
-from ..one_degree import Equilibrium, QuadratureMotion
+from ..one_degree import FAST, Equilibrium, QuadratureMotion
 from ..one_degree.uniformisation import Asymptotic, Heteroclinic, Uniformisation
 from .body import Level, u
 
 __all__ = ["form_of", "kind_of", "steady_form"]
-
-#: Digits behind the figures.
-DIGITS = 19
 
 TITLE = "Rubber body of revolution on a plane"
 SOURCE = "(5.1), (5.2), Theorem 4"
@@ -25,7 +20,7 @@ t, h, K = (real_symbol(name) for name in ("t", "h", "K"))
 theta, phi, psi = (sp.Function(name)(t) for name in ("theta", "varphi", "psi"))
 
 
-def _equations(level: Level) -> tuple[tuple[Any, Any], ...]:
+def _equations(level: Level) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
     """(5.2) for the given profile."""
     body, tilted = level.body, {u: sp.cos(theta)}
     rates = [angle.diff(t) for angle in (theta, phi, psi)]
@@ -60,49 +55,41 @@ def kind_of(chart: Uniformisation) -> str:
     return "periodic in shape: the axis nods while it precesses, with two frequencies"
 
 
-def _steady(chart: Equilibrium, turning: bool = True) -> str:
-    name = "permanent rotation" if turning else "equilibrium"
-    if chart.stable is None:
-        return f"{name}, on the border of stability"
-    return f"{name}, {'stable' if chart.stable else 'unstable'}"
-
-
-def form_of(level: Level, course: QuadratureMotion) -> ClosedForm:
+def form_of(level: Level, motion: QuadratureMotion) -> ClosedForm:
     """The form of a motion on which θ changes; the working precision must suffice."""
-    chart = course.chart
-    ends = sorted((chart.first, chart.second), key=lambda end: float(end.place))
-    figures = [
+    chart = motion.chart
+    ends = sorted((chart.first, chart.second), key=lambda end: float(end.x))
+    constants = [
         *_constants(level),
-        NamedConstant("theta_min", ends[1].place.acos(), "least inclination of the axis", "rad"),
-        NamedConstant("theta_max", ends[0].place.acos(), "greatest inclination of the axis", "rad"),
+        NamedConstant("theta_min", ends[1].x.acos(), "least inclination of the axis", "rad"),
+        NamedConstant("theta_max", ends[0].x.acos(), "greatest inclination of the axis", "rad"),
     ]
-    if course.periodic:
-        period, own, precession, *_ = course.advances(DIGITS)
-        figures += [
+    if motion.periodic:
+        period, own, precession, *_ = motion.advances(FAST)
+        constants += [
             NamedConstant("T", period, "period of the nutation", "s"),
             NamedConstant("Omega", 2 * arb.pi() / period, "frequency of the nutation", "rad/s"),
             NamedConstant("<phi'>", own / period, "mean rate of intrinsic rotation", "rad/s"),
             NamedConstant("<psi'>", precession / period, "mean rate of precession", "rad/s"),
             NamedConstant("rho", own / (2 * arb.pi()), "rotation number, turns by nutation"),
         ]
-    low, high = (float(end.place) for end in ends)
+    low, high = (float(end.x) for end in ends)
     return ClosedForm(
-        TITLE, kind_of(chart), _equations(level), tuple(figures), ((low, high),), SOURCE
+        TITLE, kind_of(chart), _equations(level), tuple(constants), ((low, high),), SOURCE
     )
 
 
-def steady_form(level: Level, rest: Equilibrium, rates: tuple[Any, Any]) -> ClosedForm:
+def steady_form(level: Level, rest: Equilibrium, rates: tuple[arb, arb]) -> ClosedForm:
     """The form of a permanent rotation with the given φ̇ and ψ̇."""
-    figures = (
+    constants = (
         *_constants(level),
-        NamedConstant("theta", rest.place.acos(), "inclination of the axis", "rad"),
+        NamedConstant("theta", rest.x.acos(), "inclination of the axis", "rad"),
         NamedConstant("phi'", rates[0], "rate of intrinsic rotation", "rad/s"),
         NamedConstant("psi'", rates[1], "rate of precession", "rad/s"),
         NamedConstant(
             "w^2", rest.rigidity, "square of the frequency of small nutations", "rad^2/s^2"
         ),
     )
-    where = float(rest.place)
-    return ClosedForm(
-        TITLE, _steady(rest, level.K != 0), _equations(level), figures, ((where, where),), SOURCE
-    )
+    u = float(rest.x)
+    motion = rest.description("permanent rotation" if level.K != 0 else "equilibrium")
+    return ClosedForm(TITLE, motion, _equations(level), constants, ((u, u),), SOURCE)

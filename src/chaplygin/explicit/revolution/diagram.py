@@ -15,19 +15,27 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 import sympy as sp
 from flint import arb, ctx, fmpq
 
+from ...arguments import Written
+from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...mechanics.rolling.equations import Rolling
 from ..base.problem import exact
-from ..one_degree.divided_differences import jet
+from ..one_degree.divided_differences import Argument, Formula, jet
 from .body import AxisymmetricBody, body_of, u
 
-__all__ = ["Column", "Diagram", "Rest", "columns_at", "motions_at", "revolution_diagram"]
+__all__ = [
+    "Column",
+    "Diagram",
+    "PermanentRotation",
+    "columns_at",
+    "motions_at",
+    "revolution_diagram",
+]
 
 #: Bits to compute with.
 BITS = 120
@@ -43,7 +51,7 @@ NARROWEST = 1e-14
 
 
 @dataclass(frozen=True)
-class Rest:
+class PermanentRotation:
     """A permanent rotation at given K.
 
     Attributes
@@ -55,27 +63,27 @@ class Rest:
     stable : bool
     """
 
-    u: Any
-    h: Any
+    u: arb
+    h: arb
     stable: bool
 
 
 @dataclass(frozen=True)
 class Column:
-    """All motions with one value of K, but for those within MARGIN of the vertical.
+    """All motions with one value of K, except those within MARGIN of the vertical.
 
     Attributes
     ----------
     K : float
-    rests : tuple of Rest
+    rests : tuple of PermanentRotation
         In order of their energy.
     counts : tuple of int
-        How many separate motions there are below the first rest (none), between the first and
-        the second, …, above the last.
+        Numbers of separate motions below the first rotation (none), between the first and the
+        second, …, above the last.
     """
 
     K: float
-    rests: tuple[Rest, ...]
+    rests: tuple[PermanentRotation, ...]
     counts: tuple[int, ...]
 
 
@@ -94,14 +102,14 @@ class Diagram:
     """
 
     columns: tuple[Column, ...]
-    curves: tuple[Any, ...]
+    curves: tuple[FloatArray, ...]
     stable: tuple[bool, ...]
 
 
 def revolution_diagram(
     rolling: Rolling,
     spins: Sequence[float],
-    parameters: Mapping[sp.Symbol, Any] | None = None,
+    parameters: Mapping[sp.Symbol, Written] | None = None,
 ) -> Diagram:
     """The diagram of a body, on columns of constant K.
 
@@ -123,7 +131,7 @@ def revolution_diagram(
     if body is None:
         raise InputError("the diagram of (h, K) belongs to a rubber body of revolution on a plane")
     columns = tuple(columns_at(body, K) for K in spins)
-    curves = _joined(columns)
+    curves = _curves(columns)
     return Diagram(columns, tuple(c for c, _ in curves), tuple(stable for _, stable in curves))
 
 
@@ -143,15 +151,15 @@ def columns_at(body: AxisymmetricBody, K: float) -> Column:
         value = exact(K)
         square = arb(fmpq(value.numerator, value.denominator))
         square = square * square
-        slope = _slope(body)
+        slope = _slope(body.energy)
 
-        def G(x: Any) -> Any:
-            return body.at(slope, x) + square * x
+        def G(x: Argument) -> Argument:
+            return body.value(slope, x) + square * x
 
         rests = []
-        for place, rising in _zeros(G):
-            energy = body.at(body.energy, place) + square / (2 * (1 - place * place))
-            rests.append(Rest(place, energy, rising))
+        for x, rising in _zeros(G):
+            energy = body.value(body.energy, x) + square / (2 * (1 - x * x))
+            rests.append(PermanentRotation(x, energy, rising))
         rests.sort(key=lambda rest: float(rest.h))
         counts = [0]
         for rest in rests:
@@ -160,7 +168,7 @@ def columns_at(body: AxisymmetricBody, K: float) -> Column:
 
 
 def motions_at(column: Column, h: float) -> int | None:
-    """How many separate motions have the energy h; None where this is not decided."""
+    """The number of separate motions with the energy h; None where this is not decided."""
     with ctx.workprec(BITS):
         value = exact(h)
         energy = arb(fmpq(value.numerator, value.denominator))
@@ -169,19 +177,15 @@ def motions_at(column: Column, h: float) -> int | None:
         return column.counts[sum(bool(rest.h < energy) for rest in column.rests)]
 
 
-def _slope(body: AxisymmetricBody) -> sp.Expr:
-    """(1 − u²)² U′ as a formula without a denominator that vanishes upright."""
-    return _cleared(body.energy)
-
-
 @lru_cache(maxsize=64)
-def _cleared(energy: sp.Expr) -> sp.Expr:
+def _slope(energy: sp.Expr) -> sp.Expr:
+    """(1 − u²)² U′ as a formula without a denominator that vanishes upright."""
     return sp.expand_mul((1 - u**2) ** 2 * energy.diff(u))
 
 
-def _zeros(G: Any) -> list[tuple[Any, bool]]:
+def _zeros(G: Formula) -> list[tuple[arb, bool]]:
     """The zeros of G between the poles, in order, and whether G rises there."""
-    found: list[tuple[Any, bool]] = []
+    zeros: list[tuple[arb, bool]] = []
     waiting = [(arb(-1 + MARGIN), arb(1 - MARGIN))]
     while waiting:
         left, right = waiting.pop()
@@ -192,7 +196,7 @@ def _zeros(G: Any) -> list[tuple[Any, bool]]:
         apart = (first > 0 or first < 0) and (last > 0 or last < 0)
         if apart and (rate > 0 or rate < 0):
             if (first > 0) != (last > 0):
-                found.append((_refined(G, left, right), bool(rate > 0)))
+                zeros.append((_zero_between(G, left, right), bool(rate > 0)))
             continue
         if right - left < NARROWEST:
             raise InputError(
@@ -202,10 +206,10 @@ def _zeros(G: Any) -> list[tuple[Any, bool]]:
         # not in the middle, where symmetric bodies have a zero
         middle = (left + (right - left) * arb("0.4871")).mid()
         waiting += [(middle, right), (left, middle)]
-    return sorted(found, key=lambda pair: float(pair[0]))
+    return sorted(zeros, key=lambda pair: float(pair[0]))
 
 
-def _refined(G: Any, left: Any, right: Any) -> Any:
+def _zero_between(G: Formula, left: arb, right: arb) -> arb:
     """The zero of a monotone function, by interval Newton steps."""
     ball = left.union(right)
     for _ in range(60):
@@ -219,7 +223,7 @@ def _refined(G: Any, left: Any, right: Any) -> Any:
     return ball
 
 
-def _joined(columns: Sequence[Column]) -> list[tuple[Any, bool]]:
+def _curves(columns: Sequence[Column]) -> list[tuple[FloatArray, bool]]:
     """Permanent rotations of neighbouring columns joined to curves of one stability.
 
     Each goes on with the nearest rotation of the next column; a curve without a partner ends, as
@@ -240,7 +244,7 @@ def _joined(columns: Sequence[Column]) -> list[tuple[Any, bool]]:
             if i not in partner and j not in partner.values():
                 partner[i] = j
         done += [curve for i, curve in enumerate(running) if i not in partner]
-        kept = [([*running[i][0], free[j][0]], free[j][1]) for i, j in partner.items()]
+        continued = [([*running[i][0], free[j][0]], free[j][1]) for i, j in partner.items()]
         fresh = [k for k in range(len(free)) if k not in partner.values()]
-        running = [*kept, *(([free[k][0]], free[k][1]) for k in fresh)]
+        running = [*continued, *(([free[k][0]], free[k][1]) for k in fresh)]
     return [(np.array(points), stable) for points, stable in (*done, *running)]

@@ -7,52 +7,62 @@ so that (ω, γ) = 0 says ψ̇ = −φ̇ cos θ.  The centre of mass moves with
 
     ẋ + iẏ = −p(K/A + iθ̇ sin θ) e^{iψ}/sin θ.
 
-Where the axis passes the vertical (K = 0) sin θ/2 or cos θ/2 changes its sign, and φ and ψ do not
+If the axis passes the vertical (K = 0), sin θ/2 or cos θ/2 changes its sign, and φ and ψ do not
 jump.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from functools import cached_property
+from typing import TypeAlias
 
+import numpy as np
 from flint import acb, arb
 
+from ...core.arrays import FloatArray
 from ...errors import InputError
+from ...formulas.balls import array_function
 from ...formulas.relative_zero import GIVEN, vanishes
-from ..one_degree.uniformisation import BALLS, Heteroclinic, Oscillating, Uniformisation
-from .body import AxisymmetricBody, Level, level_of
+from ..one_degree import MotionSample, Nested, QuadratureMotion, Rates
+from ..one_degree.functions import BALLS, Functions
+from ..one_degree.solution import BodyFrame, Count, Inclination, T, intrinsic_angle
+from ..one_degree.uniformisation import Heteroclinic, Oscillating, Uniformisation
+from .body import AxisymmetricBody, Level, level_of, u
 
 __all__ = [
-    "Begin",
-    "angles_of",
-    "assembled",
-    "begin_of",
+    "RevolutionFrame",
+    "StartState",
+    "path_parities",
     "path_rates",
     "path_speed",
+    "start_angles",
+    "start_state",
     "turning_rates",
 ]
 
+Vector: TypeAlias = Sequence[arb]
+
 
 @dataclass(frozen=True)
-class Begin:
-    """A state at time 0, brought onto the phase space; all of it balls.
+class StartState:
+    """A state at time 0, brought onto the phase space, in balls.
 
     Attributes
     ----------
     omega, normal : 3 arb
     attitude : 4 arb
-    place : 2 arb
+    position : 2 arb
     """
 
-    omega: tuple[Any, ...]
-    normal: tuple[Any, ...]
-    attitude: tuple[Any, ...]
-    place: tuple[Any, ...]
+    omega: Vector
+    normal: Vector
+    attitude: Vector
+    position: Vector
 
     @property
-    def rate(self) -> Any:
+    def rate(self) -> arb:
         """The rate of γ₃."""
         return self.normal[0] * self.omega[1] - self.normal[1] * self.omega[0]
 
@@ -61,15 +71,15 @@ class Begin:
         return level_of(body, self.omega, self.normal)
 
 
-def begin_of(state: Sequence[Any]) -> Begin:
-    """The start nearest to a state given in exact numbers (arb): ω, γ, attitude, place.
+def start_state(state: Vector) -> StartState:
+    """The state of the phase space nearest to exact numbers: ω, γ, attitude, position.
 
     Raises
     ------
     InputError
         If the state is off the phase space by more than rounding.
     """
-    omega, normal, attitude, place = state[:3], state[3:6], state[6:10], state[10:12]
+    omega, normal, attitude, position = state[:3], state[3:6], state[6:10], state[10:12]
     length = sum((x * x for x in normal), arb(0)).sqrt()
     size = sum((q * q for q in attitude), arb(0)).sqrt()
     spin = sum((w * x for w, x in zip(omega, normal, strict=True)), arb(0))
@@ -86,37 +96,25 @@ def begin_of(state: Sequence[Any]) -> Begin:
         if not vanishes(defect, scale, GIVEN):
             missed = float(abs(defect / scale).mid())
             raise InputError(f"start: it misses {name} by {missed:.3g}, and must satisfy it")
-    normal = tuple(x / length for x in normal)
+    normal = [x / length for x in normal]
     spin = spin / length
-    omega = tuple(w - spin * x for w, x in zip(omega, normal, strict=True))
-    return Begin(omega, normal, tuple(q / size for q in attitude), tuple(place))
+    omega = [w - spin * x for w, x in zip(omega, normal, strict=True)]
+    return StartState(omega, normal, [q / size for q in attitude], position)
 
 
-def angles_of(begin: Begin, halves: tuple[Any, Any], lean: Any) -> tuple[Any, Any]:
-    """φ and ψ of a start (arb), sin θ/2 and cos θ/2 being `halves` with their signs.
-
-    `lean` is the rate of θ, which tells φ where the axis is vertical.
-    """
-    sine, cosine = halves
-    across = 2 * sine * cosine
-    if across > 0 or across < 0:
-        phi = arb.atan2(begin.normal[0] / across, begin.normal[1] / across)
-    elif lean > 0 or lean < 0:
-        phi = arb.atan2(-begin.omega[1] / lean, begin.omega[0] / lean)
-    else:
-        phi = arb(0)
-    w, x, y, z = begin.attitude
+def start_angles(start: StartState, sine: arb, cosine: arb, lean: arb) -> tuple[arb, arb]:
+    """φ and ψ of a start; see :func:`intrinsic_angle`."""
+    phi = intrinsic_angle(sine, cosine, lean, start.normal, start.omega)
+    w, x, y, z = start.attitude
     if abs(cosine) > arb("0.5"):
-        psi = 2 * arb.atan2(z / cosine, w / cosine) - phi
-    else:
-        psi = 2 * arb.atan2(y / sine, x / sine) + phi
-    return phi, psi
+        return phi, 2 * arb.atan2(z / cosine, w / cosine) - phi
+    return phi, 2 * arb.atan2(y / sine, x / sine) + phi
 
 
-def turning_rates(level: Level) -> Any:
-    """(u, u̇) ↦ φ̇ and ψ̇ in complex balls."""
+def turning_rates(level: Level) -> Rates:
+    """(u, u̇) ↦ φ̇ and ψ̇."""
 
-    def rates(u: Any, rate: Any) -> list[Any]:
+    def rates(u: acb, rate: acb) -> list[acb]:
         if level.K == 0:
             return [acb(0), acb(0)]
         own = level.K / (level.body.A(u) * (1 - u * u))
@@ -125,14 +123,14 @@ def turning_rates(level: Level) -> Any:
     return rates
 
 
-def path_rates(level: Level) -> Any:
-    """(chart, σ, derivatives of t, φ, ψ, their values) ↦ derivatives by σ of the place."""
+def path_rates(level: Level) -> Nested:
+    """(chart, σ, derivatives of t, φ, ψ, their values) ↦ derivatives by σ of the position."""
 
     def rates(
-        chart: Uniformisation, sigma: Any, slopes: Sequence[Any], totals: Sequence[Any]
-    ) -> list[Any]:
-        p = level.body.p(chart.place(BALLS, sigma))
-        sideways = p * chart.lean(BALLS, sigma)
+        chart: Uniformisation, sigma: acb, slopes: Sequence[acb], totals: Sequence[acb]
+    ) -> list[acb]:
+        p = level.body.p(chart.coordinate(BALLS, sigma))
+        sideways = p * chart.arc_slope(BALLS, sigma)
         if level.K == 0:
             return [acb(0), sideways]
         low, high = chart.roots(BALLS, sigma)
@@ -146,7 +144,7 @@ def path_rates(level: Level) -> Any:
 def path_parities(chart: Uniformisation) -> tuple[int, ...]:
     """Parities of t, φ, ψ, x and y as functions of σ; none for a motion without a turning point.
 
-    Where a turning point lies on the vertical, the axis passes it and goes on to the other side.
+    At a turning point on the vertical the axis passes to the other side.
     """
     if isinstance(chart, Heteroclinic):
         return ()
@@ -154,42 +152,61 @@ def path_parities(chart: Uniformisation) -> tuple[int, ...]:
     return (-1, -1, -1, -1, -1 if turning.edge else 1)
 
 
-def assembled(
-    F: Any, halves: tuple[Any, Any], rates: tuple[Any, Any], angles: tuple[Any, Any], place: Any
-) -> list[Any]:
-    """The twelve components of the state.
-
-    Parameters
-    ----------
-    F : BALLS or DOUBLES
-    halves : sin θ/2 and cos θ/2
-    rates : θ̇ and ω₃/sin θ
-    angles : φ and ψ
-    place : x + iy
-    """
-    (sine, cosine), (lean, spin), (phi, psi) = halves, rates, angles
-    across, along = 2 * sine * cosine, cosine * cosine - sine * sine
-    sin, cos = F.sin(phi), F.cos(phi)
-    plus, minus = (psi + phi) / 2, (psi - phi) / 2
-    return [
-        lean * cos - spin * along * sin,
-        -lean * sin - spin * along * cos,
-        spin * across,
-        across * sin,
-        across * cos,
-        along,
-        cosine * F.cos(plus),
-        sine * F.cos(minus),
-        sine * F.sin(minus),
-        cosine * F.sin(plus),
-        place.real,
-        place.imag,
-    ]
-
-
-def path_speed(level: Level, u: Any) -> Any:
-    """(ẋ + iẏ) e^{−iψ} where θ rests (arb)."""
+def path_speed(level: Level, u: acb) -> acb:
+    """(ẋ + iẏ) e^{−iψ}, which is real, of a motion on which θ rests."""
     if level.K == 0:
-        return arb(0)
+        return acb(0)
     across = (1 - u * u).sqrt()
-    return (-level.body.p(u) * level.K / (level.body.A(u) * across)).real
+    return acb((-level.body.p(u) * level.K / (level.body.A(u) * across)).real)
+
+
+@dataclass(frozen=True)
+class RevolutionFrame(BodyFrame):
+    """The lifted state of a body of revolution from θ.
+
+    Attributes
+    ----------
+    level : Level
+    start : StartState
+    position : two arb
+    """
+
+    level: Level
+    start: StartState
+    position: Vector
+    turning_path = True
+
+    def path_speed(self, x: acb) -> acb:
+        """(ẋ + iẏ) e^{−iψ} where θ rests."""
+        return path_speed(self.level, x)
+
+    def start_angles(self, motion: QuadratureMotion) -> tuple[arb, arb]:
+        """φ and ψ at time 0."""
+        return start_angles(self.start, *motion.half_angles(BALLS, motion.start))
+
+    @cached_property
+    def _square(self) -> Callable[[FloatArray], FloatArray]:
+        """A² in double precision."""
+        body = self.level.body
+        function = array_function((u, *body.values), (body.square,))
+        numbers = [float(x) for x in body.values.values()]
+        return lambda cosine: function(cosine, *numbers)[0]
+
+    def _spin(self, cosine: T, sine: T) -> T:
+        """ω₃/sin θ."""
+        K = self.level.K
+        if K == 0:
+            return 0 * cosine
+        if isinstance(cosine, arb):
+            return K / (self.level.body.A(acb(cosine)).real * sine)
+        return float(K) / (np.sqrt(self._square(cosine)) * sine)
+
+    def inclination(
+        self, F: Functions[T], motion: QuadratureMotion, sample: MotionSample[T, Count]
+    ) -> Inclination[T]:
+        """θ, and ω and γ in the nodal frame."""
+        sine, cosine, rate = motion.half_angles(F, sample)
+        across, along = 2 * sine * cosine, cosine * cosine - sine * sine
+        spin = self._spin(along, across)
+        omega = (rate, -spin * along, spin * across)
+        return Inclination(sine, cosine, (omega, (0 * along, across, along)))

@@ -12,30 +12,42 @@ Formulas come in pairs: balls for the rigorous evaluator, arrays for the fast on
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 from flint import acb, arb
 
-from ..one_degree.phase_reduction import Pair, fraction, pair
+from ...core.arrays import FloatArray
+from .phase_reduction import Pair, fraction, pair
 
-__all__ = ["LinearPhase", "glide", "glides", "turned", "turns", "walk", "walks"]
+__all__ = [
+    "ComplexArray",
+    "LinearPhase",
+    "circular_path",
+    "circular_paths",
+    "displacement_sum",
+    "displacement_sums",
+    "unit_complex",
+]
+
+ComplexArray: TypeAlias = npt.NDArray[np.complex128]
 
 
-def turned(angle: Any) -> Any:
-    """e^{i angle} of a real ball, as an acb."""
+def unit_complex(angle: arb) -> acb:
+    """e^{i angle} of a real ball."""
     sin, cos = angle.sin_cos()
     return acb(cos, sin)
 
 
-def principal(angle: Any) -> Any:
-    """An angle (arb) brought near zero by a multiple of 2π."""
+def principal(angle: arb) -> arb:
+    """An angle less a multiple of 2π, near zero."""
     whole = (angle / (2 * arb.pi()) + arb("0.5")).mid().floor()
     return angle - 2 * arb.pi() * whole
 
 
-def turns(angle: Any) -> Pair:
-    """An angle (arb) as a fraction of 4π: half of it still has its sign."""
+def turns(angle: arb) -> Pair:
+    """An angle as a fraction of 4π: half of it still has its sign."""
     return pair(angle / (4 * arb.pi()))
 
 
@@ -55,18 +67,18 @@ class LinearPhase:
     begin: float = 0.0
 
     @classmethod
-    def of(cls, rate: Any, begin: Any = arb(0)) -> LinearPhase:  # noqa: B008  (immutable)
-        """From balls."""
+    def from_balls(cls, rate: arb, begin: arb = arb(0)) -> LinearPhase:  # noqa: B008  (immutable)
+        """The angle `begin` + `rate`·t."""
         full = 4 * arb.pi()
         return cls(turns(rate), float((begin - full * (begin / full).mid().floor()).mid()))
 
-    def __call__(self, times: Any) -> Any:
+    def __call__(self, times: FloatArray) -> FloatArray:
         """The angle, less a multiple of 4π."""
         return 4 * np.pi * fraction(times, self.share) + self.begin
 
 
-def walk(count: int, turn: Any, step: Any) -> Any:
-    """Σ step · e^{ij turn} for j from 0 to count − 1, in balls (acb)."""
+def displacement_sum(count: int, turn: arb, step: acb) -> acb:
+    """Σ step · e^{ij turn} for j from 0 to count − 1, in balls."""
     half = principal(turn) / 2
     sine = half.sin()
     if count == 0:
@@ -75,30 +87,32 @@ def walk(count: int, turn: Any, step: Any) -> Any:
         ratio = count * (1 + arb(0, abs(count * half).upper()))
     else:
         ratio = (count * half).sin() / sine
-    return step * turned((count - 1) * half) * ratio
+    return step * unit_complex((count - 1) * half) * ratio
 
 
-def walks(counts: Any, turn: Any, step: Any) -> Any:
-    """The same for an array of counts, in double precision; `turn` and `step` are balls."""
+def displacement_sums(counts: FloatArray, turn: arb, step: acb) -> ComplexArray:
+    """Σ step · e^{ij turn} for j from 0 to count − 1, for counts (n,) in double precision."""
     half = principal(turn) / 2
     angle = 4 * np.pi * fraction(counts, turns(half))
     sine = float(half.sin().mid())
     resonant = half.sin().contains(0) or sine == 0.0
     ratio = counts if resonant else np.sin(angle) / sine
-    return complex(step.mid()) * np.exp(1j * (angle - float(half.mid()))) * ratio
+    sums: ComplexArray = complex(step.mid()) * np.exp(1j * (angle - float(half.mid()))) * ratio
+    return sums
 
 
-def glide(time: Any, rate: Any, speed: Any) -> Any:
-    """∫ speed · e^{i rate t} dt from 0 to `time`, in balls (acb)."""
+def circular_path(time: arb, rate: arb, speed: acb) -> acb:
+    """∫ speed · e^{i rate t} dt from 0 to `time`, in balls."""
     half = rate * time / 2
-    return speed * turned(half) * time * half.sinc()
+    return speed * unit_complex(half) * time * half.sinc()
 
 
-def glides(times: Any, rate: Any, speed: Any) -> Any:
-    """The same for an array of times, in double precision."""
+def circular_paths(times: FloatArray, rate: arb, speed: acb) -> ComplexArray:
+    """∫ speed · e^{i rate t} dt from 0 to times (n,), in double precision."""
     half = rate / 2
     angle = 4 * np.pi * fraction(times, turns(half))
     slow = abs(float(half.mid())) * np.abs(times) < 0.5
     small = times * np.sinc(float(half.mid()) * times / np.pi)
     ratio = np.where(slow, small, np.sin(angle) / (float(half.mid()) or 1.0))
-    return complex(speed.mid()) * np.exp(1j * angle) * ratio
+    path: ComplexArray = complex(speed.mid()) * np.exp(1j * angle) * ratio
+    return path

@@ -10,18 +10,18 @@ import sympy as sp
 from flint import acb, arb, ctx, fmpq
 
 from chaplygin.errors import InputError
+from chaplygin.explicit.one_degree.angles import displacement_sum, displacement_sums
 from chaplygin.explicit.one_degree.chebyshev_integrals import integrals, working_bits
 from chaplygin.explicit.one_degree.divided_differences import jet, slope, value
 from chaplygin.explicit.one_degree.formula import program
-from chaplygin.explicit.one_degree.phase_reduction import fraction, pair, reduced
-from chaplygin.explicit.revolution.angles import walk, walks
+from chaplygin.explicit.one_degree.phase_reduction import fraction, pair, reduced_phase
 
 x = sp.Symbol("x", real=True)
 
 
 def formula(expression: sp.Expr):
-    made = program(expression)
-    return lambda point: made({x: point})
+    compiled = program(expression)
+    return lambda point: compiled({x: point})
 
 
 FORMULAS = (
@@ -76,8 +76,8 @@ def test_integrals_hold_the_exact_value() -> None:
             assert known.value(1, place.mid()).overlaps(place.mid().sin())
             assert known.value(0, place.mid()).rad() < 1e-24
         table = known.table()
-        found = table.phase(table.inverse(np.array([100 * np.arctan(70.0)])))
-        assert abs(found[0] - 0.7) < 1e-12
+        phase = table.phase(table.inverse(np.array([100 * np.arctan(70.0)])))
+        assert abs(phase[0] - 0.7) < 1e-12
 
 
 def test_mirrored_integrals_are_those_of_the_whole() -> None:
@@ -119,23 +119,26 @@ def test_reduced_phases_are_exact() -> None:
     with ctx.workprec(200):
         pairs = [pair(arb(fmpq(v.numerator, v.denominator))) for v in (offset, period)]
     times = np.array([1e3, 123456.789, 1e6 / 3, 1e12])
-    counts, rest = reduced(times, *pairs)
-    for time, count, found in zip(times, counts, rest, strict=True):
+    counts, remainders = reduced_phase(times, *pairs)
+    for time, count, phase in zip(times, counts, remainders, strict=True):
         exact = Fraction(float(time)) + offset - int(count) * period
-        assert abs(float(exact) - found) < 3e-16
+        assert abs(float(exact) - phase) < 3e-16
         assert abs(exact) <= period / 2 * (1 + Fraction(1, 10**9))
     shares = fraction(counts, pairs[0])
-    for count, found in zip(counts, shares, strict=True):
+    for count, phase in zip(counts, shares, strict=True):
         exact = int(count) * offset
-        assert abs(float(exact - round(exact)) - found) < 3e-16
+        assert abs(float(exact - round(exact)) - phase) < 3e-16
 
 
 @pytest.mark.parametrize("turn", ["0.3", "6.2831853071795864769252867665590057684", "0"])
-def test_walks(turn: str) -> None:
+def test_sums_of_displacements(turn: str) -> None:
     with ctx.workprec(120):
         angle, step = arb(turn), acb(1, 2)
         direct = sum((step * acb(0, k * angle).exp() for k in range(7)), acb(0))
-        assert abs(walk(7, angle, step) - direct) < 1e-15
-        assert abs(complex(walks(np.array([7.0]), angle, step)[0]) - complex(direct)) < 1e-13
+        assert abs(displacement_sum(7, angle, step) - direct) < 1e-15
+        assert (
+            abs(complex(displacement_sums(np.array([7.0]), angle, step)[0]) - complex(direct))
+            < 1e-13
+        )
         back = -sum((step * acb(0, -k * angle).exp() for k in range(1, 4)), acb(0))
-        assert abs(walk(-3, angle, step) - back) < 1e-15
+        assert abs(displacement_sum(-3, angle, step) - back) < 1e-15

@@ -1,0 +1,50 @@
+"""The digits that a state far away in time needs, and times as balls."""
+
+from __future__ import annotations
+
+import math
+
+from flint import arb, fmpq
+
+from ...arguments import Written
+from ...errors import InputError
+from ..base.problem import exact
+
+__all__ = ["exact_time", "working_digits"]
+
+#: Digits that are carried at most.
+MOST = 100
+
+
+def exact_time(time: Written) -> arb:
+    """A time as a ball."""
+    if isinstance(time, arb):
+        return time
+    value = exact(time)
+    return arb(fmpq(value.numerator, value.denominator))
+
+
+def working_digits(time: Written, digits: int, powers: int, pace: float) -> int:
+    """Digits to work with, so that `digits` remain when errors grow with a power of the time.
+
+    Parameters
+    ----------
+    time : number
+    digits, powers : int
+    pace : float
+        The rate of the fastest phase of the motion.
+
+    Raises
+    ------
+    InputError
+        If more are needed than are carried.
+    """
+    large = abs(float(exact_time(time).mid()))
+    grown = digits + powers * max(0, math.ceil(math.log10(large * pace + 1))) + 5
+    wanted = 10 * -(-grown // 10)
+    if wanted > MOST:
+        raise InputError(
+            f"{digits} digits at time {large:g} need {wanted} digits of the start: at most {MOST} "
+            "are carried"
+        )
+    return wanted
