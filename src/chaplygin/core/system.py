@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, TypeAlias
@@ -15,6 +15,7 @@ from ..arguments import Declared, Formula, arguments_checked
 from ..errors import InputError
 from .display import Displayed
 from .laws import Integral, Law
+from .named_formulas import Pairs, as_pairs, expand
 from .vectors import Diagonal, Symmetric, Vector, to_components
 
 __all__ = [
@@ -30,7 +31,6 @@ __all__ = [
 
 Name: TypeAlias = Vector | sp.Symbol
 Quantity: TypeAlias = Vector | Diagonal | Symmetric | sp.Symbol
-Pairs: TypeAlias = tuple[tuple[Any, Any], ...]
 
 
 @arguments_checked
@@ -121,11 +121,7 @@ class Reconstruction:
     observables: tuple[Observable, ...]
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "field", _pairs(self.field))
-
-
-def _pairs(mapping: Mapping[Any, Any] | Pairs) -> Pairs:
-    return tuple(mapping.items()) if isinstance(mapping, Mapping) else tuple(mapping)
+        object.__setattr__(self, "field", as_pairs(self.field))
 
 
 def _symbols_of(formula: Any) -> set[sp.Symbol]:
@@ -236,9 +232,9 @@ class System(Displayed):
     start: Declared = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "field", _pairs(self.field))
-        object.__setattr__(self, "definitions", _pairs(self.definitions))
-        object.__setattr__(self, "start", _pairs(self.start))
+        object.__setattr__(self, "field", as_pairs(self.field))
+        object.__setattr__(self, "definitions", as_pairs(self.definitions))
+        object.__setattr__(self, "start", as_pairs(self.start))
         self._check_symbols()
 
     # --- flat view -------------------------------------------------------------------------
@@ -275,6 +271,11 @@ class System(Displayed):
                 chosen.append((symbol, value))
                 wanted |= value.free_symbols - set(given)
         return tuple(reversed(chosen))
+
+    @arguments_checked
+    def expand(self, formula: Formula) -> sp.Expr:
+        """A scalar or vector formula by components, in the state and the parameters alone."""
+        return expand(to_components(sp.sympify(formula)), self.steps)
 
     @property
     def integrals(self) -> tuple[Integral, ...]:

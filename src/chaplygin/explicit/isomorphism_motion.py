@@ -17,10 +17,9 @@ from numpy.polynomial import chebyshev
 
 from ..core.isomorphism import Isomorphism
 from ..core.system import System, flat_pairs
-from ..core.vectors import to_components
 from ..errors import InputError
 from ..formulas.balls import array_function, number
-from .isomorphism import inverse, written_out
+from .isomorphism import inverse
 
 __all__ = ["IsomorphismMap"]
 
@@ -69,7 +68,7 @@ class IsomorphismMap:
     @cached_property
     def there(self) -> Callable[[Any], Any]:
         """States of the system (n, size) ↦ states of the target."""
-        formulas = [written_out(self.system, f) for _, f in flat_pairs(self.law.map)]
+        formulas = [self.system.expand(f) for _, f in flat_pairs(self.law.map)]
         return self._arrays(self.system.symbols, formulas)
 
     @cached_property
@@ -82,14 +81,14 @@ class IsomorphismMap:
     @cached_property
     def rate(self) -> Callable[[Any], Any]:
         """dτ/dt at states of the system, (n,)."""
-        formula = written_out(self.system, to_components(self.law.time))
+        formula = self.system.expand(self.law.time)
         on = self._arrays(self.system.symbols, [formula])
         return lambda states: on(states)[:, 0]
 
     def values_there(self, state: Any) -> dict[sp.Symbol, float]:
         """The target's parameters on the motion through a state (size,) of the system."""
         names = [p for p, _ in self.law.constants]
-        formulas = [written_out(self.system, f) for _, f in self.law.constants]
+        formulas = [self.system.expand(f) for _, f in self.law.constants]
         found = self._arrays(self.system.symbols, formulas)(np.asarray(state)[None, :])[0]
         given = dict(zip(names, map(float, found), strict=True))
         shared = {p.symbol for p in self.law.target.parameters} - set(given)

@@ -8,15 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from ..core.named_formulas import Pairs
 from ..core.vectors import Diagonal, Gradient, Symmetric, Vector, to_components
 from .laws import formulas
 
 if TYPE_CHECKING:
     from ..core.system import System
 
-__all__ = ["Layout", "Pairs", "layout", "reconstruction_layout"]
-
-Pairs = tuple[tuple[Any, Any], ...]
+__all__ = ["Layout", "layout", "reconstruction_layout"]
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,10 @@ import textwrap
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from ..core.named_formulas import Pairs
 from .formula import LATEX, UNICODE, Notation, latex, rate, signed_terms, text, width
 from .laws import caption, equation, equation_sides, heading
-from .layout import Layout, Pairs, layout, reconstruction_layout
+from .layout import Layout, layout, reconstruction_layout
 from .mathml import mathml, width_of
 from .numerals import number, unit
 

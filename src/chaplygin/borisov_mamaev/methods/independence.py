@@ -8,7 +8,6 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from ...core.system import System
-from ...core.vectors import to_components
 from ...parsing.exact_decimals import exact_number
 from ...proof.verdict import Verdict
 
@@ -52,9 +51,7 @@ def independent(
     started = time.monotonic()
     rows = []
     for function in functions:
-        value = to_components(function)
-        for symbol, formula in reversed(system.steps):
-            value = value.xreplace({symbol: formula})
+        value = system.expand(function)
         rows.append([sp.diff(value, s).xreplace(dict(point)) for s in system.symbols])
     rank = sp.Matrix(rows).rank()
     reached = rank == len(functions)

@@ -32,7 +32,6 @@ import sympy as sp
 
 from ...catalogue.ball_on_sphere import power_potential_on_sphere as point
 from ...catalogue.ball_on_sphere.rubber_ball_on_e3 import J, M, gamma, k
-from ...core.vectors import to_components
 from ...proof.verdict import Verdict
 
 __all__ = ["EXPONENT", "exponents", "no_second_integral", "normal_equation", "remainder"]
@@ -57,9 +56,7 @@ def normal_equation() -> tuple[sp.Expr, sp.Expr]:
     """
     made = point.moving()
     state = sp.Matrix([*M, *gamma])
-    rates = sp.Matrix([to_components(made.rates[made.symbols.index(s)]) for s in state])
-    for symbol, formula in reversed(made.steps):
-        rates = rates.xreplace({symbol: formula})
+    rates = sp.Matrix([made.expand(made.rates[made.symbols.index(s)]) for s in state])
     rates = rates.xreplace({k: EXPONENT}).doit()
     speed = sp.sqrt(2 * point.h) * WEIGHT
     cosine, sine = sp.cos(phi), sp.sin(phi)

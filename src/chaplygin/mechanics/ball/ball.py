@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
@@ -210,7 +209,7 @@ class RollingBall:
         half = sp.Rational(1, 2)
         energy = half * m * norm_squared(v) + half * mu * norm_squared(omega) + self.height
         # the relations are cut out by df, of length ell, and for rubber by d(ω, df) besides
-        density: dict[Any, Any] = {ell: 1 if self.contact == "marble" else 2}
+        density: dict[sp.Symbol, int] = {ell: 1 if self.contact == "marble" else 2}
         if self.kinematics.fit is not None:
             density[Delta] = 1
         return (

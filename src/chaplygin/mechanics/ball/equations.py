@@ -19,12 +19,13 @@ How n turns depends on which surface is given: `centred`, the one on which the c
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.system import Guard, Observable, Parameter, Reconstruction, System
+from ...core.named_formulas import Pairs
+from ...core.system import Guard, Name, Observable, Parameter, Reconstruction, System
 from ...core.vectors import (
     Vector,
     constant,
@@ -77,13 +78,13 @@ class Kinematics:
 
     surface: sp.Expr
     place: Vector
-    normal: tuple[tuple[Any, Any], ...]
-    turning: tuple[tuple[Any, Any], ...]
+    normal: Pairs
+    turning: Pairs
     rate: MatrixExpr
     fit: sp.Expr | None
 
 
-def _normal(surface: sp.Expr, place: Vector) -> tuple[tuple[Any, Any], ...]:
+def _normal(surface: sp.Expr, place: Vector) -> Pairs:
     return ((df, gradient(surface, place, "f")), (ell, sp.sqrt(norm_squared(df))), (n, df / ell))
 
 
@@ -172,7 +173,7 @@ def equations_of_motion(
     across = F - dot(F, n) * n
     pressed = -(m * dot(v, ndot) + dot(F, n)) * n
     turning: MatrixExpr = cross(F, r) / (b**2 * mtilde)
-    push: dict[Any, Any]
+    push: dict[Name, sp.Expr]
     if contact == "marble":
         turning = turning + (m / mtilde) * spin * ndot
         push = {

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import mpmath
 import sympy as sp
@@ -30,19 +29,19 @@ _STEPS = 400
 class _Spot:
     """A point beside a surface: f, its gradient, and the curvatures there."""
 
-    value: Any
-    slope: list[Any]
-    bent: list[list[Any]]
+    value: mpmath.mpf
+    slope: list[mpmath.mpf]
+    bent: list[list[mpmath.mpf]]
 
     @property
-    def steepness(self) -> Any:
+    def steepness(self) -> mpmath.mpf:
         return mpmath.sqrt(sum(s * s for s in self.slope))
 
     @property
-    def normal(self) -> list[Any]:
+    def normal(self) -> list[mpmath.mpf]:
         return [s / self.steepness for s in self.slope]
 
-    def curvatures(self) -> tuple[Any, Any]:
+    def curvatures(self) -> tuple[mpmath.mpf, mpmath.mpf]:
         """The principal curvatures, positive where the surface falls away from the ball."""
         n, ell = self.normal, self.steepness
         across = [_dot(row, n) for row in self.bent]
@@ -55,7 +54,7 @@ class _Spot:
 
 def ball_state(
     ball: RollingBall, system: System, place: Sequence[float], omega: Sequence[float]
-) -> tuple[Any, ...]:
+) -> tuple[mpmath.mpf, ...]:
     """The state of a ball, lifted to space, that starts at a place with an angular velocity.
 
     Parameters
@@ -106,7 +105,7 @@ class _Surface:
         self._function = sp.lambdify([*symbols, *values], formulas, "mpmath")
         self._values = list(values.values())
 
-    def at(self, point: Sequence[Any], name: str) -> _Spot:
+    def at(self, point: Sequence[mpmath.mpf], name: str) -> _Spot:
         """What the surface does at a point; InputError where it has no normal."""
         try:
             found = self._function(*point, *self._values)
@@ -123,7 +122,7 @@ class _Surface:
         return _Spot(found[0], slope, [found[4:7], found[7:10], found[10:13]])
 
 
-def _onto(surface: _Surface, given: list[Any], name: str) -> list[Any]:
+def _onto(surface: _Surface, given: list[mpmath.mpf], name: str) -> list[mpmath.mpf]:
     """The nearest point of the surface, if the given one is no farther than rounding."""
     spot = surface.at(given, name)
     scale = 1 + max(abs(value) for value in given)
@@ -137,7 +136,7 @@ def _onto(surface: _Surface, given: list[Any], name: str) -> list[Any]:
     raise InputError(message)
 
 
-def _nearest(surface: _Surface, given: list[Any], name: str) -> list[Any] | None:
+def _nearest(surface: _Surface, given: list[mpmath.mpf], name: str) -> list[mpmath.mpf] | None:
     """The point of the surface whose normal leads to the given one, by way of nearer and nearer."""
     point = list(given)
     good = mpmath.mpf(10) ** (8 - DIGITS)
@@ -165,7 +164,7 @@ def _nearest(surface: _Surface, given: list[Any], name: str) -> list[Any] | None
     return None
 
 
-def _check_domain(ball: RollingBall, system: System, point: list[Any], name: str) -> None:
+def _check_domain(ball: RollingBall, system: System, point: list[mpmath.mpf], name: str) -> None:
     for guard in ball.surface.domain(x.symbols):
         values = {p.symbol: mpmath.mpf(p.default) for p in ball.parameters}
         known = values | dict(zip(x.symbols, point, strict=True))
@@ -173,7 +172,7 @@ def _check_domain(ball: RollingBall, system: System, point: list[Any], name: str
             raise InputError(f"{name}: {_shown(point)} is outside the domain; {guard.message}")
 
 
-def _positive(system: System, guard: Guard, known: dict[Any, Any]) -> bool:
+def _positive(system: System, guard: Guard, known: dict[sp.Symbol, mpmath.mpf]) -> bool:
     return bool(evaluate(system, [guard.value], known)[0] > 0)
 
 
@@ -194,7 +193,9 @@ def _check_fit(ball: RollingBall, spot: _Spot, name: str) -> None:
         )
 
 
-def _without_spin(ball: RollingBall, omega: list[Any], normal: list[Any]) -> list[Any]:
+def _without_spin(
+    ball: RollingBall, omega: list[mpmath.mpf], normal: list[mpmath.mpf]
+) -> list[mpmath.mpf]:
     """ω of a rubber ball without the rounding along the normal; more than rounding is refused."""
     if ball.contact == "marble":
         return omega
@@ -208,17 +209,17 @@ def _without_spin(ball: RollingBall, omega: list[Any], normal: list[Any]) -> lis
     return nearest
 
 
-def _number(value: float, name: str) -> Any:
+def _number(value: float, name: str) -> mpmath.mpf:
     if not mpmath.isfinite(value):
         raise InputError(f"{name}: {value} is not a finite number")
     return mpmath.mpf(repr(float(value)))
 
 
-def _dot(u: Sequence[Any], v: Sequence[Any]) -> Any:
+def _dot(u: Sequence[mpmath.mpf], v: Sequence[mpmath.mpf]) -> mpmath.mpf:
     return sum(a * b for a, b in zip(u, v, strict=True))
 
 
-def _adjugate_times(matrix: list[list[Any]], vector: list[Any]) -> list[Any]:
+def _adjugate_times(matrix: list[list[mpmath.mpf]], vector: list[mpmath.mpf]) -> list[mpmath.mpf]:
     rows = mpmath.matrix(matrix)
     cofactors = mpmath.matrix(3, 3)
     for i in range(3):
@@ -230,5 +231,5 @@ def _adjugate_times(matrix: list[list[Any]], vector: list[Any]) -> list[Any]:
     return [_dot([cofactors[i, j] for j in range(3)], vector) for i in range(3)]
 
 
-def _shown(point: Sequence[Any]) -> str:
+def _shown(point: Sequence[mpmath.mpf]) -> str:
     return f"[{', '.join(repr(float(value)) for value in point)}]"

@@ -6,10 +6,9 @@ equations that :mod:`chaplygin.mechanics.ball.equations` writes down; a test com
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
 
+from ...arguments import Declared
 from ...core.system import Parameter
 from ...core.vectors import cross, dot, gradient, norm_squared, real_symbol, vectors
 from ..lagrangian.mechanism import Frame, Mechanism, rotations
@@ -42,7 +41,7 @@ def ball_mechanism(
     parameters : tuple of Parameter
         m, μ, b and all that both use.
     """
-    structure: dict[Any, Any] = {
+    structure: Declared = {
         pair: {k: -c for k, c in row.items()} for pair, row in rotations(omega).items()
     }
     half = sp.Rational(1, 2)

@@ -10,17 +10,16 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import sympy as sp
 
+from ...core.named_formulas import expand
 from ...core.vectors import real_symbol
 from ...errors import InputError
-from ...formulas.expansion import expanded
 from ...parsing.exact_decimals import exactly
 from ..lagrangian.mechanism import TIME, Mechanism
 from ..lagrangian.structure_functions import commutator
-from .exact_points import ConfigurationSpace
+from .exact_points import ConfigurationSpace, ParameterValue
 from .reconstruction import Coefficients, VectorField, along, whole_configuration
 
 __all__ = [
@@ -66,7 +65,7 @@ class Distribution:
     forms: tuple[tuple[sp.Expr, ...], ...] = ()
     structure: Coefficients | None = None
     steps: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
-    constants: tuple[tuple[sp.Symbol, Any], ...] = ()
+    constants: tuple[tuple[sp.Symbol, ParameterValue], ...] = ()
 
     @cached_property
     def formulas(self) -> tuple[sp.Expr, ...]:
@@ -167,7 +166,7 @@ def distribution_spanned_by(
     fields: Sequence[VectorField],
     coordinates: Sequence[sp.Symbol],
     relations: Sequence[sp.Expr] = (),
-    constants: Mapping[sp.Symbol, Any] | None = None,
+    constants: Mapping[sp.Symbol, ParameterValue] | None = None,
 ) -> Distribution:
     """The distribution spanned by fields that are given outright."""
     return Distribution(
@@ -202,7 +201,7 @@ def distribution(mechanism: Mechanism) -> Distribution:
     rows: list[list[sp.Expr]] = []
     rest: list[sp.Expr] = []
     for f in mechanism.f:
-        formula = expanded(f, {s: steps[s] for s in moving})
+        formula = expand(f, {s: steps[s] for s in moving})
         row = [sp.diff(formula, s) for s in w]
         if any(entry.free_symbols & set(w) for entry in row):
             raise InputError(
@@ -211,7 +210,7 @@ def distribution(mechanism: Mechanism) -> Distribution:
             )
         rows.append(row)
         rest.append(formula.xreplace(dict.fromkeys(w, sp.S.Zero)))
-    positions = [expanded(F, dict(kept)) for F in mechanism.F]
+    positions = [expand(F, kept) for F in mechanism.F]
     constants = {p.symbol: p.default for p in mechanism.parameters}
     entries = [*positions, *rest, *(entry for row in rows for entry in row)]
     whole = whole_configuration(frame, entries, kept, constants)
@@ -246,5 +245,4 @@ def _moving(mechanism: Mechanism) -> set[sp.Symbol]:
 
 
 def _timed(rows: Sequence[Sequence[sp.Expr]], steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> bool:
-    table = dict(steps)
-    return any(expanded(entry, table).has(TIME) for row in rows for entry in row)
+    return any(expand(entry, steps).has(TIME) for row in rows for entry in row)

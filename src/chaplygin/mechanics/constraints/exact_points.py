@@ -13,16 +13,20 @@ from functools import cached_property
 from typing import Any, TypeAlias
 
 import sympy as sp
+from flint import fmpq, nmod
 
+from ...core.named_formulas import expand
 from ...errors import InputError
-from ...formulas.expansion import Angles, TaylorExpansion, angles, expanded
+from ...formulas.expansion import Angles, TaylorExpansion, angles
 from ...formulas.taylor import IrrationalError, Numbers, Series
 from ...parsing.exact_decimals import exactly
 
 __all__ = [
     "ConfigurationSpace",
     "ExactPoint",
+    "FieldElement",
     "NoPointError",
+    "ParameterValue",
     "UnsolvedError",
     "point_at",
     "random_point",
@@ -30,6 +34,10 @@ __all__ = [
 
 ATTEMPTS = 60
 
+#: A number of the field in which a point is taken.
+FieldElement: TypeAlias = fmpq | nmod
+#: A parameter's value; a decimal stands for itself.
+ParameterValue: TypeAlias = float | sp.Expr
 #: Orthogonal vectors of one length, by their components, and the square of the length.
 Block: TypeAlias = tuple[tuple[tuple[sp.Symbol, ...], ...], sp.Expr]
 
@@ -65,7 +73,7 @@ class ConfigurationSpace:
     relations: tuple[sp.Expr, ...]
     steps: tuple[tuple[sp.Symbol, sp.Expr], ...]
     formulas: tuple[sp.Expr, ...]
-    constants: tuple[tuple[sp.Symbol, Any], ...] = ()
+    constants: tuple[tuple[sp.Symbol, ParameterValue], ...] = ()
     free: tuple[sp.Symbol, ...] = ()
 
     @cached_property
@@ -76,7 +84,7 @@ class ConfigurationSpace:
     @cached_property
     def written(self) -> tuple[sp.Expr, ...]:
         """The relations with the definitions written out."""
-        return tuple(expanded(r, dict(self.steps)) for r in self.relations)
+        return tuple(expand(r, self.steps) for r in self.relations)
 
     @cached_property
     def blocks(self) -> list[Block]:
@@ -104,8 +112,8 @@ class ExactPoint:
     """
 
     numbers: Numbers
-    values: Mapping[sp.Symbol, Any]
-    circles: Mapping[sp.Expr, tuple[Any, Any]]
+    values: Mapping[sp.Symbol, FieldElement]
+    circles: Mapping[sp.Expr, tuple[FieldElement, FieldElement]]
     shown: Mapping[sp.Symbol, sp.Expr]
     formal: bool
     seed: int
@@ -136,7 +144,10 @@ def random_point(space: ConfigurationSpace, numbers: Numbers, dice: random.Rando
 
 
 def point_at(
-    space: ConfigurationSpace, point: Mapping[sp.Symbol, Any], numbers: Numbers, dice: random.Random
+    space: ConfigurationSpace,
+    point: Mapping[sp.Symbol, ParameterValue],
+    numbers: Numbers,
+    dice: random.Random,
 ) -> ExactPoint:
     """The point given; coordinates that are not named are chosen at random.
 
@@ -174,7 +185,7 @@ def _tried(
 ) -> ExactPoint:
     plain = TaylorExpansion(numbers, (), {}, {}, {}, {}, 0)
     values = {s: plain.series(_rational(v)).value for s, v in space.constants if s not in given}
-    circles: dict[sp.Expr, tuple[Any, Any]] = {}
+    circles: dict[sp.Expr, tuple[FieldElement, FieldElement]] = {}
     shown: dict[sp.Symbol, sp.Expr] = {}
     formal = False
     for symbol, value in given.items():
@@ -199,15 +210,16 @@ def _tried(
     for symbol in (*space.coordinates, *space.free):
         trial.values.setdefault(symbol, numbers.drawn(dice))
     trial.check(space.written, bool(given))
-    if numbers.exact:
-        for s in space.coordinates:
-            shown.setdefault(s, sp.Rational(int(trial.values[s].p), int(trial.values[s].q)))
+    for s in space.coordinates:
+        value = trial.values[s]
+        if isinstance(value, fmpq):
+            shown.setdefault(s, sp.Rational(int(value.p), int(value.q)))
     return ExactPoint(
         numbers, trial.values, circles, shown if numbers.exact else {}, formal, trial.seed
     )
 
 
-def _rational(value: Any) -> sp.Expr:
+def _rational(value: ParameterValue) -> sp.Expr:
     return exactly(sp.sympify(value))
 
 
@@ -219,7 +231,7 @@ def _circle(
     shown: dict[sp.Symbol, sp.Expr],
     plain: TaylorExpansion,
     dice: random.Random,
-) -> tuple[tuple[Any, Any], bool]:
+) -> tuple[tuple[FieldElement, FieldElement], bool]:
     """Sine and cosine of core/n, and whether they stand for transcendental numbers."""
     constants = {s: _rational(v) for s, v in space.constants}
     angle = core.xreplace({**constants, **given}) / n
@@ -267,8 +279,11 @@ def _orthogonal(
 
 
 def _rows(
-    vectors: Sequence[tuple[sp.Symbol, ...]], squared: Any, numbers: Numbers, dice: random.Random
-) -> dict[sp.Symbol, Any]:
+    vectors: Sequence[tuple[sp.Symbol, ...]],
+    squared: FieldElement,
+    numbers: Numbers,
+    dice: random.Random,
+) -> dict[sp.Symbol, FieldElement]:
     """Rational points of a sphere, or rows of a rational rotation."""
     length = numbers.root(squared, 2)
     if len(vectors[0]) == 3:
@@ -286,7 +301,7 @@ def _rows(
     return {s: length * x for s, x in zip(own, (first, *others), strict=True)}
 
 
-def _rotation(numbers: Numbers, dice: random.Random) -> list[list[Any]]:
+def _rotation(numbers: Numbers, dice: random.Random) -> list[list[FieldElement]]:
     """The matrix of a quaternion drawn at random."""
     w, x, y, z = (numbers.drawn(dice) for _ in range(4))
     n = w * w + x * x + y * y + z * z
@@ -305,8 +320,8 @@ class _Trial:
         self,
         space: ConfigurationSpace,
         numbers: Numbers,
-        values: dict[sp.Symbol, Any],
-        circles: Mapping[sp.Expr, tuple[Any, Any]],
+        values: dict[sp.Symbol, FieldElement],
+        circles: Mapping[sp.Expr, tuple[FieldElement, FieldElement]],
         dice: random.Random,
     ) -> None:
         self.space, self.numbers, self.values = space, numbers, values

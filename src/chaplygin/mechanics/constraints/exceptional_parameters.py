@@ -11,13 +11,14 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import reduce
 from typing import Any
 
 import sympy as sp
 from flint import nmod, nmod_poly
 
+from ...core.named_formulas import expand
 from ...errors import InputError
-from ...formulas.expansion import expanded
 from ...formulas.taylor import PRIMES, IrrationalError, Modular
 from ..lagrangian.mechanism import Mechanism
 from .distribution import Distribution, distribution
@@ -75,7 +76,7 @@ def exceptional(
             f"{given.name} has no parameter {parameter}; its parameters are "
             f"{', '.join(map(str, names)) or 'none'}"
         )
-    if any(parameter in expanded(r, dict(given.steps)).free_symbols for r in given.relations):
+    if any(parameter in expand(r, given.steps).free_symbols for r in given.relations):
         raise InputError(f"{given.name}: the configuration space itself depends on {parameter}")
     usual = generic(given, [parameter])
     found = []
@@ -99,10 +100,8 @@ def _candidates(given: Distribution, parameter: sp.Symbol) -> list[sp.Rational]:
     """Common zeros of the pivots at several points."""
     numbers = Modular(PRIMES[0])
     dice = random.Random(SEED)
-    common: Any = None
-    for _ in range(POINTS):
-        product = _vanishing(given, parameter, numbers, dice)
-        common = product if common is None else common.gcd(product)
+    products = (_vanishing(given, parameter, numbers, dice) for _ in range(POINTS))
+    common = reduce(lambda left, right: left.gcd(right), products)
     zeros = [-f[0] / f[1] for f, _ in common.factor()[1] if f.degree() == 1]
     fractions = [numbers.fraction(zero) for zero in zeros]
     return [sp.Rational(f.numerator, f.denominator) for f in fractions if f]
@@ -110,10 +109,10 @@ def _candidates(given: Distribution, parameter: sp.Symbol) -> list[sp.Rational]:
 
 def _vanishing(
     given: Distribution, parameter: sp.Symbol, numbers: Modular, dice: random.Random
-) -> Any:
+) -> nmod_poly:
     """The product of the numerators of the pivots at a point."""
     place = _place(given, parameter, numbers, dice)
-    samples: list[tuple[Any, tuple[Any, ...]]] = []
+    samples: list[tuple[nmod, tuple[Any, ...]]] = []
     wanted = 8
     while wanted <= SAMPLES:
         while len(samples) < wanted:
@@ -123,9 +122,10 @@ def _vanishing(
             _numerator([(p, row[i]) for p, row in samples], numbers.prime)
             for i in range(len(samples[0][1]))
         ]
-        if None not in numerators:
+        known = [numerator for numerator in numerators if numerator is not None]
+        if len(known) == len(numerators):
             product = nmod_poly([1], numbers.prime)
-            for numerator in numerators:
+            for numerator in known:
                 product = product * numerator
             return product
         wanted *= 2
@@ -142,7 +142,7 @@ def _place(
 
 
 def _pivots(
-    given: Distribution, place: ExactPoint, parameter: sp.Symbol, value: Any
+    given: Distribution, place: ExactPoint, parameter: sp.Symbol, value: nmod
 ) -> tuple[Any, ...]:
     there = replace(place, values={**place.values, parameter: value})
     try:
@@ -153,7 +153,7 @@ def _pivots(
         ) from None
 
 
-def _numerator(samples: Sequence[tuple[nmod, nmod]], prime: int) -> Any:
+def _numerator(samples: Sequence[tuple[nmod, nmod]], prime: int) -> nmod_poly | None:
     """The numerator of the rational function through the samples; None if they do not tell it."""
     modulus, through = nmod_poly([1], prime), nmod_poly([0], prime)
     for place, value in samples:

@@ -6,7 +6,7 @@ from itertools import combinations
 
 import sympy as sp
 
-from ...formulas.expansion import expanded
+from ...core.named_formulas import expand
 from .distribution import Distribution, VectorField, commutator
 from .zero_test import vanishes
 
@@ -21,8 +21,7 @@ def involutive(given: Distribution) -> bool:
     """
     if given.structure is not None:
         return False
-    steps = dict(given.steps)
-    fields = [{q: expanded(v, steps) for q, v in field.items()} for field in given.fields]
+    fields = [{q: expand(v, given.steps) for q, v in field.items()} for field in given.fields]
     own = [_own(fields, i) for i, _ in enumerate(fields)]
     free = [q for q in own if q is not None]
     return len(free) == len(fields) and all(

@@ -11,14 +11,21 @@ import random
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import comb
-from typing import Any
 
 import sympy as sp
 
 from ...errors import InputError
 from ...formulas.taylor import PRIMES, IrrationalError, Modular, Numbers, Rational
 from .distribution import Distribution, VectorField, distribution_spanned_by
-from .exact_points import ExactPoint, NoPointError, point_at, random_point
+from .exact_points import (
+    ConfigurationSpace,
+    ExactPoint,
+    FieldElement,
+    NoPointError,
+    ParameterValue,
+    point_at,
+    random_point,
+)
 from .vector_field_series import Bundle, Section, SingularError, Span
 
 __all__ = ["Filtration", "filtration", "generic", "growth"]
@@ -70,7 +77,7 @@ class Filtration:
         return self.growth[-1]
 
 
-def pivots_at(given: Distribution, place: ExactPoint) -> tuple[Any, ...]:
+def pivots_at(given: Distribution, place: ExactPoint) -> tuple[FieldElement, ...]:
     """The numbers on which the growth at a point rests: it is less where one of them vanishes.
 
     Raises
@@ -170,7 +177,7 @@ def _dimension(given: Distribution, bundle: Bundle) -> int:
     return width - used
 
 
-def filtration(given: Distribution, point: Mapping[sp.Symbol, Any]) -> Filtration:
+def filtration(given: Distribution, point: Mapping[sp.Symbol, ParameterValue]) -> Filtration:
     """The growth of a distribution at a point.
 
     Parameters
@@ -267,7 +274,7 @@ def generic(given: Distribution, free: Sequence[sp.Symbol] = ()) -> Filtration:
 
 
 def _at_random(
-    given: Distribution, space: Any, numbers: Numbers, dice: random.Random
+    given: Distribution, space: ConfigurationSpace, numbers: Numbers, dice: random.Random
 ) -> Filtration | None:
     for _ in range(RATIONAL_ATTEMPTS if numbers.exact else ATTEMPTS):
         try:
@@ -280,7 +287,9 @@ def _at_random(
 
 
 def growth(
-    fields: Sequence[VectorField], coordinates: Sequence[sp.Symbol], point: Mapping[sp.Symbol, Any]
+    fields: Sequence[VectorField],
+    coordinates: Sequence[sp.Symbol],
+    point: Mapping[sp.Symbol, ParameterValue],
 ) -> tuple[int, ...]:
     """Dimensions of the span of fields, with their commutators, with those of these, and so on.
 

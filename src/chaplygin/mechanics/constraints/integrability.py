@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
-from typing import Any, Literal
+from typing import Literal
 
 import sympy as sp
 
@@ -22,7 +22,7 @@ from ...errors import InputError
 from ..lagrangian.mechanism import TIME, Mechanism
 from ..lagrangian.structure_functions import structure, written_frame
 from .distribution import Distribution, distribution
-from .exact_points import UnsolvedError
+from .exact_points import ParameterValue, UnsolvedError
 from .frobenius import involutive
 from .growth import Filtration, filtration, generic
 from .holonomic import Constancy, constants
@@ -183,7 +183,7 @@ def _check_time(given: Distribution, here: Filtration, free: Sequence[sp.Symbol]
 
 
 def nonholonomy_at(
-    mechanism: Mechanism | Distribution, point: Mapping[sp.Symbol, Any]
+    mechanism: Mechanism | Distribution, point: Mapping[sp.Symbol, ParameterValue]
 ) -> Filtration:
     """The growth at a point, which may be singular; see :func:`~.growth.filtration`."""
     given = _given(mechanism)

@@ -15,7 +15,7 @@ from __future__ import annotations
 import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 
@@ -25,7 +25,13 @@ from ...formulas.expansion import TaylorExpansion
 from ...formulas.taylor import PRIMES, IrrationalError, Modular, Series
 from ..lagrangian.mechanism import Frame, euclidean, rotations
 from ..lagrangian.structure_functions import structure
-from .exact_points import ConfigurationSpace, NoPointError, random_point
+from .exact_points import (
+    ConfigurationSpace,
+    FieldElement,
+    NoPointError,
+    ParameterValue,
+    random_point,
+)
 
 __all__ = ["Coefficients", "VectorField", "Whole", "along", "whole_configuration"]
 
@@ -60,7 +66,10 @@ class Whole:
 
 
 def whole_configuration(
-    frame: Frame, formulas: Sequence[sp.Expr], steps: Steps, constants: Mapping[sp.Symbol, Any]
+    frame: Frame,
+    formulas: Sequence[sp.Expr],
+    steps: Steps,
+    constants: Mapping[sp.Symbol, ParameterValue],
 ) -> Whole:
     """The whole configuration behind a frame.
 
@@ -204,7 +213,7 @@ def _turned(frame: Frame, given: Coefficients, bare: Whole, taken: set[sp.Symbol
 
 
 def _follows(
-    whole: Whole, given: Coefficients, steps: Steps, constants: Mapping[sp.Symbol, Any]
+    whole: Whole, given: Coefficients, steps: Steps, constants: Mapping[sp.Symbol, ParameterValue]
 ) -> bool:
     """Whether the commutators of the fields are those that the structure functions tell."""
     formulas = [*(v for field in whole.fields for v in field.values()), *given.values()]
@@ -212,7 +221,7 @@ def _follows(
     return germs is not None and _commutes(whole, given, germs)
 
 
-def _full(frame: Frame, steps: Steps, constants: Mapping[sp.Symbol, Any]) -> bool:
+def _full(frame: Frame, steps: Steps, constants: Mapping[sp.Symbol, ParameterValue]) -> bool:
     """Whether the fields on the coordinates span all directions, so that nothing is left out."""
     if len(frame.coordinates) < len(frame.w):
         return False
@@ -231,7 +240,10 @@ def _full(frame: Frame, steps: Steps, constants: Mapping[sp.Symbol, Any]) -> boo
 
 
 def _germs(
-    whole: Whole, formulas: Sequence[sp.Expr], steps: Steps, constants: Mapping[sp.Symbol, Any]
+    whole: Whole,
+    formulas: Sequence[sp.Expr],
+    steps: Steps,
+    constants: Mapping[sp.Symbol, ParameterValue],
 ) -> TaylorExpansion | None:
     """Series of first order about a generic point, if one is found."""
     space = ConfigurationSpace(
@@ -253,12 +265,13 @@ def _germs(
 def _commutes(whole: Whole, given: Coefficients, germs: TaylorExpansion) -> bool:
     number = {q: i for i, q in enumerate(whole.coordinates)}
     fields = [{number[q]: germs.series(v) for q, v in field.items()} for field in whole.fields]
-    zero = germs.numbers.number(0)
+    zero: FieldElement = germs.numbers.number(0)
 
-    def moved(by: Mapping[int, Series], entry: Series | None) -> Any:
+    def moved(by: Mapping[int, Series], entry: Series | None) -> FieldElement:
         if entry is None:
             return zero
-        return sum((v.value * entry.derivative(q).value for q, v in by.items()), zero)
+        rate: FieldElement = sum((v.value * entry.derivative(q).value for q, v in by.items()), zero)
+        return rate
 
     for i, first in enumerate(fields):
         for j in range(i + 1, len(fields)):

@@ -8,18 +8,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 
 from ...formulas.expansion import TaylorExpansion
 from ...formulas.taylor import Numbers, Series
 from .distribution import Distribution
-from .exact_points import ConfigurationSpace, ExactPoint
+from .exact_points import ConfigurationSpace, ExactPoint, FieldElement
 
 __all__ = ["Bundle", "Section", "SingularError", "Span", "Values", "slopes", "values_at"]
 
 Section: TypeAlias = list[Series]
+#: Coefficients of a series of several components, by degree, component and exponents.
+Remainder: TypeAlias = dict[tuple[int, int, tuple[int, ...]], FieldElement]
 
 
 class SingularError(ArithmeticError):
@@ -43,7 +45,7 @@ class Bundle:
         if given.structure is not None:
             self.constants = {ijk: germs.series(v) for ijk, v in given.structure.items()}
         #: Numbers divided by when the constraints are solved.
-        self.leads: list[Any] = []
+        self.leads: list[FieldElement] = []
         self.size = self.width if self.constants is not None else len(given.coordinates)
 
     def admissible(self) -> list[Section]:
@@ -142,9 +144,9 @@ class Span:
     def __init__(self, numbers: Numbers) -> None:
         self.numbers = numbers
         self.pivots: list[tuple[int, Section]] = []
-        self.remainders: list[dict[Any, Any]] = []
+        self.remainders: list[Remainder] = []
         #: The number at the point of each new direction.
-        self.leads: list[Any] = []
+        self.leads: list[FieldElement] = []
 
     def add(self, section: Section) -> tuple[Section, bool] | None:
         """What a section adds, and whether that is a direction; None if nothing."""
@@ -163,7 +165,7 @@ class Span:
     def _dependent(self, section: Section) -> bool:
         """Whether a remainder is a combination of earlier ones with constant coefficients."""
         order = section[0].order
-        vector: dict[Any, Any] = {}
+        vector: Remainder = {}
         for c, entry in enumerate(section):
             for part in entry.parts:
                 for powers, value in part.to_dict().items():
@@ -200,13 +202,13 @@ class Values:
     """
 
     germs: TaylorExpansion
-    letters: list[Any]
-    along: list[list[Any]]
-    gradient: list[list[Any]]
-    normals: list[list[Any]]
+    letters: list[FieldElement]
+    along: list[list[FieldElement]]
+    gradient: list[list[FieldElement]]
+    normals: list[list[FieldElement]]
 
 
-def slopes(germs: TaylorExpansion, formula: sp.Expr) -> list[Any]:
+def slopes(germs: TaylorExpansion, formula: sp.Expr) -> list[FieldElement]:
     """Derivatives by the coordinates at the point."""
     series = germs.series(formula)
     return [series.derivative(q).value for q, _ in enumerate(germs.variables)]

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from ...formulas.expansion import Angles, add_angle, angles, combination, expanded
+from ...core.named_formulas import expand
+from ...formulas.expansion import Angles, add_angle, angles, combination
 
 __all__ = ["vanishes"]
 
@@ -19,9 +20,8 @@ def vanishes(formula: sp.Expr, relations: Sequence[sp.Expr], steps: Steps = ()) 
     Roots, sines and cosines become symbols with a relation of their own; the numerator is
     divided by a Gröbner basis of the relations that share symbols with it.
     """
-    table = dict(steps)
-    whole = expanded(formula, table)
-    conditions = [expanded(r, table) for r in relations]
+    whole = expand(formula, steps)
+    conditions = [expand(r, steps) for r in relations]
     kernels = _Kernels(angles([whole, *conditions], {}))
     total = kernels.plain(whole)
     numerator = sp.numer(sp.together(total))

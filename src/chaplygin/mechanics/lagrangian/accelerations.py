@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from graphlib import TopologicalSorter
-from typing import Any
 
+import mpmath
 import sympy as sp
 
 from ...errors import InputError
@@ -125,7 +125,7 @@ def _with_multipliers(
     return total, lambdas
 
 
-def _numbers(parts: Balance, matrix: Sequence[Sequence[sp.Expr]]) -> list[list[Any]]:
+def _numbers(parts: Balance, matrix: Sequence[Sequence[sp.Expr]]) -> list[list[mpmath.mpf]]:
     """A matrix at a generic configuration of the mechanism with its default parameters."""
     point = parts.typical([e for row in matrix for e in row])
     return [[point.value(e) for e in row] for row in matrix]

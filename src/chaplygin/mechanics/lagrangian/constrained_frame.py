@@ -17,8 +17,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ...core.named_formulas import expand
 from ...errors import InputError
-from ...formulas.expansion import expanded
 from ...formulas.tape import Derivation, Step
 from .assembly import Balance, balance
 from .generic_points import is_numerically_zero, rank, with_working_precision
@@ -180,11 +180,11 @@ def _pivot(parts: Balance, row: Mapping[int, sp.Expr]) -> int:
     entries = [c for c in row.values() if c != 0]
     points = parts.at(entries)
     regular = [s for s, c in row.items() if c != 0 and rank([[points[0].value(c)]])[0]]
-    steps = dict(parts.tape.steps(entries))
+    steps = parts.tape.steps(entries)
     parameters = {p.symbol for p in parts.mechanism.parameters}
 
     def effort(s: int) -> tuple[bool, bool, int, int]:
-        fixed = not expanded(row[s], steps).free_symbols & parameters
+        fixed = not expand(row[s], steps).free_symbols & parameters
         return (not row[s].is_number, not fixed, sp.count_ops(row[s]), -s)
 
     return min(regular, key=effort)

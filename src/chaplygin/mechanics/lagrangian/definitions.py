@@ -6,15 +6,14 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
-from typing import Any
 
 import sympy as sp
 
-from ...core.system import flat
-from ...core.vectors import constant, real_symbol, to_components
+from ...core.named_formulas import Pairs
+from ...core.system import Name, flat
+from ...core.vectors import Vector, constant, real_symbol, to_components
 from ...formulas.tape import Step
 from .assembly import Balance
-from .mechanism import Name, Pairs
 
 __all__ = ["NamedDefinitions", "name_definitions"]
 
@@ -36,13 +35,13 @@ class NamedDefinitions:
     definitions: Pairs
     table: Mapping[sp.Symbol, sp.Expr]
 
-    def __call__(self, formula: Any) -> Any:
+    def __call__(self, formula: sp.Basic) -> sp.Basic:
         """A formula in the names that are left."""
         value = to_components(formula)
         return formula if not value.free_symbols & self.table.keys() else value.xreplace(self.table)
 
 
-def name_definitions(parts: Balance, formulas: Sequence[Any]) -> NamedDefinitions:
+def name_definitions(parts: Balance, formulas: Sequence[sp.Expr]) -> NamedDefinitions:
     """The definitions on which formulas depend.
 
     What was named on the way and is used once and short is written where it is used; the rest is
@@ -95,7 +94,7 @@ def _grouped(parts: Balance, steps: Sequence[Step]) -> Pairs:
     """Scalar steps with the components of a vector put together, where their order allows it."""
     mechanism = parts.mechanism
     values = dict(steps)
-    groups: dict[Name, Any] = {
+    groups: dict[Name, sp.Basic] = {
         name: formula
         for name, formula in mechanism.definitions
         if not isinstance(name, sp.Symbol) and any(s in values for s in name.symbols)
@@ -105,7 +104,7 @@ def _grouped(parts: Balance, steps: Sequence[Step]) -> Pairs:
             components = constant([values[s] for s in name.symbols])
             groups[name] = _as_written(mechanism.constraints, name, components)
     home: dict[sp.Symbol, Name] = {s: name for name in groups for s in flat((name,))}
-    graph: dict[Any, list[Any]] = {}
+    graph: dict[Name, list[Name]] = {}
     for node in dict.fromkeys(home.get(s, s) for s, _ in steps):
         formula = to_components(groups[node]) if node in groups else values[node]
         needs = dict.fromkeys(
@@ -119,7 +118,7 @@ def _grouped(parts: Balance, steps: Sequence[Step]) -> Pairs:
     return tuple((node, groups[node] if node in groups else values[node]) for node in order)
 
 
-def _as_written(constraints: Sequence[Any], name: Any, components: Any) -> Any:
+def _as_written(constraints: Sequence[sp.Basic], name: Vector, components: sp.Matrix) -> sp.Basic:
     """The vector formula of a constraint u + … = 0 solved for u, if it gives these components."""
     for formula in constraints:
         if not getattr(formula, "is_Matrix", False) or name not in formula.atoms(type(name)):

@@ -15,6 +15,7 @@ import mpmath
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from ...core.named_formulas import expand
 from ...errors import InputError
 from .mechanism import TIME, Frame, Mechanism
 
@@ -63,7 +64,7 @@ class GenericPoint:
         for symbol, value in steps:
             self._values[symbol] = value_at_generic_point(value, self._values)
 
-    def value(self, formula: sp.Expr) -> Any:
+    def value(self, formula: sp.Expr) -> mpmath.mpf:
         """A formula as a number.
 
         Raises
@@ -84,7 +85,7 @@ class GenericPoint:
 
 
 @with_working_precision
-def value_at_generic_point(formula: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
+def value_at_generic_point(formula: sp.Expr, values: Mapping[sp.Symbol, mpmath.mpf]) -> mpmath.mpf:
     """A formula at numbers, unspecified functions being replaced by generic ones."""
     number = _number_of(_specified(formula), values, {})
     if isinstance(number, mpmath.mpc):
@@ -139,7 +140,7 @@ def _specified(formula: sp.Expr) -> sp.Expr:
 
 
 @with_working_precision
-def generic(mechanism: Mechanism) -> dict[sp.Symbol, Any]:
+def generic(mechanism: Mechanism) -> dict[sp.Symbol, mpmath.mpf]:
     """Parameters near their defaults, but of no special value."""
     dice = random.Random(SEED)
     return {
@@ -149,7 +150,7 @@ def generic(mechanism: Mechanism) -> dict[sp.Symbol, Any]:
 
 
 @with_working_precision
-def defaults(mechanism: Mechanism) -> dict[sp.Symbol, Any]:
+def defaults(mechanism: Mechanism) -> dict[sp.Symbol, mpmath.mpf]:
     """Parameters at their defaults."""
     return {p.symbol: mpmath.mpf(repr(float(p.default))) for p in mechanism.parameters}
 
@@ -202,7 +203,7 @@ def samples(
     )
 
 
-def _number(dice: random.Random) -> Any:
+def _number(dice: random.Random) -> mpmath.mpf:
     return mpmath.mpf(dice.randint(-999, 999)) / 1000 + mpmath.mpf(1) / 7001
 
 
@@ -212,10 +213,10 @@ def _on_relations(
     relations: Sequence[sp.Expr],
     steps: Sequence[tuple[sp.Symbol, sp.Expr]],
     constants: Point,
-) -> dict[sp.Symbol, Any]:
+) -> dict[sp.Symbol, mpmath.mpf]:
     """A random point moved onto the relations by Newton's method (along the shortest way)."""
     point = {**constants, TIME: _number(dice), **{q: _number(dice) for q in coordinates}}
-    written = [_written(relation, steps) for relation in relations]
+    written = [expand(relation, steps) for relation in relations]
     slopes = [[sp.diff(f, q) for q in coordinates] for f in written]
     for _ in range(NEWTON_STEPS if relations else 0):
         values = mpmath.matrix([value_at_generic_point(f, point) for f in written])
@@ -237,12 +238,6 @@ def _on_relations(
     return point
 
 
-def _written(formula: sp.Expr, steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp.Expr:
-    for symbol, value in reversed(steps):
-        formula = formula.xreplace({symbol: value})
-    return formula
-
-
 @with_working_precision
 def is_numerically_zero(formula: sp.Expr, points: Iterable[GenericPoint]) -> bool:
     """Whether a formula vanishes at all points, to the digits carried."""
@@ -252,7 +247,7 @@ def is_numerically_zero(formula: sp.Expr, points: Iterable[GenericPoint]) -> boo
 
 
 @with_working_precision
-def rank(rows: Sequence[Sequence[Any]]) -> tuple[list[int], list[int]]:
+def rank(rows: Sequence[Sequence[mpmath.mpf]]) -> tuple[list[int], list[int]]:
     """Rows and columns of a largest regular part of a matrix of numbers, the first rows first."""
     left = [list(row) for row in rows]
     chosen: list[int] = []

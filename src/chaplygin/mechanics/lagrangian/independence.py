@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import mpmath
 import sympy as sp
@@ -130,7 +129,7 @@ def _words(mechanism: Mechanism, index: int) -> str:
 def _contradicts(
     point: GenericPoint,
     constraints: Sequence[sp.Expr],
-    rows: Sequence[Sequence[Any]],
+    rows: Sequence[Sequence[mpmath.mpf]],
     mechanism: Mechanism,
 ) -> bool:
     """Whether the equations C w = C w₀ − f(w₀), linear at the point w₀, have no solution."""

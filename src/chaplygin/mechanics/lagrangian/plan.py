@@ -14,6 +14,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import sympy as sp
 
+from ...core.arrays import FloatArray
 from ...core.vectors import real_symbol
 from .mechanism import Mechanism
 
@@ -46,7 +47,7 @@ class Plan:
     """
 
     path: Place
-    links: tuple[tuple[Any, Any, Any, Any], ...] = ()
+    links: tuple[tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr], ...] = ()
     wheels: tuple[Pose, ...] = ()
     axles: tuple[Pose, ...] = ()
     blades: tuple[Pose, ...] = ()
@@ -64,7 +65,7 @@ def plan_of(mechanism: Mechanism) -> Plan | None:
     if x not in coordinates or y not in coordinates or real_symbol("z") in coordinates:
         return None
     wheels: list[Pose] = []
-    links: list[tuple[Any, Any, Any, Any]] = []
+    links: list[tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]] = []
     for form in _forms(mechanism):
         arms = _arms(mechanism, form)
         if arms is None:
@@ -88,9 +89,7 @@ def _forms(mechanism: Mechanism) -> list[dict[sp.Symbol, sp.Expr]]:
     inverse = G.inv()
     found = []
     for constraint in mechanism.f:
-        formula = constraint
-        for name, value in reversed(mechanism.steps):
-            formula = formula.xreplace({name: value})
+        formula = mechanism.expand(constraint)
         row = [sp.diff(formula, w) for w in frame.w]
         if any(entry.free_symbols & set(frame.w) for entry in row):
             continue
@@ -125,7 +124,7 @@ def _arms(
 
 
 def _lengths(
-    angles: Sequence[sp.Symbol], places: Any, rows: Any
+    angles: Sequence[sp.Symbol], places: FloatArray, rows: FloatArray
 ) -> list[tuple[sp.Symbol, float]] | None:
     """The lengths by the coefficients at some places, where they are constant."""
     across = np.hypot(rows[:, 0], rows[:, 1])

@@ -18,13 +18,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import sympy as sp
 
 from ...arguments import arguments_checked
 from ...core.laws import Integral, Law
-from ...core.system import Observable, Reconstruction, System, flat
+from ...core.named_formulas import Pairs
+from ...core.system import Name, Observable, Reconstruction, System, flat
 from ...core.vectors import constant, to_components
 from ...errors import InputError
 from ...printing.formula import text
@@ -32,7 +32,7 @@ from .accelerations import Accelerations, accelerations
 from .assembly import Balance, balance
 from .definitions import name_definitions
 from .energy import EnergyTheorem, energy_theorem
-from .mechanism import TIME, Mechanism, Name, Pairs
+from .mechanism import TIME, Mechanism
 
 __all__ = ["DerivedEquations", "derive", "equations"]
 
@@ -176,7 +176,7 @@ def _driving(found: DerivedEquations) -> list[sp.Expr]:
     """Formulas that decide what belongs to the state."""
     parts = found.parts
     mechanism = parts.mechanism
-    values: list[Any] = [
+    values: list[sp.Basic] = [
         *found.solution.rates.values(),
         *(value for _, value in found.solution.multipliers),
         to_components(found.energy.energy),
@@ -192,7 +192,7 @@ def _driving(found: DerivedEquations) -> list[sp.Expr]:
     return values
 
 
-def _uses(parts: Balance, formulas: Iterable[Any]) -> set[sp.Symbol]:
+def _uses(parts: Balance, formulas: Iterable[sp.Basic]) -> set[sp.Symbol]:
     values = [to_components(f) for f in formulas]
     symbols = {s for value in values for s in value.free_symbols}
     for symbol, value in parts.tape.steps(values):
@@ -200,7 +200,7 @@ def _uses(parts: Balance, formulas: Iterable[Any]) -> set[sp.Symbol]:
     return symbols
 
 
-def _depends(parts: Balance, formulas: Iterable[Any], symbols: Iterable[sp.Symbol]) -> bool:
+def _depends(parts: Balance, formulas: Iterable[sp.Basic], symbols: Iterable[sp.Symbol]) -> bool:
     return bool(_uses(parts, formulas) & set(symbols))
 
 
@@ -222,7 +222,7 @@ def _lost(parts: Balance, kept: set[Name]) -> tuple[sp.Symbol, ...]:
     return flat(name for name, _ in parts.mechanism.frame.rates if name not in kept)
 
 
-def _opened(parts: Balance, lost: Sequence[sp.Symbol], formula: Any) -> Any:
+def _opened(parts: Balance, lost: Sequence[sp.Symbol], formula: sp.Basic) -> sp.Basic:
     """A formula with the definitions written out that depend on coordinates that matter not."""
     steps = parts.tape.steps([to_components(formula)])
     far = {s: value for s, value in steps if _depends(parts, [value], lost)}
@@ -286,7 +286,7 @@ def _recorded(found: DerivedEquations) -> tuple[Observable, ...]:
 
 def _velocity_rates(mechanism: Mechanism, solution: Accelerations) -> Pairs:
     """Rates of the free velocities; a vector stays one where all of it is free."""
-    pairs: list[tuple[Any, Any]] = []
+    pairs: list[tuple[sp.Basic, sp.Basic]] = []
     for name in mechanism.frame.velocities:
         parts = [s for s in flat((name,)) if s in solution.rates]
         if not isinstance(name, sp.Symbol) and len(parts) == len(name.symbols):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from itertools import combinations
-from typing import Any
 
 import mpmath
 import sympy as sp
@@ -87,12 +86,10 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
 
 def written_frame(mechanism: Mechanism) -> Frame:
     """The frame of a mechanism with its definitions written out, whose fields can be commuted."""
-    frame, steps = mechanism.frame, dict(mechanism.steps)
-    if frame.structure is not None or not any(r.free_symbols & steps.keys() for r in frame.qdot):
+    frame, defined = mechanism.frame, {s for s, _ in mechanism.steps}
+    if frame.structure is not None or not any(r.free_symbols & defined for r in frame.qdot):
         return frame
-    rates = dict(zip(frame.coordinates, frame.qdot, strict=True))
-    for symbol, value in reversed(mechanism.steps):
-        rates = {q: rate.xreplace({symbol: value}) for q, rate in rates.items()}
+    rates = dict(zip(frame.coordinates, map(mechanism.expand, frame.qdot), strict=True))
     return Frame(rates, frame.velocities, frame.relations)
 
 
@@ -192,7 +189,7 @@ def _constant(
     return found
 
 
-def _fraction(number: Any) -> sp.Rational | None:
+def _fraction(number: mpmath.mpf) -> sp.Rational | None:
     near = sp.Rational(str(number)).limit_denominator(DENOMINATOR)
     close = abs(mpmath.mpf(near.p) / near.q - number) < mpmath.sqrt(ZERO)
     return near if close else None

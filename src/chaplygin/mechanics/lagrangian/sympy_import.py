@@ -27,7 +27,7 @@ from ...errors import InputError
 from .mechanism import Mechanism, coordinates
 from .poincare_suslov import equations
 from .sympy_kane import Kane, kane
-from .sympy_names import name_translation
+from .sympy_names import Defaults, Inputs, name_translation
 
 __all__ = ["from_sympy", "mechanism_from_sympy"]
 
@@ -136,9 +136,9 @@ def mechanism_from_sympy(
 
 
 def _opened(
-    model: Any,
-    parameters: Mapping[Any, Any],
-    inputs: Mapping[Any, Any],
+    model: object,
+    parameters: Defaults,
+    inputs: Inputs,
     name: str,
     title: str,
 ) -> Kane | Mechanism:
@@ -194,8 +194,8 @@ def _lagrange(
     model: LagrangesMethod,
     name: str,
     title: str,
-    parameters: Mapping[Any, Any],
-    inputs: Mapping[Any, Any],
+    parameters: Defaults,
+    inputs: Inputs,
 ) -> Mechanism:
     if model.forcelist and model.inertial is None:
         raise InputError(f"{name}: the LagrangesMethod object has loads but no inertial frame")

@@ -36,7 +36,7 @@ from .generic_points import (
 )
 from .ldl import Factorisation, product
 from .mechanism import TIME, Frame, Mechanism
-from .sympy_names import NameTranslation, name_translation
+from .sympy_names import Defaults, Inputs, NameTranslation, name_translation
 
 __all__ = ["Kane", "kane"]
 
@@ -268,7 +268,7 @@ class Kane:
         """Whether a matrix is singular at a generic point."""
         dice = random.Random(2007)
         with mpmath.workdps(DIGITS):
-            values: dict[sp.Symbol, Any] = {
+            values: dict[sp.Symbol, mpmath.mpf] = {
                 s: mpmath.mpf(dice.randint(-999, 999)) / 1000 + mpmath.mpf(1) / 7001
                 for s in (*self.coordinates, *self.speeds, TIME)
             }
@@ -287,8 +287,8 @@ def kane(
     model: KanesMethod,
     name: str,
     title: str,
-    parameters: Mapping[Any, Any],
-    inputs: Mapping[Any, Any],
+    parameters: Defaults,
+    inputs: Inputs,
 ) -> Kane:
     """A `KanesMethod` object in plain symbols.
 
@@ -356,8 +356,8 @@ def kane(
 
 
 def _reactions(
-    free: KanesMethod, absent: Mapping[Any, Any], moving: Sequence[Any], inputs: Mapping[Any, Any]
-) -> dict[Any, sp.Expr]:
+    free: KanesMethod, absent: Mapping[sp.Expr, int], moving: Sequence[sp.Expr], inputs: Inputs
+) -> dict[sp.Expr, sp.Expr]:
     """Unknown forces of the loads by the equations of the auxiliary speeds."""
     if not absent:
         return {}

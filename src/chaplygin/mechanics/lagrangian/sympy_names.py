@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TypeAlias
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
@@ -15,7 +15,12 @@ from ...core.vectors import real_symbol
 from ...errors import InputError
 from .mechanism import TIME
 
-__all__ = ["NameTranslation", "name_translation"]
+__all__ = ["Defaults", "Inputs", "NameTranslation", "name_translation"]
+
+#: Values of a model's constants, by symbol or name.
+Defaults: TypeAlias = Mapping[sp.Symbol | str, float | Parameter]
+#: Formulas for functions of time, by function or name.
+Inputs: TypeAlias = Mapping[sp.Expr | str, sp.Expr]
 
 
 @dataclass(frozen=True)
@@ -32,10 +37,10 @@ class NameTranslation:
     """
 
     name: str
-    table: Mapping[Any, sp.Expr]
+    table: Mapping[sp.Expr, sp.Expr]
     parameters: tuple[Parameter, ...]
 
-    def __call__(self, formula: Any) -> sp.Expr:
+    def __call__(self, formula: sp.Expr) -> sp.Expr:
         """A formula with plain symbols only."""
         made = sp.sympify(formula).xreplace(dict(self.table))
         left = sorted(map(str, made.atoms(AppliedUndef)))
@@ -47,18 +52,18 @@ class NameTranslation:
         # the rate of an input
         return made.doit() if made.has(sp.Derivative) else made
 
-    def all(self, formulas: Iterable[Any]) -> list[sp.Expr]:
+    def all(self, formulas: Iterable[sp.Expr]) -> list[sp.Expr]:
         """Several formulas."""
         return [self(formula) for formula in formulas]
 
 
 def name_translation(
     name: str,
-    formulas: Sequence[Any],
-    moving: Sequence[Any],
-    rates: Mapping[Any, sp.Expr],
-    parameters: Mapping[Any, Any],
-    inputs: Mapping[Any, Any],
+    formulas: Sequence[sp.Expr],
+    moving: Sequence[sp.Expr],
+    rates: Mapping[sp.Expr, sp.Expr],
+    parameters: Defaults,
+    inputs: Inputs,
 ) -> NameTranslation:
     """The translation for a model.
 
@@ -86,7 +91,7 @@ def name_translation(
     used = {s for f in (*formulas, *given.values()) for s in sp.sympify(f).free_symbols} - {time}
     constants = sorted(used, key=str)
     chosen = _parameters(name, constants, parameters)
-    plain: dict[Any, sp.Expr] = {f: real_symbol(str(f.func)) for f in moving}
+    plain: dict[sp.Expr, sp.Expr] = {f: real_symbol(str(f.func)) for f in moving}
     plain |= {s: p.symbol for s, p in zip(constants, chosen, strict=True)}
     plain[time] = TIME
     table = dict(plain)
@@ -97,8 +102,8 @@ def name_translation(
 
 
 def _inputs(
-    name: str, formulas: Sequence[Any], moving: Sequence[Any], inputs: Mapping[Any, Any]
-) -> dict[Any, sp.Expr]:
+    name: str, formulas: Sequence[sp.Expr], moving: Sequence[sp.Expr], inputs: Inputs
+) -> dict[sp.Expr, sp.Expr]:
     functions = {f for formula in formulas for f in sp.sympify(formula).atoms(AppliedUndef)}
     by_name = {str(f.func): f for f in sorted(functions - set(moving), key=str)}
     found = {}
@@ -112,7 +117,7 @@ def _inputs(
 
 
 def _parameters(
-    name: str, constants: Sequence[sp.Symbol], parameters: Mapping[Any, Any]
+    name: str, constants: Sequence[sp.Symbol], parameters: Defaults
 ) -> tuple[Parameter, ...]:
     given = {str(key): value for key, value in parameters.items()}
     unknown = sorted(given.keys() - {str(s) for s in constants})
@@ -129,7 +134,7 @@ def _parameters(
     return tuple(_parameter(name, s, given[str(s)]) for s in constants)
 
 
-def _parameter(name: str, symbol: sp.Symbol, given: Any) -> Parameter:
+def _parameter(name: str, symbol: sp.Symbol, given: float | Parameter) -> Parameter:
     if isinstance(given, Parameter):
         if str(given.symbol) != str(symbol):
             raise InputError(f"{name}: parameters: {symbol} is given as {given.symbol}")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
+from flint import fmpq_mpoly
 
 from ...core.vectors import Vector
 from .factors import HalfAngleChart, has_even_degrees, in_angles, on_sphere
@@ -86,7 +86,7 @@ def in_unit_vector(value: Quotient, chart: HalfAngleChart, vector: Vector | None
     for poly, sign in ((value.above, 1), (value.below, -1)):
         content, parts = poly.factor()
         total *= sp.Rational(int(content.p), int(content.q)) ** sign
-        odd: Any = None
+        odd: fmpq_mpoly | None = None
         for factor, power in parts:
             e = int(power)
             circle, sine = (_is(factor, chart, form) for form in ("{}^2 + 1", "{}"))
@@ -108,7 +108,7 @@ def in_unit_vector(value: Quotient, chart: HalfAngleChart, vector: Vector | None
 
 
 def _one(
-    factor: Any, chart: HalfAngleChart, vector: Vector | None, circles: list[int], power: int
+    factor: fmpq_mpoly, chart: HalfAngleChart, vector: Vector | None, circles: list[int], power: int
 ) -> sp.Expr:
     """A factor to a power, exactly; the powers of 1 + t² that it takes are recorded."""
     for i in (0, 1):
@@ -118,7 +118,7 @@ def _one(
     return (in_angles(factor, chart) if made is None else made) ** power
 
 
-def _is(factor: Any, chart: HalfAngleChart, form: str) -> int | None:
+def _is(factor: fmpq_mpoly, chart: HalfAngleChart, form: str) -> int | None:
     """For which angle a factor has the given form in t."""
     names = factor.context().names()
     for i in (0, 1):

@@ -10,10 +10,9 @@ import random
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations_with_replacement
-from typing import Any
 
 import sympy as sp
-from flint import Ordering, fmpq, fmpq_mat, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mat, fmpq_mpoly, fmpq_mpoly_ctx
 
 from ...core.vectors import Vector, real_symbol
 from .horizontal_lift import Lift
@@ -117,7 +116,7 @@ def natural_factors(
     chart: HalfAngleChart,
     parameters: Sequence[sp.Symbol],
     owner: str,
-) -> list[Any]:
+) -> list[fmpq_mpoly]:
     """Irreducible polynomials in the variables of the chart that the system itself brings along.
 
     They divide the determinants of K, of the quadratic forms Q given, and of Q on the velocities
@@ -140,7 +139,7 @@ def natural_factors(
             found.append(determinant([product(tied, column) for column in turned]))
     pairs = zip(chart.variables, chart.angles, strict=True)
     circles = {str(names[t].above ** 2 + 1) for t, angle in pairs if angle}
-    factors: dict[str, Any] = {}
+    factors: dict[str, fmpq_mpoly] = {}
     for value in found:
         for poly in (value.above, value.below):
             for factor, _ in poly.factor()[1]:
@@ -150,19 +149,19 @@ def natural_factors(
     return list(factors.values())
 
 
-def has_even_degrees(poly: Any, chart: HalfAngleChart) -> bool:
+def has_even_degrees(poly: fmpq_mpoly, chart: HalfAngleChart) -> bool:
     """Whether a polynomial is over (1 + t²)^(d/2) a function of the angles without half angles."""
     return not any(a and int(d) % 2 for d, a in zip(poly.degrees()[:2], chart.angles, strict=True))
 
 
-def in_angles(poly: Any, chart: HalfAngleChart) -> sp.Expr:
+def in_angles(poly: fmpq_mpoly, chart: HalfAngleChart) -> sp.Expr:
     """A polynomial as F/(1 + t²)^⌈d/2⌉ in sines and cosines, expanded."""
     names = poly.context().names()
     circles = [str(s) for q in chart.coordinates for s in circle(q)]
     ring = fmpq_mpoly_ctx.get([*circles, *names], Ordering.lex)
     gens = dict(zip(ring.names(), ring.gens(), strict=True))
     halves = [(int(d) + 1) // 2 for d in poly.degrees()[:2]]
-    parts: dict[tuple[int, int], dict[tuple[int, ...], Any]] = {}
+    parts: dict[tuple[int, int], dict[tuple[int, ...], fmpq]] = {}
     for exponents, coefficient in poly.to_dict().items():
         first, second, *rest = (int(e) for e in exponents)
         parts.setdefault((first, second), {})[0, 0, 0, 0, 0, 0, *rest] = coefficient
@@ -186,7 +185,7 @@ def in_angles(poly: Any, chart: HalfAngleChart) -> sp.Expr:
     return as_formula(total / scale).xreplace(functions)
 
 
-def on_sphere(poly: Any, chart: HalfAngleChart, vector: Vector) -> sp.Expr | None:
+def on_sphere(poly: fmpq_mpoly, chart: HalfAngleChart, vector: Vector) -> sp.Expr | None:
     """A polynomial of even degrees, over the powers of 1 + t², in the unit vector.
 
     A form where it is one; else with terms of two degrees that differ by one.  None if it is no
@@ -209,25 +208,27 @@ def on_sphere(poly: Any, chart: HalfAngleChart, vector: Vector) -> sp.Expr | Non
     return None
 
 
-def _with_numbers(poly: Any) -> Any:
+def _with_numbers(poly: fmpq_mpoly) -> fmpq_mpoly:
     """The polynomial at random values of the parameters."""
     dice = random.Random(SEED)
     return poly.subs({name: number(dice) for name in poly.context().names()[2:]})
 
 
-def _at_pole(poly: Any) -> bool:
+def _at_pole(poly: fmpq_mpoly) -> bool:
     """Whether the value at θ = 0 is the same for all φ, as of a function on the sphere."""
     values = [_over(poly, [fmpq(0), x]) for x in (fmpq(1, 3), fmpq(5, 2))]
     return bool(values[0] == values[1])
 
 
-def _as_form(found: Sequence[Any], powers: Sequence[tuple[int, ...]], vector: Vector) -> sp.Expr:
+def _as_form(
+    found: Sequence[fmpq_mpoly], powers: Sequence[tuple[int, ...]], vector: Vector
+) -> sp.Expr:
     monomials = [sp.Mul(*(vector.symbols[i] for i in chosen)) for chosen in powers]
     terms = [as_formula(f) * x for f, x in zip(found, monomials, strict=True)]
     return sp.collect(sp.expand(sp.Add(*terms)), monomials, sp.factor)
 
 
-def _fitted(poly: Any, powers: Sequence[tuple[int, ...]]) -> list[Any] | None:
+def _fitted(poly: fmpq_mpoly, powers: Sequence[tuple[int, ...]]) -> list[fmpq_mpoly] | None:
     """Coefficients of the monomials that make the polynomial, if there are any."""
     ring, count = poly.context(), len(powers)
     rows, right = [], []
@@ -263,7 +264,7 @@ def _power(unit: Sequence[fmpq], chosen: Sequence[int]) -> fmpq:
     return total
 
 
-def _over(poly: Any, t: Sequence[fmpq]) -> Any:
+def _over(poly: fmpq_mpoly, t: Sequence[fmpq]) -> fmpq_mpoly:
     """F/(1 + t²)^(d/2) at rational t, a polynomial in the parameters."""
     names = poly.context().names()
     value = poly.subs({names[0]: t[0], names[1]: t[1]})

@@ -91,8 +91,8 @@ def motion(mechanism: Mechanism) -> ReducedMomenta:
     """
     frame, name = mechanism.frame, mechanism.name
     w, q = frame.w, frame.coordinates
-    lagrangian = _written(mechanism, mechanism.L)
-    constraints = [_written(mechanism, f) for f in mechanism.f]
+    lagrangian = mechanism.expand(mechanism.L)
+    constraints = [mechanism.expand(f) for f in mechanism.f]
     _check(mechanism, lagrangian, constraints)
     given, left = _eliminated(constraints, w)
     free = tuple(s for s in w if s not in given)
@@ -104,7 +104,7 @@ def motion(mechanism: Mechanism) -> ReducedMomenta:
     carried = gradient_by(lagrangian, w).xreplace(at_rest)
     velocities = Z * sp.Matrix(free)
     momenta = mass * velocities + carried
-    G = sp.Matrix(frame.matrix).applyfunc(lambda entry: _written(mechanism, entry))
+    G = sp.Matrix(frame.matrix).applyfunc(mechanism.expand)
     anchor = G * Z
     rates = anchor * sp.Matrix(free)
     place = dict(zip(w, velocities, strict=True))
@@ -146,13 +146,6 @@ def _slope(potential: sp.Expr, coordinate: sp.Symbol) -> sp.Expr:
     """∂U/∂q, or a symbol for it where it is not rational."""
     slope = sp.diff(potential, coordinate)
     return slope if is_rational(slope) else real_symbol(f"[dU/d{coordinate}]")
-
-
-def _written(mechanism: Mechanism, value: sp.Expr) -> sp.Expr:
-    """A formula with its definitions written out."""
-    for symbol, formula in reversed(mechanism.steps):
-        value = value.xreplace({symbol: formula})
-    return value
 
 
 def _check(mechanism: Mechanism, lagrangian: sp.Expr, constraints: list[sp.Expr]) -> None:

@@ -10,16 +10,23 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
-from flint import fmpq
+from flint import fmpq, fmpq_mpoly
 
 from ...core.system import Parameter
 from ...core.vectors import Vector
 from .factors import HalfAngleChart, has_even_degrees, in_angles, on_sphere
 from .horizontal_lift import Local
-from .rational_evaluation import Quotient, Value, near, number, quotients, reduced_echelon_form
+from .rational_evaluation import (
+    Point,
+    Quotient,
+    Value,
+    near,
+    number,
+    quotients,
+    reduced_echelon_form,
+)
 
 __all__ = [
     "Multiplier",
@@ -71,7 +78,7 @@ class Obstruction:
     """
 
     point: dict[str, str]
-    curl: Any
+    curl: fmpq
     vanishing: tuple[sp.Expr, ...]
 
 
@@ -85,8 +92,8 @@ def as_positive(parameters: Sequence[Parameter]) -> dict[sp.Symbol, sp.Symbol]:
 
 
 def _at(
-    local: Local, chart: HalfAngleChart, values: Sequence[Value], given: Any, like: Value
-) -> Any:
+    local: Local, chart: HalfAngleChart, values: Sequence[Value], given: Point, like: Value
+) -> tuple[Value, Value]:
     """The 1-form at a point of the chart."""
     place = {**given, **chart.point([like * v for v in values])}
     return local.at(place, like).form(like)
@@ -104,11 +111,11 @@ def curl(
     local: Local,
     chart: HalfAngleChart,
     values: Sequence[fmpq],
-    given: dict[sp.Symbol, Any],
-    others: Any,
-) -> Any:
+    given: Point,
+    others: Sequence[sp.Symbol],
+) -> Value:
     """∂A₂/∂q₂ + ∂A₁/∂q₁ at a point; `others` are parameters to be kept as symbols."""
-    total: Any = None
+    total: Value = None
     for moved in (0, 1):
         one, names = quotients([chart.variables[moved], *others])
         place = {s: one * v for s, v in given.items()} | {s: names[s] for s in others}
@@ -194,7 +201,7 @@ def open_unless(
     """Factors in the parameters that the curl has at every point, and that may vanish."""
     dice = random.Random(SEED + 1)
     parameters = _parameters(local, chart)
-    shared: Any = None
+    shared: sp.Expr | None = None
     for _ in range(2):
         values = [number(dice), number(dice)]
         found = curl(local, chart, values, {}, parameters)
@@ -213,7 +220,7 @@ def open_unless(
 
 
 def multiplier(
-    local: Local, chart: HalfAngleChart, factors: Sequence[Any], vector: Vector | None
+    local: Local, chart: HalfAngleChart, factors: Sequence[fmpq_mpoly], vector: Vector | None
 ) -> Multiplier | None:
     """N as a product of powers of the factors; None if it is none.
 
@@ -244,13 +251,13 @@ def multiplier(
 def _exponents(
     local: Local,
     chart: HalfAngleChart,
-    factors: Sequence[Any],
-    given: dict[sp.Symbol, Any],
+    factors: Sequence[fmpq_mpoly],
+    given: Point,
     symbols: tuple[sp.Symbol, ...],
-) -> list[Any] | None:
+) -> list[Value] | None:
     """Exponents of the factors, then of 1 + t² for each angle."""
     dice = random.Random(SEED + 2)
-    like: Any = fmpq(1)
+    like: Value = fmpq(1)
     place = dict(given)
     if symbols:
         like, names = quotients(symbols)
@@ -271,7 +278,11 @@ def _exponents(
 
 
 def _slopes(
-    chart: HalfAngleChart, factors: Sequence[Any], values: Sequence[fmpq], given: Any, like: Value
+    chart: HalfAngleChart,
+    factors: Sequence[fmpq_mpoly],
+    values: Sequence[fmpq],
+    given: Point,
+    like: Value,
 ) -> list[list[Value]]:
     """Derivatives of ln F_j and ln(1 + t²) by both coordinates."""
     at = {**given, **dict(zip(chart.variables, (like * v for v in values), strict=True))}
@@ -290,7 +301,7 @@ def _slopes(
     return rows
 
 
-def _value(poly: Any, at: Any, like: Value) -> Value:
+def _value(poly: fmpq_mpoly, at: Point, like: Value) -> Value:
     names = poly.context().names()
     by_name = {str(s): v for s, v in at.items()}
     total = like * 0
@@ -313,7 +324,7 @@ def _solved(rows: list[list[Value]], right: list[Value]) -> list[Value] | None:
 
 def _powers(
     chart: HalfAngleChart,
-    factors: Sequence[Any],
+    factors: Sequence[fmpq_mpoly],
     exponents: Sequence[sp.Expr],
     vector: Vector | None,
 ) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
@@ -322,7 +333,7 @@ def _powers(
     own = list(exponents[: len(factors)])
     circles = iter(exponents[len(factors) :])
     rest = [next(circles) if angle else sp.S.Zero for angle in chart.angles]
-    groups: dict[sp.Expr, Any] = {}
+    groups: dict[sp.Expr, fmpq_mpoly] = {}
     for poly, exponent in zip(factors, own, strict=True):
         if exponent == 0:
             continue
@@ -344,7 +355,7 @@ def _powers(
     return tuple(found)
 
 
-def _base(poly: Any, chart: HalfAngleChart, vector: Vector | None) -> sp.Expr:
+def _base(poly: fmpq_mpoly, chart: HalfAngleChart, vector: Vector | None) -> sp.Expr:
     known = on_sphere(poly, chart, vector) if vector is not None else None
     return _monic(in_angles(poly, chart) if known is None else known)
 

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
+from ...core.named_formulas import Pairs
 from ...core.system import Guard, Parameter
 from ...core.vectors import Symmetric, Vector, constant, cross, dot, norm_squared, real_symbol
 from ...errors import InputError
@@ -31,7 +31,6 @@ from .surfaces import Plane, Sphere, Surface
 
 __all__ = ["Contact", "contact"]
 
-Pairs = tuple[tuple[Any, Any], ...]
 
 omega = Vector("omega")
 gamma = Vector("gamma")

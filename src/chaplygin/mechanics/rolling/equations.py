@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 import sympy as sp
@@ -25,7 +25,8 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...arguments import arguments_checked
 from ...core.laws import Integral
-from ...core.system import Guard, Observable, Parameter, Reconstruction, System
+from ...core.named_formulas import Pairs
+from ...core.system import Guard, Name, Observable, Parameter, Reconstruction, System
 from ...core.vectors import (
     Diagonal,
     Symmetric,
@@ -58,7 +59,6 @@ from .surfaces import Plane, Surface
 __all__ = ["ContactModel", "Forces", "Rolling", "roll"]
 
 ContactModel = Literal["marble", "rubber"]
-Pairs = tuple[tuple[Any, Any], ...]
 
 M, omega, gamma, zeta = (Vector(name) for name in ("M", "omega", "gamma", "zeta"))
 k, X, omegadot, N, F = (Vector(name) for name in ("k", "X", "omegadot", "N", "F"))
@@ -356,8 +356,8 @@ def _rubber(balance: _Balance, surface: Surface, name: str, title: str) -> Syste
 def _split(definitions: Pairs) -> tuple[Pairs, Pairs]:
     """Definitions of the position alone, and those that need the angular velocity."""
     moving = set(omega.symbols)
-    before: list[Any] = []
-    after: list[Any] = []
+    before: list[tuple[Name, sp.Basic]] = []
+    after: list[tuple[Name, sp.Basic]] = []
     for name, formula in definitions:
         symbols = to_components(formula).free_symbols
         if symbols & moving:

@@ -9,11 +9,10 @@ X (body axes, from the centre of the sphere) does the same.
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
 
 from ...arguments import arguments_checked
+from ...core.named_formulas import Pairs, expand
 from ...core.system import Guard, Parameter, flat_pairs
 from ...core.vectors import (
     Diagonal,
@@ -25,7 +24,7 @@ from ...core.vectors import (
     real_symbol,
     to_components,
 )
-from ..lagrangian.mechanism import Frame, Mechanism, Pairs, euclidean
+from ..lagrangian.mechanism import Frame, Mechanism, euclidean
 from .contact import contact as contact_of
 from .equations import Rolling
 from .surfaces import Plane
@@ -73,7 +72,9 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
     kinetic = HALF * m * norm_squared(v) + HALF * dot(omega, spin)
     if any(body.gyrostat):
         kinetic = kinetic + dot(k, omega)
-    rates = {n: _written(rate, swinging) if swinging else rate for n, rate in touch.state}
+    rates = {
+        n: expand(to_components(rate), swinging) if swinging else rate for n, rate in touch.state
+    }
     potential: sp.Expr = sp.S.Zero
     relations = touch.relations
     if field.gravity and isinstance(rolling.surface, Plane):
@@ -84,7 +85,7 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
         rates[zeta] = cross(zeta, omega)
         relations = (*relations, norm_squared(zeta) - 1)
         potential = m * g * dot(X, zeta)
-    constraints: tuple[Any, ...] = (v + cross(omega, touch.r),)
+    constraints: tuple[sp.Basic, ...] = (v + cross(omega, touch.r),)
     if rolling.contact == "rubber":
         constraints += (dot(omega, gamma),)
     return Mechanism(
@@ -103,7 +104,7 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
 def _positions(definitions: Pairs) -> tuple[Pairs, dict[sp.Symbol, sp.Expr]]:
     """Definitions in the position alone, and the steps of those in the angular velocity."""
     moving = set(omega.symbols)
-    place: list[tuple[Any, Any]] = []
+    place: list[tuple[sp.Basic, sp.Basic]] = []
     swinging: dict[sp.Symbol, sp.Expr] = {}
     for name, formula in definitions:
         steps = flat_pairs(((name, formula),))
@@ -115,15 +116,10 @@ def _positions(definitions: Pairs) -> tuple[Pairs, dict[sp.Symbol, sp.Expr]]:
     return tuple(place), swinging
 
 
-def _written(formula: Any, swinging: dict[sp.Symbol, sp.Expr]) -> Any:
-    value = to_components(formula)
-    while value.free_symbols & swinging.keys():
-        value = value.xreplace(swinging)
-    return value
-
-
 def _guard(guard: Guard, swinging: dict[sp.Symbol, sp.Expr]) -> Guard:
-    return Guard(guard.name, _written(guard.value, swinging), guard.message, guard.lift_off)
+    return Guard(
+        guard.name, expand(to_components(guard.value), swinging), guard.message, guard.lift_off
+    )
 
 
 def _parameters(

@@ -16,6 +16,7 @@ from sympy.core.function import AppliedUndef
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law, Measure, Rate, Reduction
+from ...core.named_formulas import expand
 from ...core.system import System
 from ...core.vectors import to_components
 from ...formulas.errors import NeedMoreGeneratorsError, OutOfReachError
@@ -71,7 +72,7 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
     for condition in (*system.relations, *law.on):
         formula = to_components(condition)
         choice = None
-        if not _polynomial(_written(formula, steps), tame):
+        if not _polynomial(expand(formula, steps), tame):
             choice = _linear(formula, [s for s in system.symbols if s not in gone], steps, gone)
         if choice is None:
             left.append(formula)
@@ -137,12 +138,6 @@ def _thin(system: System, conditions: tuple[Any, ...], factor: sp.Expr, spare: i
     return all(made.within((*equations, part), len(equations) + 1) for part in parts)
 
 
-def _written(formula: sp.Expr, steps: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    while formula.free_symbols & steps.keys():
-        formula = formula.xreplace(dict(steps))
-    return formula
-
-
 def _polynomial(formula: sp.Expr, tame: tuple[type, ...]) -> bool:
     """Whether no function or root occurs, but for tame ones; or it is a value of one alone."""
     if isinstance(formula, AppliedUndef):
@@ -165,8 +160,8 @@ def _linear(
             continue
         factor = sp.diff(formula, symbol)
         rest = formula.xreplace({symbol: sp.S.Zero})
-        slope = _written(factor, known)
-        if slope != 0 and symbol not in slope.free_symbols | _written(rest, known).free_symbols:
+        slope = expand(factor, known)
+        if slope != 0 and symbol not in slope.free_symbols | expand(rest, known).free_symbols:
             return symbol, -rest / factor, factor
     return None
 

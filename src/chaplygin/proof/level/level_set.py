@@ -12,6 +12,7 @@ import sympy as sp
 from flint import fmpq
 from sympy.core.function import AppliedUndef
 
+from ...core.named_formulas import expand
 from ...core.system import System
 from ...core.vectors import Symmetric, to_components
 from ...errors import InputError
@@ -198,9 +199,7 @@ class LevelSet:
 
     def expanded(self, formula: sp.Expr) -> sp.Expr:
         """A formula in which the definitions are written out."""
-        while formula.free_symbols & set(self.steps):
-            formula = formula.xreplace(self.steps)
-        return formula
+        return expand(formula, self.steps)
 
     # --- components ------------------------------------------------------------------------
 

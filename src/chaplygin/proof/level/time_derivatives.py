@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import sympy as sp
 
 from ...core.laws import Rate
+from ...core.named_formulas import expand
 from .level_set import LevelSet
 
 __all__ = ["without_rates", "without_second_rates"]
@@ -46,8 +47,6 @@ def without_second_rates(
 
 
 def _written(formula: sp.Expr, ground: LevelSet, quantities: Quantities) -> sp.Expr:
-    while formula.free_symbols & set(quantities):
-        formula = formula.xreplace(dict(quantities))
-    formula = ground.expanded(formula)
+    formula = ground.expanded(expand(formula, quantities))
     rates = zip(ground.system.symbols, ground.system.rates, strict=True)
     return sp.Add(*(sp.diff(formula, s) * rate for s, rate in rates))

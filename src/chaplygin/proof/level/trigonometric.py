@@ -16,6 +16,7 @@ import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from ...core.laws import ConformallyHamiltonian, Law, PoissonStructure, Symmetry
+from ...core.named_formulas import expand
 from ...core.system import Parameter, System
 from ...core.vectors import real_symbol, to_components
 from ...formulas.errors import OutOfReachError
@@ -140,7 +141,7 @@ def circles(system: System, on: Iterable[Any] = (), also: Iterable[Any] = ()) ->
         If an angle occurs otherwise than in sines and cosines, or beside something else.
     """
     steps = dict(system.steps)
-    conditions = [_written(to_components(c), steps) for c in (*system.relations, *on)]
+    conditions = [expand(to_components(c), steps) for c in (*system.relations, *on)]
     nodes = {n for c in conditions for n in c.atoms(TrigonometricFunction)}
     angles = _angles(system, nodes)
     if not angles:
@@ -205,12 +206,6 @@ def formulas_of(value: Any) -> list[Any]:
         parts = [getattr(value, f.name) for f in fields(value) if f.name not in skip]
         return [*pushed, *(f for part in parts for f in formulas_of(part))]
     return []
-
-
-def _written(formula: sp.Expr, steps: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    while formula.free_symbols & steps.keys():
-        formula = formula.xreplace(dict(steps))
-    return formula
 
 
 def _flat(pairs: Iterable[tuple[Any, Any]]) -> list[tuple[sp.Symbol, sp.Expr]]:
