@@ -32,7 +32,6 @@ LONGER = {
     "flow/kernel/runge_kutta.py",
     "mechanics/rolling/equations.py",
     "mechanics/rolling/shapes.py",
-    "printing/laws.py",
     "proof/certificates/case_tree.py",
     "proof/certificates/identities.py",
     "proof/level/level_set.py",

@@ -209,7 +209,9 @@ def _judged_by_processes(
     pool = ProcessPoolExecutor(workers or os.cpu_count(), mp_context=get_context("spawn"))
     try:
         with _deaf():
-            tasks: dict[Future[Any], int] = {pool.submit(judge, n, section): n for n in waiting}
+            tasks: dict[Future[tuple[Verdict, Verdict | None]], int] = {
+                pool.submit(judge, n, section): n for n in waiting
+            }
         open_tasks = set(tasks)
         while open_tasks:
             ended, open_tasks = wait(open_tasks, timeout=0.5, return_when=FIRST_COMPLETED)

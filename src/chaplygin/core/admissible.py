@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 from typing import Any
 
 import sympy as sp
 
 from ..errors import InputError
+from .arrays import BoolArray, FloatArray
+from .parameters import Parameters
 from .system import Parameter, System
 
 __all__ = ["conditions", "parameters_by_symbol", "require_parameters", "satisfies"]
@@ -17,7 +19,7 @@ __all__ = ["conditions", "parameters_by_symbol", "require_parameters", "satisfie
 ROUNDING = 1e-12
 
 
-def conditions(parameters: Iterable[Parameter]) -> list[tuple[Parameter, Any]]:
+def conditions(parameters: Iterable[Parameter]) -> list[tuple[Parameter, sp.Expr]]:
     """Parameters with a condition of each, as often as they have some.
 
     Conditions on one parameter alone come first: where one of them fails, that parameter is wrong,
@@ -27,7 +29,9 @@ def conditions(parameters: Iterable[Parameter]) -> list[tuple[Parameter, Any]]:
     return sorted(found, key=lambda pair: len(pair[1].free_symbols))
 
 
-def satisfies(condition: Any, numbers: Mapping[sp.Symbol, Any]) -> Any:
+def satisfies(
+    condition: sp.Basic, numbers: Mapping[sp.Symbol, float | FloatArray]
+) -> bool | BoolArray:
     """Where a condition on parameters holds.
 
     Where it allows equality, so does rounding: the moments of inertia of a flat body, of which one
@@ -47,9 +51,7 @@ def satisfies(condition: Any, numbers: Mapping[sp.Symbol, Any]) -> Any:
     return check(*(numbers[symbol] for symbol in symbols))
 
 
-def parameters_by_symbol(
-    system: System, parameters: Mapping[Any, Any] | None
-) -> dict[sp.Symbol, Any]:
+def parameters_by_symbol(system: System, parameters: Parameters | None) -> dict[sp.Symbol, Any]:
     """Values that are given by symbol or name, by the symbols of the system.
 
     Raises
@@ -62,7 +64,7 @@ def parameters_by_symbol(
     return {symbols[str(key)]: value for key, value in (parameters or {}).items()}
 
 
-def require_parameters(system: System, parameters: Mapping[Any, Any] | None) -> None:
+def require_parameters(system: System, parameters: Parameters | None) -> None:
     """Raise InputError if one of the names, or symbols, is none of a parameter of the system."""
     known = [str(item.symbol) for item in system.parameters]
     for key in parameters or {}:
@@ -73,7 +75,7 @@ def require_parameters(system: System, parameters: Mapping[Any, Any] | None) -> 
 
 
 @lru_cache(maxsize=256)
-def _check(condition: Any) -> tuple[list[sp.Symbol], Any]:
+def _check(condition: sp.Basic) -> tuple[list[sp.Symbol], Callable[..., bool | BoolArray]]:
     """The symbols of a condition, and whether it holds as a function of them."""
     asked = sp.sympify(condition)
     if isinstance(asked, sp.Ge | sp.Le):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 
@@ -18,7 +18,7 @@ def as_pairs(formulas: Mapping[sp.Basic, sp.Basic] | Iterable[tuple[sp.Basic, sp
     return tuple(formulas.items()) if isinstance(formulas, Mapping) else tuple(formulas)
 
 
-def with_formulas(value: Any) -> Any:
+def with_formulas(value: object) -> object:
     """The value with pairs for mappings, tuples for lists, SymPy's numbers for Python's.
 
     Examples

@@ -77,7 +77,7 @@ class Observable:
     """
 
     name: str
-    value: Any
+    value: sp.Basic
     meaning: str
     unit: str = ""
     frame: str = ""
@@ -124,7 +124,7 @@ class Reconstruction:
         object.__setattr__(self, "field", as_pairs(self.field))
 
 
-def _symbols_of(formula: Any) -> set[sp.Symbol]:
+def _symbols_of(formula: sp.Basic) -> set[sp.Symbol]:
     symbols: set[sp.Symbol] = to_components(formula).free_symbols
     return symbols
 

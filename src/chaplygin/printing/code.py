@@ -12,13 +12,15 @@ import keyword
 import re
 import textwrap
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence, Sized
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sp
 
 from ..arguments import arguments_checked
+from ..core.arrays import FloatArray
 from ..errors import InputError
 from .system import field_text
 
@@ -108,7 +110,7 @@ def source_code(system: System, language: str) -> str:
 # --- functions -----------------------------------------------------------------------------
 
 
-def _library(name: str, target: str) -> Any:
+def _library(name: str, target: str) -> ModuleType:
     try:
         return importlib.import_module(name)
     except ImportError:
@@ -138,11 +140,11 @@ def _generated(system: System, modules: str) -> Field:
     return built
 
 
-def _defaults(system: System) -> Any:
+def _defaults(system: System) -> FloatArray:
     return np.array([p.default for p in system.parameters], dtype=float)
 
 
-def _check_lengths(system: System, x: Any, p: Any) -> None:
+def _check_lengths(system: System, x: Sized, p: Sized) -> None:
     for name, values, wanted, order in (
         ("x", x, len(system.symbols), "symbols"),
         ("p", p, len(system.parameters), "parameters"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -55,7 +55,7 @@ def layout(system: System) -> Layout:
     return replace(found, field=short(found.field), where=short(found.where))
 
 
-def _without(zeros: dict[sp.Symbol, Any], value: Any) -> Any:
+def _without(zeros: dict[sp.Symbol, sp.Basic], value: sp.Basic) -> sp.Basic:
     """A scalar formula of scalars without what vanishes; others stay as they are written."""
     plain = isinstance(value, sp.Expr) and not value.atoms(Vector, Diagonal, Symmetric)
     return value.xreplace(zeros) if plain and value.free_symbols & zeros.keys() else value
@@ -87,7 +87,7 @@ def reconstruction_layout(system: System) -> Layout:
     return Layout(field, tuple(pair for pair in steps if pair[0] not in shown), ())
 
 
-def _spelt_out(system: System, field: Pairs) -> tuple[Pairs, set[Any]]:
+def _spelt_out(system: System, field: Pairs) -> tuple[Pairs, set[sp.Basic]]:
     """Rates, those that are only names put in or left out, and the names put in."""
     definitions = dict(system.definitions)
     found, names = [], set()
@@ -102,17 +102,17 @@ def _spelt_out(system: System, field: Pairs) -> tuple[Pairs, set[Any]]:
     return tuple(found), names
 
 
-def _scalars(name: Any) -> set[sp.Symbol]:
+def _scalars(name: sp.Basic) -> set[sp.Symbol]:
     return {name} if isinstance(name, sp.Symbol) else set(name.symbols)
 
 
-def _mentioned(formula: Any) -> set[sp.Symbol]:
+def _mentioned(formula: sp.Basic) -> set[sp.Symbol]:
     """Symbols on which a formula depends or whose name it shows, as ∂U/∂γ shows U."""
     shown: set[sp.Symbol] = {gradient.args[2] for gradient in formula.atoms(Gradient)}
     return shown.union(to_components(formula).free_symbols)
 
 
-def _needed(system: System, formulas: Iterable[Any]) -> Pairs:
+def _needed(system: System, formulas: Iterable[sp.Basic]) -> Pairs:
     """The definitions on which formulas depend, in order."""
     wanted = set().union(*map(_mentioned, formulas))
     chosen = []
@@ -123,7 +123,7 @@ def _needed(system: System, formulas: Iterable[Any]) -> Pairs:
     return tuple(reversed(chosen))
 
 
-def _given(system: System, formulas: Iterable[Any]) -> Pairs:
+def _given(system: System, formulas: Iterable[sp.Basic]) -> Pairs:
     """Tensors and vectors made of parameters, by their components."""
     known = {name for name, _ in system.field} | {name for name, _ in system.definitions}
     atoms = set().union(*(formula.atoms(Vector, Diagonal, Symmetric) for formula in formulas))

@@ -8,7 +8,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import sympy as sp
 
@@ -43,7 +43,7 @@ class Notation(ABC):
     cross: str
     dyad: str
     relations: ClassVar[Mapping[str, str]]
-    constants: ClassVar[Mapping[Any, str]]
+    constants: ClassVar[Mapping[sp.Basic, str]]
 
     def guard(self, piece: Fragment, level: Precedence) -> str:
         """`piece` as it stands where at least `level` is needed: in brackets if it is looser."""
@@ -108,7 +108,7 @@ class Notation(ABC):
         """All entries, row by row."""
 
     @abstractmethod
-    def fallback(self, formula: Any) -> str:
+    def fallback(self, formula: sp.Basic) -> str:
         """What the rules here do not cover."""
 
 
@@ -142,7 +142,7 @@ class _Unicode(Notation):
         ">": ">",
         ">=": "≥",
     }
-    constants: ClassVar[Mapping[Any, str]] = {sp.pi: "π", sp.E: "e"}
+    constants: ClassVar[Mapping[sp.Basic, str]] = {sp.pi: "π", sp.E: "e"}
 
     def brackets(self, inner: str) -> str:
         return f"({inner})"
@@ -233,7 +233,7 @@ class _Unicode(Notation):
             return Fragment(f"({', '.join(row[0] for row in rows)})")
         return Fragment(f"[{'; '.join(', '.join(row) for row in rows)}]")
 
-    def fallback(self, formula: Any) -> str:
+    def fallback(self, formula: sp.Basic) -> str:
         return str(sp.sstr(formula))
 
 
@@ -249,7 +249,7 @@ class _Latex(Notation):
         ">": ">",
         ">=": r"\geq",
     }
-    constants: ClassVar[Mapping[Any, str]] = {sp.pi: r"\pi", sp.E: "e"}
+    constants: ClassVar[Mapping[sp.Basic, str]] = {sp.pi: r"\pi", sp.E: "e"}
 
     #: A vector whose components take more characters is written as a column.
     _longest_list = 200
@@ -357,7 +357,7 @@ class _Latex(Notation):
         body = r" \\ ".join(" & ".join(row) for row in rows)
         return Fragment(rf"\begin{{pmatrix}} {body} \end{{pmatrix}}")
 
-    def fallback(self, formula: Any) -> str:
+    def fallback(self, formula: sp.Basic) -> str:
         return str(sp.latex(formula))
 
 

@@ -10,7 +10,9 @@ import html
 import re
 import textwrap
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+import sympy as sp
 
 from ..core.named_formulas import Pairs
 from .formula import LATEX, UNICODE, Notation, latex, rate, signed_terms, text, width
@@ -227,7 +229,7 @@ def _aligned(rows: Sequence[str]) -> str:
     return "\\begin{aligned}\n" + " \\\\\n".join(rows) + "\n\\end{aligned}"
 
 
-def _aligned_rows(sides: Iterable[tuple[str, Any]]) -> list[str]:
+def _aligned_rows(sides: Iterable[tuple[str, sp.Basic]]) -> list[str]:
     rows = []
     for left, formula in sides:
         first, *others = _lines(formula, LATEX)
@@ -236,7 +238,7 @@ def _aligned_rows(sides: Iterable[tuple[str, Any]]) -> list[str]:
     return rows
 
 
-def _lines(formula: Any, notation: Notation) -> list[str]:
+def _lines(formula: sp.Basic, notation: Notation) -> list[str]:
     """A sum as lines of about `LINE` columns each."""
     lines: list[str] = []
     used = 0
@@ -344,7 +346,7 @@ def _caption_html(law: Law, system: System) -> str:
     """The caption of a law; the formulas of its level in MathML."""
     kept: list[str] = []
 
-    def mark(formula: Any) -> str:
+    def mark(formula: sp.Basic) -> str:
         kept.append(mathml(latex(formula)))
         return f"\0{len(kept) - 1}\0"
 

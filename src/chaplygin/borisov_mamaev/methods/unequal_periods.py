@@ -20,7 +20,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Sequence
 from functools import cache
-from typing import Any, TypeAlias
+from typing import TypeAlias, TypeVar
 
 import sympy as sp
 from flint import acb, arb, arb_series, ctx
@@ -37,6 +37,7 @@ from ...proof.verdict import Verdict
 
 __all__ = ["BALL", "BETWEEN", "clock", "half_period", "resonance", "unequal_periods"]
 
+T = TypeVar("T", arb, arb_series)
 #: I and D = mR², as decimal fractions.
 Ball: TypeAlias = tuple[tuple[str, str, str], str]
 #: A slender ball: one of 5 kg and radius 1 m can have these moments.
@@ -51,14 +52,14 @@ PRECISION = 128
 z_1, z_2 = real_symbol("z_1"), real_symbol("z_2")
 
 
-def _numbers(ball: Ball) -> tuple[Any, Any, Any, Any]:
+def _moments_and_lever(ball: Ball) -> tuple[arb, arb, arb, arb]:
     (first, second, third), lever = ball
     return arb(first), arb(second), arb(third), arb(lever)
 
 
-def _rates(alpha: Any, beta: Any, level: Any, ball: Ball) -> tuple[Any, Any]:
+def _rates(alpha: T, beta: T, level: arb, ball: Ball) -> tuple[T, T]:
     """dβ/dα and dt/dα, for numbers or power series."""
-    i_1, i_2, i_3, lever = _numbers(ball)
+    i_1, i_2, i_3, lever = _moments_and_lever(ball)
     low, high = alpha.sin(), beta.sin()
     first = low * low * (level - i_1) + i_1
     second = high * high * (i_3 - i_2) + i_2
@@ -69,7 +70,7 @@ def _rates(alpha: Any, beta: Any, level: Any, ball: Ball) -> tuple[Any, Any]:
     return steep, (second - first) * slow
 
 
-def _series(alpha: Any, beta: Any, level: Any, ball: Ball) -> tuple[list[Any], list[Any]]:
+def _series(alpha: arb, beta: arb, level: arb, ball: Ball) -> tuple[list[arb], list[arb]]:
     """Taylor coefficients of β and t by α, up to `ORDER`, at a point or on a box."""
     place = arb_series([alpha, arb(1)])
     moved = arb_series([beta])
@@ -79,7 +80,7 @@ def _series(alpha: Any, beta: Any, level: Any, ball: Ball) -> tuple[list[Any], l
     return moved.coeffs(), _rates(place, moved, level, ball)[1].integral().coeffs()
 
 
-def _step(alpha: Any, beta: Any, step: Any, level: Any, ball: Ball) -> tuple[Any, Any]:
+def _step(alpha: arb, beta: arb, step: arb, level: arb, ball: Ball) -> tuple[arb, arb]:
     """Bounds of β at α + `step`, and of the growth of t.
 
     Taylor's formula, with the last coefficient on a box that contains the motion.
@@ -98,7 +99,7 @@ def _step(alpha: Any, beta: Any, step: Any, level: Any, ball: Ball) -> tuple[Any
     return sums[0], sums[1]
 
 
-def half_period(start: Any, ball: Ball = BALL, between: Sequence[str] = BETWEEN) -> tuple[Any, Any]:
+def half_period(start: arb, ball: Ball = BALL, between: Sequence[str] = BETWEEN) -> tuple[arb, arb]:
     """The growth of t and of β while α grows from 0 to π, for every e between two values.
 
     Parameters
@@ -132,27 +133,27 @@ def half_period(start: Any, ball: Ball = BALL, between: Sequence[str] = BETWEEN)
         ctx.prec, ctx.cap = kept
 
 
-def resonance(level: Any, ball: Ball = BALL) -> tuple[Any, Any]:
+def resonance(level: arb, ball: Ball = BALL) -> tuple[arb, arb]:
     """A − 2B and its derivative by e, at one value or on an interval of them."""
-    i_1, i_2, i_3, lever = (acb(x) for x in _numbers(ball))
+    i_1, i_2, i_3, lever = (acb(x) for x in _moments_and_lever(ball))
     e = acb(level)
 
-    def low(angle: Any, analytic: bool) -> tuple[Any, Any]:
+    def low(angle: acb, analytic: bool) -> tuple[acb, acb]:
         share = angle.sin() ** 2
         z = i_1 + (e - i_1) * share
         value = 1 / (z * (z + lever) * (i_2 - z) * (i_3 - z)).sqrt(analytic=analytic)
         return value, -value * share / 2 * (1 / z + 1 / (z + lever) - 1 / (i_2 - z) - 1 / (i_3 - z))
 
-    def high(angle: Any, analytic: bool) -> tuple[Any, Any]:
+    def high(angle: acb, analytic: bool) -> tuple[acb, acb]:
         z = i_2 + (i_3 - i_2) * angle.sin() ** 2
         value = 1 / (z * (z + lever) * (z - i_1) * (z - e)).sqrt(analytic=analytic)
         return value, value / (2 * (z - e))
 
-    def grown(rate: Callable[[Any, bool], tuple[Any, Any]], which: int) -> Any:
+    def integral(rate: Callable[[acb, bool], tuple[acb, acb]], which: int) -> arb:
         whole = acb.integral(lambda s, analytic: rate(s, analytic)[which], acb(0), acb.pi())
         return whole.real
 
-    return grown(low, 0) - 2 * grown(high, 0), grown(low, 1) - 2 * grown(high, 1)
+    return integral(low, 0) - 2 * integral(high, 0), integral(low, 1) - 2 * integral(high, 1)
 
 
 def clock() -> tuple[System, Identity]:

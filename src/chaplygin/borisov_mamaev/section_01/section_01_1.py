@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import sympy as sp
 
@@ -52,7 +51,7 @@ def _matrix(variables: Iterable[sp.Symbol]) -> sp.ImmutableDenseMatrix:
     )
 
 
-def _along(formula: Any) -> Any:
+def _along(formula: sp.Expr) -> sp.Expr:
     """Σ v_k ∂/∂q_k of a formula in q."""
     return sp.Add(*(w * sp.diff(formula, s) for s, w in zip(q, v, strict=True)))
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
@@ -43,7 +42,7 @@ def printed_bracket() -> Components:
     return Components(-lie_poisson(TWISTED, gamma))
 
 
-def hamilton(value: Any) -> Components:
+def hamilton(value: sp.Basic) -> Components:
     """{H, f} by (7.6) and (7.7) for the components f of a vector in L and γ."""
     slope = sp.Matrix([sp.diff(to_components(ENERGY), s) for s in VARIABLES])
     jacobian = sp.Matrix(to_components(value)).jacobian(VARIABLES)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
 
 from ...catalogue.ball_on_sphere import (
@@ -129,7 +127,7 @@ def with_area() -> Case:
     form, area = dot(n, drawn), dot(tensor * M, n)
     swing, spin = cross(drawn, rate(n)), area * n
 
-    def energy(turning: Any) -> sp.Expr:
+    def energy(turning: sp.MatrixExpr) -> sp.Expr:
         shared = ball.drawn(turning)
         return half * dot(shared, turning) - norm_squared(shared)
 
