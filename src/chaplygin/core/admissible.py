@@ -25,8 +25,8 @@ def conditions(parameters: Iterable[Parameter]) -> list[tuple[Parameter, sp.Expr
     Conditions on one parameter alone come first: where one of them fails, that parameter is wrong,
     and not another one that is compared with it.
     """
-    found = [(item, sp.sympify(condition)) for item in parameters for condition in item.admissible]
-    return sorted(found, key=lambda pair: len(pair[1].free_symbols))
+    pairs = [(item, sp.sympify(condition)) for item in parameters for condition in item.admissible]
+    return sorted(pairs, key=lambda pair: len(pair[1].free_symbols))
 
 
 def satisfies(
@@ -77,9 +77,9 @@ def require_parameters(system: System, parameters: Parameters | None) -> None:
 @lru_cache(maxsize=256)
 def _check(condition: sp.Basic) -> tuple[list[sp.Symbol], Callable[..., bool | BoolArray]]:
     """The symbols of a condition, and whether it holds as a function of them."""
-    asked = sp.sympify(condition)
-    if isinstance(asked, sp.Ge | sp.Le):
-        more, less = asked.gts, asked.lts
-        asked = more - less + ROUNDING * (sp.Abs(more) + sp.Abs(less)) >= 0
-    symbols = sorted(asked.free_symbols, key=str)
-    return symbols, sp.lambdify(symbols, asked, "numpy")
+    relation = sp.sympify(condition)
+    if isinstance(relation, sp.Ge | sp.Le):
+        more, less = relation.gts, relation.lts
+        relation = more - less + ROUNDING * (sp.Abs(more) + sp.Abs(less)) >= 0
+    symbols = sorted(relation.free_symbols, key=str)
+    return symbols, sp.lambdify(symbols, relation, "numpy")

@@ -136,16 +136,16 @@ def flat(names: Iterable[Quantity]) -> tuple[sp.Symbol, ...]:
 
 def flat_pairs(pairs: Pairs) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
     """Pairs (named quantity, formula) as pairs (scalar symbol, scalar formula)."""
-    found: list[tuple[sp.Symbol, sp.Expr]] = []
+    scalars: list[tuple[sp.Symbol, sp.Expr]] = []
     for name, formula in pairs:
         value = to_components(sp.sympify(formula))
         if isinstance(name, sp.Symbol):
-            found.append((name, value))
+            scalars.append((name, value))
         elif isinstance(name, Vector):
-            found.extend(zip(name.symbols, value, strict=True))
+            scalars.extend(zip(name.symbols, value, strict=True))
         else:
-            found.extend(zip(name.symbols, name.independent(value), strict=True))
-    return tuple(found)
+            scalars.extend(zip(name.symbols, name.independent(value), strict=True))
+    return tuple(scalars)
 
 
 def unknown_names(formula: sp.Expr, known: Iterable[sp.Symbol]) -> str:
@@ -153,19 +153,19 @@ def unknown_names(formula: sp.Expr, known: Iterable[sp.Symbol]) -> str:
 
     A symbol that is written like a known one but has other assumptions is told as such.
     """
-    given = {str(s): s for s in known}
-    found = []
-    for symbol in sorted(formula.free_symbols - set(given.values()), key=str):
-        like = given.get(str(symbol))
-        found.append(
+    symbols = {str(s): s for s in known}
+    names = []
+    for symbol in sorted(formula.free_symbols - set(symbols.values()), key=str):
+        like = symbols.get(str(symbol))
+        names.append(
             str(symbol)
             if like is None
-            else f"{symbol} ({_assumed(symbol)}; the known {like} has {_assumed(like)})"
+            else f"{symbol} ({_assumptions(symbol)}; the known {like} has {_assumptions(like)})"
         )
-    return ", ".join(found)
+    return ", ".join(names)
 
 
-def _assumed(symbol: sp.Symbol) -> str:
+def _assumptions(symbol: sp.Symbol) -> str:
     """What was assumed of a symbol when it was made."""
     text = [f"{key}={value}" for key, value in sorted(symbol._assumptions_orig.items())]
     return ", ".join(text) or "no assumptions"

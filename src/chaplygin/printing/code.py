@@ -119,12 +119,12 @@ def _library(name: str, target: str) -> ModuleType:
         ) from None
 
 
-def _generated(system: System, modules: str) -> Field:
+def _field_function(system: System, modules: str) -> Field:
     """``f(t, x, p)``, the list of rates, from elements of x and p."""
     x, p = sp.DeferredVector("x"), sp.DeferredVector("p")
     names = _identifiers(system, _PYTHON)
     steps, rates = _assignments(system, names)
-    used = _used(steps, rates)
+    used = _used_symbols(steps, rates)
     loads = [
         (names[symbol], array[index])
         for array, symbols in ((x, system.symbols), (p, [p.symbol for p in system.parameters]))
@@ -157,7 +157,7 @@ def _check_lengths(system: System, x: Sized, p: Sized) -> None:
 
 
 def _numpy(system: System) -> Field:
-    rates, defaults = _generated(system, "numpy"), _defaults(system)
+    rates, defaults = _field_function(system, "numpy"), _defaults(system)
 
     def field(t: float, x: Any, p: Any = None) -> Any:
         x, p = np.asarray(x, dtype=float), defaults if p is None else p
@@ -169,7 +169,7 @@ def _numpy(system: System) -> Field:
 
 def _jax(system: System) -> Field:
     jax, jnp = _library("jax", "jax"), _library("jax.numpy", "jax")
-    rates, defaults = _generated(system, "jax"), _defaults(system)
+    rates, defaults = _field_function(system, "jax"), _defaults(system)
 
     def field(t: float, x: Any, p: Any = None) -> Any:
         p = defaults if p is None else p
@@ -183,7 +183,7 @@ def _jax(system: System) -> Field:
 
 def _numba(system: System) -> Field:
     numba = _library("numba", "numba")
-    rates, defaults = numba.njit(_generated(system, "numpy")), _defaults(system)
+    rates, defaults = numba.njit(_field_function(system, "numpy")), _defaults(system)
 
     def field(t: float, x: Any, p: Any = None) -> Any:
         # the branch is chosen when this is compiled, by the type of p
@@ -217,15 +217,15 @@ _FUNCTIONS = _words(
 _PYTHON = _words("t x p jax math numpy arcsin arccos arctan arctan2 e E", *keyword.kwlist)
 
 
-def _identifiers(system: System, taken: Iterable[str]) -> dict[sp.Symbol, sp.Symbol]:
+def _identifiers(system: System, reserved: Iterable[str]) -> dict[sp.Symbol, sp.Symbol]:
     """Symbols that may be spelt as they are; those that clash get a trailing underscore."""
-    taken = _FUNCTIONS.union(taken)
+    reserved = _FUNCTIONS.union(reserved)
     ours = [*system.symbols, *(p.symbol for p in system.parameters), *dict(system.steps)]
     spelt = {str(symbol) for symbol in ours}
     names = {}
     for symbol in ours:
         name = str(symbol)
-        while name in taken or (name != str(symbol) and name in spelt):
+        while name in reserved or (name != str(symbol) and name in spelt):
             name += "_"
         names[symbol] = sp.Symbol(name, real=True)
     return names
@@ -241,7 +241,7 @@ def _assignments(
     return steps, [value.xreplace(names) for value in system.rates]
 
 
-def _used(steps: Assignments, rates: Iterable[sp.Expr]) -> set[sp.Symbol]:
+def _used_symbols(steps: Assignments, rates: Iterable[sp.Expr]) -> set[sp.Symbol]:
     return set().union(*(e.free_symbols for e in (*rates, *(value for _, value in steps))))
 
 
@@ -254,18 +254,18 @@ _WIDTH = 96
 class _Language(ABC):
     """How a function is written in a language."""
 
-    taken: frozenset[str]
+    reserved: frozenset[str]
     comment: str
 
     def render(self, system: System) -> str:
         """The whole text."""
         identifier = re.sub(r"\W", "_", system.name, flags=re.ASCII)
         identifier = f"f_{identifier}" if identifier[:1].isdigit() else identifier
-        if identifier in self.taken:
+        if identifier in self.reserved:
             identifier += "_"
-        names = _identifiers(system, {*self.taken, identifier})
+        names = _identifiers(system, {*self.reserved, identifier})
         steps, rates = _assignments(system, names)
-        used = _used(steps, rates)
+        used = _used_symbols(steps, rates)
         parameters = [p.symbol for p in system.parameters]
         body = [
             self.assignment(str(names[symbol]), self.element(array, index))
@@ -333,7 +333,7 @@ def _c_power(base: str, exponent: str) -> str:
 
 class _C(_Language):
     comment = "//"
-    taken = _words(
+    reserved = _words(
         "t x p dx auto break case char const continue default do double else enum extern float",
         "for goto if inline int long register restrict return short signed sizeof static struct",
         "switch typedef union unsigned void volatile while",
@@ -368,7 +368,7 @@ class _C(_Language):
 
 class _Julia(_Language):
     comment = "#"
-    taken = _words(
+    reserved = _words(
         "t x p dx baremodule begin break catch const continue do else elseif end export false",
         "finally for function global if import in isa let local macro module quote return struct",
         "true try using where while",

@@ -82,13 +82,13 @@ def rate(name: sp.Basic, notation: Notation) -> str:
 def signed_terms(formula: Formula, notation: Notation) -> list[tuple[str, str]]:
     """The terms of a sum in order, each with its sign (``""`` or minus for the first, then ± )."""
     writer = _Writer(notation)
-    found = []
+    terms = []
     for index, (negative, piece) in enumerate(writer.terms(sp.sympify(formula))):
         plus = "+" if index else ""
-        found.append(
+        terms.append(
             (notation.minus if negative else plus, notation.guard(piece, Precedence.RATIO))
         )
-    return found
+    return terms
 
 
 def width(line: str) -> int:
@@ -104,11 +104,11 @@ class _Writer:
 
     def piece(self, formula: sp.Basic) -> Fragment:
         """Any formula."""
-        found = self.terms(formula)
-        if len(found) == 1 and not found[0][0]:
-            return found[0][1]
+        terms = self.terms(formula)
+        if len(terms) == 1 and not terms[0][0]:
+            return terms[0][1]
         written = ""
-        for negative, term in found:
+        for negative, term in terms:
             body = self.notation.guard(term, Precedence.RATIO)
             if written:
                 written += f" {self.notation.minus if negative else '+'} {body}"
@@ -120,8 +120,8 @@ class _Writer:
         """The terms of a sum in order, each with its sign; anything else is a single term."""
         share = common_fraction(formula)
         if share != 1:
-            rest = sp.Add(*(term / share for term in formula.args))
-            return [self._product(factors_of(sp.Mul(share, rest, evaluate=False)))]
+            remainder = sp.Add(*(term / share for term in formula.args))
+            return [self._product(factors_of(sp.Mul(share, remainder, evaluate=False)))]
         if isinstance(formula, (sp.Add, MatAdd)):
             return [
                 self._term(term) for term in sort_terms(map(as_unit_vector_multiple, formula.args))
@@ -162,12 +162,12 @@ class _Writer:
                 guard = self.notation.guard
                 dyad = self.notation.dyad.join(guard(x, Precedence.PRODUCT) for x in (left, right))
                 piece = Fragment(dyad, Precedence.CROSS)
-                rest = tensors[index + 1 :]
-                return piece if not rest else self._beside(piece, self._chain(rest))
+                following = tensors[index + 1 :]
+                return piece if not following else self._juxtaposed(piece, self._chain(following))
         pieces = [self.piece(tensor) for tensor in tensors]
-        return pieces[0] if len(pieces) == 1 else self._beside(*pieces)
+        return pieces[0] if len(pieces) == 1 else self._juxtaposed(*pieces)
 
-    def _beside(self, *pieces: Fragment) -> Fragment:
+    def _juxtaposed(self, *pieces: Fragment) -> Fragment:
         return Fragment(
             " ".join(self.notation.guard(piece, Precedence.PRODUCT) for piece in pieces),
             Precedence.PRODUCT,

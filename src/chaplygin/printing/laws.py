@@ -64,13 +64,13 @@ def equation(vanishing: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         minus = [term for term in vanishing.args if term.could_extract_minus_sign()]
         if len(minus) == 1 and not any(term.is_number for term in vanishing.args):
             return vanishing - minus[0], -minus[0]
-    number, rest = vanishing.as_coeff_Add()
-    if number != 0 and rest.could_extract_minus_sign():
-        number, rest = -number, -rest
-    return rest, -number
+    number, remainder = vanishing.as_coeff_Add()
+    if number != 0 and remainder.could_extract_minus_sign():
+        number, remainder = -number, -remainder
+    return remainder, -number
 
 
-def _solved(vanishing: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+def _with_derivatives_left(vanishing: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """Both sides of ``vanishing = 0`` with the derivatives on the left: q̇² = f(q)."""
     terms = sp.Add.make_args(vanishing)
     left = sp.Add(*(term for term in terms if term.has(Rate)))
@@ -109,25 +109,25 @@ def formulas(law: Law) -> list[sp.Basic]:
     """Every formula that a law shows."""
     match law:
         case Integral():
-            found = [law.value]
+            parts = [law.value]
         case Measure():
-            found = [part for pair in law.density for part in pair]
+            parts = [part for pair in law.density for part in pair]
         case Symmetry():
-            found = [component for _, component in law.field]
+            parts = [component for _, component in law.field]
         case PoissonStructure():
-            found = [law.matrix, *law.casimirs]
+            parts = [law.matrix, *law.casimirs]
         case ConformallyHamiltonian():
-            found = [law.multiplier, law.hamiltonian, *formulas(law.structure)]
+            parts = [law.multiplier, law.hamiltonian, *formulas(law.structure)]
         case Isomorphism():
-            found = [value for _, value in (*law.map, *law.constants)] + [law.time]
+            parts = [value for _, value in (*law.map, *law.constants)] + [law.time]
         case Reduction():
-            found = [value for _, value in law.quantities] + list(law.equations)
+            parts = [value for _, value in law.quantities] + list(law.equations)
         case Identity():
-            found = list(law.value) if isinstance(law.value, tuple | list) else [law.value]
-            found += [value for _, value in law.quantities]
+            parts = list(law.value) if isinstance(law.value, tuple | list) else [law.value]
+            parts += [value for _, value in law.quantities]
         case _:
-            found = []
-    return [sp.sympify(formula) for formula in (*found, *law.on)]
+            parts = []
+    return [sp.sympify(formula) for formula in (*parts, *law.on)]
 
 
 def equation_sides(law: Law, system: System, notation: Notation) -> list[Side]:
@@ -161,7 +161,7 @@ def equation_sides(law: Law, system: System, notation: Notation) -> list[Side]:
             return _isomorphism(law, system, notation)
         case Reduction():
             named = [(write(name), value) for name, value in law.quantities]
-            stated = map(_solved, law.equations)
+            stated = map(_with_derivatives_left, law.equations)
             return [*named, *((write(left), right) for left, right in stated)]
         case Identity():
             parts = law.value if isinstance(law.value, tuple | list) else (law.value,)
@@ -174,7 +174,7 @@ def _identity(vanishing: sp.Basic, named: bool, write: Callable[[sp.Basic], str]
     """0 = a; or with the derivatives on the left, as of the equations of motion: q̇ = f(q)."""
     scalar_part = not isinstance(sp.sympify(vanishing), sp.MatrixBase | sp.MatrixExpr)
     if scalar_part and (named or sp.sympify(vanishing).has(Rate)):
-        left, right = _solved(vanishing)
+        left, right = _with_derivatives_left(vanishing)
         if named or right != 0:
             return write(left), right
     return "0", vanishing
@@ -220,14 +220,14 @@ def _hamiltonian(law: ConformallyHamiltonian, system: System, notation: Notation
 def _isomorphism(law: Isomorphism, system: System, notation: Notation) -> list[Side]:
     """The variables of the target, primed where they have the name of something here."""
     write = text if notation is UNICODE else latex
-    taken = {str(s) for s in (*system.state, *(name for name, _ in system.definitions))}
-    lines: list[Side] = [(_primed(name, str(name) in taken, write), f) for name, f in law.map]
+    names = {str(s) for s in (*system.state, *(name for name, _ in system.definitions))}
+    lines: list[Side] = [(_primed_text(name, str(name) in names, write), f) for name, f in law.map]
     constants = {str(s) for s in system.defaults}
-    lines += [(_primed(s, str(s) in constants, write), value) for s, value in law.constants]
-    named = [name for name, _ in law.map if str(name) in taken]
+    lines += [(_primed_text(s, str(s) in constants, write), value) for s, value in law.constants]
+    named = [name for name, _ in law.map if str(name) in names]
     named += [s for s, _ in law.constants if str(s) in constants]
     for condition in law.onto:
-        left, right = equation(_renamed(condition, named))
+        left, right = equation(_with_primes(condition, named))
         lines.append((write(left), right))
     if law.time != 1:
         tau, t = write(real_symbol("tau")), write(real_symbol("t"))
@@ -236,7 +236,7 @@ def _isomorphism(law: Isomorphism, system: System, notation: Notation) -> list[S
     return lines
 
 
-def _primed(name: Name, needed: bool, write: Callable[[sp.Basic], str]) -> str:
+def _primed_text(name: Name, needed: bool, write: Callable[[sp.Basic], str]) -> str:
     return write(_primed_symbol(name) if needed else name)
 
 
@@ -246,7 +246,7 @@ def _primed_symbol(name: Name) -> Name:
     return kind(f"{base}prime{bar}{index}")
 
 
-def _renamed(formula: sp.Basic, names: Iterable[Name]) -> sp.Basic:
+def _with_primes(formula: sp.Basic, names: Iterable[Name]) -> sp.Basic:
     """A formula with primes at some symbols and vectors, and at the tensors made of them."""
     whole = list(names)
     single = {s for name in whole for s in ((name,) if name.is_Symbol else name.symbols)}

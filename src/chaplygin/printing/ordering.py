@@ -85,9 +85,9 @@ def as_unit_vector_multiple(formula: sp.Basic) -> sp.Basic:
 
 def sort_terms(terms: Iterable[sp.Basic]) -> list[sp.Basic]:
     """Terms in the order of `_term_key`, but a positive one at the head if there is one."""
-    found = sorted(terms, key=_term_key)
-    head = next((term for term in found if not is_negative(term)), found[0])
-    return [head, *(term for term in found if term is not head)]
+    ordered = sorted(terms, key=_term_key)
+    head = next((term for term in ordered if not is_negative(term)), ordered[0])
+    return [head, *(term for term in ordered if term is not head)]
 
 
 def common_fraction(formula: sp.Basic) -> sp.Rational:
@@ -149,17 +149,19 @@ def factors_of(formula: sp.Basic) -> Factors:
             below.append(sp.Pow(factor.base, -factor.exp))
         else:
             above.append(factor)
-    found = []
+    signless = []
     for tensor in tensors:
         minus = is_negative(tensor)
         negative ^= minus
-        found.append(negated(tensor) if minus else tensor)
-    if len(found) > 1:
-        found = [tensor for tensor in found if not isinstance(tensor, Identity)] or found[:1]
+        signless.append(negated(tensor) if minus else tensor)
+    if len(signless) > 1:
+        signless = [tensor for tensor in signless if not isinstance(tensor, Identity)] or signless[
+            :1
+        ]
     return Factors(
         negative,
         (int(coefficient.p), int(coefficient.q)),
         tuple(sorted(above, key=_factor_key)),
         tuple(sorted(below, key=_factor_key)),
-        tuple(found),
+        tuple(signless),
     )

@@ -78,17 +78,17 @@ def _block(
     )
     if block.shape == (3, 3) and _skew(block):
         common, twist = _common_factor((block[1, 2], block[2, 0], block[0, 1]))
-        head = epsilon if common == 1 else f"{_guarded(common, notation)} {epsilon}"
+        head = epsilon if common == 1 else f"{_bracketed_sum(common, notation)} {epsilon}"
         sums = _combination(twist, system)
         if sums is None:
             vector = sp.ImmutableDenseMatrix(twist)
             return [(indexed, f"{head} {write(real_symbol('w_k'))}"), (write(Vector("w")), vector)]
-        shown, minus = _guarded(sums("k"), notation), notation.minus
+        shown, minus = _bracketed_sum(sums("k"), notation), notation.minus
         sign = minus if shown.startswith(minus) else ""
         return [(indexed, f"{sign}{head} {shown.removeprefix(minus)}")]
     if block.shape == (3, 3) and block.is_diagonal() and len(set(block.diagonal())) == 1:
         factor = block[0, 0]
-        return [(indexed, delta if factor == 1 else f"{delta} {_guarded(factor, notation)}")]
+        return [(indexed, delta if factor == 1 else f"{delta} {_bracketed_sum(factor, notation)}")]
     if block.shape in ((1, 3), (3, 1)):
         sums = _combination(tuple(block), system)
         if sums is not None:
@@ -97,12 +97,12 @@ def _block(
     if block.shape == (3, 3) and one != other:
         common, entries = _common_factor(tuple(block))
         body = "B_{ij}" if notation is LATEX else "Bᵢⱼ"
-        head = body if common == 1 else f"{_guarded(common, notation)} {body}"
+        head = body if common == 1 else f"{_bracketed_sum(common, notation)} {body}"
         return [(indexed, head), (write(Vector("B")), sp.ImmutableDenseMatrix(3, 3, entries))]
     return _entries(one, other, block, notation)
 
 
-def _guarded(factor: sp.Expr, notation: Notation) -> str:
+def _bracketed_sum(factor: sp.Expr, notation: Notation) -> str:
     """A factor, in brackets if it is a sum."""
     written = (text if notation is UNICODE else latex)(factor)
     return notation.brackets(written) if isinstance(factor, sp.Add) else written
@@ -166,8 +166,8 @@ def _terms(formula: sp.Expr) -> list[sp.Expr]:
     sums = [factor for factor in sp.Mul.make_args(formula) if isinstance(factor, sp.Add)]
     if len(sums) != 1:
         return list(sp.Add.make_args(formula))
-    rest = formula / sums[0]
-    return [rest * term for term in sums[0].args]
+    cofactor = formula / sums[0]
+    return [cofactor * term for term in sums[0].args]
 
 
 def _taken_out(term: sp.Expr, vectors: list[Vector]) -> Iterator[tuple[sp.Expr, Vector]]:

@@ -73,7 +73,7 @@ def system_text(system: System) -> str:
     blocks = [[system.title, *_paragraph(system.summary)]]
     blocks.append(["Equations of motion", *_field_lines(page)])
     if page.where:
-        blocks[-1] += ["where", *_equations(_written(page.where))]
+        blocks[-1] += ["where", *_equations(_text_pairs(page.where))]
     if system.relations:
         sides = [tuple(map(text, equation(zero))) for zero in system.relations]
         blocks[-1] += ["on the phase space", *_equations(sides)]
@@ -101,7 +101,7 @@ def _law_blocks(system: System) -> list[list[str]]:
         blocks.append(["Constant along the motion", *_table(laws)])
     blocks += [_law_lines(law, system) for law in _others(system)]
     if further := layout(system).further:
-        blocks.append(["In the laws", *_equations(_written(further))])
+        blocks.append(["In the laws", *_equations(_text_pairs(further))])
     return blocks
 
 
@@ -113,14 +113,14 @@ def field_text(system: System) -> list[str]:
 def motion_text(system: System) -> list[str]:
     """The equations of the lift to space, as indented lines; none without a lift."""
     page = reconstruction_layout(system)
-    return _field_lines(page) + _equations(_written(page.where))
+    return _field_lines(page) + _equations(_text_pairs(page.where))
 
 
 def _field_lines(page: Layout) -> list[str]:
     return _equations((rate(name, UNICODE), text(formula)) for name, formula in page.field)
 
 
-def _written(pairs: Pairs) -> list[tuple[str, str]]:
+def _text_pairs(pairs: Pairs) -> list[tuple[str, str]]:
     return [(text(name), text(formula)) for name, formula in pairs]
 
 
@@ -132,7 +132,7 @@ def _equations(sides: Iterable[tuple[str, ...]]) -> list[str]:
     lines: list[str] = []
     for left, right in sides:
         head = f"{_INDENT}{left} = "
-        lines += _broken(head, right)
+        lines += _wrapped_lines(head, right)
     return lines
 
 
@@ -150,7 +150,7 @@ def _law_lines(law: Law, system: System) -> list[str]:
     lines = [heading(law)]
     for left, right in equation_sides(law, system, UNICODE):
         head = f"{_INDENT}{left} = " if left else _INDENT * 2
-        lines += _broken(head, right if isinstance(right, str) else text(right))
+        lines += _wrapped_lines(head, right if isinstance(right, str) else text(right))
     wrapped = textwrap.wrap(caption(law, system, text), WIDTH - 4)
     return [*lines, *(textwrap.indent(line, _INDENT) for line in wrapped)]
 
@@ -163,11 +163,11 @@ def _table(rows: Sequence[tuple[str, ...]]) -> list[str]:
         padded = (
             cell + " " * (room - width(cell)) for cell, room in zip(cells, columns, strict=True)
         )
-        lines += _broken(_INDENT + "".join(f"{cell}  " for cell in padded), last)
+        lines += _wrapped_lines(_INDENT + "".join(f"{cell}  " for cell in padded), last)
     return lines
 
 
-def _broken(head: str, formula: str) -> list[str]:
+def _wrapped_lines(head: str, formula: str) -> list[str]:
     """`head` and a formula, continued under the formula at the best places to break."""
     lines = []
     indent = " " * width(head)
@@ -222,10 +222,10 @@ def system_latex(system: System) -> str:
     if page.where:
         rows.append(r"\text{where} \quad &")
         rows += _aligned_rows((latex(name), formula) for name, formula in page.where)
-    return _aligned(rows)
+    return _aligned_environment(rows)
 
 
-def _aligned(rows: Sequence[str]) -> str:
+def _aligned_environment(rows: Sequence[str]) -> str:
     return "\\begin{aligned}\n" + " \\\\\n".join(rows) + "\n\\end{aligned}"
 
 
@@ -329,7 +329,7 @@ def law_latex(law: Law, system: System) -> str:
     """The equations of a law as an ``aligned`` environment; of an integral its formula alone."""
     if law in system.integrals:
         return latex(law.value)
-    return _aligned(_law_rows_latex(law, system))
+    return _aligned_environment(_law_rows_latex(law, system))
 
 
 def _law_rows_latex(law: Law, system: System) -> list[str]:
@@ -344,14 +344,14 @@ def _law_rows_latex(law: Law, system: System) -> list[str]:
 
 def _caption_html(law: Law, system: System) -> str:
     """The caption of a law; the formulas of its level in MathML."""
-    kept: list[str] = []
+    formulas: list[str] = []
 
     def mark(formula: sp.Basic) -> str:
-        kept.append(mathml(latex(formula)))
-        return f"\0{len(kept) - 1}\0"
+        formulas.append(mathml(latex(formula)))
+        return f"\0{len(formulas) - 1}\0"
 
     sentence = html.escape(caption(law, system, mark))
-    return re.sub(r"\0(\d+)\0", lambda match: kept[int(match[1])], sentence)
+    return re.sub(r"\0(\d+)\0", lambda match: formulas[int(match[1])], sentence)
 
 
 def _defining_rows(pairs: Pairs) -> list[str]:
@@ -359,7 +359,7 @@ def _defining_rows(pairs: Pairs) -> list[str]:
 
 
 def _display(rows: Sequence[str]) -> str:
-    return displayed(_aligned(rows))
+    return displayed(_aligned_environment(rows))
 
 
 def displayed(formula: str) -> str:

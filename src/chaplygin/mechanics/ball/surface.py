@@ -252,14 +252,14 @@ class Paraboloid(SmoothSurface):
     @property
     def parameters(self) -> tuple[Parameter, ...]:
         """The radii of curvature at the vertex."""
-        found = []
+        parameters = []
         for symbol, value, name in zip((p, q), self.radii, "xy", strict=True):
             meaning = f"radius of curvature at the vertex, along {name}"
             _finite(meaning, (value,))
             if value == 0:
                 raise InputError(f"{meaning}: it must not be zero")
-            found.append(Parameter(symbol, meaning, float(value), "m", (sp.Ne(symbol, 0),)))
-        return tuple(found)
+            parameters.append(Parameter(symbol, meaning, float(value), "m", (sp.Ne(symbol, 0),)))
+        return tuple(parameters)
 
     def level(self, point: Point, offset: sp.Expr) -> sp.Expr | None:
         """z − x²/2p − y²/2q; no simple equation elsewhere."""

@@ -117,14 +117,14 @@ class Distribution:
         Each has one free velocity equal to 1; it is singular where the others cannot be solved
         for.
         """
-        found = []
+        fields = []
         for combination in _admissible(self.forms, len(self.velocities)):
             total: dict[sp.Symbol, sp.Expr] = {}
             for number, field in zip(combination, self.frame, strict=True):
                 for symbol, value in field.items():
                     total[symbol] = total.get(symbol, sp.S.Zero) + number * value
-            found.append({s: value for s, value in total.items() if value != 0})
-        return tuple(found)
+            fields.append({s: value for s, value in total.items() if value != 0})
+        return tuple(fields)
 
 
 def _admissible(forms: Sequence[Sequence[sp.Expr]], width: int) -> list[list[sp.Expr]]:
@@ -141,20 +141,20 @@ def _admissible(forms: Sequence[Sequence[sp.Expr]], width: int) -> list[list[sp.
             break
         lead = rows[row][column]
         chosen = [sp.cancel(entry / lead) for entry in rows.pop(row)]
-        pivots = [(c, _less(other, chosen, column)) for c, other in pivots]
-        rows = [_less(other, chosen, column) for other in rows]
+        pivots = [(c, _eliminated(other, chosen, column)) for c, other in pivots]
+        rows = [_eliminated(other, chosen, column) for other in rows]
         pivots.append((column, chosen))
-    taken = {c for c, _ in pivots}
-    found = []
-    for free in (c for c in range(width) if c not in taken):
+    pivot_columns = {c for c, _ in pivots}
+    solutions = []
+    for free in (c for c in range(width) if c not in pivot_columns):
         solution = [sp.S.One if c == free else sp.S.Zero for c in range(width)]
         for c, pivot in pivots:
             solution[c] = -pivot[free]
-        found.append(solution)
-    return found
+        solutions.append(solution)
+    return solutions
 
 
-def _less(row: list[sp.Expr], pivot: list[sp.Expr], column: int) -> list[sp.Expr]:
+def _eliminated(row: list[sp.Expr], pivot: list[sp.Expr], column: int) -> list[sp.Expr]:
     factor = row[column]
     if factor == 0:
         return row
@@ -195,11 +195,11 @@ def distribution(mechanism: Mechanism) -> Distribution:
     """
     steps = {s: v for s, v in mechanism.steps}
     moving = _moving(mechanism)
-    kept = tuple((s, v) for s, v in steps.items() if s not in moving)
+    position_steps = tuple((s, v) for s, v in steps.items() if s not in moving)
     frame = mechanism.frame
     w = frame.w
     rows: list[list[sp.Expr]] = []
-    rest: list[sp.Expr] = []
+    inhomogeneous: list[sp.Expr] = []
     for f in mechanism.f:
         formula = expand(f, {s: steps[s] for s in moving})
         row = [sp.diff(formula, s) for s in w]
@@ -209,19 +209,19 @@ def distribution(mechanism: Mechanism) -> Distribution:
                 "whether constraints are holonomic can be told only of linear ones"
             )
         rows.append(row)
-        rest.append(formula.xreplace(dict.fromkeys(w, sp.S.Zero)))
-    positions = [expand(F, kept) for F in mechanism.F]
+        inhomogeneous.append(formula.xreplace(dict.fromkeys(w, sp.S.Zero)))
+    positions = [expand(F, position_steps) for F in mechanism.F]
     constants = {p.symbol: p.default for p in mechanism.parameters}
-    entries = [*positions, *rest, *(entry for row in rows for entry in row)]
-    whole = whole_configuration(frame, entries, kept, constants)
+    entries = [*positions, *inhomogeneous, *(entry for row in rows for entry in row)]
+    whole = whole_configuration(frame, entries, position_steps, constants)
     coordinates, fields = whole.coordinates, whole.fields
     rows += [[along(field, F) for field in fields] for F in positions]
-    rest += [sp.diff(F, TIME) for F in positions]
-    if any(entry != 0 for entry in rest) or _timed(rows, kept):
+    inhomogeneous += [sp.diff(F, TIME) for F in positions]
+    if any(entry != 0 for entry in inhomogeneous) or _depend_on_time(rows, position_steps):
         coordinates, fields = (*coordinates, TIME), (*fields, {TIME: sp.S.One})
         w = (*w, real_symbol("tdot"))
-        rows = [[*row, entry] for row, entry in zip(rows, rest, strict=True)]
-    found = Distribution(
+        rows = [[*row, entry] for row, entry in zip(rows, inhomogeneous, strict=True)]
+    admissible = Distribution(
         mechanism.name,
         coordinates,
         (*whole.relations, *positions),
@@ -229,20 +229,22 @@ def distribution(mechanism: Mechanism) -> Distribution:
         fields,
         tuple(tuple(row) for row in rows),
         whole.structure,
-        kept,
+        position_steps,
         tuple(constants.items()),
     )
-    return found.solved if whole.admissible else found
+    return admissible.solved if whole.admissible else admissible
 
 
 def _moving(mechanism: Mechanism) -> set[sp.Symbol]:
     """Definitions that depend on the velocities."""
-    found = set(mechanism.frame.w)
+    moving = set(mechanism.frame.w)
     for symbol, value in mechanism.steps:
-        if value.free_symbols & found:
-            found.add(symbol)
-    return found - set(mechanism.frame.w)
+        if value.free_symbols & moving:
+            moving.add(symbol)
+    return moving - set(mechanism.frame.w)
 
 
-def _timed(rows: Sequence[Sequence[sp.Expr]], steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> bool:
+def _depend_on_time(
+    rows: Sequence[Sequence[sp.Expr]], steps: Sequence[tuple[sp.Symbol, sp.Expr]]
+) -> bool:
     return any(expand(entry, steps).has(TIME) for row in rows for entry in row)

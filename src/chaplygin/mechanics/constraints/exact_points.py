@@ -140,7 +140,7 @@ def random_point(space: ConfigurationSpace, numbers: Numbers, dice: random.Rando
     NoPointError
         If none was found.
     """
-    return _place(space, {}, numbers, dice)
+    return _first_success(space, {}, numbers, dice)
 
 
 def point_at(
@@ -158,44 +158,44 @@ def point_at(
     InputError
         If a relation does not hold at the point.
     """
-    given = {s: exactly(v) for s, v in point.items()}
-    return _place(space, given, numbers, dice)
+    fixed = {s: exactly(v) for s, v in point.items()}
+    return _first_success(space, fixed, numbers, dice)
 
 
-def _place(
+def _first_success(
     space: ConfigurationSpace,
-    given: Mapping[sp.Symbol, sp.Expr],
+    fixed: Mapping[sp.Symbol, sp.Expr],
     numbers: Numbers,
     dice: random.Random,
 ) -> ExactPoint:
     for _ in range(ATTEMPTS):
         try:
-            return _tried(space, given, numbers, dice)
+            return _point_attempt(space, fixed, numbers, dice)
         except (ZeroDivisionError, IrrationalError):
-            if set(space.coordinates) <= set(given):
+            if set(space.coordinates) <= set(fixed):
                 break
     raise NoPointError
 
 
-def _tried(
+def _point_attempt(
     space: ConfigurationSpace,
-    given: Mapping[sp.Symbol, sp.Expr],
+    fixed: Mapping[sp.Symbol, sp.Expr],
     numbers: Numbers,
     dice: random.Random,
 ) -> ExactPoint:
     plain = TaylorExpansion(numbers, (), {}, {}, {}, {}, 0)
-    values = {s: plain.series(_rational(v)).value for s, v in space.constants if s not in given}
+    values = {s: plain.series(_rational(v)).value for s, v in space.constants if s not in fixed}
     circles: dict[sp.Expr, tuple[FieldElement, FieldElement]] = {}
     shown: dict[sp.Symbol, sp.Expr] = {}
     formal = False
-    for symbol, value in given.items():
+    for symbol, value in fixed.items():
         if value.has(sp.pi):
             values[symbol] = numbers.drawn(dice)
         else:
             values[symbol] = plain.series(value).value
         shown[symbol] = value
     for core, n in space.units.items():
-        circles[core], free = _circle(core, n, space, given, shown, plain, dice)
+        circles[core], free = _circle(core, n, space, fixed, shown, plain, dice)
         formal = formal or free
     known = TaylorExpansion(numbers, (), values, {}, {}, {}, 0)
     for vectors, squared in space.blocks:
@@ -209,7 +209,7 @@ def _tried(
         trial.impose(relation)
     for symbol in (*space.coordinates, *space.free):
         trial.values.setdefault(symbol, numbers.drawn(dice))
-    trial.check(space.written, bool(given))
+    trial.check(space.written, bool(fixed))
     for s in space.coordinates:
         value = trial.values[s]
         if isinstance(value, fmpq):
@@ -227,14 +227,14 @@ def _circle(
     core: sp.Expr,
     n: int,
     space: ConfigurationSpace,
-    given: Mapping[sp.Symbol, sp.Expr],
+    fixed: Mapping[sp.Symbol, sp.Expr],
     shown: dict[sp.Symbol, sp.Expr],
     plain: TaylorExpansion,
     dice: random.Random,
 ) -> tuple[tuple[FieldElement, FieldElement], bool]:
     """Sine and cosine of core/n, and whether they stand for transcendental numbers."""
     constants = {s: _rational(v) for s, v in space.constants}
-    angle = core.xreplace({**constants, **given}) / n
+    angle = core.xreplace({**constants, **fixed}) / n
     if not angle.free_symbols:
         turns = angle / sp.pi
         if angle == 0 or turns.is_Rational:
@@ -242,7 +242,7 @@ def _circle(
             if not any(value.has(sp.sin, sp.cos) for value in exact):
                 return (plain.series(exact[0]).value, plain.series(exact[1]).value), False
     t = plain.numbers.drawn(dice)
-    if core.is_Symbol and core not in constants and core not in given and plain.numbers.exact:
+    if core.is_Symbol and core not in constants and core not in fixed and plain.numbers.exact:
         shown[core] = 2 * n * sp.atan(sp.Rational(int(t.p), int(t.q)))
     below = 1 + t * t
     return (2 * t / below, (1 - t * t) / below), not angle.free_symbols
@@ -255,9 +255,9 @@ def _blocks(relations: Sequence[sp.Expr], coordinates: set[sp.Symbol]) -> list[B
     for relation in relations:
         expression = sp.expand(relation)
         own = sorted(expression.free_symbols & coordinates, key=str)
-        rest = expression - sp.Add(*(s**2 for s in own))
-        if len(own) > 1 and not rest.free_symbols & coordinates:
-            spheres[tuple(own)] = -rest
+        remainder = expression - sp.Add(*(s**2 for s in own))
+        if len(own) > 1 and not remainder.free_symbols & coordinates:
+            spheres[tuple(own)] = -remainder
         else:
             products.append(expression)
     groups: list[list[tuple[sp.Symbol, ...]]] = []
@@ -357,11 +357,11 @@ class _Trial:
     def _coefficient(self, part: Any) -> Any:
         return self.numbers.number(0) if part.is_zero() else self.numbers.number(part.coeffs()[0])
 
-    def check(self, relations: Sequence[sp.Expr], given: bool) -> None:
+    def check(self, relations: Sequence[sp.Expr], exact_input: bool) -> None:
         """Raise unless every relation holds."""
         for relation in relations:
             left = self._series(relation, (), 0).value
             if left != 0:
-                if given and set(self.space.coordinates) & relation.free_symbols:
+                if exact_input and set(self.space.coordinates) & relation.free_symbols:
                     raise InputError(f"the point does not lie on {relation} = 0")
                 raise ZeroDivisionError

@@ -13,19 +13,23 @@ from .zero_test import vanishes
 __all__ = ["involutive"]
 
 
-def involutive(given: Distribution) -> bool:
+def involutive(distribution: Distribution) -> bool:
     """Whether every commutator of admissible fields is a combination of them.
 
     False also where that is not shown: if the frame was reduced by a group, or if no coordinate
     moves with one of the fields alone.
     """
-    if given.structure is not None:
+    if distribution.structure is not None:
         return False
-    fields = [{q: expand(v, given.steps) for q, v in field.items()} for field in given.fields]
+    fields = [
+        {q: expand(v, distribution.steps) for q, v in field.items()}
+        for field in distribution.fields
+    ]
     own = [_own(fields, i) for i, _ in enumerate(fields)]
     free = [q for q in own if q is not None]
     return len(free) == len(fields) and all(
-        _combination(commutator(u, w), fields, free, given) for u, w in combinations(fields, 2)
+        _combination(commutator(u, w), fields, free, distribution)
+        for u, w in combinations(fields, 2)
     )
 
 
@@ -42,14 +46,14 @@ def _combination(
     bracket: VectorField,
     fields: list[dict[sp.Symbol, sp.Expr]],
     free: list[sp.Symbol],
-    given: Distribution,
+    distribution: Distribution,
 ) -> bool:
     factors = [bracket.get(q, sp.S.Zero) for q in free]
     return all(
         vanishes(
             bracket.get(q, sp.S.Zero)
             - sp.Add(*(c * f.get(q, sp.S.Zero) for c, f in zip(factors, fields, strict=True))),
-            given.relations,
+            distribution.relations,
         )
-        for q in given.coordinates
+        for q in distribution.coordinates
     )

@@ -31,22 +31,22 @@ class SingularError(ArithmeticError):
 class Bundle:
     """Sections by their components, with the bracket."""
 
-    def __init__(self, given: Distribution, germs: TaylorExpansion) -> None:
+    def __init__(self, distribution: Distribution, germs: TaylorExpansion) -> None:
         self.germs = germs
         self.zero = germs.constant(germs.numbers.number(0))
         self.one = germs.constant(germs.numbers.number(1))
-        number = {s: i for i, s in enumerate(given.coordinates)}
+        number = {s: i for i, s in enumerate(distribution.coordinates)}
         self.anchor = [
-            {number[s]: germs.series(v) for s, v in field.items()} for field in given.frame
+            {number[s]: germs.series(v) for s, v in field.items()} for field in distribution.frame
         ]
-        self.forms = [[germs.series(entry) for entry in row] for row in given.forms]
-        self.width = len(given.frame)
+        self.forms = [[germs.series(entry) for entry in row] for row in distribution.forms]
+        self.width = len(distribution.frame)
         self.constants: dict[tuple[int, int, int], Series] | None = None
-        if given.structure is not None:
-            self.constants = {ijk: germs.series(v) for ijk, v in given.structure.items()}
+        if distribution.structure is not None:
+            self.constants = {ijk: germs.series(v) for ijk, v in distribution.structure.items()}
         #: Numbers divided by when the constraints are solved.
         self.leads: list[FieldElement] = []
-        self.size = self.width if self.constants is not None else len(given.coordinates)
+        self.size = self.width if self.constants is not None else len(distribution.coordinates)
 
     def admissible(self) -> list[Section]:
         """The solutions of the constraints, by components of the frame."""
@@ -65,25 +65,25 @@ class Bundle:
             pivots = [(c, pivot_eliminated(other, chosen, place[1])) for c, other in pivots]
             rows = [pivot_eliminated(other, chosen, place[1]) for other in rows]
             pivots.append((place[1], chosen))
-        taken = dict(pivots)
-        found = []
-        for free in (c for c in range(self.width) if c not in taken):
+        pivot_rows = dict(pivots)
+        sections = []
+        for free in (c for c in range(self.width) if c not in pivot_rows):
             section = [self.zero] * self.width
             section[free] = self.one
             for c, row in pivots:
                 section[c] = -row[free]
-            found.append(section)
-        return found
+            sections.append(section)
+        return sections
 
     def moved(self, section: Section) -> dict[int, Series]:
         """The rates of the coordinates along a section by components of the frame."""
-        found: dict[int, Series] = {}
+        rates: dict[int, Series] = {}
         for entry, field in zip(section, self.anchor, strict=True):
             if not entry.is_zero:
                 for q, value in field.items():
                     step = entry * value
-                    found[q] = found[q] + step if q in found else step
-        return found
+                    rates[q] = rates[q] + step if q in rates else step
+        return rates
 
     def section(self, section: Section) -> Section:
         """Components of the frame as components in which brackets are taken."""
@@ -102,7 +102,7 @@ class Bundle:
         """[u, w] = uw − wu, known up to one order less."""
         by, back = self.rates(left), self.rates(right)
         order = min(left[0].order, right[0].order) - 1
-        found = []
+        components = []
         for u, w in zip(left, right, strict=True):
             total = self.zero.cut(order)
             for rates, entry, sign in ((by, w, 1), (back, u, -1)):
@@ -112,10 +112,10 @@ class Bundle:
                     slope = entry.derivative(q)
                     if not slope.is_zero:
                         total = total + rate * slope if sign > 0 else total - rate * slope
-            found.append(total)
+            components.append(total)
         for (i, j, k), c in (self.constants or {}).items():
-            found[k] = found[k] + c * (left[i] * right[j] - left[j] * right[i])
-        return found
+            components[k] = components[k] + c * (left[i] * right[j] - left[j] * right[i])
+        return components
 
 
 def leading(rows: Sequence[Section], width: int) -> tuple[int, int] | None:
@@ -215,7 +215,10 @@ def slopes(germs: TaylorExpansion, formula: sp.Expr) -> list[FieldElement]:
 
 
 def values_at(
-    given: Distribution, place: ExactPoint, space: ConfigurationSpace, letters: Sequence[sp.Expr]
+    distribution: Distribution,
+    place: ExactPoint,
+    space: ConfigurationSpace,
+    letters: Sequence[sp.Expr],
 ) -> Values:
     """Formulas at a point, with their rates along the fields of a distribution.
 
@@ -225,7 +228,7 @@ def values_at(
         If the constraints are dependent there.
     """
     germs = place.germs(space, 1)
-    bundle = Bundle(given, germs)
+    bundle = Bundle(distribution, germs)
     zero = place.numbers.number(0)
     columns = [slopes(germs, letter) for letter in letters]
     moved = [{q: v.value for q, v in bundle.moved(u).items()} for u in bundle.admissible()]
@@ -233,6 +236,6 @@ def values_at(
         germs,
         [germs.series(letter).value for letter in letters],
         [[sum((v * c[q] for q, v in by.items()), zero) for c in columns] for by in moved],
-        [[c[q] for c in columns] for q, _ in enumerate(given.coordinates)],
-        [slopes(germs, relation) for relation in given.relations],
+        [[c[q] for c in columns] for q, _ in enumerate(distribution.coordinates)],
+        [slopes(germs, relation) for relation in distribution.relations],
     )

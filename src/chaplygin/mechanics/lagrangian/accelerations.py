@@ -76,7 +76,7 @@ def accelerations(parts: Balance) -> Accelerations:
     ]
     b = [tape.name(tape.short(-tape.along(parts.time, parts.constraints[i]))) for i in left]
     rates, lambdas = _with_multipliers(parts, mass, force, C, b)
-    return _numbered(parts, rates, dict(zip(left, lambdas, strict=True)), AZ, h)
+    return _numbered_names(parts, rates, dict(zip(left, lambdas, strict=True)), AZ, h)
 
 
 def _with_multipliers(
@@ -156,7 +156,7 @@ def _refuse_singular(parts: Balance, mass: Sequence[Sequence[sp.Expr]]) -> None:
         )
 
 
-def _numbered(
+def _numbered_names(
     parts: Balance,
     rates: Sequence[sp.Expr],
     known: Mapping[int, sp.Expr],

@@ -94,11 +94,11 @@ def constraint_distribution(mechanism: Mechanism) -> Restriction:
         value = row.pop(pivot)
         if not value.is_number:
             nonzero.append(value)
-        given = {s: tape.name(tape.short(-c / value)) for s, c in row.items()}
+        dependent = {s: tape.name(tape.short(-c / value)) for s, c in row.items()}
         for table in (*Z.values(), *rows[place + 1 :]):
             share = table.pop(pivot, sp.S.Zero)
             if share != 0:
-                for s, c in given.items():
+                for s, c in dependent.items():
                     table[s] = tape.name(tape.short(table[s] + share * c))
         del free[pivot]
     left = list(free)

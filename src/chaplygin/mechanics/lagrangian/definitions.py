@@ -52,19 +52,19 @@ def name_definitions(parts: Balance, formulas: Sequence[sp.Expr]) -> NamedDefini
     uses: Counter[sp.Symbol] = Counter()
     for value in (*wanted, *(v for _, v in steps)):
         uses.update(n for n in sp.preorder_traversal(value) if n.is_Symbol)
-    given = _own(parts)
+    own = _own(parts)
     table: dict[sp.Symbol, sp.Expr] = {}
-    kept: list[Step] = []
+    remaining: list[Step] = []
     for symbol, value in steps:
         written = value.xreplace(table)
-        if symbol not in given and uses[symbol] < 2 and sp.count_ops(written) <= SHORT:
+        if symbol not in own and uses[symbol] < 2 and sp.count_ops(written) <= SHORT:
             table[symbol] = written
         else:
-            kept.append((symbol, written))
-    numbered = _numbered(parts, [s for s, _ in kept if s not in given])
-    made = [(numbered.get(s, s), value.xreplace(numbered)) for s, value in kept]
+            remaining.append((symbol, written))
+    numbered = _numbered_names(parts, [s for s, _ in remaining if s not in own])
+    definitions = [(numbered.get(s, s), value.xreplace(numbered)) for s, value in remaining]
     gone = {s: value.xreplace(numbered) for s, value in table.items()}
-    return NamedDefinitions(_grouped(parts, made), {**gone, **numbered})
+    return NamedDefinitions(_vector_definitions(parts, definitions), {**gone, **numbered})
 
 
 def _own(parts: Balance) -> set[sp.Symbol]:
@@ -73,24 +73,24 @@ def _own(parts: Balance) -> set[sp.Symbol]:
     return defined | {*parts.solved} | {*parts.multipliers}
 
 
-def _numbered(parts: Balance, symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Symbol]:
+def _numbered_names(parts: Balance, symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Symbol]:
     """z_1, z_2, … in order, past the names of the mechanism's own."""
     own = {s for s in symbols if str(s).startswith("z_")}
     mechanism = parts.mechanism
     parameters = {p.symbol for p in mechanism.parameters}
-    taken = parameters | {*mechanism.symbols} | _own(parts)
-    found: dict[sp.Symbol, sp.Symbol] = {}
+    used = parameters | {*mechanism.symbols} | _own(parts)
+    names: dict[sp.Symbol, sp.Symbol] = {}
     number = 0
     for symbol in symbols:
         if symbol in own:
             number += 1
-            while real_symbol(f"z_{number}") in taken:
+            while real_symbol(f"z_{number}") in used:
                 number += 1
-            found[symbol] = real_symbol(f"z_{number}")
-    return found
+            names[symbol] = real_symbol(f"z_{number}")
+    return names
 
 
-def _grouped(parts: Balance, steps: Sequence[Step]) -> Pairs:
+def _vector_definitions(parts: Balance, steps: Sequence[Step]) -> Pairs:
     """Scalar steps with the components of a vector put together, where their order allows it."""
     mechanism = parts.mechanism
     values = dict(steps)
@@ -124,8 +124,8 @@ def _as_written(constraints: Sequence[sp.Basic], name: Vector, components: sp.Ma
         if not getattr(formula, "is_Matrix", False) or name not in formula.atoms(type(name)):
             continue
         for sign in (-1, 1):
-            rest = (sign * formula + name).doit()
-            same = to_components(rest) - components
+            solution = (sign * formula + name).doit()
+            same = to_components(solution) - components
             if all(sp.expand(e) == 0 for e in same):
-                return rest
+                return solution
     return components

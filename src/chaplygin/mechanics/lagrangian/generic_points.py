@@ -76,18 +76,18 @@ class GenericPoint:
 
     def further(self, steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> GenericPoint:
         """The same point with further definitions."""
-        made = GenericPoint(self.point)
-        made._values = dict(self._values)
+        point = GenericPoint(self.point)
+        point._values = dict(self._values)
         for symbol, value in steps:
-            if symbol not in made._values:
-                made._values[symbol] = value_at_generic_point(value, made._values)
-        return made
+            if symbol not in point._values:
+                point._values[symbol] = value_at_generic_point(value, point._values)
+        return point
 
 
 @with_working_precision
 def value_at_generic_point(formula: sp.Expr, values: Mapping[sp.Symbol, mpmath.mpf]) -> mpmath.mpf:
     """A formula at numbers, unspecified functions being replaced by generic ones."""
-    number = _number_of(_specified(formula), values, {})
+    number = _number_of(_with_generic_functions(formula), values, {})
     if isinstance(number, mpmath.mpc):
         if abs(number.imag) > ZERO:
             raise ValueError(f"{formula} is not real here")
@@ -121,7 +121,7 @@ def _number_of(node: sp.Expr, values: Mapping[sp.Symbol, Any], seen: dict[sp.Exp
     return seen[node]
 
 
-def _specified(formula: sp.Expr) -> sp.Expr:
+def _with_generic_functions(formula: sp.Expr) -> sp.Expr:
     """Unspecified functions as generic polynomials of their arguments."""
     if not formula.has(AppliedUndef):
         return formula
@@ -184,7 +184,7 @@ def samples(
     used = [*frame.qdot]
     if mechanism is not None:
         used += [mechanism.L, *mechanism.f, *mechanism.Q.values()]
-    found: list[GenericPoint] = []
+    points: list[GenericPoint] = []
     for _ in range(ATTEMPTS):
         try:
             point = _on_relations(dice, frame.coordinates, relations, steps, constants)
@@ -194,9 +194,9 @@ def samples(
                 sample.value(formula)
         except (ZeroDivisionError, ValueError):
             continue
-        found.append(sample)
-        if len(found) == many:
-            return tuple(found)
+        points.append(sample)
+        if len(points) == many:
+            return tuple(points)
     raise InputError(
         f"{owner}: no configuration was found where the relations and position constraints hold "
         "and every formula has a real value"

@@ -78,11 +78,11 @@ def check_velocities(
     if not any(set(w) & e.free_symbols for row in slopes for e in (*row, *(v for _, v in steps))):
         return
     for point in points:
-        found = _satisfied(point, w, steps, constraints, slopes)
-        if found is None:
+        state = _admissible_velocities(point, w, steps, constraints, slopes)
+        if state is None:
             continue
         for index, row in enumerate(slopes):
-            if all(abs(found.value(e)) < FLAT for e in row):
+            if all(abs(state.value(e)) < FLAT for e in row):
                 raise InputError(
                     f"{mechanism.name}: {_words(mechanism, index)} is singular where it holds: its "
                     "derivatives by the velocities vanish there; write it without the power"
@@ -94,7 +94,7 @@ def check_velocities(
     )
 
 
-def _satisfied(
+def _admissible_velocities(
     point: GenericPoint,
     w: Sequence[sp.Symbol],
     steps: Sequence[Step],

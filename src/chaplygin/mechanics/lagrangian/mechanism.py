@@ -43,11 +43,11 @@ TIME = real_symbol("t")
 
 def components(formulas: Iterable[sp.Basic]) -> tuple[sp.Expr, ...]:
     """Scalar and vector formulas as scalars, in order."""
-    found: list[sp.Expr] = []
+    scalars: list[sp.Expr] = []
     for formula in formulas:
         value = to_components(sp.sympify(formula))
-        found.extend(value if isinstance(value, sp.MatrixBase) else [value])
-    return tuple(found)
+        scalars.extend(value if isinstance(value, sp.MatrixBase) else [value])
+    return tuple(scalars)
 
 
 @arguments_checked
@@ -96,8 +96,8 @@ class Frame:
         object.__setattr__(self, "velocities", tuple(self.velocities))
         object.__setattr__(self, "relations", components(self.relations))
         if self.structure is not None:
-            kept = tuple((pair, as_pairs(row)) for pair, row in as_pairs(self.structure))
-            object.__setattr__(self, "structure", kept)
+            structure = tuple((pair, as_pairs(row)) for pair, row in as_pairs(self.structure))
+            object.__setattr__(self, "structure", structure)
         self._check()
 
     @cached_property
@@ -138,9 +138,9 @@ class Frame:
             raise InputError(f"frame: {name} stands for two things; rename one of them")
         velocities = set(self.w)
         for q, rate in zip(self.coordinates, self.qdot, strict=True):
-            rest = rate.xreplace(dict.fromkeys(velocities, sp.S.Zero))
+            inhomogeneous = rate.xreplace(dict.fromkeys(velocities, sp.S.Zero))
             slopes = [sp.diff(rate, s) for s in self.w]
-            if rest != 0 or any(slope.free_symbols & velocities for slope in slopes):
+            if inhomogeneous != 0 or any(slope.free_symbols & velocities for slope in slopes):
                 raise InputError(
                     f"frame: the rate of {q}, {rate}, must be linear and homogeneous in the "
                     f"velocities {', '.join(map(str, self.w))}"

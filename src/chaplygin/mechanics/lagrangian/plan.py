@@ -87,15 +87,15 @@ def _forms(mechanism: Mechanism) -> list[dict[sp.Symbol, sp.Expr]]:
     if G.rows != G.cols or G.rows > _MOST:
         return []
     inverse = G.inv()
-    found = []
+    forms = []
     for constraint in mechanism.f:
         formula = mechanism.expand(constraint)
         row = [sp.diff(formula, w) for w in frame.w]
         if any(entry.free_symbols & set(frame.w) for entry in row):
             continue
         covector = sp.Matrix([row]) * inverse
-        found.append(dict(zip(frame.coordinates, covector, strict=True)))
-    return found
+        forms.append(dict(zip(frame.coordinates, covector, strict=True)))
+    return forms
 
 
 def _arms(
@@ -131,7 +131,7 @@ def _lengths(
     if not np.all(np.isfinite(rows)) or np.any(across < _SAME):
         return None
     n_x, n_y = rows[:, 0] / across, rows[:, 1] / across
-    found = []
+    lengths_by_angle = []
     for number, angle in enumerate(angles, 2):
         share = rows[:, number] / across
         if np.all(np.abs(share) < _SAME):
@@ -142,5 +142,5 @@ def _lengths(
         lengths = share / swing
         if np.ptp(lengths) > _SAME * np.max(np.abs(lengths)):
             return None
-        found.append((angle, float(lengths[0])))
-    return found
+        lengths_by_angle.append((angle, float(lengths[0])))
+    return lengths_by_angle

@@ -32,15 +32,17 @@ DENOMINATOR = 1000
 
 def commutator(first: Field, second: Field) -> Field:
     """[u, w] = uw − wu, without the components that are zero."""
-    found = {}
+    components = {}
     for q in {**first, **second}:
-        value = _along(first, second.get(q, sp.S.Zero)) - _along(second, first.get(q, sp.S.Zero))
+        value = _derivative_along(first, second.get(q, sp.S.Zero)) - _derivative_along(
+            second, first.get(q, sp.S.Zero)
+        )
         if value != 0:
-            found[q] = value
-    return found
+            components[q] = value
+    return components
 
 
-def _along(field: Field, function: sp.Expr) -> sp.Expr:
+def _derivative_along(field: Field, function: sp.Expr) -> sp.Expr:
     return sp.Add(*(rate * sp.diff(function, q) for q, rate in field.items()))
 
 
@@ -58,7 +60,7 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
         dimensions, or if `Frame.structure` names no pair of velocities.
     """
     if frame.structure is not None:
-        return _given(frame, owner)
+        return _prescribed(frame, owner)
     constant = all(entry.is_number for entry in frame.matrix) and frame.matrix.is_square
     if constant and not frame.relations:
         if frame.matrix.det() == 0:
@@ -67,7 +69,7 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
     points = samples(owner, frame)
     rows = _spanning(frame, points[0], owner)
     fields = [frame.field(i) for i in range(len(frame.w))]
-    found: dict[tuple[int, int, int], sp.Expr] = {}
+    coefficients: dict[tuple[int, int, int], sp.Expr] = {}
     for i, first in enumerate(fields):
         for j in range(i + 1, len(fields)):
             bracket = commutator(first, fields[j])
@@ -76,12 +78,12 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
             column = [bracket.get(q, sp.S.Zero) for q in frame.coordinates]
             solution = _constant(frame, points, rows, column)
             if solution is None:
-                solution = _solved(frame, rows, column)
+                solution = _solution_on_rows(frame, rows, column)
                 _check_span(frame, points, column, solution, owner)
             for k, value in enumerate(solution):
                 if value != 0:
-                    found[i, j, k] = value
-    return found
+                    coefficients[i, j, k] = value
+    return coefficients
 
 
 def written_frame(mechanism: Mechanism) -> Frame:
@@ -102,13 +104,17 @@ def check_structure(frame: Frame, owner: str = "frame") -> None:
     InputError
         If they break the identity of Jacobi, or differ from the commutators on the coordinates.
     """
-    given = _given(frame, owner)
+    coefficients = _prescribed(frame, owner)
     points = samples(owner, frame)
     size = range(len(frame.w))
     fields = [frame.field(i) for i in size]
 
     def c(i: int, j: int, k: int) -> sp.Expr:
-        return given.get((i, j, k), sp.S.Zero) if i < j else -given.get((j, i, k), sp.S.Zero)
+        return (
+            coefficients.get((i, j, k), sp.S.Zero)
+            if i < j
+            else -coefficients.get((j, i, k), sp.S.Zero)
+        )
 
     for i, j in combinations(size, 2):
         bracket = commutator(fields[i], fields[j])
@@ -122,7 +128,8 @@ def check_structure(frame: Frame, owner: str = "frame") -> None:
     for i, j, k in combinations(size, 3):
         for n in size:
             terms = [
-                sp.Add(*(c(a, b, s) * c(s, d, n) for s in size)) - _along(fields[d], c(a, b, n))
+                sp.Add(*(c(a, b, s) * c(s, d, n) for s in size))
+                - _derivative_along(fields[d], c(a, b, n))
                 for a, b, d in ((i, j, k), (j, k, i), (k, i, j))
             ]
             if not is_numerically_zero(sp.Add(*terms), points):
@@ -133,9 +140,9 @@ def check_structure(frame: Frame, owner: str = "frame") -> None:
                 )
 
 
-def _given(frame: Frame, owner: str) -> Coefficients:
+def _prescribed(frame: Frame, owner: str) -> Coefficients:
     place = {s: i for i, s in enumerate(frame.w)}
-    found: dict[tuple[int, int, int], sp.Expr] = {}
+    coefficients: dict[tuple[int, int, int], sp.Expr] = {}
     for pair, row in frame.structure or ():
         for s in (*pair, *(name for name, _ in row)):
             if s not in place:
@@ -146,8 +153,8 @@ def _given(frame: Frame, owner: str) -> Coefficients:
         i, j = (place[s] for s in pair)
         sign = 1 if i < j else -1
         for s, value in row:
-            found[min(i, j), max(i, j), place[s]] = sign * sp.sympify(value)
-    return found
+            coefficients[min(i, j), max(i, j), place[s]] = sign * sp.sympify(value)
+    return coefficients
 
 
 def _spanning(frame: Frame, point: GenericPoint, owner: str) -> list[int]:
@@ -195,7 +202,9 @@ def _fraction(number: mpmath.mpf) -> sp.Rational | None:
     return near if close else None
 
 
-def _solved(frame: Frame, rows: Sequence[int], column: Sequence[sp.Expr]) -> list[sp.Expr]:
+def _solution_on_rows(
+    frame: Frame, rows: Sequence[int], column: Sequence[sp.Expr]
+) -> list[sp.Expr]:
     matrix = sp.Matrix([list(frame.matrix.row(i)) for i in rows])
     right = sp.Matrix([column[i] for i in rows])
     return [simplify_small(x) for x in matrix.LUsolve(right)]

@@ -31,8 +31,8 @@ def with_parameters(mechanism: Mechanism, values: Mapping[sp.Symbol, sp.Expr]) -
         written = to_components(sp.sympify(formula))
         return written.xreplace(table) if written.free_symbols & set(table) else formula
 
-    def pairs(given: Pairs) -> Pairs:
-        return tuple((name, put_in(formula)) for name, formula in given)
+    def pairs(formulas: Pairs) -> Pairs:
+        return tuple((name, put_in(formula)) for name, formula in formulas)
 
     frame = mechanism.frame
     structure: Structure | None = frame.structure

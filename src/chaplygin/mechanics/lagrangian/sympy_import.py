@@ -82,8 +82,8 @@ def from_sympy(
     >>> dict(pendulum.field)
     {theta: thetadot, thetadot: -g*sin(theta)/l}
     """
-    found = _opened(model, parameters, inputs, name, title or name)
-    return found.system() if isinstance(found, Kane) else equations(found)
+    translation = _translation(model, parameters, inputs, name, title or name)
+    return translation.system() if isinstance(translation, Kane) else equations(translation)
 
 
 @arguments_checked
@@ -127,15 +127,15 @@ def mechanism_from_sympy(
     >>> ch.prove(ch.equations(pendulum), "energy").decision
     'proven'
     """
-    found = _opened(model, parameters, inputs, name, title or name)
-    if not isinstance(found, Kane):
-        return found
-    mechanism = found.mechanism()
-    found.require_same_motion(mechanism)
+    translation = _translation(model, parameters, inputs, name, title or name)
+    if not isinstance(translation, Kane):
+        return translation
+    mechanism = translation.mechanism()
+    translation.require_same_motion(mechanism)
     return mechanism
 
 
-def _opened(
+def _translation(
     model: object,
     parameters: Defaults,
     inputs: Inputs,

@@ -42,15 +42,15 @@ class NameTranslation:
 
     def __call__(self, formula: sp.Expr) -> sp.Expr:
         """A formula with plain symbols only."""
-        made = sp.sympify(formula).xreplace(dict(self.table))
-        left = sorted(map(str, made.atoms(AppliedUndef)))
-        if left:
+        translated = sp.sympify(formula).xreplace(dict(self.table))
+        unknown = sorted(map(str, translated.atoms(AppliedUndef)))
+        if unknown:
             raise InputError(
-                f"{self.name}: {', '.join(left)} depends on the time and is neither a coordinate "
-                "nor a speed; give its formula in 'inputs'"
+                f"{self.name}: {', '.join(unknown)} depends on the time and is neither a "
+                "coordinate nor a speed; give its formula in 'inputs'"
             )
         # the rate of an input
-        return made.doit() if made.has(sp.Derivative) else made
+        return translated.doit() if translated.has(sp.Derivative) else translated
 
     def all(self, formulas: Iterable[sp.Expr]) -> list[sp.Expr]:
         """Several formulas."""
@@ -87,8 +87,10 @@ def name_translation(
         If a constant has no default, or an input is not a function of the model.
     """
     time = dynamicsymbols._t
-    given = _inputs(name, formulas, moving, inputs)
-    used = {s for f in (*formulas, *given.values()) for s in sp.sympify(f).free_symbols} - {time}
+    input_formulas = _inputs(name, formulas, moving, inputs)
+    used = {
+        s for f in (*formulas, *input_formulas.values()) for s in sp.sympify(f).free_symbols
+    } - {time}
     constants = sorted(used, key=str)
     chosen = _parameters(name, constants, parameters)
     plain: dict[sp.Expr, sp.Expr] = {f: real_symbol(str(f.func)) for f in moving}
@@ -96,7 +98,7 @@ def name_translation(
     plain[time] = TIME
     table = dict(plain)
     # what the user writes in an input is in plain symbols already, or in those of the model
-    table |= {f: formula.xreplace(plain) for f, formula in given.items()}
+    table |= {f: formula.xreplace(plain) for f, formula in input_formulas.items()}
     table |= {rate: value.xreplace(table) for rate, value in rates.items()}
     return NameTranslation(name, table, chosen)
 
@@ -106,43 +108,43 @@ def _inputs(
 ) -> dict[sp.Expr, sp.Expr]:
     functions = {f for formula in formulas for f in sp.sympify(formula).atoms(AppliedUndef)}
     by_name = {str(f.func): f for f in sorted(functions - set(moving), key=str)}
-    found = {}
+    formulas_by_function = {}
     for key, value in inputs.items():
         stem = str(getattr(key, "func", key))
         if stem not in by_name:
             known = ", ".join(by_name) or "none"
             raise InputError(f"{name}: inputs: the model has no input {stem}; it has {known}")
-        found[by_name[stem]] = sp.sympify(value)
-    return found
+        formulas_by_function[by_name[stem]] = sp.sympify(value)
+    return formulas_by_function
 
 
 def _parameters(
     name: str, constants: Sequence[sp.Symbol], parameters: Defaults
 ) -> tuple[Parameter, ...]:
-    given = {str(key): value for key, value in parameters.items()}
-    unknown = sorted(given.keys() - {str(s) for s in constants})
+    values = {str(key): value for key, value in parameters.items()}
+    unknown = sorted(values.keys() - {str(s) for s in constants})
     if unknown:
         known = ", ".join(map(str, constants)) or "none"
         raise InputError(
             f"{name}: parameters: the model has no constant {', '.join(unknown)}; it has {known}"
         )
-    missing = [str(s) for s in constants if str(s) not in given]
+    missing = [str(s) for s in constants if str(s) not in values]
     if missing:
         raise InputError(
             f"{name}: give a default for every constant; {', '.join(missing)} has none"
         )
-    return tuple(_parameter(name, s, given[str(s)]) for s in constants)
+    return tuple(_parameter(name, s, values[str(s)]) for s in constants)
 
 
-def _parameter(name: str, symbol: sp.Symbol, given: float | Parameter) -> Parameter:
-    if isinstance(given, Parameter):
-        if str(given.symbol) != str(symbol):
-            raise InputError(f"{name}: parameters: {symbol} is given as {given.symbol}")
-        return given
+def _parameter(name: str, symbol: sp.Symbol, value: float | Parameter) -> Parameter:
+    if isinstance(value, Parameter):
+        if str(value.symbol) != str(symbol):
+            raise InputError(f"{name}: parameters: {symbol} is given as {value.symbol}")
+        return value
     plain = real_symbol(str(symbol))
     positive = (plain > 0,) if symbol.is_positive else ()
     try:
-        default = float(given)
+        default = float(value)
     except (TypeError, ValueError):
-        raise InputError(f"{name}: parameters: {symbol} = {given} is not a number") from None
+        raise InputError(f"{name}: parameters: {symbol} = {value} is not a number") from None
     return Parameter(plain, f"constant {symbol} of the model", default, admissible=positive)

@@ -71,15 +71,15 @@ class HalfAngleChart:
 
     def point(self, values: Sequence[Value]) -> dict[sp.Symbol, Value]:
         """Coordinates, sines and cosines by the values of the variables."""
-        found: dict[sp.Symbol, Value] = {}
+        point: dict[sp.Symbol, Value] = {}
         for q, angle, t in zip(self.coordinates, self.angles, values, strict=True):
             if angle:
                 sine, cosine = circle(q)
                 square = t * t + 1
-                found[sine], found[cosine] = 2 * t / square, (2 - square) / square
+                point[sine], point[cosine] = 2 * t / square, (2 - square) / square
             else:
-                found[q] = t
-        return found
+                point[q] = t
+        return point
 
     def speed(self, index: int, value: Value) -> Value:
         """Derivative of the variable by its coordinate."""
@@ -129,18 +129,18 @@ def natural_factors(
         values = Formulas(list(formulas), owner).at(place, one)
         return [values[i : i + formulas.cols] for i in range(0, len(values), formulas.cols)]
 
-    found = [determinant(matrix(lift.matrix))]
+    determinants = [determinant(matrix(lift.matrix))]
     tied = matrix(lift.tied) if lift.tied.rows else []
     for form in forms:
         rows = matrix(form)
-        found.append(determinant(rows))
+        determinants.append(determinant(rows))
         if tied:
             turned = [product(_adjugate(rows), row) for row in tied]
-            found.append(determinant([product(tied, column) for column in turned]))
+            determinants.append(determinant([product(tied, column) for column in turned]))
     pairs = zip(chart.variables, chart.angles, strict=True)
     circles = {str(names[t].above ** 2 + 1) for t, angle in pairs if angle}
     factors: dict[str, fmpq_mpoly] = {}
-    for value in found:
+    for value in determinants:
         for poly in (value.above, value.below):
             for factor, _ in poly.factor()[1]:
                 lead = factor.leading_coefficient()
@@ -163,8 +163,8 @@ def in_angles(poly: fmpq_mpoly, chart: HalfAngleChart) -> sp.Expr:
     halves = [(int(d) + 1) // 2 for d in poly.degrees()[:2]]
     parts: dict[tuple[int, int], dict[tuple[int, ...], fmpq]] = {}
     for exponents, coefficient in poly.to_dict().items():
-        first, second, *rest = (int(e) for e in exponents)
-        parts.setdefault((first, second), {})[0, 0, 0, 0, 0, 0, *rest] = coefficient
+        first, second, *parameters = (int(e) for e in exponents)
+        parts.setdefault((first, second), {})[0, 0, 0, 0, 0, 0, *parameters] = coefficient
     total = ring.constant(0)
     for powers, terms in parts.items():
         term = ring.from_dict(terms)
@@ -202,9 +202,9 @@ def on_sphere(poly: fmpq_mpoly, chart: HalfAngleChart, vector: Vector) -> sp.Exp
             for chosen in combinations_with_replacement(range(3), d)
         ]
         # with numbers first: most polynomials are no functions on the sphere
-        if _fitted(sample, powers) is not None:
-            found = _fitted(poly, powers)
-            return None if found is None else _as_form(found, powers, vector)
+        if _coefficients_in_unit_vector(sample, powers) is not None:
+            coefficients = _coefficients_in_unit_vector(poly, powers)
+            return None if coefficients is None else _as_form(coefficients, powers, vector)
     return None
 
 
@@ -221,14 +221,16 @@ def _at_pole(poly: fmpq_mpoly) -> bool:
 
 
 def _as_form(
-    found: Sequence[fmpq_mpoly], powers: Sequence[tuple[int, ...]], vector: Vector
+    coefficients: Sequence[fmpq_mpoly], powers: Sequence[tuple[int, ...]], vector: Vector
 ) -> sp.Expr:
     monomials = [sp.Mul(*(vector.symbols[i] for i in chosen)) for chosen in powers]
-    terms = [as_formula(f) * x for f, x in zip(found, monomials, strict=True)]
+    terms = [as_formula(f) * x for f, x in zip(coefficients, monomials, strict=True)]
     return sp.collect(sp.expand(sp.Add(*terms)), monomials, sp.factor)
 
 
-def _fitted(poly: fmpq_mpoly, powers: Sequence[tuple[int, ...]]) -> list[fmpq_mpoly] | None:
+def _coefficients_in_unit_vector(
+    poly: fmpq_mpoly, powers: Sequence[tuple[int, ...]]
+) -> list[fmpq_mpoly] | None:
     """Coefficients of the monomials that make the polynomial, if there are any."""
     ring, count = poly.context(), len(powers)
     rows, right = [], []
@@ -243,14 +245,14 @@ def _fitted(poly: fmpq_mpoly, powers: Sequence[tuple[int, ...]]) -> list[fmpq_mp
     if matrix.det() == 0:
         return None
     solve = matrix.inv()
-    found = [
+    coefficients = [
         sum((solve[i, j] * right[j] for j in range(count)), ring.constant(0)) for i in range(count)
     ]
     fits = all(
-        sum((x * f for x, f in zip(row, found, strict=True)), ring.constant(0)) == value
+        sum((x * f for x, f in zip(row, coefficients, strict=True)), ring.constant(0)) == value
         for row, value in zip(rows[count:], right[count:], strict=True)
     )
-    return found if fits else None
+    return coefficients if fits else None
 
 
 def _circles(t: Sequence[fmpq]) -> list[tuple[fmpq, fmpq]]:

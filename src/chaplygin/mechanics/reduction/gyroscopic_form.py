@@ -136,12 +136,12 @@ def _constant_density(base: Base, vector: Vector, form: sp.Expr) -> sp.Expr | No
     return g if g.is_finite is not False and vanishes(density - g, [unit]) else None
 
 
-def indefinite(mechanism: Mechanism, base: Base, found: Multiplier) -> tuple[sp.Expr, ...]:
+def indefinite(mechanism: Mechanism, base: Base, multiplier: Multiplier) -> tuple[sp.Expr, ...]:
     """Factors of N that have both signs on the sphere, at the default parameters."""
     vector = base.normal
     if vector is None:
         return ()
-    forms = [f for f, _ in found.powers if f.has(*vector.symbols)]
+    forms = [f for f, _ in multiplier.powers if f.has(*vector.symbols)]
     return tuple(f for f in forms if _has_both_signs(mechanism, vector, f))
 
 

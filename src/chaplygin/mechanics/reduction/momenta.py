@@ -94,7 +94,7 @@ def motion(mechanism: Mechanism) -> ReducedMomenta:
     lagrangian = mechanism.expand(mechanism.L)
     constraints = [mechanism.expand(f) for f in mechanism.f]
     _check(mechanism, lagrangian, constraints)
-    given, left = _eliminated(constraints, w)
+    given, left = _explicit_velocities(constraints, w)
     free = tuple(s for s in w if s not in given)
     at_rest = dict.fromkeys(w, sp.S.Zero)
     potential = -lagrangian.xreplace(at_rest)
@@ -170,7 +170,7 @@ def _check(mechanism: Mechanism, lagrangian: sp.Expr, constraints: list[sp.Expr]
             )
 
 
-def _eliminated(
+def _explicit_velocities(
     constraints: list[sp.Expr], w: tuple[sp.Symbol, ...]
 ) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
     """Velocities given with a number as coefficient, by the free ones; what else is required."""

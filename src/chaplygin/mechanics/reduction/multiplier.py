@@ -91,7 +91,7 @@ def as_positive(parameters: Sequence[Parameter]) -> dict[sp.Symbol, sp.Symbol]:
     }
 
 
-def _at(
+def _form_at(
     local: Local, chart: HalfAngleChart, values: Sequence[Value], given: Point, like: Value
 ) -> tuple[Value, Value]:
     """The 1-form at a point of the chart."""
@@ -122,11 +122,11 @@ def curl(
         at = [one * v for v in values]
         at[moved] = names[chart.variables[moved]]
         # the component of the other coordinate
-        component = _at(local, chart, at, place, one)[1 - moved]
+        component = _form_at(local, chart, at, place, one)[1 - moved]
         rate = _derivative(component, 0) * chart.speed(moved, at[moved])
         rate = _put(rate, str(chart.variables[moved]), values[moved])
         term = rate if moved else -rate
-        total = term if total is None else _joined(total, term)
+        total = term if total is None else _sum_as_formula(total, term)
     return total
 
 
@@ -140,16 +140,16 @@ def _put(value: Quotient, name: str, at: fmpq) -> Quotient:
     return Quotient(value.above.subs({name: at}), value.below.subs({name: at}))
 
 
-def _joined(first: Quotient, second: Quotient) -> sp.Expr:
+def _sum_as_formula(first: Quotient, second: Quotient) -> sp.Expr:
     """A sum of fractions from rings that differ in a variable neither uses any more."""
     return sp.cancel(sp.together(first.formula() + second.formula()))
 
 
-def poles(found: Multiplier) -> tuple[sp.Expr, ...]:
+def poles(multiplier: Multiplier) -> tuple[sp.Expr, ...]:
     """Factors in the parameters below the exponents of N: where one vanishes there is no such N."""
     below = {
         factor
-        for _, exponent in found.powers
+        for _, exponent in multiplier.powers
         for factor, _ in sp.factor_list(sp.denom(sp.together(exponent)))[1]
     }
     return tuple(sorted(below, key=str))
@@ -174,12 +174,12 @@ def obstruction_point(
             given = {s: near(defaults.get(s, 0.0), dice) for s in _parameters(local, chart)}
             values = [number(dice), number(dice)]
             try:
-                found = curl(local, chart, values, given, [])
+                value = curl(local, chart, values, given, [])
             except ZeroDivisionError:
                 continue
             break
-        if found != 0:
-            exact = fmpq(int(found.p), int(found.q))
+        if value != 0:
+            exact = fmpq(int(value.p), int(value.q))
             at = {**given, **dict(zip(chart.variables, values, strict=True))}
             shown = {str(s): str(v) for s, v in at.items()}
             return Obstruction(shown, exact, open_unless(local, chart, parameters))
@@ -190,7 +190,7 @@ def is_closed(local: Local, chart: HalfAngleChart) -> bool:
     """Whether the form is closed, with everything as symbols."""
     one, names = quotients([*chart.variables, *_parameters(local, chart)])
     at = [names[t] for t in chart.variables]
-    first, second = _at(local, chart, at, names, one)
+    first, second = _form_at(local, chart, at, names, one)
     change = _derivative(first, 1) * chart.speed(1, at[1])
     return bool(change == _derivative(second, 0) * chart.speed(0, at[0]))
 
@@ -204,8 +204,8 @@ def open_unless(
     shared: sp.Expr | None = None
     for _ in range(2):
         values = [number(dice), number(dice)]
-        found = curl(local, chart, values, {}, parameters)
-        above = sp.fraction(sp.together(found))[0]
+        form = curl(local, chart, values, {}, parameters)
+        above = sp.fraction(sp.together(form))[0]
         shared = above if shared is None else sp.gcd(shared, above)
     factors = [base for base, _ in sp.factor_list(shared)[1]]
     signs = as_positive(known)
@@ -229,22 +229,22 @@ def multiplier(
     parameters = _parameters(local, chart)
     dice = random.Random(SEED)
     given = {s: number(dice) for s in parameters}
-    found = _exponents(local, chart, factors, given, ())
-    if found is None:
+    values = _exponents(local, chart, factors, given, ())
+    if values is None:
         return None
     moving = []
     for s in parameters:
         other = _exponents(local, chart, factors, {**given, s: number(dice)}, ())
-        if other != found:
+        if other != values:
             moving.append(s)
     if moving:
-        rest = {s: v for s, v in given.items() if s not in moving}
-        symbolic = _exponents(local, chart, factors, rest, tuple(moving))
+        fixed = {s: v for s, v in given.items() if s not in moving}
+        symbolic = _exponents(local, chart, factors, fixed, tuple(moving))
         if symbolic is None:
             return None
         exponents = [sp.factor(x.formula()) for x in symbolic]
     else:
-        exponents = [sp.Rational(int(x.p), int(x.q)) for x in found]
+        exponents = [sp.Rational(int(x.p), int(x.q)) for x in values]
     return Multiplier(_powers(chart, factors, exponents, vector))
 
 
@@ -268,13 +268,13 @@ def _exponents(
     while len(rows) < count + SPARE:
         values = [number(dice), number(dice)]
         try:
-            pair = _at(local, chart, values, place, like)
+            pair = _form_at(local, chart, values, place, like)
             slopes = _slopes(chart, factors, values, place, like)
         except ZeroDivisionError:
             continue
         rows += slopes
         right += pair
-    return _solved(rows, right)
+    return _overdetermined_solution(rows, right)
 
 
 def _slopes(
@@ -314,7 +314,7 @@ def _value(poly: fmpq_mpoly, at: Point, like: Value) -> Value:
     return total
 
 
-def _solved(rows: list[list[Value]], right: list[Value]) -> list[Value] | None:
+def _overdetermined_solution(rows: list[list[Value]], right: list[Value]) -> list[Value] | None:
     """The solution of an overdetermined system, None if there is none or more than one."""
     left, pivots = reduced_echelon_form([[*row, x] for row, x in zip(rows, right, strict=True)])
     if pivots != list(range(len(rows[0]))):
@@ -329,30 +329,30 @@ def _powers(
     vector: Vector | None,
 ) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
     """The product with every factor back in the angles, or in the unit vector."""
-    found: list[tuple[sp.Expr, sp.Expr]] = []
+    powers: list[tuple[sp.Expr, sp.Expr]] = []
     own = list(exponents[: len(factors)])
     circles = iter(exponents[len(factors) :])
-    rest = [next(circles) if angle else sp.S.Zero for angle in chart.angles]
+    circle_powers = [next(circles) if angle else sp.S.Zero for angle in chart.angles]
     groups: dict[sp.Expr, fmpq_mpoly] = {}
     for poly, exponent in zip(factors, own, strict=True):
         if exponent == 0:
             continue
         for i in (0, 1):
             if chart.angles[i]:
-                rest[i] += exponent * int(poly.degrees()[i]) / sp.Integer(2)
+                circle_powers[i] += exponent * int(poly.degrees()[i]) / sp.Integer(2)
         if has_even_degrees(poly, chart):
-            found.append((_base(poly, chart, vector), exponent))
+            powers.append((_base(poly, chart, vector), exponent))
         else:
             groups[exponent] = groups[exponent] * poly if exponent in groups else poly
     for exponent, poly in groups.items():
         if has_even_degrees(poly, chart):
-            found.append((_monic(in_angles(poly, chart)), exponent))
+            powers.append((_monic(in_angles(poly, chart)), exponent))
         else:
-            found.append((_monic(in_angles(poly**2, chart)), exponent / 2))
-    for x, exponent in zip(chart.coordinates, rest, strict=True):
+            powers.append((_monic(in_angles(poly**2, chart)), exponent / 2))
+    for x, exponent in zip(chart.coordinates, circle_powers, strict=True):
         if sp.cancel(exponent) != 0:
-            found.append((1 + sp.cos(x), -sp.cancel(exponent)))
-    return tuple(found)
+            powers.append((1 + sp.cos(x), -sp.cancel(exponent)))
+    return tuple(powers)
 
 
 def _base(poly: fmpq_mpoly, chart: HalfAngleChart, vector: Vector | None) -> sp.Expr:
@@ -370,17 +370,17 @@ def _monic(base: sp.Expr) -> sp.Expr:
     return sp.expand(sign * whole)
 
 
-def over_rational(found: Multiplier, b: sp.Expr) -> sp.Expr:
+def over_rational(multiplier: Multiplier, b: sp.Expr) -> sp.Expr:
     """N b with the factors that both share taken together."""
     powers = dict(b.as_powers_dict())
-    rest = sp.S.One
-    for base, exponent in found.powers:
+    remainder = sp.S.One
+    for base, exponent in multiplier.powers:
         for other in [k for k in powers if not k.is_Symbol and k.free_symbols == base.free_symbols]:
             ratio = sp.cancel(other / base)
             if ratio.is_number:
-                rest *= ratio ** powers[other]
+                remainder *= ratio ** powers[other]
                 powers[base] = powers.pop(other) + exponent
                 break
         else:
-            rest *= base**exponent
-    return rest * sp.Mul(*(base**power for base, power in powers.items()))
+            remainder *= base**exponent
+    return remainder * sp.Mul(*(base**power for base, power in powers.items()))

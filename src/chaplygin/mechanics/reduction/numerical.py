@@ -48,7 +48,7 @@ def log_multiplier(
     """
     from scipy.integrate import quad
 
-    known = _known(form, values)
+    known = _parameter_values(form, values)
     q = form.base.coordinates
     step = [b - a for a, b in zip(start, end, strict=True)]
 
@@ -82,7 +82,7 @@ def integral_of_gyroscopic(
         )
     theta, phi = form.base.coordinates
     formula = form.gyroscopic.xreplace(dict(form.base.place)) / sp.sin(theta)
-    known = _known(form, values)
+    known = _parameter_values(form, values)
     density = sp.lambdify([theta, phi], formula.subs(known), "numpy")
 
     def total(nodes: int) -> float:
@@ -100,10 +100,12 @@ def integral_of_gyroscopic(
     return value, error
 
 
-def _known(form: ChaplyginForm, values: Mapping[sp.Symbol, float] | None) -> dict[sp.Symbol, float]:
+def _parameter_values(
+    form: ChaplyginForm, values: Mapping[sp.Symbol, float] | None
+) -> dict[sp.Symbol, float]:
     known = {s: float(v) for s, v in form.system.defaults.items()}
-    given = {} if values is None else dict(values)
-    for symbol, value in given.items():
+    numbers = {} if values is None else dict(values)
+    for symbol, value in numbers.items():
         if symbol not in known:
             raise InputError(
                 f"{form.system.name}: {symbol} is no parameter; its parameters are "

@@ -77,7 +77,7 @@ def chaplygin_system(
     level = closed.rest + potential
     hamiltonian = HALF * (h_11 * P[0] ** 2 + 2 * h_12 * P[0] * P[1] + h_22 * P[1] ** 2) + V
     place = {} if base.normal is None else {base.normal: sp.Matrix(list(base.place.values()))}
-    kept = () if multiplier is None else multiplier.powers
+    powers = () if multiplier is None else multiplier.powers
     definitions = {
         **place,
         **dict(zip((h_11, h_12, h_22), closed.inverse, strict=True)),
@@ -103,7 +103,7 @@ def chaplygin_system(
         },
         laws=(
             Integral("energy", hamiltonian, "energy of (4.4)", source="Theorem 1"),
-            *(_theorem_6(hamiltonian, kept) if multiplier is not None else ()),
+            *(_theorem_6(hamiltonian, powers) if multiplier is not None else ()),
         ),
         observables=(Observable("gyroscopic", S, "coefficient S of the gyroscopic forces"),),
     )
@@ -184,7 +184,7 @@ def with_base(original: System, base: Base) -> System:
     return replace(original, field=(*missing, *original.field), motion=None)
 
 
-def _known(base: Base, closed: ClosedFormParts) -> dict[sp.Symbol, sp.Expr]:
+def _velocities_on_base(base: Base, closed: ClosedFormParts) -> dict[sp.Symbol, sp.Expr]:
     """Coordinates and velocities of the mechanism on the base."""
     v = speeds(base)
     known = dict(base.place)
@@ -197,7 +197,7 @@ def with_carried_coordinates(
     form: System, base: Base, closed: ClosedFormParts, original: System
 ) -> System | None:
     """(4.7) with further coordinates that the original system carries along; None without any."""
-    known = _known(base, closed)
+    known = _velocities_on_base(base, closed)
     missing = [s for s in original.symbols if s not in known]
     if not missing:
         return None
@@ -223,7 +223,7 @@ def motion_law(
     level : tuple of Expr
         What vanishes on the level, in the same coordinates and velocities.
     """
-    known = _known(base, closed)
+    known = _velocities_on_base(base, closed)
     return Isomorphism(
         "motion",
         original,

@@ -202,10 +202,10 @@ def _body_parameters(body: Body, inertia: Diagonal | Symmetric) -> tuple[Paramet
     entries = inertia.independent(body.tensor)
     axis = "moment of inertia about body axis" if body.principal else "entry of the inertia tensor"
     parameters = [Parameter(m, "mass", body.mass, "kg", (m > 0,))]
-    asked = triangle_inequalities(tuple(to_components(inertia).diagonal()))
+    inequalities = triangle_inequalities(tuple(to_components(inertia).diagonal()))
     for symbol, value in zip(inertia.symbols, entries, strict=True):
         label = str(symbol).removeprefix("I_")
-        conditions = asked.get(symbol, ())
+        conditions = inequalities.get(symbol, ())
         parameters.append(Parameter(symbol, f"{axis} {label}", float(value), "kg m^2", conditions))
     if any(body.gyrostat):
         parameters += [
@@ -306,7 +306,7 @@ def _marble(balance: _Balance, surface: Surface, name: str, title: str) -> Syste
         (X, _free_torque(balance)),
         (omegadot, balance.solve(X)),
     )
-    return _finish(
+    return _system(
         balance,
         surface,
         name,
@@ -334,7 +334,7 @@ def _rubber(balance: _Balance, surface: Surface, name: str, title: str) -> Syste
         (lambda_0, -(dot(B, X) + spin_rate) / dot(B, gamma)),
         (omegadot, acceleration + lambda_0 * B),
     )
-    return _finish(
+    return _system(
         balance,
         surface,
         name,
@@ -383,7 +383,7 @@ def _free_torque(balance: _Balance) -> MatrixExpr:
 # --- energy, contact force, motion in space ------------------------------------------------
 
 
-def _finish(
+def _system(
     balance: _Balance,
     surface: Surface,
     name: str,

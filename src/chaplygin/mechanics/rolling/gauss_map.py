@@ -50,8 +50,8 @@ def contact_points(shape: Shape) -> Callable[[FloatArray], FloatArray]:
 
     def points(gamma: FloatArray) -> FloatArray:
         columns = reach(*np.asarray(gamma, dtype=float).T, *values.values())
-        found: FloatArray = centre + np.stack(np.broadcast_arrays(*columns), axis=1)
-        return found
+        points: FloatArray = centre + np.stack(np.broadcast_arrays(*columns), axis=1)
+        return points
 
     return points
 

@@ -250,8 +250,8 @@ def _contact_point(
     )
     x = mpmath.matrix([mpmath.mpf(float(v)) for v in guess])
     for _ in range(8):
-        f, *rest = local(*x)
-        slope, hessian = rest[:3], rest[3:]
+        f, *derivatives = local(*x)
+        slope, hessian = derivatives[:3], derivatives[3:]
         length = mpmath.sqrt(sum(v * v for v in slope))
         matrix = mpmath.matrix(
             [[*hessian[3 * i : 3 * i + 3], up[i]] for i in range(3)] + [[*slope, 0]]

@@ -126,15 +126,15 @@ def _parameters(
     rolling: Rolling, inertia: Diagonal | Symmetric, touch: tuple[Parameter, ...]
 ) -> tuple[Parameter, ...]:
     body, field = rolling.body, rolling.field
-    found = [Parameter(m, "mass", body.mass, "kg", (m > 0,))]
+    parameters = [Parameter(m, "mass", body.mass, "kg", (m > 0,))]
     for s, value in zip(inertia.symbols, inertia.independent(body.tensor), strict=True):
-        found.append(Parameter(s, "entry of the inertia tensor", float(value), "kg m^2"))
+        parameters.append(Parameter(s, "entry of the inertia tensor", float(value), "kg m^2"))
     if any(body.gyrostat):
-        found += [
+        parameters += [
             Parameter(s, "gyrostatic momentum, body axes", x, "kg m^2/s")
             for s, x in zip(k.symbols, body.gyrostat, strict=True)
         ]
     if field.gravity:
-        found.append(Parameter(g, "acceleration of gravity", field.gravity, "m/s^2"))
-    found += [Parameter(s, "parameter of the potential", x, "SI") for s, x in field.values]
-    return (*found, *touch)
+        parameters.append(Parameter(g, "acceleration of gravity", field.gravity, "m/s^2"))
+    parameters += [Parameter(s, "parameter of the potential", x, "SI") for s, x in field.values]
+    return (*parameters, *touch)
