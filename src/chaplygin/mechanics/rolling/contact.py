@@ -14,8 +14,17 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ...core.named_formulas import Pairs
-from ...core.system import Guard, Parameter
-from ...core.vectors import Symmetric, Vector, constant, cross, dot, norm_squared, real_symbol
+from ...core.system import Guard, Name, Parameter
+from ...core.vectors import (
+    Symmetric,
+    Vector,
+    constant,
+    cross,
+    dot,
+    norm_squared,
+    real_symbol,
+    to_components,
+)
 from ...errors import InputError
 from .shapes import (
     IMPLICIT_GRADIENT,
@@ -29,7 +38,7 @@ from .shapes import (
 )
 from .surfaces import Plane, Sphere, Surface
 
-__all__ = ["Contact", "contact"]
+__all__ = ["Contact", "contact", "definitions_by_velocity"]
 
 
 omega = Vector("omega")
@@ -249,3 +258,18 @@ def _on_surface(f: sp.Expr, x: Vector, shape: Implicit) -> sp.Expr:
     offset = shape.offset
     shift = (0, 0, 0) if not isinstance(offset, Vector) else offset.symbols
     return f.xreplace({s: t - d for s, t, d in zip(x.symbols, r.symbols, shift, strict=True)})
+
+
+def definitions_by_velocity(definitions: Pairs) -> tuple[Pairs, Pairs]:
+    """Definitions in the position alone, and those in the angular velocity."""
+    moving = set(omega.symbols)
+    before: list[tuple[Name, sp.Basic]] = []
+    after: list[tuple[Name, sp.Basic]] = []
+    for name, formula in definitions:
+        symbols = to_components(formula).free_symbols
+        if symbols & moving:
+            moving |= {name} if isinstance(name, sp.Symbol) else set(name.symbols)
+            after.append((name, formula))
+        else:
+            before.append((name, formula))
+    return tuple(before), tuple(after)

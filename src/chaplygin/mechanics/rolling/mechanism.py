@@ -12,7 +12,7 @@ from __future__ import annotations
 import sympy as sp
 
 from ...arguments import arguments_checked
-from ...core.named_formulas import Pairs, expand
+from ...core.named_formulas import expand
 from ...core.system import Guard, Parameter, flat_pairs
 from ...core.vectors import (
     Diagonal,
@@ -25,7 +25,7 @@ from ...core.vectors import (
     to_components,
 )
 from ..lagrangian.mechanism import Frame, Mechanism, euclidean
-from .contact import contact as contact_of
+from .contact import contact as contact_of, definitions_by_velocity
 from .equations import Rolling
 from .surfaces import Plane
 
@@ -66,7 +66,8 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
     """
     body, field = rolling.body, rolling.field
     touch = contact_of(body.shape, rolling.surface)
-    place, swinging = _positions(touch.definitions)
+    place, moving = definitions_by_velocity(touch.definitions)
+    swinging = dict(flat_pairs(moving))
     inertia = Diagonal("I") if body.principal else Symmetric("I")
     spin = inertia * omega
     kinetic = HALF * m * norm_squared(v) + HALF * dot(omega, spin)
@@ -99,21 +100,6 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
         guards=tuple(_guard(guard, swinging) for guard in touch.guards),
         source="(1.9), (1.14), (1.15)",
     )
-
-
-def _positions(definitions: Pairs) -> tuple[Pairs, dict[sp.Symbol, sp.Expr]]:
-    """Definitions in the position alone, and the steps of those in the angular velocity."""
-    moving = set(omega.symbols)
-    place: list[tuple[sp.Basic, sp.Basic]] = []
-    swinging: dict[sp.Symbol, sp.Expr] = {}
-    for name, formula in definitions:
-        steps = flat_pairs(((name, formula),))
-        if any(value.free_symbols & moving for _, value in steps):
-            moving |= {s for s, _ in steps}
-            swinging |= dict(steps)
-        else:
-            place.append((name, formula))
-    return tuple(place), swinging
 
 
 def _guard(guard: Guard, swinging: dict[sp.Symbol, sp.Expr]) -> Guard:

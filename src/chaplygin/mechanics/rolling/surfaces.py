@@ -23,6 +23,8 @@ class Plane:
     (M, gamma)
     """
 
+    words = "a horizontal plane"
+
 
 @arguments_checked
 @dataclass(frozen=True)
@@ -57,6 +59,11 @@ class Sphere:
                 f"radius {self.radius} of the supporting sphere: it must be a finite number, "
                 "positive for rolling outside, negative for rolling inside"
             )
+
+    @property
+    def words(self) -> str:
+        """The surface as a sentence names it."""
+        return f"the {'outside' if self.radius > 0 else 'inside'} of a fixed sphere"
 
 
 Surface = Plane | Sphere
