@@ -195,12 +195,8 @@ def _numba(system: System) -> Field:
     return compiled
 
 
-TARGETS: Mapping[str, Callable[[System], Field]] = {
-    "numpy": _numpy,
-    "jax": _jax,
-    "numba": _numba,
-}
-"""What :func:`function` can make."""
+TARGETS: Mapping[str, Callable[[System], Field]] = {"numpy": _numpy, "jax": _jax, "numba": _numba}
+"""The targets of :func:`lambdify`."""
 
 
 # --- names and assignments -----------------------------------------------------------------
@@ -399,4 +395,4 @@ class _Julia(_Language):
 
 
 LANGUAGES: Mapping[str, _Language] = {"c": _C(), "julia": _Julia()}
-"""What :func:`source` can write."""
+"""The languages of :func:`source_code`."""

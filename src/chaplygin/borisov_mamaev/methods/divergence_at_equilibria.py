@@ -6,7 +6,6 @@ near a rest point with div v ≠ 0.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Mapping
 
 import sympy as sp
@@ -82,7 +81,6 @@ def excludes_measure(system: System, point: Point) -> Verdict:
     Verdict
         Undecided when the divergence vanishes at the point.
     """
-    started = time.monotonic()
     value = divergence(system, point)
     if value == 0:
         return Verdict("measure", "undecided", reason="the divergence vanishes at the rest point")
@@ -90,6 +88,5 @@ def excludes_measure(system: System, point: Point) -> Verdict:
         "measure",
         "proven",
         shown=f"div v = {value} at a rest point, where a smooth measure needs div v = 0",
-        seconds=time.monotonic() - started,
         witness={"point": {str(s): str(v) for s, v in point.items()}, "residual": str(value)},
     )

@@ -13,13 +13,13 @@ from a corner, that line is above the solution, and the same below.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Sequence
 from fractions import Fraction
 
 from flint import arb, ctx
 
 from ...proof.verdict import Verdict
+from .conclusion import computed_verdict
 
 __all__ = ["CASE", "displacement", "limit_cycle"]
 
@@ -98,17 +98,13 @@ def limit_cycle(proofs: Sequence[Verdict] = ()) -> Verdict:
     proofs : sequence of Verdict
         What the reduction to the torus rests on; all must be proven.
     """
-    started = time.monotonic()
     below = displacement(BELOW, upwards=True)
     above = displacement(ABOVE, upwards=False)
     shown = all(proofs) and below < 0 and above > 0
     numbers = f"{float(below):.3f} < 0 at α = {BELOW} and {float(above):.3f} > 0 at α = {ABOVE}"
-    return Verdict(
+    return computed_verdict(
         "limit cycle",
-        "proven" if shown else "undecided",
-        shown=f"on the torus F/2H = {CASE[2]} one turn moves α from 4π by {numbers}",
-        reason=""
-        if shown
-        else "the bounds do not decide, or the reduction to the torus is not proven",
-        seconds=time.monotonic() - started,
+        shown,
+        f"on the torus F/2H = {CASE[2]} one turn moves α from 4π by {numbers}",
+        "the bounds do not decide, or the reduction to the torus is not proven",
     )

@@ -19,7 +19,6 @@ line of κ is an axis of symmetry of J, and thus of I.  For these bodies dσ is 
 
 from __future__ import annotations
 
-import time
 from dataclasses import replace
 
 import sympy as sp
@@ -31,6 +30,7 @@ from ...mechanics.rolling.equations import Rolling
 from ...mechanics.rolling.shapes import Ball
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
+from .conclusion import computed_verdict
 
 __all__ = ["curl", "only_symmetric_balls"]
 
@@ -88,13 +88,11 @@ def sufficient() -> Verdict:
 
 def only_symmetric_balls() -> Verdict:
     """A measure exists if and only if c = 0 or c is along an axis of dynamical symmetry."""
-    started = time.monotonic()
     shown = necessary() and bool(sufficient())
-    return Verdict(
+    return computed_verdict(
         "measure",
-        "proven" if shown else "undecided",
-        shown="the curl of q at the principal axes and across them vanishes for these balls alone, "
+        shown,
+        "the curl of q at the principal axes and across them vanishes for these balls alone, "
         "and everywhere for these",
-        reason="" if shown else "the curl is not as it should be",
-        seconds=time.monotonic() - started,
+        "the curl is not as it should be",
     )

@@ -26,13 +26,12 @@ homogeneous in M, so that the same holds for (9.2).
 
 from __future__ import annotations
 
-import time
-
 import sympy as sp
 
 from ...catalogue.ball_on_sphere import power_potential_on_sphere as point
 from ...catalogue.ball_on_sphere.rubber_ball_on_e3 import J, M, gamma, k
 from ...proof.verdict import Verdict
+from .conclusion import computed_verdict
 
 __all__ = ["EXPONENT", "exponents", "no_second_integral", "normal_equation", "remainder"]
 
@@ -54,9 +53,9 @@ def normal_equation() -> tuple[sp.Expr, sp.Expr]:
     γ = (cos φ, sin φ, 0), M = (0, 0, −φ′), and a variation δγ₃ = y, δM₁, δM₂ with
     δγ₃′ = γ₁δM₂ − γ₂δM₁ that keeps (M, γ) = 0.
     """
-    made = point.moving()
+    system = point.moving()
     state = sp.Matrix([*M, *gamma])
-    rates = sp.Matrix([made.expand(made.rates[made.symbols.index(s)]) for s in state])
+    rates = sp.Matrix([system.expand(system.rates[system.symbols.index(s)]) for s in state])
     rates = rates.xreplace({k: EXPONENT}).doit()
     speed = sp.sqrt(2 * point.h) * WEIGHT
     cosine, sine = sp.cos(phi), sp.sin(phi)
@@ -77,18 +76,18 @@ def exponents() -> dict[str, list[sp.Expr]]:
     """
     zero, e = sp.symbols("z e")
     weight = J_2 * (t**2 - zero**2)
-    rest = 3 * weight - 2 * J_3 * (1 + t**2)
-    found = {}
+    coefficient = 3 * weight - 2 * J_3 * (1 + t**2)
+    pairs = {}
     for name, place in (("i", sp.I), ("root", zero)):
         first = sp.cancel((t - place) * sp.diff(weight, t) / weight)
         last = sp.cancel(
-            (t - place) ** 2 * rest / (sp.expand((t - sp.I) * (t + sp.I)) ** 2 * weight),
+            (t - place) ** 2 * coefficient / (sp.expand((t - sp.I) * (t + sp.I)) ** 2 * weight),
             extension=sp.I,
         )
         indicial = e * (e - 1) + first.subs(t, place) * e + last.subs(t, place)
         roots = sp.roots(sp.Poly(sp.simplify(indicial), e))
-        found[name] = sorted(x for x, count in roots.items() for _ in range(count))
-    return found
+        pairs[name] = sorted(x for x, count in roots.items() for _ in range(count))
+    return pairs
 
 
 def remainder() -> sp.Expr:
@@ -99,7 +98,6 @@ def remainder() -> sp.Expr:
 
 def no_second_integral() -> Verdict:
     """That the computations named above come out as they are stated there."""
-    started = time.monotonic()
     left = 2 * (J_2 - J_3) * b * sp.sin(phi) + 2 * (J_1 - J_3) * c * sp.cos(phi)
     half = sp.Rational(1, 2)
     shown = (
@@ -107,10 +105,9 @@ def no_second_integral() -> Verdict:
         and exponents() == {"i": [-half, 3 * half], "root": [0, 0]}
         and sp.simplify(remainder() - left) == 0
     )
-    return Verdict(
+    return computed_verdict(
         "no second integral",
-        "proven" if shown else "undecided",
-        shown="for k = −½ the group of the variations across the circle γ₃ = 0 is SL(2)",
-        reason="" if shown else "the equation of the variations is not as it should be",
-        seconds=time.monotonic() - started,
+        shown,
+        "for k = −½ the group of the variations across the circle γ₃ = 0 is SL(2)",
+        "the equation of the variations is not as it should be",
     )

@@ -32,7 +32,7 @@ from ...core.vectors import real_symbol
 from ...explicit.separations.chaplygin_ball import chaplygin_ball
 from ...explicit.separations.fedorov import fedorov
 from ...proof.verdict import Verdict
-from .conclusion import concluded
+from .conclusion import computed_verdict, concluded
 
 __all__ = ["alike", "level_factor", "not_the_same", "roots_that_move"]
 
@@ -75,7 +75,11 @@ def roots_that_move() -> tuple[int, int]:
 def _separations() -> tuple[tuple[System, Law], ...]:
     around = chart.coordinates_around_sphere()
     return (
-        *((made.system, law) for made in (chaplygin_ball(), fedorov()) for law in made.laws),
+        *(
+            (separable.system, law)
+            for separable in (chaplygin_ball(), fedorov())
+            for law in separable.laws
+        ),
         *((around, law) for law in around.laws),
         (ball.vanishing_area(), chart.of_ball()),
     )
@@ -95,11 +99,11 @@ def not_the_same() -> Verdict:
     around, own = roots_that_move()
     rests_on = alike()
     shown = bool(rests_on) and (around, own) == (2, 1)
-    return Verdict(
+    return computed_verdict(
         "quadratures",
-        "proven" if shown else "undecided",
-        shown=f"{around} of the six roots depend on the level, {own} of those of Chaplygin's ball",
-        reason="" if shown else rests_on.reason or "the roots are not as they should be",
+        shown,
+        f"{around} of the six roots depend on the level, {own} of those of Chaplygin's ball",
+        rests_on.reason or "the roots are not as they should be",
         terms=rests_on.terms,
         seconds=rests_on.seconds,
     )

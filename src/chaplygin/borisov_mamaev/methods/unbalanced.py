@@ -22,5 +22,5 @@ M_RATE, OMEGA_RATE, GAMMA_RATE, R_RATE = (
 
 def about_contact(turning: MatrixExpr) -> MatrixExpr:
     """Ĩ applied to a vector: I u + m r×(u×r)."""
-    made: MatrixExpr = I * turning + m * cross(r, cross(turning, r))
-    return made
+    momentum: MatrixExpr = I * turning + m * cross(r, cross(turning, r))
+    return momentum

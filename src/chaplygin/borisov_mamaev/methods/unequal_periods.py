@@ -17,7 +17,6 @@ have different periods.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Sequence
 from functools import cache
 from typing import TypeAlias, TypeVar
@@ -34,6 +33,7 @@ from ...explicit.separations.chaplygin_ball import CLOCK, chaplygin_ball
 from ...explicit.separations.fedorov import fedorov
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
+from .conclusion import computed_verdict
 
 __all__ = ["BALL", "BETWEEN", "clock", "half_period", "resonance", "unequal_periods"]
 
@@ -119,7 +119,7 @@ def half_period(start: arb, ball: Ball = BALL, between: Sequence[str] = BETWEEN)
     ArithmeticError
         If a slope exceeds the bound that the boxes assume.
     """
-    kept = ctx.prec, ctx.cap
+    precision = ctx.prec, ctx.cap
     ctx.prec, ctx.cap = PRECISION, ORDER + 1
     try:
         level = arb(between[0]).union(arb(between[1]))
@@ -130,7 +130,7 @@ def half_period(start: arb, ball: Ball = BALL, between: Sequence[str] = BETWEEN)
             elapsed += grown
         return elapsed, beta - start
     finally:
-        ctx.prec, ctx.cap = kept
+        ctx.prec, ctx.cap = precision
 
 
 def resonance(level: arb, ball: Ball = BALL) -> tuple[arb, arb]:
@@ -158,11 +158,11 @@ def resonance(level: arb, ball: Ball = BALL) -> tuple[arb, arb]:
 
 def clock() -> tuple[System, Identity]:
     """(dt/dτ)² in z₁ and z₂, with dτ = (z₂ − z₁) ds: det I (z₁ + D)(z₂ + D)/(z₁z₂)."""
-    made = chaplygin_ball()
+    separable = chaplygin_ball()
     moments = sp.Mul(*I.symbols)
     places = [
         sp.sqrt(moments * weight * (z_1 - i) * (z_2 - i) / (z_1 * z_2))
-        for i, weight in zip(I.symbols, made.weights, strict=True)
+        for i, weight in zip(I.symbols, separable.weights, strict=True)
     ]
     resting = System(
         name="chaplygin-ball-roots",
@@ -190,9 +190,10 @@ def clock() -> tuple[System, Identity]:
 @cache
 def unequal_periods() -> Verdict:
     """Two closed motions on one torus, of a certain ball, with different periods."""
-    started = time.monotonic()
     proofs = [
-        prove(made.system, law) for made in (chaplygin_ball(), fedorov()) for law in made.laws
+        prove(separable.system, law)
+        for separable in (chaplygin_ball(), fedorov())
+        for law in separable.laws
     ]
     proofs.append(prove(*clock()))
     low, high = (resonance(arb(e))[0] for e in BETWEEN)
@@ -200,11 +201,10 @@ def unequal_periods() -> Verdict:
     resonant = low * high < 0 and not slope.contains(0)
     first, second = (half_period(start)[0] for start in (arb(0), arb.pi() / 2))
     shown = all(proofs) and resonant and not first.overlaps(second)
-    return Verdict(
+    return computed_verdict(
         "unequal periods",
-        "proven" if shown else "undecided",
-        shown=f"on a torus with M²/2H − D between {' and '.join(BETWEEN)} two closed motions have "
+        shown,
+        f"on a torus with M²/2H − D between {' and '.join(BETWEEN)} two closed motions have "
         f"the periods {2 * float(first):.3f} and {2 * float(second):.3f} for 2H = 1",
-        reason="" if shown else "the bounds do not decide, or the separation is not proven",
-        seconds=time.monotonic() - started,
+        "the bounds do not decide, or the separation is not proven",
     )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from functools import cache
 from itertools import product
 
@@ -30,6 +29,7 @@ from ...mechanics.rolling.equations import roll
 from ...mechanics.rolling.shapes import Ellipsoid
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
+from ..methods.conclusion import computed_verdict
 from ..methods.growth_vector import VectorField, along
 from ..methods.rigid_body_in_space import COORDINATES, bracket, moving, shift, turn
 
@@ -65,7 +65,7 @@ def _same(first: VectorField, second: VectorField) -> list[sp.Expr]:
     return [first.get(s, sp.S.Zero) - second.get(s, sp.S.Zero) for s in COORDINATES]
 
 
-def _scaled(field: VectorField, number: sp.Expr) -> VectorField:
+def _multiple(field: VectorField, number: sp.Expr) -> VectorField:
     return {symbol: number * value for symbol, value in field.items()}
 
 
@@ -79,7 +79,6 @@ def orthogonal() -> Case:
 
 def redundant() -> Verdict:
     """Rank of the six relations between the nine direction cosines, at a rational rotation."""
-    started = time.monotonic()
     relations = [
         dot(first, second) for i, first in enumerate(DIRECTIONS) for second in DIRECTIONS[: i + 1]
     ]
@@ -87,11 +86,10 @@ def redundant() -> Verdict:
     point = dict(zip(symbols, rational_rotation().flat(), strict=True))
     rows = [[sp.diff(to_components(f), s).xreplace(point) for s in symbols] for f in relations]
     rank = sp.Matrix(rows).rank()
-    return Verdict(
+    return computed_verdict(
         "redundant",
-        "proven" if 0 < rank == len(relations) else "undecided",
-        shown=f"nine coordinates with {rank} independent relations: three are free",
-        seconds=time.monotonic() - started,
+        0 < rank == len(relations),
+        f"nine coordinates with {rank} independent relations: three are free",
     )
 
 
@@ -117,7 +115,7 @@ def shifting_printed() -> Case:
 
 def shifting() -> Case:
     """The rate of R is Σ v_k ζ_k of it."""
-    fields = [_scaled(shift(k), w) for k, w in enumerate(v)]
+    fields = [_multiple(shift(k), w) for k, w in enumerate(v)]
     total = [sp.Add(*(field[symbol] for field in fields)) for symbol in R]
     return body(), Identity("shifting", rate(R) - constant(total))
 
@@ -128,8 +126,8 @@ def commutators() -> Case:
     for i, j in product(THREE, repeat=2):
         k = next((n for n in THREE if sp.LeviCivita(i, j, n) != 0), 0)
         sign = sp.LeviCivita(i, j, k)
-        residuals += _same(bracket(turn(i), turn(j)), _scaled(turn(k), sign))
-        residuals += _same(bracket(turn(i), shift(j)), _scaled(shift(k), sign))
+        residuals += _same(bracket(turn(i), turn(j)), _multiple(turn(k), sign))
+        residuals += _same(bracket(turn(i), shift(j)), _multiple(shift(k), sign))
         residuals += _same(bracket(shift(i), shift(j)), {})
     return body(), Identity("commutators", tuple(residuals))
 

@@ -127,8 +127,8 @@ def examples() -> Case:
     potential = sp.Function("U")(*gamma.symbols)
     body = Body(1.0, (1.0, 1.5, 2.1), Ellipsoid((1.0, 0.9, 0.8)))
     rubber = roll(body, contact="rubber", field=Forces(potential=potential))
-    made = [rubber, *(CATALOGUE[name].system() for name in ("chaplygin-ball", "veselova"))]
-    return tuple((each, named(each, "energy")) for each in made)
+    dynamics = [rubber, *(CATALOGUE[name].system() for name in ("chaplygin-ball", "veselova"))]
+    return tuple((each, named(each, "energy")) for each in dynamics)
 
 
 CLAIMS = (

@@ -69,8 +69,8 @@ def _any_motion() -> System:
 
 def sleigh() -> Case:
     """The Chaplygin sleigh with its centre of mass anywhere, in q₁ = φ and q₂ = x."""
-    made = CATALOGUE["chaplygin-sleigh"].system()
-    return made, named(made, "chaplygin_form")
+    dynamics = CATALOGUE["chaplygin-sleigh"].system()
+    return dynamics, named(dynamics, "chaplygin_form")
 
 
 def _condition() -> Identity:
@@ -87,8 +87,8 @@ def sleigh_multiplier_printed() -> Case:
 
 def sleigh_multiplier_corrected() -> Case:
     """N = cos φ when the centre of mass lies beside the contact."""
-    made = chaplygin_sleigh.sleigh_in_chaplygin_form()
-    return (made, named(made, "measure")), (made, named(made, "form"))
+    dynamics = chaplygin_sleigh.sleigh_in_chaplygin_form()
+    return (dynamics, named(dynamics, "measure")), (dynamics, named(dynamics, "form"))
 
 
 # --- the change of time --------------------------------------------------------------------

@@ -27,15 +27,15 @@ NUMBERS = e3.ENTRIES[0].defaults
 
 def velocity() -> Case:
     """(8.4) with the A printed in (8.3) and with the right one, for every (AM, n)."""
-    made = ball.equations_on_sphere()
-    found = []
+    system = ball.equations_on_sphere()
+    laws = []
     for shift in (sp.S.Zero, d):
         tensor = (sp.Add(*ball.I.symbols) + shift) / 2 * identity - ball.I
         drawn = ball.drawn(tensor * n)
         excess = dot(n, drawn) * ball.omega - cross(drawn, rate(n)) - dot(tensor * M, n) * n
         meaning = "angular velocity from n and its rate"
-        found.append((made, Identity("velocity", excess, meaning, on=(k + 1,))))
-    return tuple(found)
+        laws.append((system, Identity("velocity", excess, meaning, on=(k + 1,))))
+    return tuple(laws)
 
 
 def coordinates() -> Case:
@@ -60,14 +60,14 @@ def as_printed() -> Case:
     """The energy under the printed right-hand sides of (8.6), for unspecified a_u and a_v."""
     du, dv = chart.rates()
     push = sp.Function("a_u")(u, v) * du + sp.Function("a_v")(u, v) * dv
-    made = chart.chaplygin_system(du * push, -dv * push)
-    return made, Integral("energy", chart.energy(), "energy")
+    system = chart.chaplygin_system(du * push, -dv * push)
+    return system, Integral("energy", chart.energy(), "energy")
 
 
 def equations() -> Case:
     """(8.6) with Φ from the reducing multiplier is the ball."""
-    made = chart.reduced()
-    return tuple((made, law) for law in made.laws if law.name in ("energy", "second", "ball"))
+    system = chart.reduced()
+    return tuple((system, law) for law in system.laws if law.name in ("energy", "second", "ball"))
 
 
 def measure() -> Case:
@@ -80,9 +80,9 @@ def lagrangian() -> Case:
     top = chart.numerator()
     density = top / chart.form() / sp.sqrt(chart.area())
     bent = sp.diff(density, v) * chart.P_u - sp.diff(density, u) * chart.P_v
-    made = chart.reduced()
+    system = chart.reduced()
     law = Identity("S", density * chart.force(top) + bent, "gyroscopic term in the time τ")
-    return (made, law), *((made, law) for law in made.laws if law.name in ("energy", "ball"))
+    return (system, law), *((system, law) for law in system.laws if law.name in ("energy", "ball"))
 
 
 def multiplier(sign: int) -> Case:
@@ -150,8 +150,8 @@ def as_chaplygins_problem() -> Verdict:
 
 def like_chaplygins_problem() -> Verdict:
     """A Chaplygin system with b = 0, Hamiltonian on e(3), separated on a curve of genus two."""
-    made = chart.reduced()
-    reducing = tuple((made, law) for law in made.laws if law.name in ("energy", "ball"))
+    system = chart.reduced()
+    reducing = tuple((system, law) for law in system.laws if law.name in ("energy", "ball"))
     return concluded(
         "alike",
         "(8.6) with the right Φ is linear in the velocities; reduced to e(3) and separated",
