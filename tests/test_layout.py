@@ -23,7 +23,6 @@ LONGER = {
     "check/identities/generators.py",
     "check/identities/substitution.py",
     "catalogue/fixed_point/veselova.py",
-    "core/laws.py",
     "experiment/file/models.py",
     "experiment/study.py",
     "flow/batch.py",

@@ -32,9 +32,9 @@ def conditions(parameters: Iterable[Parameter]) -> list[tuple[Parameter, sp.Expr
 def satisfies(
     condition: sp.Basic, numbers: Mapping[sp.Symbol, float | FloatArray]
 ) -> bool | BoolArray:
-    """Where a condition on parameters holds.
+    """Whether a condition on parameters holds, for each value.
 
-    Where it allows equality, so does rounding: the moments of inertia of a flat body, of which one
+    Equality is tested up to rounding: the moments of inertia of a flat body, of which one
     is the sum of the others, may miss this in their last digits.
 
     Parameters
@@ -65,7 +65,7 @@ def parameters_by_symbol(system: System, parameters: Parameters | None) -> dict[
 
 
 def require_parameters(system: System, parameters: Parameters | None) -> None:
-    """Raise InputError if one of the names, or symbols, is none of a parameter of the system."""
+    """Raise InputError if a name or symbol is not that of a parameter."""
     known = [str(item.symbol) for item in system.parameters]
     for key in parameters or {}:
         if str(key) not in known:

@@ -1,4 +1,4 @@
-"""Formulas by name, as a law holds them: a mapping becomes pairs, a number a formula."""
+"""Formulas by name: pairs of a quantity and a formula."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def as_pairs(formulas: Mapping[sp.Basic, sp.Basic] | Iterable[tuple[sp.Basic, sp
 
 
 def with_formulas(value: object) -> object:
-    """The value with pairs for mappings, tuples for lists, SymPy's numbers for Python's.
+    """A value with pairs for mappings, tuples for lists, SymPy numbers.
 
     Examples
     --------
@@ -38,7 +38,7 @@ def with_formulas(value: object) -> object:
 def expand(
     formula: sp.Expr, definitions: Mapping[sp.Symbol, sp.Expr] | Iterable[tuple[sp.Symbol, sp.Expr]]
 ) -> sp.Expr:
-    """The formula with definitions, which may use each other, replaced by what they stand for.
+    """The formula without definitions, which may use each other.
 
     Examples
     --------

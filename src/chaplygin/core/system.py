@@ -1,4 +1,4 @@
-"""The one object everything else makes or uses: a vector field and what is claimed of it."""
+"""Systems: a vector field on a phase space, and the laws claimed of it."""
 
 from __future__ import annotations
 
@@ -166,7 +166,7 @@ def unknown_names(formula: sp.Expr, known: Iterable[sp.Symbol]) -> str:
 
 
 def _assumptions(symbol: sp.Symbol) -> str:
-    """What was assumed of a symbol when it was made."""
+    """The assumptions with which a symbol was created."""
     text = [f"{key}={value}" for key, value in sorted(symbol._assumptions_orig.items())]
     return ", ".join(text) or "no assumptions"
 
@@ -263,7 +263,7 @@ class System(Displayed):
     def needed(
         self, formulas: Iterable[Formula], given: Iterable[sp.Symbol] = ()
     ) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
-        """The steps on which `formulas` depend, in order, when the symbols `given` are known."""
+        """The steps on which `formulas` depend, in order; `given` symbols are known."""
         wanted = {s for formula in formulas for s in _symbols_of(formula)} - set(given)
         chosen = []
         for symbol, value in reversed(self.steps):
@@ -336,7 +336,7 @@ class System(Displayed):
 
     @arguments_checked
     def with_laws(self, *laws: Law) -> System:
-        """The same system with further laws claimed of it."""
+        """The system with further laws."""
         return replace(self, laws=self.laws + laws)
 
     def lifted(self) -> System:

@@ -1,4 +1,4 @@
-"""Symbolic 3-vectors, written and shown as on paper, turned into components on demand.
+"""Symbolic 3-vectors, and their components.
 
 A vector is a SymPy matrix expression of shape (3, 1).  Formulas built from
 :func:`dot`, :func:`cross` and :func:`outer` keep their vector form, so that they print as
@@ -76,7 +76,7 @@ def real_symbol(name: str) -> sp.Symbol:
 
 
 class Vector(sp.MatrixSymbol):
-    """A named vector whose components are the scalars ``name_1``, ``name_2``, ``name_3``.
+    """A named vector with the components ``name_1``, ``name_2``, ``name_3``.
 
     Parameters
     ----------
@@ -235,7 +235,7 @@ def constant(
 
 
 def _parts(vector: MatrixExpr) -> list[tuple[Scalar, MatrixExpr]]:
-    """Write a vector as a sum of scalar multiples of atoms, without touching the atoms."""
+    """A vector as a sum of scalar multiples of atoms."""
     if isinstance(vector, ZeroMatrix):
         return []
     if isinstance(vector, MatAdd):
@@ -251,7 +251,7 @@ def _parts(vector: MatrixExpr) -> list[tuple[Scalar, MatrixExpr]]:
 
 
 def _oriented(atom: MatrixExpr) -> tuple[int, MatrixExpr]:
-    """A vector product with its factors in a fixed order, and the sign that this costs."""
+    """A vector product with its factors in a fixed order, and its sign."""
     if isinstance(atom, Cross):
         left, right = atom.args
         if sp.default_sort_key(left) > sp.default_sort_key(right):

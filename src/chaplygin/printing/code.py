@@ -1,4 +1,4 @@
-"""The equations of a System for other tools: as a function of arrays, or as source text.
+"""The equations of a System as a function of arrays, or as source text.
 
 In every target the state is a flat array `x` in the order of ``system.symbols`` and the
 parameters are a flat array `p` in the order of ``system.parameters``; definitions are computed
@@ -214,7 +214,7 @@ _PYTHON = _words("t x p jax math numpy arcsin arccos arctan arctan2 e E", *keywo
 
 
 def _identifiers(system: System, reserved: Iterable[str]) -> dict[sp.Symbol, sp.Symbol]:
-    """Symbols that may be spelt as they are; those that clash get a trailing underscore."""
+    """Identifiers of the symbols; those that clash get a trailing underscore."""
     reserved = _FUNCTIONS.union(reserved)
     ours = [*system.symbols, *(p.symbol for p in system.parameters), *dict(system.steps)]
     spelt = {str(symbol) for symbol in ours}
@@ -248,7 +248,7 @@ _WIDTH = 96
 
 
 class _Language(ABC):
-    """How a function is written in a language."""
+    """The rules by which a function is written in a language."""
 
     reserved: frozenset[str]
     comment: str
@@ -279,7 +279,7 @@ class _Language(ABC):
         return "\n".join([*header, *self.wrap(identifier, body)]) + "\n"
 
     def _header(self, system: System) -> list[str]:
-        """What a reader must know: equations, order of state and parameters, source."""
+        """Equations, order of state and parameters, and source, as comment lines."""
         lines = [system.title, *textwrap.wrap(system.summary, _WIDTH)]
         lines += ["", "Equations of motion:"]
         lines += field_text(system)

@@ -1,4 +1,4 @@
-"""Formulas as on paper, in Unicode for a terminal and in LaTeX, by one set of rules.
+"""Formulas as in print, in Unicode and in LaTeX, by one set of rules.
 
 A :class:`_Writer` walks through a formula and decides what needs no brackets and what goes below
 the fraction line; :mod:`chaplygin.printing.ordering` knows which term and which factor comes first,
@@ -49,7 +49,7 @@ _FUNCTION_NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
 
 
 def text(formula: Formula) -> str:
-    """A formula in one line of Unicode, such as ``A M + m (A r, M) A r / (1 − m (r, A r))``.
+    """A formula in one line of Unicode, such as ``A M + m (A r, M) A r / 2``.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def rate(name: sp.Basic, notation: Notation) -> str:
 
 
 def signed_terms(formula: Formula, notation: Notation) -> list[tuple[str, str]]:
-    """The terms of a sum in order, each with its sign (``""`` or minus for the first, then ± )."""
+    """The terms of a sum in order, each with its sign (``""`` for a leading plus)."""
     writer = _Writer(notation)
     terms = []
     for index, (negative, piece) in enumerate(writer.terms(sp.sympify(formula))):

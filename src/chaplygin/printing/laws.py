@@ -1,6 +1,6 @@
-"""Laws as a reader meets them on paper: equations, the level they hold on, a caption.
+"""Laws as in print: equations, level and caption.
 
-What a law says is written here as pairs of a left side and a formula, for either notation;
+A law is given as pairs of a left-hand side and a formula, for either notation;
 :mod:`chaplygin.printing.system` puts them on a page.
 """
 
@@ -35,7 +35,7 @@ __all__ = ["caption", "condition_text", "equation", "equation_sides", "formulas"
 
 
 def heading(law: Law) -> str:
-    """What kind of law it is, in words."""
+    """The kind of a law, in words."""
     match law:
         case Integral():
             return "First integral"
@@ -59,7 +59,7 @@ def heading(law: Law) -> str:
 
 
 def equation(vanishing: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Both sides of ``vanishing = 0`` with the number on the right: γ² = 1; a − b as a = b."""
+    """Both sides of ``vanishing = 0``, a number on the right: γ² = 1, or a = b."""
     if isinstance(vanishing, sp.Add) and len(vanishing.args) == 2:
         minus = [term for term in vanishing.args if term.could_extract_minus_sign()]
         if len(minus) == 1 and not any(term.is_number for term in vanishing.args):
@@ -81,7 +81,7 @@ def _with_derivatives_left(vanishing: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 
 def condition_text(law: Law, system: System, write: Callable[[sp.Basic], str]) -> str:
-    """Where a law holds: "for k = −1" or "on (M, γ) = 0"; empty when it holds everywhere."""
+    """The level of a law: "for k = −1" or "on (M, γ) = 0"; empty without one."""
     constants = set(system.defaults)
     for_: list[str] = []
     on: list[str] = []
@@ -171,7 +171,7 @@ def equation_sides(law: Law, system: System, notation: Notation) -> list[Side]:
 
 
 def _identity(vanishing: sp.Basic, named: bool, write: Callable[[sp.Basic], str]) -> Side:
-    """0 = a; or with the derivatives on the left, as of the equations of motion: q̇ = f(q)."""
+    """0 = a, or with derivatives on the left, as in equations of motion: q̇ = f(q)."""
     scalar_part = not isinstance(sp.sympify(vanishing), sp.MatrixBase | sp.MatrixExpr)
     if scalar_part and (named or sp.sympify(vanishing).has(Rate)):
         left, right = _with_derivatives_left(vanishing)
@@ -247,7 +247,7 @@ def _primed_symbol(name: Name) -> Name:
 
 
 def _with_primes(formula: sp.Basic, names: Iterable[Name]) -> sp.Basic:
-    """A formula with primes at some symbols and vectors, and at the tensors made of them."""
+    """A formula with primes at some symbols and vectors, and at their tensors."""
     whole = list(names)
     single = {s for name in whole for s in ((name,) if name.is_Symbol else name.symbols)}
     tensors = [t for t in formula.atoms(Diagonal) if set(t.symbols) <= single]

@@ -1,4 +1,4 @@
-"""What of a system belongs on its page: the equations, what their letters stand for."""
+"""The layout of a system's page: equations, and definitions of their letters."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Layout:
 def layout(system: System) -> Layout:
     """The formulas of a system, each once, in the order in which a reader needs them.
 
-    What is defined to vanish is left out of the formulas of the motion.
+    Quantities that are defined to vanish are left out of the formulas of the motion.
     """
     page = _page_of(system)
     zeros = {
@@ -56,7 +56,7 @@ def layout(system: System) -> Layout:
 
 
 def _without(zeros: dict[sp.Symbol, sp.Basic], value: sp.Basic) -> sp.Basic:
-    """A scalar formula of scalars without what vanishes; others stay as they are written."""
+    """A scalar formula with `zeros` put in; formulas with vectors are unchanged."""
     plain = isinstance(value, sp.Expr) and not value.atoms(Vector, Diagonal, Symmetric)
     return value.xreplace(zeros) if plain and value.free_symbols & zeros.keys() else value
 
@@ -78,7 +78,7 @@ def _page_of(system: System) -> Layout:
 
 
 def reconstruction_layout(system: System) -> Layout:
-    """The equations of the lift to space, with the definitions that the other page lacks."""
+    """The equations of the lift to space, with the definitions that they add."""
     field, spelt_out = _with_rates_spelt_out(system, system.motion.field if system.motion else ())
     page = layout(system)
     shown = {s for name in spelt_out for s in _scalars(name)}

@@ -1,4 +1,4 @@
-"""How the pieces of a formula look, in Unicode and in LaTeX."""
+"""Notations for the parts of a formula: Unicode and LaTeX."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ __all__ = ["LATEX", "UNICODE", "Fragment", "Notation", "Precedence"]
 
 
 class Precedence(IntEnum):
-    """How strongly a piece of a formula holds together, loosest first."""
+    """Precedence of a part of a formula, the weakest binding first."""
 
     SUM = 0
     RATIO = 1
@@ -37,7 +37,7 @@ class Fragment:
 
 
 class Notation(ABC):
-    """How the pieces of a formula look; :data:`UNICODE` and :data:`LATEX` are the two."""
+    """A notation; :data:`UNICODE` and :data:`LATEX` are the two."""
 
     minus: str
     cross: str
@@ -46,7 +46,7 @@ class Notation(ABC):
     constants: ClassVar[Mapping[sp.Basic, str]]
 
     def guard(self, piece: Fragment, level: Precedence) -> str:
-        """`piece` as it stands where at least `level` is needed: in brackets if it is looser."""
+        """The text of `piece`, in brackets if it binds more weakly than `level`."""
         return piece.text if piece.level >= level else self.brackets(piece.text)
 
     @abstractmethod
@@ -109,7 +109,7 @@ class Notation(ABC):
 
     @abstractmethod
     def fallback(self, formula: sp.Basic) -> str:
-        """What the rules here do not cover."""
+        """A formula that no rule covers, as SymPy prints it."""
 
 
 _RAISED = str.maketrans("0123456789-−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻")

@@ -1,4 +1,4 @@
-"""Numbers and units as they are printed: raised exponents, a minus sign as long as a plus."""
+"""Numbers and units as in print, with raised exponents and a proper minus."""
 
 from __future__ import annotations
 
@@ -31,6 +31,6 @@ def signed(text: str) -> str:
 
 
 def unit(written: str) -> str:
-    """A unit with raised exponents: ``kg² m⁴/s²`` for ``kg^2 m^4/s^2`` or ``kg**2*m**4/s**2``."""
+    """A unit with raised exponents: ``kg² m⁴`` for ``kg^2 m^4`` or ``kg**2*m**4``."""
     raised = re.sub(r"(?:\^|\*\*)\{?(-?\d+)\}?", lambda match: match[1].translate(RAISED), written)
     return raised.replace("*", " ")

@@ -1,4 +1,4 @@
-"""What a human would write first: the order of terms and factors, signs, fractions."""
+"""The order of terms and factors, their signs and fractions."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def negated(tensor: MatrixExpr) -> MatrixExpr:
 
 
 def as_unit_vector_multiple(formula: sp.Basic) -> sp.Basic:
-    """A column with a single entry c other than 0 and 1 as c e_i; anything else as it is."""
+    """A column with a single nonzero entry c ≠ 1 as c e_i; others unchanged."""
     if isinstance(formula, sp.MatrixBase) and formula.shape[1] == 1:
         present = [i for i, entry in enumerate(formula) if entry != 0]
         if len(present) == 1 and formula[present[0]] != 1:
@@ -84,14 +84,14 @@ def as_unit_vector_multiple(formula: sp.Basic) -> sp.Basic:
 
 
 def sort_terms(terms: Iterable[sp.Basic]) -> list[sp.Basic]:
-    """Terms in the order of `_term_key`, but a positive one at the head if there is one."""
+    """Terms in the order of `_term_key`, a positive one first if there is one."""
     ordered = sorted(terms, key=_term_key)
     head = next((term for term in ordered if not is_negative(term)), ordered[0])
     return [head, *(term for term in ordered if term is not head)]
 
 
 def common_fraction(formula: sp.Basic) -> sp.Rational:
-    """The fraction that every term of a sum has for a number, which stands before brackets."""
+    """The fraction common to all terms of a sum, written before brackets."""
     if not isinstance(formula, sp.Add):
         return sp.S.One
     shares = {abs(term.as_coeff_Mul()[0]) for term in formula.args}
@@ -100,7 +100,7 @@ def common_fraction(formula: sp.Basic) -> sp.Rational:
 
 
 def _factor_key(factor: sp.Expr) -> tuple[int, int, str]:
-    """Latin letters, Greek ones, derivatives; then scalar products, functions, roots, sums."""
+    """Sort key: letters, derivatives, scalar products, functions, roots, sums."""
     base = factor.base if isinstance(factor, sp.Pow) else factor
     if isinstance(base, sp.Symbol):
         letter = letter_of(str(base))
@@ -120,7 +120,7 @@ def vector_of(symbols: Sequence[sp.Expr]) -> Vector | None:
 
 @dataclass(frozen=True)
 class Factors:
-    """A product: its sign and number p/q, factors above and below the line, tensors in order."""
+    """A product: sign, number p/q, factors above and below the line, tensors."""
 
     negative: bool
     coefficient: tuple[int, int]

@@ -216,7 +216,7 @@ _drawn = {"mathcal": _script, "mathbb": _double}
 
 
 def _accented_letter(letter: str, accent: str) -> _Part:
-    """The mark on a single letter; a longer formula in brackets with the mark after it."""
+    """A letter with its mark; a longer formula in brackets, then the mark."""
     marks = sum(map(unicodedata.combining, letter)) > 0
     if len(letter) == 1 or marks:
         return _Part(letter + _ACCENTS[accent])
@@ -236,7 +236,7 @@ def _small(place: str, written: str) -> str:
 
 
 def _loose(written: str) -> bool:
-    """Whether a formula falls apart where a factor is wanted: it has a sign or space outside."""
+    """Whether a formula needs brackets as a factor: a sign or space outside."""
     depth = 0
     for character in written:
         depth += (character in "([{") - (character in ")]}")
@@ -246,7 +246,7 @@ def _loose(written: str) -> bool:
 
 
 def _in_brackets(written: str) -> str:
-    """In brackets unless it is one letter with its marks, brackets with all inside, or f(…)."""
+    """The text in brackets, unless it is a letter, in brackets already, or f(…)."""
     if re.fullmatch(r"\w?\(.*\)", written) and _one_pair(written[written.index("(") :]):
         return written
     base = re.sub(r"[₀-₉ₐ-ₜᵢᵣᵤᵥⱼ⁰¹²³⁴-⁹⁻′]", "", unicodedata.normalize("NFC", written))
@@ -322,7 +322,7 @@ def _is_factor(before: _Part | None, after: _Part | None) -> bool:
 
 
 def _apart(parts: Sequence[_Part], index: int) -> bool:
-    """Whether a letter would be read into what stands before it: sin² θ, cos θ φ̇, ρ_μ M."""
+    """Whether a letter needs a space before it: sin² θ, cos θ φ̇, ρ_μ M."""
     if index < 1 or parts[index].kind not in ("letter", "ratio"):
         return False
     before = parts[index - 1]

@@ -1,4 +1,4 @@
-"""Poisson brackets as a reader meets them on paper: with indices where a pattern is followed."""
+"""Poisson brackets as in print, with indices if the components follow a pattern."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def _places(system: System) -> list[tuple[Name, slice]]:
 def _block(
     one: Name, other: Name, block: sp.MatrixBase, system: System, notation: Notation
 ) -> list[Side]:
-    """The brackets of two variables, with indices where all components follow one pattern."""
+    """The brackets of two variables, with indices if they follow a pattern."""
     write = text if notation is UNICODE else latex
     epsilon, delta = _TENSORS[notation]
     indexed = curly_brackets(
@@ -109,7 +109,7 @@ def _bracketed_sum(factor: sp.Expr, notation: Notation) -> str:
 
 
 def _common_factor(entries: tuple[sp.Expr, ...]) -> tuple[sp.Expr, tuple[sp.Expr, ...]]:
-    """What all that is not zero is a multiple of, and what is left."""
+    """The common factor of the nonzero entries, and the entries over it."""
     present = [entry for entry in entries if entry != 0]
     shared = [
         factor
@@ -145,7 +145,7 @@ def _skew(block: sp.MatrixBase) -> bool:
 
 
 def _combination(triple: tuple[sp.Expr, ...], system: System) -> Callable[[str], sp.Expr] | None:
-    """A sum of the state's vectors that has these three components, as a function of the index."""
+    """The combination of state vectors with these components, by its index."""
     vectors = [v for v in system.state if isinstance(v, Vector) and len(v.symbols) == 3]
     choices = [list(_taken_out(term, vectors)) for term in _terms(triple[0])]
     for choice in product(*choices):

@@ -1,4 +1,4 @@
-"""A System as a page of paper: plain text for a terminal, LaTeX, and HTML with MathML.
+"""A System as plain text for a terminal, as LaTeX, and as HTML with MathML.
 
 Formulas themselves are written by :mod:`chaplygin.printing.formula`, whose :func:`text` and
 :func:`latex` are offered here as well.
@@ -181,7 +181,7 @@ def _wrapped_lines(head: str, formula: str) -> list[str]:
 
 
 def _best_break(formula: str, room: int) -> int | None:
-    """The space at which to break so that `room` columns are kept: outside brackets, before ±."""
+    """The best space for a break within `room` columns: outside brackets, before ±."""
     best: tuple[float, int] | None = None
     depth = 0
     used = 0
@@ -210,7 +210,7 @@ def _best_break(formula: str, room: int) -> int | None:
 
 
 def system_latex(system: System) -> str:
-    r"""The equations of motion and what their letters stand for, as an ``aligned`` environment.
+    r"""The equations of motion and their definitions, as an ``aligned`` environment.
 
     Returns
     -------
@@ -268,7 +268,7 @@ _STYLE = """\
 
 
 def system_html(system: System) -> str:
-    """A system as a self-contained HTML fragment with MathML, for notebooks and reports.
+    """A system as a self-contained HTML fragment with MathML.
 
     Returns
     -------
@@ -317,7 +317,7 @@ def law_html(law: Law, system: System) -> str:
 
 
 def claims_html(system: System) -> str:
-    """All laws of a system, integrals too, and what their letters stand for; empty without any."""
+    """All laws of a system with the definitions of their letters; empty without any."""
     parts = [law_html(law, system) for law in system.laws]
     further = layout(system).further
     if parts and further:
@@ -326,7 +326,7 @@ def claims_html(system: System) -> str:
 
 
 def law_latex(law: Law, system: System) -> str:
-    """The equations of a law as an ``aligned`` environment; of an integral its formula alone."""
+    """The equations of a law as an ``aligned`` environment, an integral by itself."""
     if law in system.integrals:
         return latex(law.value)
     return _aligned_environment(_law_rows_latex(law, system))
@@ -363,7 +363,7 @@ def _display(rows: Sequence[str]) -> str:
 
 
 def displayed(formula: str) -> str:
-    """LaTeX on a line of its own as HTML; what is wider than the line is made to fit by it.
+    """LaTeX as a displayed formula in HTML, with the width that it needs.
 
     The width in em is there as ``--width``, for style sheets that shrink what would be cut.
     """

@@ -117,7 +117,7 @@ class RollingBall:
 
     @cached_property
     def kinematics(self) -> Kinematics:
-        """The surface in the variables of the state: R where the centre's is known, else x."""
+        """The surface in the state variables: R if the centre's is known, else x."""
         offset = b if self.carrier == "support" else sp.S.Zero
         equation = self.surface.equation(R.symbols, offset)
         if equation is not None:

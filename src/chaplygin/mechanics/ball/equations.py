@@ -12,8 +12,8 @@ Without N these are, with m̃ = m + μ/b²,
     b² m̃ ω̇ = F×r + m b² (ω, n) ṅ            (marble),
     b² m̃ ω̇ = F×r − b² m̃ (ω, ṅ) n,  (ω, n) = 0      (rubber).
 
-How n turns depends on which surface is given: `centred`, the one on which the centre moves, or
-`supported`, the one that carries the ball, with its contact point x in place of R.
+The rate of n depends on the surface that is given: that of the centre (`centre_surface`), or the
+one that carries the ball (`supporting_surface`), with the contact point x in place of R.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ Contact = Literal["marble", "rubber"]
 
 @dataclass(frozen=True)
 class Kinematics:
-    """How the normal follows from the place of the ball.
+    """The normal as a function of the place of the ball.
 
     Attributes
     ----------
@@ -89,7 +89,7 @@ def _normal(surface: sp.Expr, place: Vector) -> Pairs:
 
 
 def _shape_operator(surface: sp.Expr, place: Vector, vector: MatrixExpr) -> MatrixExpr:
-    """S u = (Hu − (n, Hu)n)/|∇f| with the matrix H of second derivatives of f, for tangent u."""
+    """S u = (Hu − (n, Hu)n)/|∇f| for tangent u, with the Hessian H of f."""
     bent = constant(sp.hessian(surface, place.symbols)) * vector
     return (bent - dot(n, bent) * n) / ell
 

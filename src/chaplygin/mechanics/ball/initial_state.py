@@ -1,4 +1,4 @@
-"""From a place and an angular velocity to the state of a homogeneous ball on a surface.
+"""The state of a homogeneous ball on a surface from place and angular velocity.
 
 As in :mod:`chaplygin.mechanics.rolling.initial_state`, numbers are carried with 50 digits.
 """
@@ -55,7 +55,7 @@ class _SurfacePoint:
 def ball_state(
     ball: RollingBall, system: System, place: Sequence[float], omega: Sequence[float]
 ) -> tuple[mpmath.mpf, ...]:
-    """The state of a ball, lifted to space, that starts at a place with an angular velocity.
+    """The state, lifted to space, of a ball with given place and angular velocity.
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ class _Surface:
         self._values = list(values.values())
 
     def at(self, point: Sequence[mpmath.mpf], name: str) -> _SurfacePoint:
-        """What the surface does at a point; InputError where it has no normal."""
+        """Value, gradient and Hessian at a point; InputError without a normal."""
         try:
             values = self._function(*point, *self._values)
         except (ValueError, ZeroDivisionError):
@@ -139,7 +139,7 @@ def _nearest_or_refused(surface: _Surface, point: list[mpmath.mpf], name: str) -
 
 
 def _nearest(surface: _Surface, point: list[mpmath.mpf], name: str) -> list[mpmath.mpf] | None:
-    """The point of the surface whose normal leads to the given one, by way of nearer and nearer."""
+    """The foot of the perpendicular from a point to the surface, by iteration."""
     candidate = list(point)
     good = mpmath.mpf(10) ** (8 - DIGITS)
     for step in range(_STEPS):
@@ -198,7 +198,7 @@ def _check_fit(ball: RollingBall, spot: _SurfacePoint, name: str) -> None:
 def _without_spin(
     ball: RollingBall, omega: list[mpmath.mpf], normal: list[mpmath.mpf]
 ) -> list[mpmath.mpf]:
-    """ω of a rubber ball without the rounding along the normal; more than rounding is refused."""
+    """ω of a rubber ball made exactly tangent; more than rounding is refused."""
     if ball.contact == "marble":
         return omega
     excess = _dot(omega, normal)

@@ -1,4 +1,4 @@
-"""A homogeneous ball on a surface as a mechanism: coordinates, Lagrangian, constraints.
+"""A homogeneous ball on a surface as a mechanism.
 
 From it :func:`chaplygin.mechanics.lagrangian.poincare_suslov.equations` derives the closed
 equations that :mod:`chaplygin.mechanics.ball.equations` writes down; a test compares both.
@@ -27,7 +27,7 @@ def ball_mechanism(
     parameters: tuple[Parameter, ...],
     name: str = "ball-on-surface",
 ) -> Mechanism:
-    """The ball whose centre moves on `surface` = 0, with the velocities ω and v in space axes.
+    """A ball whose centre moves on `surface` = 0, with ω and v in space axes.
 
     The rotations enter by ω alone, and their structure constants in space axes are those of body
     axes with the other sign.  That f keeps its value follows from v = r×ω.

@@ -44,7 +44,7 @@ axes = tuple(real_symbol(f"a_{i}") for i in (1, 2, 3))
 
 @dataclass(frozen=True, kw_only=True)
 class SmoothSurface(ABC):
-    """What all surfaces offer.
+    """The interface of all surfaces.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ class SmoothSurface(ABC):
         """f of the surface at the distance `offset` to the outside; None if it has none."""
 
     def guards(self, point: Point) -> tuple[Guard, ...]:
-        """What else must stay positive there."""
+        """Further quantities that must stay positive."""
         return ()
 
     @property
@@ -87,7 +87,7 @@ class SmoothSurface(ABC):
         return (*point[first:], *point[:first])
 
     def equation(self, point: Point, offset: sp.Expr = sp.S.Zero) -> sp.Expr | None:
-        """f, positive on the ball's side, of the surface at the distance `offset` on that side.
+        """f, positive on the ball's side, of the parallel surface at distance `offset`.
 
         None if that surface has no simple equation; there always is one for `offset` zero.
         """
@@ -239,7 +239,7 @@ class EllipsoidSurface(SmoothSurface):
 
 @dataclass(frozen=True)
 class Paraboloid(SmoothSurface):
-    """The paraboloid z = x²/2p + y²/2q: elliptic, or hyperbolic when p and q differ in sign.
+    """The paraboloid z = x²/2p + y²/2q, hyperbolic if p and q differ in sign.
 
     Parameters
     ----------
@@ -295,7 +295,7 @@ class Ring(SmoothSurface):
 
 @dataclass(frozen=True)
 class ImplicitSurface(SmoothSurface):
-    """Any surface f(x, y, z) = 0, the ball where f is positive (outside) or negative (inside).
+    """Any surface f(x, y, z) = 0; f is positive outside and negative inside.
 
     Parameters
     ----------

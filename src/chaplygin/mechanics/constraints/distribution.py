@@ -1,4 +1,4 @@
-"""The motions that constraints admit: a distribution on the configuration space (§2.1).
+"""The distribution of velocities that constraints admit (§2.1).
 
 Constraints Σ a_μi(q) w_i = 0, (2.1), leave at each point a linear space of velocities, spanned
 by the fields η_s = Σ w_i^(s) E_i of (2.2).  Affine constraints and those that depend on the time
@@ -79,7 +79,7 @@ class Distribution:
     def space(
         self, free: Sequence[sp.Symbol] = (), known: Sequence[sp.Expr] = ()
     ) -> ConfigurationSpace:
-        """What its points have to satisfy; `free` parameters have no value."""
+        """The conditions on its points; `free` parameters have no value."""
         return ConfigurationSpace(
             self.coordinates,
             self.relations,
@@ -91,7 +91,7 @@ class Distribution:
 
     @cached_property
     def fixed(self) -> Distribution:
-        """The same with the values of the parameters put in."""
+        """The distribution with numbers for its parameters."""
         table = {s: exactly(v) for s, v in self.constants}
         return replace(
             self,
@@ -106,7 +106,7 @@ class Distribution:
 
     @cached_property
     def solved(self) -> Distribution:
-        """The same with its admissible fields as the frame, and no forms."""
+        """The distribution with its admissible fields as the frame, and no forms."""
         names = tuple(real_symbol(f"u_{i}") for i, _ in enumerate(self.fields, 1))
         return replace(self, velocities=names, frame=self.fields, forms=())
 
@@ -128,7 +128,7 @@ class Distribution:
 
 
 def _admissible(forms: Sequence[Sequence[sp.Expr]], width: int) -> list[list[sp.Expr]]:
-    """A basis of the solutions of the constraints, columns that are numbers as pivots first."""
+    """A basis of the solutions of the constraints; pivots are numbers if possible."""
     rows = [list(row) for row in forms]
     pivots: list[tuple[int, list[sp.Expr]]] = []
     while rows:

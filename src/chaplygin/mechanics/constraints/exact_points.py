@@ -52,7 +52,7 @@ class UnsolvedError(InputError):
 
 @dataclass(frozen=True)
 class ConfigurationSpace:
-    """What the points have to satisfy, and what is to be evaluated there.
+    """Conditions on points, and formulas to be evaluated at them.
 
     Parameters
     ----------
@@ -249,7 +249,7 @@ def _circle(
 
 
 def _blocks(relations: Sequence[sp.Expr], coordinates: set[sp.Symbol]) -> list[Block]:
-    """Spheres among the relations, orthogonal ones together, with the square of the radius."""
+    """Spheres among the relations by orthogonal groups, with the radius squared."""
     spheres: dict[tuple[sp.Symbol, ...], sp.Expr] = {}
     products: list[sp.Expr] = []
     for relation in relations:
@@ -314,7 +314,7 @@ def _rotation(numbers: Numbers, dice: random.Random) -> list[list[FieldElement]]
 
 
 class _Trial:
-    """Coordinates settled so far."""
+    """A point under construction: the coordinates that have a value."""
 
     def __init__(
         self,
@@ -335,7 +335,7 @@ class _Trial:
         ).series(relation)
 
     def impose(self, relation: sp.Expr) -> None:
-        """Solve a relation for a coordinate that is not settled, or else for a free parameter."""
+        """Solve a relation for a coordinate without a value, or for a free parameter."""
         free = relation.free_symbols - self.values.keys()
         open_ = [s for s in (*self.space.free, *self.space.coordinates) if s in free]
         if not open_:

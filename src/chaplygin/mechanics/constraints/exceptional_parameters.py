@@ -1,4 +1,4 @@
-"""Values of a parameter at which constraints become less nonholonomic than at almost all others.
+"""Parameter values at which the growth of a distribution is smaller than usual.
 
 At a fixed point, modulo a prime, the pivots of the elimination that tells the growth are rational
 functions of the parameter.  They are interpolated; a value at which the growth is less makes one
@@ -59,7 +59,7 @@ class Exceptional:
 def exceptional(
     mechanism: Mechanism | Distribution, parameter: sp.Symbol
 ) -> tuple[Exceptional, ...]:
-    """Rational values of a parameter, not zero, at which the growth is not the usual one.
+    """Nonzero rational values of a parameter with an unusual growth.
 
     The other parameters keep their values.
 
@@ -94,7 +94,7 @@ def exceptional(
 def _growth_at_value(
     admissible: Distribution, parameter: sp.Symbol, value: sp.Rational
 ) -> Filtration | None:
-    """The growth with another value of a parameter; None where constraints become dependent."""
+    """The growth at a value of a parameter; None if constraints become dependent."""
     constants = tuple((s, value if s == parameter else v) for s, v in admissible.constants)
     try:
         return generic(replace(admissible, constants=constants))
@@ -162,7 +162,7 @@ def _pivots(
 
 
 def _numerator(samples: Sequence[tuple[nmod, nmod]], prime: int) -> nmod_poly | None:
-    """The numerator of the rational function through the samples; None if they do not tell it."""
+    """The numerator of the rational function through samples; None if undetermined."""
     modulus, through = nmod_poly([1], prime), nmod_poly([0], prime)
     for place, value in samples:
         step = (value - through(place)) / modulus(place)

@@ -14,7 +14,7 @@ __all__ = ["involutive"]
 
 
 def involutive(distribution: Distribution) -> bool:
-    """Whether every commutator of admissible fields is a combination of them.
+    """Whether all commutators of admissible fields are combinations of these.
 
     False also where that is not shown: if the frame was reduced by a group, or if no coordinate
     moves with one of the fields alone.

@@ -1,4 +1,4 @@
-"""The growth of a distribution: its fields, their commutators with them, and so on, exactly.
+"""The growth vector of a distribution, computed exactly.
 
 Fields are Taylor series about a point.  A commutator is first freed of the fields found before
 by multiplying these with functions, which changes no span of the following steps: a new direction
@@ -40,7 +40,7 @@ START = 3
 
 @dataclass(frozen=True)
 class Filtration:
-    """How the span of admissible fields grows with their commutators, at a point.
+    """Dimensions spanned at a point by the fields and their iterated commutators.
 
     Attributes
     ----------
@@ -78,7 +78,7 @@ class Filtration:
 
 
 def pivots_at(distribution: Distribution, place: ExactPoint) -> tuple[FieldElement, ...]:
-    """The numbers on which the growth at a point rests: it is less where one of them vanishes.
+    """Numbers that vanish where the growth at a point is smaller.
 
     Raises
     ------
@@ -99,7 +99,7 @@ def pivots_at(distribution: Distribution, place: ExactPoint) -> tuple[FieldEleme
 def _filtration_and_sufficiency(
     distribution: Distribution, place: ExactPoint, order: int
 ) -> tuple[Filtration, bool]:
-    """The filtration at a point by series of the order given, and whether it was enough."""
+    """The filtration by series of an order, and whether the order sufficed."""
     bundle = Bundle(distribution, place.germs(distribution.space(), order))
     return _filtration_of_span(distribution, place, bundle, Span(place.numbers))
 
@@ -224,7 +224,7 @@ def filtration(distribution: Distribution, point: Mapping[sp.Symbol, ParameterVa
 
 
 def _first_confirmed(trial: Callable[[Numbers], Filtration | None]) -> Filtration | None:
-    """What is found modulo a prime; with rational numbers where that is the same."""
+    """A result modulo a prime; the rational one if both agree."""
     result: Filtration | None = None
     for prime in PRIMES:
         result = result or trial(Modular(prime))
@@ -240,7 +240,7 @@ def _filtration_reaching(
 ) -> Filtration:
     """The filtration by series of as high an order as it takes to reach a dimension.
 
-    What vanishes up to an order at a singular point may still count beyond it.
+    A section that vanishes up to an order at a singular point may matter beyond it.
     """
     order, highest = START, _highest(len(distribution.coordinates))
     while True:
@@ -261,7 +261,7 @@ def _highest(variables: int) -> int:
 
 
 def generic(distribution: Distribution, free: Sequence[sp.Symbol] = ()) -> Filtration:
-    """The growth at a generic point, and a rational one where it is the same if one is found.
+    """The growth at a generic point, a rational one if one with this growth is found.
 
     Parameters
     ----------
@@ -303,7 +303,7 @@ def growth(
     coordinates: Sequence[sp.Symbol],
     point: Mapping[sp.Symbol, ParameterValue],
 ) -> tuple[int, ...]:
-    """Dimensions of the span of fields, with their commutators, with those of these, and so on.
+    """Dimensions of the spans of fields and of their iterated commutators.
 
     Parameters
     ----------

@@ -1,9 +1,9 @@
-"""Functions that are constant along all admissible motions: the holonomic part of constraints.
+"""Functions that are constant along all admissible motions.
 
 Such a function F(q) is sought as a combination of monomials in the coordinates, the definitions,
 sines and cosines, and, if that is not enough, inverses and logarithms.  η_s(F) = 0 at sufficiently
-many points modulo a prime is a linear system for the coefficients.  What is found is verified
-identically, as a formula.
+many points modulo a prime is a linear system for the coefficients.  Each solution is then
+verified as an identity.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class Constancy:
 
 
 def constant_along(distribution: Distribution, function: sp.Expr) -> bool:
-    """Whether a function is constant along the admissible motions, decided as an identity."""
+    """Whether a function is proven constant along all admissible motions."""
     return all(
         vanishes(rate, distribution.relations, distribution.steps)
         for rate in _rates(distribution, function)
@@ -126,7 +126,7 @@ class _Search:
         self.known: list[Values] = []
 
     def count(self, degree: int) -> int:
-        """How many monomials there are."""
+        """The number of monomials."""
         return len(self._monomials(degree))
 
     def _monomials(self, degree: int) -> list[tuple[int, ...]]:
@@ -211,7 +211,7 @@ class _Search:
 
 
 def _named_letters(distribution: Distribution) -> list[sp.Symbol]:
-    """Definitions that the constraints use themselves, and those that are rates of coordinates."""
+    """Definitions that the constraints or the rates of coordinates consist of."""
     used = {s for row in distribution.forms for entry in row for s in entry.free_symbols}
     used |= {v for field in distribution.frame for v in field.values()}
     constant = {s for s, _ in distribution.constants}
@@ -219,7 +219,7 @@ def _named_letters(distribution: Distribution) -> list[sp.Symbol]:
 
 
 def _factors(distribution: Distribution) -> list[sp.Expr]:
-    """Polynomials of several terms that divide coefficients of the constraints, or their poles."""
+    """Polynomial factors of numerators and denominators in the constraints."""
     own = set(distribution.coordinates)
     factors: set[sp.Expr] = set()
     for entry in {entry for row in distribution.forms for entry in row}:
@@ -230,7 +230,7 @@ def _factors(distribution: Distribution) -> list[sp.Expr]:
 
 
 def _arcs(factors: Sequence[sp.Expr], own: set[sp.Symbol]) -> list[sp.Expr]:
-    """The angles whose derivatives have such a polynomial as denominator, as x/y for x² + y²."""
+    """Arctangents with such denominators in their derivatives: x/y for x² + y²."""
     arcs = []
     for factor in factors:
         for s in sorted(factor.free_symbols & own, key=str):

@@ -1,4 +1,4 @@
-"""What constraints on velocities say of places: holonomic, nonholonomic, or in between (§2.1).
+"""Whether constraints on velocities are holonomic (§2.1).
 
 The admissible fields span, together with all their commutators, a space of some dimension.  If
 it is that of the configuration space, any two configurations can be joined by an admissible
@@ -83,12 +83,12 @@ class Nonholonomy:
 
     @property
     def holonomic(self) -> int:
-        """How many independent holonomic constraints there are."""
+        """The number of independent holonomic constraints."""
         return self.dimension - self.growth[-1]
 
     @property
     def constraints(self) -> int:
-        """How many independent constraints there are."""
+        """The number of independent constraints."""
         return self.dimension - self.rank
 
     def __repr__(self) -> str:
@@ -100,7 +100,7 @@ class Nonholonomy:
 
 @arguments_checked
 def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
-    """Tell whether constraints are holonomic, nonholonomic or in between, and find their integrals.
+    """Decide whether constraints are holonomic, and find their integrals.
 
     Parameters
     ----------
@@ -171,7 +171,7 @@ def _spanning_distribution(mechanism: Mechanism | Distribution) -> Distribution:
 
 
 def _check_time(admissible: Distribution, here: Filtration, free: Sequence[sp.Symbol]) -> None:
-    """Refuse affine constraints that no velocity satisfies: they admit no motion in time."""
+    """Refuse affine constraints that no velocity satisfies."""
     if TIME not in admissible.coordinates:
         return
     still = tuple(sp.S.One if field.get(TIME) == 1 else sp.S.Zero for field in admissible.frame)

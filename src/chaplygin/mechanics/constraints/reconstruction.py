@@ -162,7 +162,7 @@ def _spin(frame: Frame, coefficients: Coefficients) -> tuple[Vector, Vector | No
 def _extras(
     frame: Frame, coefficients: Coefficients, bare: Whole, steps: Steps, used: set[sp.Symbol]
 ) -> list[Whole]:
-    """Direction cosines and the place put back; with less of them if that is all that fits."""
+    """Configurations with direction cosines and place, as far as they fit."""
     velocities = _spin(frame, coefficients)
     if velocities is None:
         return []
@@ -203,7 +203,7 @@ def _with_coordinates(
 def _attitude_configuration(
     frame: Frame, coefficients: Coefficients, bare: Whole, used: set[sp.Symbol]
 ) -> Whole | None:
-    """The attitude, by direction cosines in space, beside the coordinates of the contact."""
+    """The configuration of attitude (direction cosines) and contact point."""
     velocities = _spin(frame, coefficients)
     rows = (alpha, beta, zeta)
     if velocities is None or any(set(d.symbols) & {*used, *bare.coordinates} for d in rows):
@@ -226,14 +226,14 @@ def _has_commutators(
     steps: Steps,
     constants: Mapping[sp.Symbol, ParameterValue],
 ) -> bool:
-    """Whether the commutators of the fields are those that the structure functions tell."""
+    """Whether the fields have the commutators given by the structure functions."""
     formulas = [*(v for field in whole.fields for v in field.values()), *coefficients.values()]
     germs = _germs(whole, formulas, steps, constants)
     return germs is not None and _commutes(whole, coefficients, germs)
 
 
 def _spans_all(frame: Frame, steps: Steps, constants: Mapping[sp.Symbol, ParameterValue]) -> bool:
-    """Whether the fields on the coordinates span all directions, so that nothing is left out."""
+    """Whether the coordinates describe the whole configuration."""
     if len(frame.coordinates) < len(frame.w):
         return False
     whole = _whole(frame, None)

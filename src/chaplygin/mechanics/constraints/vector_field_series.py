@@ -1,4 +1,4 @@
-"""Sections of the bundle of velocities as Taylor series about a point, with their commutators.
+"""Sections of the bundle of velocities as Taylor series, and their commutators.
 
 A section has components along the fields of the frame where structure functions are given, and
 along the coordinates otherwise.
@@ -119,7 +119,7 @@ class Bundle:
 
 
 def leading(rows: Sequence[Section], width: int) -> tuple[int, int] | None:
-    """Where an entry is not zero at the point; constants are preferred."""
+    """The position of an entry that is not zero at the point, a constant if possible."""
     best: tuple[int, int] | None = None
     for r, row in enumerate(rows):
         for c in range(width):
@@ -149,7 +149,7 @@ class Span:
         self.leads: list[FieldElement] = []
 
     def add(self, section: Section) -> tuple[Section, bool] | None:
-        """What a section adds, and whether that is a direction; None if nothing."""
+        """The new part of a section, and whether it is a direction; None if nothing."""
         for column, pivot in self.pivots:
             section = pivot_eliminated(section, pivot, column)
         place = leading([section], len(section))

@@ -15,7 +15,7 @@ Steps = Sequence[tuple[sp.Symbol, sp.Expr]]
 
 
 def vanishes(formula: sp.Expr, relations: Sequence[sp.Expr], steps: Steps = ()) -> bool:
-    """Whether a formula is zero wherever the relations hold; False if that is not shown.
+    """Whether a formula is shown to vanish wherever the relations hold.
 
     Roots, sines and cosines become symbols with a relation of their own; the numerator is
     divided by a Gröbner basis of the relations that share symbols with it.

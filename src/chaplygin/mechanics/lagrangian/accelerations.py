@@ -1,4 +1,4 @@
-"""Accelerations and multipliers: the linear equations in ẇ and λ solved by named steps."""
+"""Accelerations and multipliers: the linear equations in ẇ and λ, solved."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ def _with_multipliers(
 
 
 def _numbers(parts: Balance, matrix: Sequence[Sequence[sp.Expr]]) -> list[list[mpmath.mpf]]:
-    """A matrix at a generic configuration of the mechanism with its default parameters."""
+    """A matrix at a generic configuration, with the default parameters."""
     point = parts.typical([e for row in matrix for e in row])
     return [[point.value(e) for e in row] for row in matrix]
 
@@ -136,7 +136,7 @@ def _deficient(parts: Balance, mass: Sequence[Sequence[sp.Expr]]) -> bool:
 
 
 def _refuse_negative(parts: Balance, solver: Factorisation) -> None:
-    """Refuse a kinetic energy that is negative for some motion: a pivot is negative then."""
+    """Refuse a kinetic energy that is negative for some velocity."""
     point = parts.typical(solver.pivots)
     if any(point.value(pivot) < 0 for pivot in solver.pivots):
         raise InputError(
@@ -163,7 +163,7 @@ def _numbered_names(
     inertia: Sequence[Sequence[sp.Expr]],
     force: Sequence[sp.Expr],
 ) -> Accelerations:
-    """The multipliers of all constraints, those of solved velocities from their equations."""
+    """The multipliers of all constraints, including those solved for a velocity."""
     tape, w = parts.tape, parts.mechanism.frame.w
     symbols = parts.multipliers
     values = dict(known)

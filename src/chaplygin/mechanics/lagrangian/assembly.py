@@ -1,4 +1,4 @@
-"""The parts of which equations of motion are made: momenta, mass matrix, forces, constraints."""
+"""Momenta, mass matrix, forces and constraints of a mechanism."""
 
 from __future__ import annotations
 
@@ -213,7 +213,7 @@ def _solve_velocities(
     constraints: Sequence[sp.Expr],
     slopes: Sequence[Sequence[sp.Expr]],
 ) -> dict[sp.Symbol, int]:
-    """Velocities that constraints give, defined on the tape; each depends on free ones alone."""
+    """Velocities determined by constraints, as definitions in the free ones."""
     w = mechanism.frame.w
     solved: dict[sp.Symbol, int] = {}
     for index, f in enumerate(constraints):

@@ -1,6 +1,6 @@
-"""A mechanism on its own distribution: admissible fields and what is left of the geometry there.
+"""A mechanism restricted to its distribution of admissible velocities.
 
-Where the constraints are linear and homogeneous, admissible velocities are w = Z(q) y, and the
+If the constraints are linear and homogeneous, admissible velocities are w = Z(q) y, and the
 fields η_s = Z_is E_i of (2.2) span the distribution.  With the kinetic form g = ZᵀAZ and momenta
 P = g y the equations of motion become
 

@@ -1,4 +1,4 @@
-"""Definitions as a reader wants them: few, numbered in order, vectors in one piece."""
+"""Definitions for a reader: few, numbered in order, vectors in one piece."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class NamedDefinitions:
 def name_definitions(parts: Balance, formulas: Sequence[sp.Expr]) -> NamedDefinitions:
     """The definitions on which formulas depend.
 
-    What was named on the way and is used once and short is written where it is used; the rest is
+    Short intermediate results that are used once are put where they are used; the others are
     numbered in order.  Vectors keep the form in which they were written where possible.
     """
     wanted = [to_components(f) for f in formulas]
@@ -91,7 +91,7 @@ def _numbered_names(parts: Balance, symbols: Sequence[sp.Symbol]) -> dict[sp.Sym
 
 
 def _vector_definitions(parts: Balance, steps: Sequence[Step]) -> Pairs:
-    """Scalar steps with the components of a vector put together, where their order allows it."""
+    """Scalar steps with components joined to vectors where their order allows it."""
     mechanism = parts.mechanism
     values = dict(steps)
     groups: dict[Name, sp.Basic] = {
@@ -119,7 +119,7 @@ def _vector_definitions(parts: Balance, steps: Sequence[Step]) -> Pairs:
 
 
 def _as_written(constraints: Sequence[sp.Basic], name: Vector, components: sp.Matrix) -> sp.Basic:
-    """The vector formula of a constraint u + … = 0 solved for u, if it gives these components."""
+    """A vector constraint u + … = 0 solved for u, if it gives these components."""
     for formula in constraints:
         if not getattr(formula, "is_Matrix", False) or name not in formula.atoms(type(name)):
             continue

@@ -1,7 +1,7 @@
-"""Generic points of a configuration space, and formulas evaluated there with many digits.
+"""Generic points of a configuration space, and formulas evaluated there.
 
-What is decided at such points (ranks, whether a coefficient is a constant) only chooses the form
-in which equations are written; that they are right is for a proof to say.
+Decisions at such points (ranks, whether a coefficient is a constant) only select the form in which
+equations are written; the equations themselves are proven.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ T = TypeVar("T")
 
 
 def with_working_precision(function: Callable[P, T]) -> Callable[P, T]:
-    """Decorate a function that computes with the numbers of samples: with all their digits."""
+    """Decorate a function so that it computes with the working precision."""
 
     @wraps(function)
     def wrapped(*args: P.args, **kwargs: P.kwargs) -> T:
@@ -75,7 +75,7 @@ class GenericPoint:
         return value_at_generic_point(formula, self._values)
 
     def further(self, steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> GenericPoint:
-        """The same point with further definitions."""
+        """The point with further definitions."""
         point = GenericPoint(self.point)
         point._values = dict(self._values)
         for symbol, value in steps:
@@ -163,7 +163,7 @@ def samples(
     parameters: Point | None = None,
     many: int = POINTS,
 ) -> tuple[GenericPoint, ...]:
-    """Points on the relations and position constraints, at random, with random velocities.
+    """Random points on relations and position constraints, with random velocities.
 
     Parameters are generic unless given.
 
@@ -214,7 +214,7 @@ def _on_relations(
     steps: Sequence[tuple[sp.Symbol, sp.Expr]],
     constants: Point,
 ) -> dict[sp.Symbol, mpmath.mpf]:
-    """A random point moved onto the relations by Newton's method (along the shortest way)."""
+    """A random point moved to the nearest solution of the relations by Newton."""
     point = {**constants, TIME: _number(dice), **{q: _number(dice) for q in coordinates}}
     written = [expand(relation, steps) for relation in relations]
     slopes = [[sp.diff(f, q) for q in coordinates] for f in written]
@@ -248,7 +248,7 @@ def is_numerically_zero(formula: sp.Expr, points: Iterable[GenericPoint]) -> boo
 
 @with_working_precision
 def rank(rows: Sequence[Sequence[mpmath.mpf]]) -> tuple[list[int], list[int]]:
-    """Rows and columns of a largest regular part of a matrix of numbers, the first rows first."""
+    """Rows and columns of a largest regular minor, the first rows preferred."""
     left = [list(row) for row in rows]
     chosen: list[int] = []
     columns: list[int] = []

@@ -65,7 +65,7 @@ def check_velocities(
     constraints: Sequence[sp.Expr],
     slopes: Sequence[Sequence[sp.Expr]],
 ) -> None:
-    """Refuse constraints that no velocity satisfies, or that are singular where they hold.
+    """Refuse constraints without solutions, or singular at their solutions.
 
     Linear ones have been checked before.
 
@@ -132,7 +132,7 @@ def _contradicts(
     rows: Sequence[Sequence[mpmath.mpf]],
     mechanism: Mechanism,
 ) -> bool:
-    """Whether the equations C w = C w₀ − f(w₀), linear at the point w₀, have no solution."""
+    """Whether the equations linearised at w₀, C w = C w₀ − f(w₀), are inconsistent."""
     w0 = [point.point[s] for s in mechanism.frame.w]
     extended = [
         [*row, sum(c * x for c, x in zip(row, w0, strict=True)) - point.value(f)]

@@ -1,4 +1,4 @@
-"""Linear equations solved symbolically by named steps: A = L D Lᵀ without expansion."""
+"""Linear equations solved symbolically by A = L D Lᵀ, with named steps."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ class Factorisation:
 
 
 def _sparse_first(matrix: Sequence[Sequence[sp.Expr]]) -> list[int]:
-    """An order of elimination that keeps zeros: the row with the fewest entries goes next."""
+    """An order of elimination that preserves zeros: the sparsest row goes next."""
     left = set(range(len(matrix)))
     links = {i: {j for j in left if j != i and matrix[i][j] != 0} for i in left}
     order = []

@@ -1,4 +1,4 @@
-"""Mechanical systems from first principles: coordinates, a frame, a Lagrangian, constraints (§1).
+"""Mechanisms: coordinates, a frame, a Lagrangian and constraints (§1).
 
 A frame of vector fields E_i on the configuration space, (1.7), gives every velocity by its
 components w_i, the quasi-velocities: q̇ = G(q) w.  A `Mechanism` adds the Lagrangian in q and w,
@@ -154,7 +154,7 @@ def _twice(names: Iterable[sp.Symbol]) -> list[str]:
 
 @arguments_checked
 def coordinates(*names: Name, dot: str = "dot") -> Frame:
-    """The frame of the coordinates themselves: w = q̇, named ``xdot`` for the coordinate ``x``.
+    """The coordinate frame w = q̇, with velocities named ``xdot`` for ``x``.
 
     Parameters
     ----------
@@ -185,7 +185,7 @@ def coordinates(*names: Name, dot: str = "dot") -> Frame:
 
 
 def rotations(omega: Vector) -> StructureConstants:
-    """Structure constants of the rotations in body axes, [ξ_i, ξ_j] = ε_ijk ξ_k of (1.12)."""
+    """Structure constants of rotations in body axes, [ξ_i, ξ_j] = ε_ijk ξ_k (1.12)."""
     w = omega.symbols
     return {(w[i], w[(i + 1) % 3]): {w[(i + 2) % 3]: sp.S.One} for i in range(3)}
 

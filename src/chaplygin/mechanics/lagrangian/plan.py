@@ -1,4 +1,4 @@
-"""What is drawn of a mechanism in the plane: its path, links, wheels and blades.
+"""The drawing of a mechanism in the plane: path, links, wheels and blades.
 
 Places are pairs of formulas (x, y); wheels, axles and blades have the angle of their heading with
 the axis x for a third.  All are formulas in the state lifted to space, definitions and parameters.
@@ -32,7 +32,7 @@ _SAME = 1e-9
 
 @dataclass(frozen=True)
 class Plan:
-    """What is drawn of a mechanism in the plane.
+    """The drawing of a mechanism in the plane.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ class Plan:
 
 
 def plan_of(mechanism: Mechanism) -> Plan | None:
-    """What the constraints of a mechanism tell of its plan; None where it has no x and y.
+    """The plan that follows from the constraints; None without x and y.
 
     A constraint that forbids a place to move sideways is drawn as a wheel there, where the place
     lies at constant distances along headings from (x, y); rods lead to it.
@@ -81,7 +81,7 @@ def plan_of(mechanism: Mechanism) -> Plan | None:
 
 
 def _forms(mechanism: Mechanism) -> list[dict[sp.Symbol, sp.Expr]]:
-    """Constraints linear in the velocities, by their coefficients of the coordinates' rates."""
+    """Linear constraints as forms in the rates of the coordinates."""
     frame = mechanism.frame
     G = frame.matrix
     if G.rows != G.cols or G.rows > _MOST:
@@ -101,7 +101,7 @@ def _forms(mechanism: Mechanism) -> list[dict[sp.Symbol, sp.Expr]]:
 def _arms(
     mechanism: Mechanism, form: dict[sp.Symbol, sp.Expr]
 ) -> list[tuple[sp.Symbol, float]] | None:
-    """Angles and lengths that lead from (x, y) to the place a constraint is about, in order.
+    """Angles and lengths from (x, y) to the point that a constraint concerns.
 
     With n the normal of the heading, the velocity of a place Σ a_θ (cos θ, sin θ) has the
     component Σ a_θ θ̇ (n_y cos θ − n_x sin θ) along n.  None where no constant lengths do.

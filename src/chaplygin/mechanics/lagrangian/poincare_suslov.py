@@ -6,12 +6,12 @@ With p_i = ∂L/∂w_i and the constraints f_μ = 0, the equations
 
 (Chetaev's rule where a constraint is not linear) are linear in ẇ and λ.  Velocities that a
 constraint gives in terms of the others, with a number as coefficient, become definitions; the
-equations of the others follow by virtual displacements that keep to these constraints.  What is
-left of the multipliers follows from the rates of the remaining constraints.  In the frame of the
+equations of the others follow by virtual displacements that keep to these constraints.  The
+remaining multipliers follow from the rates of the remaining constraints.  In the frame of the
 coordinates themselves these are the equations of Ferrers, (1.3)–(1.5).
 
-Coordinates on which nothing depends are cyclic: the System does without them, and its motion
-reconstructs them.
+Coordinates on which nothing depends are cyclic: they are not part of the System, and are
+reconstructed from its motion.
 """
 
 from __future__ import annotations
@@ -230,7 +230,7 @@ def _irrelevant_coordinates(parts: Balance, relevant: set[Name]) -> tuple[sp.Sym
 def _without_irrelevant(
     parts: Balance, irrelevant: Sequence[sp.Symbol], formula: sp.Basic
 ) -> sp.Basic:
-    """A formula with the definitions written out that depend on coordinates that matter not."""
+    """A formula without definitions that depend on irrelevant coordinates."""
     steps = parts.tape.steps([to_components(formula)])
     far = {s: value for s, value in steps if _depends(parts, [value], irrelevant)}
     if not far:
@@ -253,7 +253,7 @@ def _energy_law(derived: DerivedEquations) -> tuple[Law, ...]:
 
 
 def _energy_warning(energy: EnergyTheorem) -> tuple[str, ...]:
-    """What the reader has to know of the energy."""
+    """The sentence on an energy that is not conserved."""
     if not energy.broken:
         return ()
     return (f"Theorem 1 does not give an energy integral: {'; '.join(energy.broken)}.",)

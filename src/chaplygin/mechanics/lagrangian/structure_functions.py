@@ -87,7 +87,7 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
 
 
 def written_frame(mechanism: Mechanism) -> Frame:
-    """The frame of a mechanism with its definitions written out, whose fields can be commuted."""
+    """The frame of a mechanism without definitions, ready for commutators."""
     frame, defined = mechanism.frame, {s for s, _ in mechanism.steps}
     if frame.structure is not None or not any(r.free_symbols & defined for r in frame.qdot):
         return frame
@@ -158,7 +158,7 @@ def _prescribed(frame: Frame, owner: str) -> Coefficients:
 
 
 def _spanning(frame: Frame, point: GenericPoint, owner: str) -> list[int]:
-    """Rows of G that are regular together; refused when the fields do not form a frame."""
+    """Rows of a regular minor of G; InputError if the fields form no frame."""
     numbers = [[point.value(e) for e in frame.matrix.row(i)] for i in range(len(frame.qdot))]
     rows, _ = rank(numbers)
     slopes = [[point.value(sp.diff(f, q)) for q in frame.coordinates] for f in frame.relations]

@@ -16,7 +16,7 @@ __all__ = ["with_parameters"]
 
 
 def with_parameters(mechanism: Mechanism, values: Mapping[sp.Symbol, sp.Expr]) -> Mechanism:
-    """The same mechanism with parameters replaced by numbers, or by formulas in the others.
+    """A mechanism with parameters replaced by numbers or by formulas in the others.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Kane's equations of a SymPy model as a System, with constraints kept apart from the masses.
+"""Kane's equations of a SymPy model as a System, constraints by multipliers.
 
 SymPy eliminates dependent speeds symbolically, which makes formulas swell and divides by a
 determinant that may vanish.  Here the equations of the unconstrained bodies are formed, and the
@@ -42,7 +42,7 @@ __all__ = ["Kane", "kane"]
 
 
 class _Plain(Tape):
-    """A tape that takes formulas as they come: those of SymPy are long, their parts are named."""
+    """A tape that does not simplify: SymPy's formulas are long, their parts named."""
 
     def short(self, value: sp.Expr, hold: Collection[sp.Symbol] = ()) -> sp.Expr:
         """The formula itself."""

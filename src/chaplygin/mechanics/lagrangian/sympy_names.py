@@ -1,4 +1,4 @@
-"""Names of a SymPy mechanics model as names of this package: plain symbols, parameters, inputs."""
+"""Symbols, parameters and inputs of a SymPy model in the names of this package."""
 
 from __future__ import annotations
 

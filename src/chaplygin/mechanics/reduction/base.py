@@ -1,7 +1,7 @@
 """The two coordinates in which a system with symmetry moves by itself.
 
-Coordinates that enter neither Lagrangian nor constraints are left out.  What remains must be two
-coordinates, or a unit vector: that has the angles θ, φ of
+Coordinates that enter neither Lagrangian nor constraints are left out.  There must remain two
+coordinates, or a unit vector, with the angles θ, φ of
 
     γ = (sin θ sin φ, sin θ cos φ, cos θ).
 """

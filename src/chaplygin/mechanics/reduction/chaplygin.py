@@ -1,4 +1,4 @@
-"""Generalised Chaplygin systems recognised, and the reducing multiplier (§4.3, Theorem 6).
+"""Generalised Chaplygin systems and the reducing multiplier (§4.3, Theorem 6).
 
 From a Lagrangian, a frame and constraints alone: the two coordinates in which the system moves by
 itself, on a level of its linear integrals where it needs them; the form (4.4) with S; whether the
@@ -85,7 +85,7 @@ def chaplygin_form(
 def _special(
     mechanism: Mechanism, form: ChaplyginForm
 ) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]] | None:
-    """A level of the parameters that is a case of its own, and on which their numbers lie.
+    """The exceptional level of the parameters on which their numbers lie, if any.
 
     With the level comes the parameter that it gives.
     """
@@ -183,7 +183,7 @@ def _original(mechanism: Mechanism, here: Base, up: Lift) -> System:
 
 
 def _shape(monopole: Flux) -> tuple[Law, ...]:
-    """What the integral of S̄ rests on."""
+    """The identity that the integral of S̄ depends on."""
     if monopole.residual == 0:
         return ()
     return (

@@ -1,4 +1,4 @@
-"""Exact fractions in tangents of half angles, written in the angles or in a unit vector."""
+"""Fractions in tangents of half angles as formulas in angles or a unit vector."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def closed_forms(
 
 
 def in_unit_vector(value: Quotient, chart: HalfAngleChart, vector: Vector | None) -> sp.Expr:
-    """A fraction in the angles, its factors in the unit vector where they are functions of it."""
+    """A fraction in the angles; its factors in the unit vector where possible."""
     if value.above == 0:
         return sp.S.Zero
     circles = [0, 0]

@@ -117,7 +117,7 @@ def natural_factors(
     parameters: Sequence[sp.Symbol],
     owner: str,
 ) -> list[fmpq_mpoly]:
-    """Irreducible polynomials in the variables of the chart that the system itself brings along.
+    """Irreducible factors, in the variables of the chart, of the determinants.
 
     They divide the determinants of K, of the quadratic forms Q given, and of Q on the velocities
     that integrals and constraints tie; 1 + t² is not among them.
@@ -150,7 +150,7 @@ def natural_factors(
 
 
 def has_even_degrees(poly: fmpq_mpoly, chart: HalfAngleChart) -> bool:
-    """Whether a polynomial is over (1 + t²)^(d/2) a function of the angles without half angles."""
+    """Whether F/(1 + t²)^(d/2) is a function of the angles without half angles."""
     return not any(a and int(d) % 2 for d, a in zip(poly.degrees()[:2], chart.angles, strict=True))
 
 
@@ -215,7 +215,7 @@ def _with_numbers(poly: fmpq_mpoly) -> fmpq_mpoly:
 
 
 def _at_pole(poly: fmpq_mpoly) -> bool:
-    """Whether the value at θ = 0 is the same for all φ, as of a function on the sphere."""
+    """Whether the value at θ = 0 does not depend on φ, as on a sphere."""
     values = [_over(poly, [fmpq(0), x]) for x in (fmpq(1, 3), fmpq(5, 2))]
     return bool(values[0] == values[1])
 

@@ -1,4 +1,4 @@
-"""A generalised Chaplygin system in its reduced form, and as a page for a terminal."""
+"""A generalised Chaplygin system in its reduced form, and its text."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ OPEN = (
 
 @dataclass(frozen=True, repr=False)
 class ChaplyginForm(WithOverview):
-    """What Theorem 6 makes of a mechanism.
+    """A mechanism as a generalised Chaplygin system, by Theorem 6.
 
     Attributes
     ----------
@@ -110,7 +110,7 @@ class ChaplyginForm(WithOverview):
 
 
 def page(form: ChaplyginForm) -> str:
-    """Coordinates, levels, multiplier, gyroscopic forces and what follows, 100 columns wide."""
+    """Coordinates, levels, multiplier and gyroscopic forces, 100 columns wide."""
     lines = [form.system.title]
     for head, words in _rows(form):
         lines += textwrap.wrap(

@@ -158,7 +158,7 @@ def _defaults(mechanism: Mechanism) -> dict[sp.Symbol, sp.Rational]:
 
 
 def _smooth(mechanism: Mechanism, vector: Vector, value: sp.Expr) -> bool:
-    """Whether all that is divided by, or has a root, is a definite form at the defaults."""
+    """Whether all denominators and radicands are definite forms at the defaults."""
     powers = value.as_powers_dict().items()
     delicate = [
         base
@@ -236,7 +236,7 @@ def _one_root(value: sp.Expr) -> sp.Expr:
 
 
 def _fields(base: Base, vector: Vector, part: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
-    """(Cγ, γ × dγ)/D for the matrices C with one entry, and the factors D of the denominator."""
+    """(Cγ, γ × dγ)/D for elementary matrices C and factors D of the denominator."""
     place = dict(base.place)
     unit = sp.Matrix([place[s] for s in vector.symbols])
     moved = [unit.diff(q) for q in base.coordinates]

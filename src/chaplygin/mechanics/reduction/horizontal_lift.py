@@ -1,8 +1,8 @@
-"""From the velocities of the base to all velocities, and the form (4.4) that follows.
+"""All velocities from those of the base, and the form (4.4).
 
 On a level c of the linear integrals the velocities u are given by q̇: the equations
 ρu = q̇, (ℓ, u) = c − ℓ₀, Cu = 0 have the solution u = q̇₁Y₁ + q̇₂Y₂ + y.  An integral Φ(q, u) that is
-quadratic in u becomes E₂ + E₁ + E₀ by degrees in q̇.  Where E₁ = 0 and E₂ is not degenerate, let
+quadratic in u becomes E₂ + E₁ + E₀ by degrees in q̇.  If E₁ = 0 and E₂ is not degenerate, let
 L = E₂ − E₀: along every motion 0 = Φ̇ = Σ q̇_i (d/dt ∂L/∂q̇_i − ∂L/∂q_i), and what stands in brackets
 is of degree two in q̇, so it is (q̇₂S, −q̇₁S) with S = a₁q̇₁ + a₂q̇₂ + b.  With μ = ∂Φ/∂u
 
@@ -127,7 +127,7 @@ class Lift:
 
     @property
     def levelled(self) -> tuple[sp.Expr, ...]:
-        """What vanishes on the level, in the coordinates of the mechanism."""
+        """Expressions that vanish on the level, in the mechanism's coordinates."""
         pairs = zip(self.integrals, self.levels, strict=True)
         return tuple(integral.value - level for integral, level in pairs)
 
@@ -204,7 +204,7 @@ class Local:
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
-        """What needs a value."""
+        """The symbols that need a value."""
         u = self.lift.base.motion.velocities
         both = {*self._place.symbols, *self._moving.symbols} - set(u)
         return tuple(sorted(both, key=str))

@@ -81,7 +81,7 @@ def linear_integrals(mechanism: Mechanism, motion: ReducedMomenta, base: Base) -
 def quadratic_integrals(
     mechanism: Mechanism, motion: ReducedMomenta, base: Base
 ) -> list[sp.Matrix]:
-    """Symmetric matrices B, free of the coordinates, for which ½(m, Bm) is an integral."""
+    """Constant symmetric matrices B for which ½(m, Bm) is an integral."""
     size = len(motion.velocities)
     pairs = list(combinations_with_replacement(range(size), 2))
     m = motion.momenta
@@ -120,7 +120,7 @@ def _monomials(functions: Sequence[sp.Expr], degree: int) -> list[sp.Expr]:
 def _constants(
     mechanism: Mechanism, motion: ReducedMomenta, base: Base, terms: Sequence[sp.Expr]
 ) -> list[dict[int, sp.Expr]]:
-    """The combinations of terms with constant coefficients that are integrals, as coefficients."""
+    """Constant coefficients of the combinations of terms that are integrals."""
     rates = [_derivative(motion, term).xreplace(base.inside) for term in terms]
     return solutions(mechanism, base, Formulas(rates, mechanism.name), len(terms))
 
@@ -167,7 +167,7 @@ def solutions(
 def _with_parameters(
     mechanism: Mechanism, base: Base, formulas: Evaluable, count: int, chosen: Sequence[int]
 ) -> dict[int, sp.Expr]:
-    """The same combination with the parameters as symbols."""
+    """A combination with the parameters as symbols."""
     parameters = [p.symbol for p in mechanism.parameters if p.symbol in formulas.symbols]
     if len(chosen) == 1:
         return {chosen[0]: sp.S.One}

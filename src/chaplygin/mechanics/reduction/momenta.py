@@ -1,4 +1,4 @@
-"""Momenta and forces of a mechanism on its admissible velocities (§1.1), written out.
+"""Momenta and forces of a mechanism on its admissible velocities (§1.1).
 
 Velocities that a constraint gives with a number as coefficient are eliminated, w = Z u; what is
 left of the constraints is C u = 0.  With T = ½(u, Gu) + (l, u) and m = ∂L/∂u the equations are
@@ -81,7 +81,7 @@ def gradient_by(value: sp.Expr, names: tuple[sp.Symbol, ...]) -> sp.Matrix:
 
 
 def motion(mechanism: Mechanism) -> ReducedMomenta:
-    """The equations of motion of a mechanism with constraints linear in the velocities.
+    """The equations of motion of a mechanism with linear constraints.
 
     Raises
     ------
@@ -173,7 +173,7 @@ def _check(mechanism: Mechanism, lagrangian: sp.Expr, constraints: list[sp.Expr]
 def _explicit_velocities(
     constraints: list[sp.Expr], w: tuple[sp.Symbol, ...]
 ) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
-    """Velocities given with a number as coefficient, by the free ones; what else is required."""
+    """Velocities with a number as coefficient, in the free ones; other constraints."""
     given: dict[sp.Symbol, sp.Expr] = {}
     left = []
     for constraint in constraints:

@@ -1,4 +1,4 @@
-"""The reducing multiplier: d ln N = A₂ dq₁ − A₁ dq₂ of Theorem 6, decided and integrated.
+"""The reducing multiplier N: d ln N = A₂ dq₁ − A₁ dq₂ (Theorem 6).
 
 ln N is sought among Σ e_j ln F_j for the natural factors F_j; the exponents e_j solve linear
 equations, one pair at each rational point.  Whether the 1-form is closed at all is seen from its
@@ -146,7 +146,7 @@ def _sum_as_formula(first: Quotient, second: Quotient) -> sp.Expr:
 
 
 def poles(multiplier: Multiplier) -> tuple[sp.Expr, ...]:
-    """Factors in the parameters below the exponents of N: where one vanishes there is no such N."""
+    """Denominators of the exponents of N: no such N exists where one vanishes."""
     below = {
         factor
         for _, exponent in multiplier.powers
@@ -158,7 +158,7 @@ def poles(multiplier: Multiplier) -> tuple[sp.Expr, ...]:
 def obstruction_point(
     local: Local, chart: HalfAngleChart, parameters: Sequence[Parameter]
 ) -> Obstruction | None:
-    """None if the form is closed at some rational points, else a point where it is not.
+    """A point at which the form is not closed, or None.
 
     Parameters
     ----------
@@ -315,7 +315,7 @@ def _value(poly: fmpq_mpoly, at: Point, like: Value) -> Value:
 
 
 def _overdetermined_solution(rows: list[list[Value]], right: list[Value]) -> list[Value] | None:
-    """The solution of an overdetermined system, None if there is none or more than one."""
+    """The unique solution of an overdetermined linear system, or None."""
     left, pivots = reduced_echelon_form([[*row, x] for row, x in zip(rows, right, strict=True)])
     if pivots != list(range(len(rows[0]))):
         return None

@@ -31,7 +31,7 @@ def log_multiplier(
 ) -> tuple[float, float]:
     """∫ (A₂ dq₁ − A₁ dq₂) along the straight line from one place to another.
 
-    Where the 1-form is closed this is ln N(end) − ln N(start), with or without a closed form.
+    If the 1-form is closed this is ln N(end) − ln N(start), with or without a closed form.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def log_multiplier(
 def integral_of_gyroscopic(
     form: ChaplyginForm, values: Mapping[sp.Symbol, float] | None = None
 ) -> tuple[float, float]:
-    """∫ S̄ dθ dφ over the sphere, with the change from the last refinement as its error.
+    """∫ S̄ dθ dφ over the sphere, and the change by the last refinement as error.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The equations (4.7) as a System, with what Theorem 6 says of them and the way back."""
+"""The equations (4.7) as a System, with its laws and the map to the original."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def chaplygin_system(
     potential: sp.Expr,
     multiplier: Multiplier | None,
 ) -> System:
-    """(4.7) in the coordinates of the base, with the laws of Theorem 6 where it applies.
+    """(4.7) in the coordinates of the base, with the laws of Theorem 6.
 
     Parameters
     ----------
@@ -177,7 +177,7 @@ def _theorem_6(hamiltonian: sp.Expr, powers: Iterable[tuple[sp.Expr, sp.Expr]]) 
 
 
 def with_base(original: System, base: Base) -> System:
-    """The original system with those coordinates of the base that its velocities do not need."""
+    """The original system with the coordinates of the base that it lacks."""
     if original.motion is None:
         return original
     missing = [(x, rate) for x, rate in original.motion.field if x in base.coordinates]
@@ -196,7 +196,7 @@ def _velocities_on_base(base: Base, closed: ClosedFormParts) -> dict[sp.Symbol, 
 def with_carried_coordinates(
     form: System, base: Base, closed: ClosedFormParts, original: System
 ) -> System | None:
-    """(4.7) with further coordinates that the original system carries along; None without any."""
+    """(4.7) with the further coordinates of the original system, or None."""
     known = _velocities_on_base(base, closed)
     missing = [s for s in original.symbols if s not in known]
     if not missing:

@@ -91,7 +91,7 @@ def _numbers(inertia: Sequence[float] | Sequence[Sequence[float]]) -> np.ndarray
 
 
 def triangle_inequalities(moments: Sequence[sp.Symbol]) -> dict[sp.Symbol, tuple[sp.Basic, ...]]:
-    """What three moments of inertia about orthogonal axes must satisfy, for each of them.
+    """Conditions on three moments of inertia about orthogonal axes, by moment.
 
     They are positive, and none is greater than the sum of the others.
     """

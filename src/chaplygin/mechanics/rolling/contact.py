@@ -1,4 +1,4 @@
-"""Kinematics of the contact: how the contact point and the normal move when a body rolls.
+"""Kinematics of the contact: the rates of contact point and normal.
 
 Without slip the material point at the contact is at rest, so that the contact point wanders over
 the body (rate ṙ, body axes) as fast as over the surface.  On a sphere of signed radius a this
@@ -90,8 +90,8 @@ def contact(shape: Shape, surface: Surface) -> Contact:
     Raises
     ------
     InputError
-        If a ball does not fit into the sphere, or a hollow one not around it.  Where another
-        shape fits depends on the point of contact; there a guard watches.
+        If a ball does not fit into the sphere, or a hollow one not around it.  For other
+        shapes this depends on the point of contact, and a guard checks it.
     """
     if isinstance(shape, Implicit):
         return _through_surface(shape, surface)
@@ -108,7 +108,7 @@ def _sphere_parameters(surface: Surface) -> tuple[Parameter, ...]:
 
 
 def _fits(product: sp.Expr, total: sp.Expr) -> tuple[Guard, Guard]:
-    """Product and sum of 1 + R₁/a and 1 + R₂/a, up to positive factors: both are positive."""
+    """Product and sum of 1 + R₁/a and 1 + R₂/a, up to positive factors."""
     message = "the body does not fit into the sphere at the contact"
     return Guard("fits", product, message), Guard("fits", total, message)
 
@@ -129,7 +129,7 @@ def _check_ball(shape: Ball, surface: Surface) -> None:
 
 
 def _of_ball(shape: Ball, surface: Surface) -> Contact:
-    """A ball: γ̇ = k γ×ω with k = a/(a + R); ṙ stays a multiple of it, so that products shorten."""
+    """A ball: γ̇ = k γ×ω with k = a/(a + R), and ṙ a multiple of it."""
     _check_ball(shape, surface)
     ball = shape.gauss()
     c = shape.offset
@@ -159,7 +159,7 @@ def _of_ball(shape: Ball, surface: Surface) -> Contact:
 
 
 def _through_gauss_map(shape: Shape, body: GaussMap, surface: Surface) -> Contact:
-    """A shape with r(γ): γ̇ (E + W/a) = γ×ω on the tangent plane, where W has known invariants."""
+    """A shape with r(γ): γ̇ (E + W/a) = γ×ω on the tangent plane."""
     swing = cross(gamma, omega)
     definitions = (*body.definitions, (r, shape.offset + body.reach))
     guards = body.guards
@@ -196,7 +196,7 @@ def _through_gauss_map(shape: Shape, body: GaussMap, surface: Surface) -> Contac
 
 
 def _through_surface(shape: Implicit, surface: Surface) -> Contact:
-    """A shape f(r − c) = 0 with r as state: (S + E/a) ṙ = −γ×ω, S the shape operator of f."""
+    """A shape f(r − c) = 0 with the state r: (S + E/a) ṙ = −γ×ω, S of f."""
     x = IMPLICIT_POINT
     coordinates = dict(zip(shape.coordinates, x.symbols, strict=True))
     f = shape.surface.xreplace(coordinates)

@@ -1,4 +1,4 @@
-"""A rigid body rolling on a plane or a sphere: from body, surface and contact to a System.
+"""Equations of motion of a rigid body rolling on a plane or a sphere.
 
 Newton's and Euler's equations with the contact force N at the contact point r and, for a rubber
 body, the torque λ₀γ about the normal (§1.3),
@@ -10,7 +10,7 @@ the contact point,
 
     Ṁ = (M + k)×ω + m ṙ×(ω×r) − r×F + τ + λ₀ γ.
 
-What depends on shape and surface is kinematics, kept in :mod:`chaplygin.mechanics.rolling.contact`.
+The kinematics depends on shape and surface; see :mod:`chaplygin.mechanics.rolling.contact`.
 """
 
 from __future__ import annotations
@@ -97,7 +97,7 @@ class Forces:
 @arguments_checked
 @dataclass(frozen=True)
 class Rolling:
-    """What rolls on what: a body, a surface, a contact model and a field, with their numbers.
+    """A body, a surface, a contact model and a field, with their numbers.
 
     Examples
     --------
@@ -120,7 +120,7 @@ class Rolling:
 
 @dataclass(frozen=True)
 class _Balance:
-    """What both contact models share: tensors, forces and their definitions."""
+    """Tensors, forces and definitions, which both contact models share."""
 
     touch: Contact
     definitions: Pairs
@@ -149,7 +149,7 @@ def roll(
     ----------
     body : Body
         Mass, inertia, shape and gyrostat; its numbers become the defaults of the parameters.
-        What is exactly zero (centre offset, gyrostat) is left out of the equations.
+        A centre offset or gyrostat that is exactly zero is left out of the equations.
     surface : Plane or Sphere
         What it rolls on.
     contact : ``"marble"`` or ``"rubber"``

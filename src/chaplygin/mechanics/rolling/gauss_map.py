@@ -57,7 +57,7 @@ def contact_points(shape: Shape) -> Callable[[FloatArray], FloatArray]:
 
 
 def centre_outside(shape: Shape) -> bool:
-    """Whether the centre of mass lies outside a shape, as far as many tangent planes show.
+    """Whether the centre of mass lies outside a shape, by many tangent planes.
 
     A hollow ball has nothing inside; there it is whether the centre lies outside its sphere.
     """

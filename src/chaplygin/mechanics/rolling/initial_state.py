@@ -168,7 +168,7 @@ def _check_domain(system: System, known: Mapping[sp.Symbol, mpmath.mpf]) -> None
 def _attitude(
     up: list[mpmath.mpf], normal: list[mpmath.mpf], heading: mpmath.mpf
 ) -> list[mpmath.mpf]:
-    """The quaternion that takes `up` (body) to `normal` (space), turned by `heading` about it."""
+    """The quaternion from `up` (body) to `normal` (space), turned by `heading`."""
     cosine = sum(x * y for x, y in zip(up, normal, strict=True))
     axis = _cross(up, normal)
     if cosine < -1 + mpmath.mpf(10) ** -20:

@@ -1,4 +1,4 @@
-"""A rolling body from first principles: the free body's Lagrangian with the contact's constraints.
+"""A rolling body as a mechanism: the free body's Lagrangian and constraints.
 
 The quasi-velocities are ω and the velocity v of the centre of mass, both in body axes, with the
 brackets (1.12); the constraints are v + ω×r = 0 (1.14) and, for a rubber body, (ω, γ) = 0 (1.15).

@@ -1,4 +1,4 @@
-"""What a body rolls on."""
+"""Surfaces on which a body rolls."""
 
 from __future__ import annotations
 
