@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from typing import Any
 
 import sympy as sp
 
 from ..errors import InputError
-from .arrays import BoolArray, FloatArray
-from .parameters import Parameters
 from .system import Parameter, System
 
 __all__ = ["conditions", "parameters_by_symbol", "require_parameters", "satisfies"]
@@ -19,22 +17,20 @@ __all__ = ["conditions", "parameters_by_symbol", "require_parameters", "satisfie
 ROUNDING = 1e-12
 
 
-def conditions(parameters: Iterable[Parameter]) -> list[tuple[Parameter, sp.Expr]]:
+def conditions(parameters: Iterable[Parameter]) -> list[tuple[Parameter, Any]]:
     """Parameters with a condition of each, as often as they have some.
 
     Conditions on one parameter alone come first: where one of them fails, that parameter is wrong,
     and not another one that is compared with it.
     """
-    pairs = [(item, sp.sympify(condition)) for item in parameters for condition in item.admissible]
-    return sorted(pairs, key=lambda pair: len(pair[1].free_symbols))
+    found = [(item, sp.sympify(condition)) for item in parameters for condition in item.admissible]
+    return sorted(found, key=lambda pair: len(pair[1].free_symbols))
 
 
-def satisfies(
-    condition: sp.Basic, numbers: Mapping[sp.Symbol, float | FloatArray]
-) -> bool | BoolArray:
-    """Whether a condition on parameters holds, for each value.
+def satisfies(condition: Any, numbers: Mapping[sp.Symbol, Any]) -> Any:
+    """Where a condition on parameters holds.
 
-    Equality is tested up to rounding: the moments of inertia of a flat body, of which one
+    Where it allows equality, so does rounding: the moments of inertia of a flat body, of which one
     is the sum of the others, may miss this in their last digits.
 
     Parameters
@@ -51,7 +47,9 @@ def satisfies(
     return check(*(numbers[symbol] for symbol in symbols))
 
 
-def parameters_by_symbol(system: System, parameters: Parameters | None) -> dict[sp.Symbol, Any]:
+def parameters_by_symbol(
+    system: System, parameters: Mapping[Any, Any] | None
+) -> dict[sp.Symbol, Any]:
     """Values that are given by symbol or name, by the symbols of the system.
 
     Raises
@@ -64,8 +62,8 @@ def parameters_by_symbol(system: System, parameters: Parameters | None) -> dict[
     return {symbols[str(key)]: value for key, value in (parameters or {}).items()}
 
 
-def require_parameters(system: System, parameters: Parameters | None) -> None:
-    """Raise InputError if a name or symbol is not that of a parameter."""
+def require_parameters(system: System, parameters: Mapping[Any, Any] | None) -> None:
+    """Raise InputError if one of the names, or symbols, is none of a parameter of the system."""
     known = [str(item.symbol) for item in system.parameters]
     for key in parameters or {}:
         if str(key) not in known:
@@ -75,11 +73,11 @@ def require_parameters(system: System, parameters: Parameters | None) -> None:
 
 
 @lru_cache(maxsize=256)
-def _check(condition: sp.Basic) -> tuple[list[sp.Symbol], Callable[..., bool | BoolArray]]:
+def _check(condition: Any) -> tuple[list[sp.Symbol], Any]:
     """The symbols of a condition, and whether it holds as a function of them."""
-    relation = sp.sympify(condition)
-    if isinstance(relation, sp.Ge | sp.Le):
-        more, less = relation.gts, relation.lts
-        relation = more - less + ROUNDING * (sp.Abs(more) + sp.Abs(less)) >= 0
-    symbols = sorted(relation.free_symbols, key=str)
-    return symbols, sp.lambdify(symbols, relation, "numpy")
+    asked = sp.sympify(condition)
+    if isinstance(asked, sp.Ge | sp.Le):
+        more, less = asked.gts, asked.lts
+        asked = more - less + ROUNDING * (sp.Abs(more) + sp.Abs(less)) >= 0
+    symbols = sorted(asked.free_symbols, key=str)
+    return symbols, sp.lambdify(symbols, asked, "numpy")
