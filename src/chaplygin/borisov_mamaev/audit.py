@@ -1,7 +1,7 @@
 """The audit of the paper: every claim judged as printed, and as corrected.
 
-Claims are judged in processes of their own, as many as there are processors; verdicts are kept,
-so that an audit that was interrupted goes on where it stopped, and a second one takes seconds.
+Claims are judged in parallel processes; verdicts are stored, so that an interrupted audit resumes
+and a second one takes seconds.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class Judgement:
 
     @property
     def conditions(self) -> tuple[str, ...]:
-        """Where what is proven holds, if not everywhere, in the printed form or the right one."""
+        """Conditions of what is proven, in the printed or the corrected form."""
         conditions = (v.conditions for v in (self.printed, self.corrected) if v is not None)
         return tuple(dict.fromkeys(text for texts in conditions for text in texts))
 
@@ -109,7 +109,7 @@ def _joint_verdict(case: Case) -> Verdict:
 
 
 def _verdict_from_cache(name: str, decide: Callable[[], Case]) -> Verdict:
-    """A verdict from an earlier audit, or a new one that is kept."""
+    """A verdict from an earlier audit, or a new one, which is stored."""
     found = load_verdict(name)
     if found is not None:
         return found
@@ -205,7 +205,7 @@ def _judge_in_processes(
     total: int,
     report: Callable[[float], None],
 ) -> int:
-    """Fill `verdicts`; how many were left when interrupted."""
+    """Fill `verdicts`; the number left undone by an interruption."""
     pool = ProcessPoolExecutor(workers or os.cpu_count(), mp_context=get_context("spawn"))
     try:
         with _interrupts_blocked():
@@ -232,7 +232,7 @@ def _judge_in_processes(
 
 @contextmanager
 def _interrupts_blocked() -> Iterator[None]:
-    """Processes that are begun in this block leave Ctrl-C to this one."""
+    """A block in which new processes ignore Ctrl-C."""
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
@@ -248,7 +248,7 @@ def _judgement(
 
 
 def counts(judgements: Iterable[Judgement]) -> dict[str, dict[Decision, int]]:
-    """How many claims came to each of `DECISIONS`: as printed, and as corrected."""
+    """Numbers of claims with each of `DECISIONS`, as printed and as corrected."""
     table: dict[str, dict[Decision, int]] = {
         form: dict.fromkeys(DECISIONS, 0) for form in ("printed", "corrected")
     }

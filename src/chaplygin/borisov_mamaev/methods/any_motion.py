@@ -1,4 +1,4 @@
-"""A body in contact that moves in any way: with accelerations and a contact point of any kind.
+"""A body in contact with arbitrary accelerations and contact point.
 
 Equations of motion that are linear in ω̇ and λ₀ are equivalent when their residuals agree for
 every value of both; no equation has to be solved for that.

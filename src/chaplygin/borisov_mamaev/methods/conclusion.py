@@ -1,4 +1,4 @@
-"""A verdict that rests on several others."""
+"""Verdicts that follow from a computation, or from several other verdicts."""
 
 from __future__ import annotations
 

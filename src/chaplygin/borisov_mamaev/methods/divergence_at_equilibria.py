@@ -1,7 +1,7 @@
-"""Rest points at which the divergence is not zero: they exclude a smooth invariant measure.
+"""Equilibria with nonzero divergence, which exclude a smooth measure.
 
-Where v = 0, div(ρv) = ρ div v, so that no positive smooth density ρ solves the Liouville equation
-near a rest point with div v ≠ 0.
+At v = 0, div(ρv) = ρ div v, so that no positive smooth density ρ solves the Liouville equation
+near an equilibrium with div v ≠ 0.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def _slopes(
 
 
 def divergence(system: System, point: Point) -> sp.Expr:
-    """div v at a rest point, exactly.
+    """div v at an equilibrium, exactly.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def divergence(system: System, point: Point) -> sp.Expr:
 
 
 def excludes_measure(system: System, point: Point) -> Verdict:
-    """Decide that a system has no invariant measure with positive smooth density.
+    """The verdict that a system has no invariant measure with positive smooth density.
 
     Parameters
     ----------

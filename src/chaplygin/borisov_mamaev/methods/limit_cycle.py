@@ -1,7 +1,7 @@
-"""That an unbalanced rubber ball has limit cycles, with rigorous bounds: no invariant measure.
+"""Limit cycles of an unbalanced rubber ball, with rigorous bounds.
 
 On the torus of :func:`~chaplygin.catalogue.bodies.unbalanced_rubber_ball_centred.torus` the motion
-is dα/dβ = f(α, β) > 0, and one turn of β gives a map of the circle of α.  Where its displacement
+is dα/dβ = f(α, β) > 0, and one turn of β gives a map of the circle of α.  If its displacement
 from two whole turns is negative at one α and positive at another, the map has a fixed point and is
 not the identity.  A map of the circle that keeps a continuous positive density and has a fixed
 point is the identity; so that on this torus, and hence around it in the phase space, there is no
@@ -91,7 +91,7 @@ def displacement(start: Fraction, upwards: bool, case: Case = CASE, steps: int =
 
 
 def limit_cycle(proofs: Sequence[Verdict] = ()) -> Verdict:
-    """That the map of the circle has a fixed point and is not the identity.
+    """The verdict that the circle map has a fixed point and is not the identity.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""For which unbalanced rubber balls a measure exists whose density depends on γ alone.
+"""Unbalanced rubber balls with a measure whose density depends on γ alone.
 
 In the momenta across γ a density e^σ(γ) gives an invariant measure if and only if
 
@@ -79,7 +79,7 @@ def necessary() -> bool:
 
 
 def sufficient() -> Verdict:
-    """That dσ is closed for a ball with its centre on an axis of symmetry."""
+    """The verdict that dσ is closed for a centre on an axis of symmetry."""
     ball = Ball(1.0, centre=(0.1, 0.2, 0.3))
     form = one_form(Rolling(Body(1.0, (1.0, 1.5, 2.1), ball), contact="rubber"))
     I, c = Diagonal("I").symbols, Vector("c").symbols

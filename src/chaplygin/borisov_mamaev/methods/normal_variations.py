@@ -1,4 +1,4 @@
-"""That (9.17) with k = −½ has no meromorphic second integral (§9.4).
+"""(9.17) with k = −½ has no meromorphic second integral (§9.4).
 
 V = −h (γ, Jγ)² is a polynomial on the sphere.  A point on the great circle γ₃ = 0 with H̃ = 0 has
 φ′² = 2h a², a = J₁cos²φ + J₂sin²φ.  With y = δγ₃ and φ as the time its variation across the circle
@@ -91,13 +91,13 @@ def exponents() -> dict[str, list[sp.Expr]]:
 
 
 def remainder() -> sp.Expr:
-    """What `_operator` makes of y = b sin φ + c cos φ."""
+    """The value of `_operator` for y = b sin φ + c cos φ."""
     value = b * sp.sin(phi) + c * sp.cos(phi)
     return sp.simplify(_operator(value, sp.diff(value, phi), sp.diff(value, phi, 2)))
 
 
 def no_second_integral() -> Verdict:
-    """That the computations named above come out as they are stated there."""
+    """The verdict on the computations stated above."""
     left = 2 * (J_2 - J_3) * b * sp.sin(phi) + 2 * (J_1 - J_3) * c * sp.cos(phi)
     half = sp.Rational(1, 2)
     shown = (

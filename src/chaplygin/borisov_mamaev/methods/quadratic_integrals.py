@@ -1,4 +1,4 @@
-"""Which potentials (γ, Jγ)^(−s) on a sphere have a second integral quadratic in the momentum.
+"""Quadratic integrals in the potentials (γ, Jγ)^(−s) on a sphere.
 
 An integral of ½M² + V on the sphere that is quadratic in M has the form ½(M, CM) + W(γ) with a
 constant symmetric C, since the Killing tensors of the sphere are squares of rotations.  It is
@@ -44,7 +44,7 @@ def conditions() -> list[sp.Expr]:
 
 
 def no_quadratic_integral() -> Verdict:
-    """That C is a multiple of E unless s² = 1, for every J with three different eigenvalues.
+    """C is a multiple of E unless s² = 1, for any J with three distinct eigenvalues.
 
     Returns
     -------

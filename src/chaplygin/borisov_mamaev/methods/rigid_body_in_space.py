@@ -1,6 +1,6 @@
-"""A free rigid body in space: its attitude as a quaternion, and the vector fields of (1.11).
+"""A free rigid body in space, and the vector fields of (1.11).
 
-The quaternion is a description of its own, in which the formulas of the paper for the direction
+The attitude is a quaternion, in which the formulas of the paper for the direction
 vectors α, β, γ can be decided: they are the rows of the rotation matrix.
 """
 

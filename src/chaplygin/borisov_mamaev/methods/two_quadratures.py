@@ -1,4 +1,4 @@
-"""The ball around a sphere beside the ball on a plane: their quadratures compared (§8.2).
+"""The quadratures of the ball around a sphere and of the ball on a plane (§8.2).
 
 With w = 1/u the separated equations of
 :mod:`chaplygin.catalogue.ball_on_sphere.ball_around_sphere_coordinates` are ẇ₁²/R(w₁) = ẇ₂²/R(w₂)
@@ -48,7 +48,7 @@ def level_factor() -> sp.Expr:
 
 
 def roots_that_move() -> tuple[int, int]:
-    """How many roots depend on f/h: for the ball around a sphere, and for Chaplygin's ball.
+    """The numbers of roots that depend on f/h: around a sphere, and on a plane.
 
     A root of q that does not would be one of its part with h, w = 1/τ or e₂/e₃, where the part with
     f is −I₁I₂I₃/τ² and d, both not zero.
@@ -95,7 +95,7 @@ def alike() -> Verdict:
 
 
 def not_the_same() -> Verdict:
-    """That no Chaplygin ball has the quadratures of a ball around a sphere on all levels."""
+    """No Chaplygin ball has the quadratures of a ball around a sphere on all levels."""
     around, own = roots_that_move()
     rests_on = alike()
     shown = bool(rests_on) and (around, own) == (2, 1)

@@ -1,4 +1,4 @@
-"""What the claims of §10.1 and §10.2 share: the symbols of the unbalanced ball."""
+"""The symbols of the unbalanced ball, for the claims of §10.1 and §10.2."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""That closed motions of the Chaplygin ball on one torus have different periods (Remark 21).
+"""Closed motions of the Chaplygin ball on one torus with different periods.
 
 At (M, γ) = 0 the roots z₁, z₂ of Σ Iᵢγᵢ²/(Iᵢ − z) = 0 move between I₁ and e = M²/2H − D and between
 I₂ and I₃ (:mod:`chaplygin.explicit.separations.chaplygin_ball`).  With z₁ = I₁ + (e − I₁) sin²α,
@@ -8,7 +8,7 @@ z₂ = I₂ + (I₃ − I₂) sin²β and 2H = 1
     dt = (z₂ − z₁) √(det I (z₁ + D)(z₂ + D)/(z₁z₂)) ds.
 
 α and β, both mod 2π, are angles of a torus: γ₁ has the sign of sin α, γ₂ and γ₃ those of sin β and
-cos β.  Let A(e) and B(e) be the growth of s while α or β grows by π.  Where A = 2B every motion of
+cos β.  Let A(e) and B(e) be the growth of s while α or β grows by π.  If A = 2B, every motion of
 the torus is closed, after two turns of β for one of α, and its period is twice the integral of dt
 over 0 ≤ α ≤ π.  Rigorous bounds show that A − 2B changes its sign between two values of e, with a
 derivative that is not zero, and that for all e between them the motions from (0, 0) and (0, π/2)

@@ -40,7 +40,7 @@ def fields(names: str, variables: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Exp
 
 
 def system(name: str, title: str, field: Declared, **more: Any) -> System:
-    """A System that serves a proof alone."""
+    """A System that is constructed for a proof alone."""
     return System(name=name, title=title, field=field, **more)
 
 

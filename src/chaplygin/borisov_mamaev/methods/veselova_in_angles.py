@@ -1,4 +1,4 @@
-"""The Veselova system in Euler angles: energies, their derivatives, and the new time (§6.2)."""
+"""The Veselova system in Euler angles, with energies and new time (§6.2)."""
 
 from __future__ import annotations
 

@@ -93,7 +93,7 @@ def ferrers() -> System:
 
 @cache
 def constrained() -> System:
-    """The same with the multipliers that solve (1.5)."""
+    """`ferrers` with the multipliers that solve (1.5)."""
     free = ferrers()
     (one, mixed), (_, two) = _gram()
     right = [_right(i) for i in (0, 1)]
@@ -141,7 +141,7 @@ def degree_printed() -> Case:
 
 
 def degree() -> Case:
-    """The same for A(q)."""
+    """The statement for A(q)."""
     return _degree(MATRIX)
 
 

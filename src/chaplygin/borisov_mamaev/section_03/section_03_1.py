@@ -12,7 +12,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, roll
 from ...mechanics.rolling.shapes import Ellipsoid
 from ..claim import Case, Claim, Remark
-from ..methods.named import named
+from ..methods.catalogue_laws import law_named
 from ..methods.unspecified import fields, gradient, of, system
 
 q = sp.symbols("q_1:4", real=True)
@@ -128,7 +128,7 @@ def examples() -> Case:
     body = Body(1.0, (1.0, 1.5, 2.1), Ellipsoid((1.0, 0.9, 0.8)))
     rubber = roll(body, contact="rubber", field=Forces(potential=potential))
     dynamics = [rubber, *(CATALOGUE[name].system() for name in ("chaplygin-ball", "veselova"))]
-    return tuple((each, named(each, "energy")) for each in dynamics)
+    return tuple((each, law_named(each, "energy")) for each in dynamics)
 
 
 CLAIMS = (

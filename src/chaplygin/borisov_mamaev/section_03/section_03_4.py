@@ -10,8 +10,8 @@ from ...core.system import System
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
+from ..methods.catalogue_laws import laws_named
 from ..methods.conclusion import computed_verdict
-from ..methods.named import named
 from ..methods.unspecified import gradient, hamiltonian, of, skew, system
 
 x = sp.symbols("x_1:4", real=True)
@@ -70,8 +70,7 @@ def darboux() -> Case:
 
 def local_casimirs() -> Case:
     """Rank two in dimension five, and three Casimir functions, near a regular point of (3.8)."""
-    dynamics = CATALOGUE["suslov-bracket"].system()
-    return (dynamics, named(dynamics, "bracket")), (dynamics, named(dynamics, "third_casimir"))
+    return laws_named(CATALOGUE["suslov-bracket"].system(), "bracket", "third_casimir")
 
 
 def canonical_form() -> Case:
@@ -93,8 +92,7 @@ def canonical_form() -> Case:
 
 
 def _top(names: tuple[str, ...]) -> tuple[tuple[System, Law], ...]:
-    dynamics = CATALOGUE["lagrange-top"].system()
-    return tuple((dynamics, named(dynamics, name)) for name in names)
+    return laws_named(CATALOGUE["lagrange-top"].system(), *names)
 
 
 def additional_corrected() -> Case:

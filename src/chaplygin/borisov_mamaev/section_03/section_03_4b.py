@@ -12,8 +12,8 @@ from ...core.laws import PoissonStructure
 from ...core.system import System
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim
+from ..methods.catalogue_laws import law_named, printed_form
 from ..methods.conclusion import computed_verdict
-from ..methods.named import named
 from ..methods.unspecified import system
 
 # --- global and local Casimir functions ----------------------------------------------------
@@ -52,7 +52,7 @@ def kernel_corrected() -> Verdict:
 def in_suslovs_problem() -> Case:
     """Suslov's problem in the potential ½(γ, Cγ), with a principal axis, in new variables."""
     dynamics = CATALOGUE["suslov-quadratic"].system()
-    return dynamics, named(dynamics, "bracket")
+    return dynamics, law_named(dynamics, "bracket")
 
 
 def solvable() -> Verdict:
@@ -72,19 +72,17 @@ def solvable() -> Verdict:
 
 def bracket_printed() -> Case:
     """(3.8) with {γ₁, γ₂} = p₁."""
-    law = named(_five(), "bracket").as_printed
-    assert law is not None
-    return _five(), law
+    return _five(), printed_form(law_named(_five(), "bracket"))
 
 
 def bracket_corrected() -> Case:
     """(3.8) with {γ₁, γ₃} = p₁."""
-    return _five(), named(_five(), "bracket")
+    return _five(), law_named(_five(), "bracket")
 
 
 def hamiltonian_form() -> Case:
     """ẋ = {x, H} with H = ½γ², in the corrected bracket."""
-    return _five(), named(_five(), "form")
+    return _five(), law_named(_five(), "form")
 
 
 def rank_two() -> Case:

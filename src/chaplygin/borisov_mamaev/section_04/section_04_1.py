@@ -13,10 +13,10 @@ from ...parsing.exact_decimals import exact_number
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
+from ..methods.catalogue_laws import law_named, laws_named
 from ..methods.conclusion import computed_verdict
 from ..methods.contrary import contrary
 from ..methods.divergence_at_equilibria import excludes_measure
-from ..methods.named import named
 from ..methods.tori import F_1, F_2, canonical_in, not_hamiltonian, theta_1, theta_2, theta_3
 from ..methods.unspecified import of, system
 
@@ -40,7 +40,7 @@ def triangular_measure() -> Case:
 def lie_measure() -> Verdict:
     """The velocities of the Chaplygin sleigh: n = 2, one integral, no symmetry field needed."""
     dynamics = CATALOGUE["chaplygin-sleigh-reduced"].system()
-    if not prove(dynamics, named(dynamics, "energy")):
+    if not prove(dynamics, law_named(dynamics, "energy")):
         return Verdict("measure", "undecided", reason="the energy of the example is not proven")
     point = {p.symbol: exact_number(p.default) for p in dynamics.parameters}
     straight_on = dict(zip(dynamics.symbols, (sp.S.One, sp.S.Zero), strict=True))
@@ -82,8 +82,7 @@ def rotation_corrected() -> Case:
 
 def momenta_of_the_top() -> Case:
     """p_ψ and p_φ are constants of motion."""
-    dynamics = CATALOGUE["lagrange-top-angles"].system()
-    return (dynamics, named(dynamics, "area")), (dynamics, named(dynamics, "spin"))
+    return laws_named(CATALOGUE["lagrange-top-angles"].system(), "area", "spin")
 
 
 # --- reducibility --------------------------------------------------------------------------

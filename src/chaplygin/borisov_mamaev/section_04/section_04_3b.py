@@ -12,7 +12,7 @@ from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, PoissonStructure, Rate, Reduction
 from ...core.system import Guard, System
 from ..claim import Case, Claim
-from ..methods.named import named
+from ..methods.catalogue_laws import laws_named
 from ..methods.unspecified import hamiltonian, of, system
 
 q, P = (q_1, q_2), (P_1, P_2)
@@ -30,7 +30,7 @@ def _any_linear() -> System:
 
 
 def _density() -> System:
-    """The same with the measure ρ(q) dP dq."""
+    """(4.7) with the measure ρ(q) dP dq."""
     return chaplygin.general()
 
 
@@ -204,8 +204,7 @@ def bracket_4_6() -> Case:
 
 def in_the_old_time() -> Case:
     """N = ρ in the variables q, P and the time t."""
-    dynamics = _density()
-    return tuple((dynamics, named(dynamics, name)) for name in ("bracket", "form"))
+    return laws_named(_density(), "bracket", "form")
 
 
 def ordinary() -> Case:

@@ -64,7 +64,7 @@ def body() -> System:
 
 @cache
 def body_in_angles() -> System:
-    """The same in the angles θ, φ; it is proven to lead back to ω, γ."""
+    """The body in the angles θ, φ, which is proven to lead back to ω, γ."""
     return in_angles(body())
 
 
@@ -153,7 +153,7 @@ def only_spheres() -> Verdict:
 
 
 def edge() -> tuple[System, Identity]:
-    """Where γ₃ = 0, the left side of the lens's condition is (I₃ + mp²)p².
+    """At γ₃ = 0 the left side of the lens's condition is (I₃ + mp²)p².
 
     There r₁² + r₂² = p² and ρ₂ = p for every support function p.  A smooth closed strictly convex
     body of revolution touches the plane with every normal, and p > 0 at γ₃ = 0, where p is the

@@ -69,7 +69,7 @@ def kirchhoff_equations(sign: int) -> tuple[tuple[System, Integral], tuple[Syste
 
 
 def proposition() -> Case:
-    """The same with k = √det I, also as a map onto the Clebsch case of the catalogue."""
+    """The map with k = √det I, also onto the Clebsch case of the catalogue."""
     target = clebsch.build(NUMBERS)
     return (*kirchhoff_equations(1), (flow(), geodesic.to_clebsch(target)))
 

@@ -16,6 +16,7 @@ from ...core.system import System
 from ...core.vectors import cross, dot, identity, norm_squared
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
+from ..methods.catalogue_laws import laws_named
 from ..methods.conclusion import concluded
 from ..methods.contrary import contrary
 from ..methods.two_quadratures import alike, not_the_same
@@ -66,8 +67,7 @@ def as_printed() -> Case:
 
 def equations() -> Case:
     """(8.6) with Φ from the reducing multiplier is the ball."""
-    system = chart.reduced()
-    return tuple((system, law) for law in system.laws if law.name in ("energy", "second", "ball"))
+    return laws_named(chart.reduced(), "energy", "second", "ball")
 
 
 def measure() -> Case:
@@ -82,7 +82,7 @@ def lagrangian() -> Case:
     bent = sp.diff(density, v) * chart.P_u - sp.diff(density, u) * chart.P_v
     system = chart.reduced()
     law = Identity("S", density * chart.force(top) + bent, "gyroscopic term in the time τ")
-    return (system, law), *((system, law) for law in system.laws if law.name in ("energy", "ball"))
+    return (system, law), *laws_named(system, "energy", "ball")
 
 
 def multiplier(sign: int) -> Case:
@@ -150,8 +150,7 @@ def as_chaplygins_problem() -> Verdict:
 
 def like_chaplygins_problem() -> Verdict:
     """A Chaplygin system with b = 0, Hamiltonian on e(3), separated on a curve of genus two."""
-    system = chart.reduced()
-    reducing = tuple((system, law) for law in system.laws if law.name in ("energy", "ball"))
+    reducing = laws_named(chart.reduced(), "energy", "ball")
     return concluded(
         "alike",
         "(8.6) with the right Φ is linear in the velocities; reduced to e(3) and separated",

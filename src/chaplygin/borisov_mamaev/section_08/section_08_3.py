@@ -68,7 +68,7 @@ def bracket(f: sp.Expr, g: sp.Expr) -> sp.Expr:
 
 
 def difference(first: Turned, second: Turned) -> tuple[sp.Expr, ...]:
-    """What vanishes when both are equal: a real formula, or real and imaginary part."""
+    """The difference of two numbers: a real formula, or real and imaginary part."""
     gap = (first.turns - second.turns) % 4
     if gap % 2:
         return first.real, second.real

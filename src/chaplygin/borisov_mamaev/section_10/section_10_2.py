@@ -170,7 +170,7 @@ def with_limit_cycle() -> Verdict:
 
 
 def refuted_by_limit_cycle() -> Verdict:
-    """What limit cycles exclude."""
+    """The statements that limit cycles refute."""
     cycle = with_limit_cycle()
     return replace(
         cycle,
@@ -180,7 +180,7 @@ def refuted_by_limit_cycle() -> Verdict:
 
 
 def measure_decided() -> Verdict:
-    """What excludes a measure for a certain ball, and for all that are not symmetric."""
+    """No measure for a certain ball, and for all that are not symmetric."""
     cycle, symmetric = with_limit_cycle(), only_symmetric_balls()
     return replace(
         symmetric,

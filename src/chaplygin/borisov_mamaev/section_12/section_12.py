@@ -35,7 +35,7 @@ from ...core.vectors import (
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.catalogue_laws import law_named
+from ..methods.catalogue_laws import law_named, laws_named
 from ..methods.conclusion import concluded
 from ..methods.contrary import contrary
 from ..methods.tori import not_hamiltonian, of_rank_two
@@ -64,8 +64,7 @@ def in_bruns_field() -> tuple[tuple[System, Law], ...]:
 def around_a_sphere() -> Case:
     """The problem of Borisov and Fedorov with a Bruns field keeps its integrals and measure."""
     system = from_catalogue("ball-around-sphere-bruns")
-    names = ("energy", "momentum", "linear", "measure")
-    return tuple((system, law_named(system, name)) for name in names)
+    return laws_named(system, "energy", "momentum", "linear", "measure")
 
 
 # --- integrals in the velocities of the reduced system ---------------------------------------
@@ -169,13 +168,12 @@ def straight_line() -> tuple[tuple[System, Law], ...]:
     by_momenta = from_catalogue("straight-line-ball-momenta")
     return (
         *((plain, law) for law in plain.laws),
-        (by_momenta, law_named(by_momenta, "energy")),
-        (by_momenta, law_named(by_momenta, "measure")),
+        *laws_named(by_momenta, "energy", "measure"),
     )
 
 
 def therefore_conformally_hamiltonian() -> Verdict:
-    """What Corollary 2 asserts of every such system."""
+    """The assertion of Corollary 2 on every such system."""
     return contrary(not_hamiltonian())
 
 
