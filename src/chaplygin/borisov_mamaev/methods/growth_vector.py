@@ -7,10 +7,10 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from ...mechanics.constraints import growth as mechanics
-from ...mechanics.constraints.distribution import VectorField, along, commutator
+from ...mechanics.constraints.distribution import VectorField, commutator, lie_derivative
 from ...proof.verdict import Verdict
 
-__all__ = ["VectorField", "along", "commutator", "growth", "holonomic_count_verdict"]
+__all__ = ["VectorField", "commutator", "growth", "holonomic_count_verdict", "lie_derivative"]
 
 
 def growth(

@@ -30,7 +30,7 @@ from ...mechanics.rolling.shapes import Ellipsoid
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.conclusion import computed_verdict
-from ..methods.growth_vector import VectorField, along
+from ..methods.growth_vector import VectorField, lie_derivative
 from ..methods.rigid_body_in_space import COORDINATES, bracket, moving, shift, turn
 
 alpha, beta, gamma, R, omega, v, r, c = vectors("alpha beta gamma R omega v r c")
@@ -40,7 +40,6 @@ HALF = sp.Rational(1, 2)
 DIRECTIONS = (alpha, beta, gamma)
 #: Q of (1.10), with the columns α, β, γ.
 Q = sp.ImmutableDenseMatrix.hstack(*(to_components(u) for u in DIRECTIONS))
-FUNCTION = sp.Function("h_f")(*COORDINATES)
 
 
 @cache
@@ -103,7 +102,7 @@ def rational_rotation() -> sp.ImmutableDenseMatrix:
 def turning() -> Case:
     """The rate of any function of the attitude is Σ ω_k ξ_k of it."""
     function = sp.Function("h_f")(*COORDINATES[:9])
-    total = sp.Add(*(w * along(turn(k), function) for k, w in enumerate(omega)))
+    total = sp.Add(*(w * lie_derivative(turn(k), function) for k, w in enumerate(omega)))
     return body(), Identity("turning", Rate(function) - total)
 
 

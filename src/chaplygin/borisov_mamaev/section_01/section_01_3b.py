@@ -28,7 +28,7 @@ from ...core.vectors import (
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified
 from ..methods.any_motion import any_motion, driven, newton_euler, reaction, reduced, tensor
-from ..methods.growth_vector import along
+from ..methods.growth_vector import lie_derivative
 from ..methods.rigid_body_in_space import POTENTIAL, constrained, shift, turn
 
 alpha, beta, gamma, R, omega, v, r = vectors("alpha beta gamma R omega v r")
@@ -87,10 +87,10 @@ def suslov() -> Case:
     residuals = []
     for i in THREE:
         turned = _frame_terms(i, ((omega, angular), (v, linear)))
-        force = along(turn(i), lagrangian) + sp.diff(work, omega.symbols[i])
+        force = lie_derivative(turn(i), lagrangian) + sp.diff(work, omega.symbols[i])
         residuals.append(Rate(angular[i]) - turned - force)
         turned = _frame_terms(i, ((omega, linear),))
-        force = along(shift(i), lagrangian) + sp.diff(work, v.symbols[i])
+        force = lie_derivative(shift(i), lagrangian) + sp.diff(work, v.symbols[i])
         residuals.append(Rate(linear[i]) - turned - force)
     return free_with_reactions(), Identity("suslov", tuple(residuals))
 

@@ -18,17 +18,17 @@ from ...core.vectors import real_symbol
 from ...errors import InputError
 from ...parsing.exact_decimals import exactly
 from ..lagrangian.mechanism import TIME, Mechanism
-from ..lagrangian.structure_functions import commutator
+from ..lagrangian.structure_functions import Coefficients, VectorField, commutator, lie_derivative
 from .exact_points import ConfigurationSpace, ParameterValue
-from .reconstruction import Coefficients, VectorField, along, whole_configuration
+from .reconstruction import whole_configuration
 
 __all__ = [
     "Distribution",
     "VectorField",
-    "along",
     "commutator",
     "distribution",
     "distribution_spanned_by",
+    "lie_derivative",
 ]
 
 
@@ -215,7 +215,7 @@ def distribution(mechanism: Mechanism) -> Distribution:
     entries = [*positions, *inhomogeneous, *(entry for row in rows for entry in row)]
     whole = whole_configuration(frame, entries, position_steps, constants)
     coordinates, fields = whole.coordinates, whole.fields
-    rows += [[along(field, F) for field in fields] for F in positions]
+    rows += [[lie_derivative(field, F) for field in fields] for F in positions]
     inhomogeneous += [sp.diff(F, TIME) for F in positions]
     if any(entry != 0 for entry in inhomogeneous) or _depend_on_time(rows, position_steps):
         coordinates, fields = (*coordinates, TIME), (*fields, {TIME: sp.S.One})

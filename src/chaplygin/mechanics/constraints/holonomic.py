@@ -20,7 +20,7 @@ from sympy.core.function import AppliedUndef
 
 from ...formulas.expansion import angles
 from ...formulas.taylor import PRIMES, IrrationalError, Modular
-from .distribution import Distribution, along
+from .distribution import Distribution, lie_derivative
 from .exact_points import NoPointError, random_point
 from .growth import SEED
 from .vector_field_series import SingularError, Values, slopes, values_at
@@ -63,10 +63,10 @@ def constant_along(distribution: Distribution, function: sp.Expr) -> bool:
 def _rates(distribution: Distribution, function: sp.Expr) -> Iterator[sp.Expr]:
     """η_s(F), the definitions being differentiated as what they stand for."""
     for field in distribution.fields:
-        total = along(field, function)
+        total = lie_derivative(field, function)
         known: dict[sp.Symbol, sp.Expr] = {}
         for symbol, value in distribution.steps:
-            rate = along(field, value) + sum(
+            rate = lie_derivative(field, value) + sum(
                 (sp.diff(value, s) * r for s, r in known.items()), sp.S.Zero
             )
             if rate != 0:

@@ -24,7 +24,7 @@ from ...errors import InputError
 from ...formulas.expansion import TaylorExpansion
 from ...formulas.taylor import PRIMES, IrrationalError, Modular, Series
 from ..lagrangian.mechanism import Frame, euclidean, rotations
-from ..lagrangian.structure_functions import structure
+from ..lagrangian.structure_functions import Coefficients, VectorField, structure
 from .exact_points import (
     ConfigurationSpace,
     FieldElement,
@@ -33,21 +33,13 @@ from .exact_points import (
     random_point,
 )
 
-__all__ = ["Coefficients", "VectorField", "Whole", "along", "whole_configuration"]
+__all__ = ["Whole", "whole_configuration"]
 
-VectorField: TypeAlias = Mapping[sp.Symbol, sp.Expr]
-#: c_ij^k by (i, j, k), i < j.
-Coefficients: TypeAlias = Mapping[tuple[int, int, int], sp.Expr]
 Steps: TypeAlias = tuple[tuple[sp.Symbol, sp.Expr], ...]
 
 alpha, beta, gamma, zeta, place = (Vector(n) for n in ("alpha", "beta", "gamma", "zeta", "R"))
 SEED = 1911
 ATTEMPTS = 8
-
-
-def along(field: VectorField, function: sp.Expr) -> sp.Expr:
-    """A field applied to a function."""
-    return sp.Add(*(value * sp.diff(function, symbol) for symbol, value in field.items()))
 
 
 @dataclass(frozen=True)

@@ -20,21 +20,29 @@ from .generic_points import (
 )
 from .mechanism import Frame, Mechanism
 
-__all__ = ["Coefficients", "check_structure", "commutator", "structure", "written_frame"]
+__all__ = [
+    "Coefficients",
+    "VectorField",
+    "check_structure",
+    "commutator",
+    "lie_derivative",
+    "structure",
+    "written_frame",
+]
 
 #: c_ij^k by (i, j, k), for i < j; what is not named is zero.
 Coefficients = Mapping[tuple[int, int, int], sp.Expr]
-Field = Mapping[sp.Symbol, sp.Expr]
+VectorField = Mapping[sp.Symbol, sp.Expr]
 
 DENOMINATOR = 1000
 """Constants are recognised as fractions with denominators up to this."""
 
 
-def commutator(first: Field, second: Field) -> Field:
+def commutator(first: VectorField, second: VectorField) -> VectorField:
     """[u, w] = uw − wu, without the components that are zero."""
     components = {}
     for q in {**first, **second}:
-        value = _derivative_along(first, second.get(q, sp.S.Zero)) - _derivative_along(
+        value = lie_derivative(first, second.get(q, sp.S.Zero)) - lie_derivative(
             second, first.get(q, sp.S.Zero)
         )
         if value != 0:
@@ -42,7 +50,8 @@ def commutator(first: Field, second: Field) -> Field:
     return components
 
 
-def _derivative_along(field: Field, function: sp.Expr) -> sp.Expr:
+def lie_derivative(field: VectorField, function: sp.Expr) -> sp.Expr:
+    """A field applied to a function."""
     return sp.Add(*(rate * sp.diff(function, q) for q, rate in field.items()))
 
 
@@ -129,7 +138,7 @@ def check_structure(frame: Frame, owner: str = "frame") -> None:
         for n in size:
             terms = [
                 sp.Add(*(c(a, b, s) * c(s, d, n) for s in size))
-                - _derivative_along(fields[d], c(a, b, n))
+                - lie_derivative(fields[d], c(a, b, n))
                 for a, b, d in ((i, j, k), (j, k, i), (k, i, j))
             ]
             if not is_numerically_zero(sp.Add(*terms), points):
@@ -181,19 +190,19 @@ def _constant(
     frame: Frame, points: Sequence[GenericPoint], rows: Sequence[int], column: Sequence[sp.Expr]
 ) -> list[sp.Expr] | None:
     """The coefficients of a commutator if they are the same fractions at all points."""
-    found: list[sp.Expr] | None = None
+    coefficients: list[sp.Expr] | None = None
     for point in points:
         matrix = mpmath.matrix([[point.value(e) for e in frame.matrix.row(i)] for i in rows])
         right = mpmath.matrix([point.value(column[i]) for i in rows])
         solution = mpmath.lu_solve(matrix, right)
         fractions = [_fraction(x) for x in solution]
-        if found is None:
+        if coefficients is None:
             if None in fractions:
                 return None
-            found = [f for f in fractions if f is not None]
-        if fractions != found:
+            coefficients = [f for f in fractions if f is not None]
+        if fractions != coefficients:
             return None
-    return found
+    return coefficients
 
 
 def _fraction(number: mpmath.mpf) -> sp.Rational | None:

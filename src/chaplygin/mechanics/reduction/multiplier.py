@@ -92,10 +92,10 @@ def as_positive(parameters: Sequence[Parameter]) -> dict[sp.Symbol, sp.Symbol]:
 
 
 def _form_at(
-    local: Local, chart: HalfAngleChart, values: Sequence[Value], given: Point, like: Value
+    local: Local, chart: HalfAngleChart, values: Sequence[Value], numbers: Point, like: Value
 ) -> tuple[Value, Value]:
     """The 1-form at a point of the chart."""
-    place = {**given, **chart.point([like * v for v in values])}
+    place = {**numbers, **chart.point([like * v for v in values])}
     return local.at(place, like).form(like)
 
 
@@ -111,14 +111,14 @@ def curl(
     local: Local,
     chart: HalfAngleChart,
     values: Sequence[fmpq],
-    given: Point,
+    numbers: Point,
     others: Sequence[sp.Symbol],
 ) -> Value:
     """∂A₂/∂q₂ + ∂A₁/∂q₁ at a point; `others` are parameters to be kept as symbols."""
     total: Value = None
     for moved in (0, 1):
         one, names = quotients([chart.variables[moved], *others])
-        place = {s: one * v for s, v in given.items()} | {s: names[s] for s in others}
+        place = {s: one * v for s, v in numbers.items()} | {s: names[s] for s in others}
         at = [one * v for v in values]
         at[moved] = names[chart.variables[moved]]
         # the component of the other coordinate
@@ -171,16 +171,16 @@ def obstruction_point(
     defaults = {p.symbol: p.default for p in parameters}
     for _ in range(2):
         while True:
-            given = {s: near(defaults.get(s, 0.0), dice) for s in _parameters(local, chart)}
+            numbers = {s: near(defaults.get(s, 0.0), dice) for s in _parameters(local, chart)}
             values = [number(dice), number(dice)]
             try:
-                value = curl(local, chart, values, given, [])
+                value = curl(local, chart, values, numbers, [])
             except ZeroDivisionError:
                 continue
             break
         if value != 0:
             exact = fmpq(int(value.p), int(value.q))
-            at = {**given, **dict(zip(chart.variables, values, strict=True))}
+            at = {**numbers, **dict(zip(chart.variables, values, strict=True))}
             shown = {str(s): str(v) for s, v in at.items()}
             return Obstruction(shown, exact, open_unless(local, chart, parameters))
     return None
@@ -228,17 +228,17 @@ def multiplier(
     """
     parameters = _parameters(local, chart)
     dice = random.Random(SEED)
-    given = {s: number(dice) for s in parameters}
-    values = _exponents(local, chart, factors, given, ())
+    numbers = {s: number(dice) for s in parameters}
+    values = _exponents(local, chart, factors, numbers, ())
     if values is None:
         return None
     moving = []
     for s in parameters:
-        other = _exponents(local, chart, factors, {**given, s: number(dice)}, ())
+        other = _exponents(local, chart, factors, {**numbers, s: number(dice)}, ())
         if other != values:
             moving.append(s)
     if moving:
-        fixed = {s: v for s, v in given.items() if s not in moving}
+        fixed = {s: v for s, v in numbers.items() if s not in moving}
         symbolic = _exponents(local, chart, factors, fixed, tuple(moving))
         if symbolic is None:
             return None
@@ -252,16 +252,16 @@ def _exponents(
     local: Local,
     chart: HalfAngleChart,
     factors: Sequence[fmpq_mpoly],
-    given: Point,
+    numbers: Point,
     symbols: tuple[sp.Symbol, ...],
 ) -> list[Value] | None:
     """Exponents of the factors, then of 1 + t² for each angle."""
     dice = random.Random(SEED + 2)
     like: Value = fmpq(1)
-    place = dict(given)
+    place = dict(numbers)
     if symbols:
         like, names = quotients(symbols)
-        place = {s: like * v for s, v in given.items()} | dict(names)
+        place = {s: like * v for s, v in numbers.items()} | dict(names)
     count = len(factors) + sum(chart.angles)
     rows: list[list[Value]] = []
     right: list[Value] = []
@@ -281,11 +281,11 @@ def _slopes(
     chart: HalfAngleChart,
     factors: Sequence[fmpq_mpoly],
     values: Sequence[fmpq],
-    given: Point,
+    numbers: Point,
     like: Value,
 ) -> list[list[Value]]:
     """Derivatives of ln F_j and ln(1 + t²) by both coordinates."""
-    at = {**given, **dict(zip(chart.variables, (like * v for v in values), strict=True))}
+    at = {**numbers, **dict(zip(chart.variables, (like * v for v in values), strict=True))}
     rows = []
     for i in (0, 1):
         speed = chart.speed(i, like * values[i])
