@@ -151,7 +151,7 @@ def flat_pairs(pairs: Pairs) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
 def unknown_names(formula: sp.Expr, known: Iterable[sp.Symbol]) -> str:
     """The symbols of a formula that are not known, as text; empty if there are none.
 
-    A symbol that is written like a known one but has other assumptions is told as such.
+    A symbol with the name of a known one but other assumptions is reported with both.
     """
     symbols = {str(s): s for s in known}
     names = []

@@ -62,8 +62,8 @@ identity: MatrixExpr = Identity(3)
 def by_name(formula: sp.Basic | float, known: Iterable[sp.Symbol]) -> sp.Expr:
     """The formula with the known symbols in place of others of the same name.
 
-    ``Symbol("gamma_3")`` and ``Symbol("gamma_3", real=True)`` are two symbols for SymPy, and one
-    for whoever writes a formula.
+    ``Symbol("gamma_3")`` and ``Symbol("gamma_3", real=True)`` differ for SymPy, but mean the same
+    in a formula that a user writes.
     """
     named = {symbol.name: symbol for symbol in known}
     written = sp.sympify(formula)

@@ -161,7 +161,7 @@ def _table(rows: Sequence[tuple[str, ...]]) -> list[str]:
     lines: list[str] = []
     for *cells, last in rows:
         padded = (
-            cell + " " * (room - width(cell)) for cell, room in zip(cells, columns, strict=True)
+            cell + " " * (size - width(cell)) for cell, size in zip(cells, columns, strict=True)
         )
         lines += _wrapped_lines(_INDENT + "".join(f"{cell}  " for cell in padded), last)
     return lines
@@ -180,14 +180,14 @@ def _wrapped_lines(head: str, formula: str) -> list[str]:
     return [*lines, (head + formula).rstrip()]
 
 
-def _best_break(formula: str, room: int) -> int | None:
-    """The best space for a break within `room` columns: outside brackets, before ±."""
+def _best_break(formula: str, limit: int) -> int | None:
+    """The best space for a break within `limit` columns: outside brackets, before ±."""
     best: tuple[float, int] | None = None
     depth = 0
     used = 0
     for index, character in enumerate(formula):
         used += width(character)
-        if used > room + 1:
+        if used > limit + 1:
             break
         depth += (character in "([") - (character in ")]")
         if character != " " or index == 0:

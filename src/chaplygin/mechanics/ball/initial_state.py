@@ -27,7 +27,7 @@ _STEPS = 400
 
 @dataclass(frozen=True)
 class _SurfacePoint:
-    """A point beside a surface: f, its gradient, and the curvatures there."""
+    """f, its gradient and its second derivatives at a point."""
 
     value: mpmath.mpf
     slope: list[mpmath.mpf]
@@ -156,7 +156,7 @@ def _nearest(surface: _Surface, point: list[mpmath.mpf], name: str) -> list[mpma
         if abs(fall) < good and (drift < mpmath.mpf(10) ** -20 or step > _STEPS // 2):
             return candidate
         low, high = spot.curvatures()
-        # how far a point beside the surface is magnified or reduced when laid onto it
+        # the factor by which lengths beside the surface change when projected onto it
         gentle = 1 / max(1 + abs(sunk * low), 1 + abs(sunk * high))
         if drift < mpmath.mpf(10) ** -20:
             gentle = mpmath.mpf(0)

@@ -52,7 +52,7 @@ class SmoothSurface(ABC):
         Where the ball is: on the side of larger or of smaller f as `level` writes it.  Above and
         outside are the same side.
     axis : ``"x"``, ``"y"`` or ``"z"``
-        The space axis that plays the part of the surface's third one; the others follow in turn.
+        The space axis that is the surface's third one; the others follow cyclically.
     """
 
     side: Side = "outside"

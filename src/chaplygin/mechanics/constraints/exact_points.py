@@ -62,7 +62,7 @@ class ConfigurationSpace:
     steps : pairs (Symbol, formula)
         Definitions.
     formulas : tuple of formula
-        Everything that will be evaluated: it tells the angles.
+        All formulas that will be evaluated; they determine the angles.
     constants : pairs (Symbol, number)
         Parameters.
     free : tuple of Symbol

@@ -1,11 +1,11 @@
 """The whole configuration behind a frame that was reduced by a symmetry group.
 
-A frame with given structure functions leaves out coordinates that are of no account.  Those of
+A frame with given structure functions leaves out coordinates on which nothing depends.  Those of
 rotations and of motions of space are put back, as direction cosines α, β, γ and the place R of
 the centre of mass, so that integrals of the constraints can be written down.
 
 On a sphere the rate of the normal γ that goes with ω holds along admissible motions alone: the
-commutators of the fields on the coordinates are not those that the structure functions tell.
+commutators of the fields on the coordinates are not those of the structure functions.
 There attitude and contact point are the configuration, and the constraints are those among the
 spins.
 """

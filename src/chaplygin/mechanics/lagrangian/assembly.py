@@ -100,7 +100,7 @@ class Balance:
         return GenericPoint({s: v for s, v in point.items() if s not in self.solved}, steps)
 
     def at_any(self, formulas: Sequence[sp.Expr]) -> tuple[GenericPoint, ...]:
-        """The generic points with velocities that keep to no constraint."""
+        """The generic points with velocities that satisfy no constraint."""
         steps = self.tape.steps(formulas)
         definitions = [(s, v) for s, v in steps if s not in self.solved]
         return tuple(GenericPoint(point.point, definitions) for point in self.points)

@@ -1,4 +1,4 @@
-"""Definitions for a reader: few, numbered in order, vectors in one piece."""
+"""Definitions for a reader: few, numbered in order, vectors undivided."""
 
 from __future__ import annotations
 

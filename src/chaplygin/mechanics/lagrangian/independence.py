@@ -101,7 +101,7 @@ def _admissible_velocities(
     constraints: Sequence[sp.Expr],
     slopes: Sequence[Sequence[sp.Expr]],
 ) -> GenericPoint | None:
-    """Velocities at a configuration that keep to the constraints, by Newton's method."""
+    """Velocities at a configuration that satisfy the constraints, by Newton."""
     place = dict(point.point)
     for _ in range(NEWTON_STEPS):
         here = GenericPoint(place, steps)

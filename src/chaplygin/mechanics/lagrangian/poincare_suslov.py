@@ -6,7 +6,7 @@ With p_i = ∂L/∂w_i and the constraints f_μ = 0, the equations
 
 (Chetaev's rule where a constraint is not linear) are linear in ẇ and λ.  Velocities that a
 constraint gives in terms of the others, with a number as coefficient, become definitions; the
-equations of the others follow by virtual displacements that keep to these constraints.  The
+equations of the others follow from virtual displacements that satisfy these constraints.  The
 remaining multipliers follow from the rates of the remaining constraints.  In the frame of the
 coordinates themselves these are the equations of Ferrers, (1.3)–(1.5).
 

@@ -60,7 +60,7 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
     """The structure functions of a frame.
 
     Constants are recognised at generic points; others come from solving the equations of as
-    many coordinates as there are fields, and are tried on the rest at generic points.
+    many coordinates as there are fields, and are checked on the others at generic points.
 
     Raises
     ------

@@ -48,7 +48,7 @@ def from_sympy(
     Parameters
     ----------
     model : KanesMethod, LagrangesMethod or System of sympy.physics.mechanics
-        It is left as it is.  A `System` goes by the method with which its equations were formed;
+        It is not changed.  For a `System` the method is the one that formed its equations;
         when they were not, by Lagrange's if its speeds are the rates of its coordinates, by
         Kane's otherwise.
     parameters : mapping of Symbol or name to number or Parameter

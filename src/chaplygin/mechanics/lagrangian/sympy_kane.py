@@ -76,7 +76,7 @@ class Kane:
     constraints : tuple of Expr
         B u + b.
     reactions : tuple of (Symbol, Expr)
-        Forces that auxiliary speeds bring out, in terms of `accelerations` besides the rest.
+        Forces that auxiliary speeds determine; they may contain `accelerations`.
     accelerations : tuple of Symbol
         Stand for u̇ in the reactions.
     """

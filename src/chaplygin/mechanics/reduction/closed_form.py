@@ -32,7 +32,7 @@ class ClosedFormParts:
     rest : Expr
         E₀ without the given potential.
     lifted : tuple of (Expr, Expr, Expr)
-        For every velocity u its factors of q̇₁ and q̇₂, and what is left.
+        For every velocity u its coefficients of q̇₁ and q̇₂, and the remaining term.
     """
 
     metric: tuple[sp.Expr, sp.Expr, sp.Expr]

@@ -47,7 +47,7 @@ class ChaplyginForm(WithOverview):
     integrals : tuple of (Expr, Linear)
         The linear integrals on whose levels the system is reduced, after their values.
     role : str
-        The integral that plays the part of the energy in L = E₂ − E₀.
+        The integral in place of the energy in L = E₂ − E₀.
     closed : Closed
         Metric, S and the lift, in closed form.
     multiplier : Multiplier or None

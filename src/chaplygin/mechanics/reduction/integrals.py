@@ -1,7 +1,7 @@
 """Integrals linear and quadratic in the momenta, found by exact linear algebra.
 
 With m = ∂L/∂u and ṁ = f the condition that F(q, m) be constant is linear in the coefficients of F.
-It is solved at rational points first, which tells the terms that occur, and then for these terms
+It is solved at rational points first, which determines the terms that occur, and then for these terms
 with the parameters as symbols.
 """
 

@@ -30,7 +30,7 @@ SEED = 2008
 
 @dataclass(frozen=True)
 class EnergyLikeIntegral:
-    """The integral that plays the part of the energy.
+    """The integral used in place of the energy.
 
     Attributes
     ----------
