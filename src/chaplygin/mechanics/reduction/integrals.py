@@ -1,8 +1,8 @@
 """Integrals linear and quadratic in the momenta, found by exact linear algebra.
 
 With m = ∂L/∂u and ṁ = f the condition that F(q, m) be constant is linear in the coefficients of F.
-It is solved at rational points first, which determines the terms that occur, and then for these terms
-with the parameters as symbols.
+It is solved at rational points first, which determines the terms that occur, and then for these
+terms with the parameters as symbols.
 """
 
 from __future__ import annotations
