@@ -21,16 +21,13 @@ Graph = Mapping[str, set[str]]
 LINES = 400
 LONGER = {
     "catalogue/fixed_point/veselova.py",
-    "core/laws.py",
     "experiment/file/models.py",
     "experiment/study.py",
     "flow/batch.py",
     "flow/integrator.py",
     "flow/kernel/gauss_legendre.py",
     "flow/kernel/runge_kutta.py",
-    "mechanics/rolling/equations.py",
     "mechanics/rolling/shapes.py",
-    "printing/laws.py",
     "report/drawing/geometry.py",
     "report/figures/time_series.py",
 }

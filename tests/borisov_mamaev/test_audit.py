@@ -64,7 +64,7 @@ def test_a_case_of_several_laws_holds_when_all_hold():
     right = Integral("square", norm_squared(M))
     wrong = Integral("component", M.symbols[0])
     hard = Integral("absolute", sp.Abs(M.symbols[0]))
-    joined = module._joined
+    joined = module._joint_verdict
     assert joined(((ball, right), (ball, right))).decision == "proven"
     assert joined(((ball, right), (ball, wrong))).decision == "refuted"
     assert joined(((ball, hard), (ball, right))).decision == "undecided"
@@ -95,7 +95,7 @@ def test_conditions_of_all_parts_are_kept(monkeypatch):
         )
     )
     monkeypatch.setattr(module, "prove", lambda *_, **__: next(verdicts))
-    joined = module._joined(((None, None),) * 3)
+    joined = module._joint_verdict(((None, None),) * 3)
     assert joined.decision == "proven where"
     assert joined.conditions == ("x > 0", "y > 0")
 

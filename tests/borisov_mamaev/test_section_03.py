@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from chaplygin.borisov_mamaev.methods.catalogue_laws import law_named
 from chaplygin.borisov_mamaev.methods.contrary import contrary
 from chaplygin.borisov_mamaev.methods.divergence_at_equilibria import divergence, excludes_measure
-from chaplygin.borisov_mamaev.methods.named import named
 from chaplygin.borisov_mamaev.section_03 import section_03_2, section_03_3
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.catalogue.fixed_point import suslov
@@ -80,7 +80,7 @@ def test_contrary():
 
 def test_unknown_law():
     with pytest.raises(KeyError, match="suslov has no law 'spin'"):
-        named(CATALOGUE["suslov"].system(), "spin")
+        law_named(CATALOGUE["suslov"].system(), "spin")
 
 
 # --- energy --------------------------------------------------------------------------------

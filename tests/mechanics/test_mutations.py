@@ -27,6 +27,7 @@ import chaplygin.arguments
 import chaplygin.core.admissible
 import chaplygin.core.arrays
 import chaplygin.core.laws
+import chaplygin.core.named_formulas
 import chaplygin.core.system
 import chaplygin.core.vectors
 import chaplygin.errors
@@ -45,7 +46,7 @@ from mechanics.compare import (
 from spread import spread
 
 FOLDER = Path(chaplygin.__file__).parent / "mechanics" / "rolling"
-CHANGED = ("attitude", "shapes", "contact", "equations")
+CHANGED = ("attitude", "shapes", "contact", "equations", "motion_in_space")
 LOADED = (
     "surfaces",
     "rays",
@@ -54,6 +55,7 @@ LOADED = (
     "contact",
     "attitude",
     "gauss_map",
+    "motion_in_space",
     "equations",
     "initial_state",
 )
@@ -63,6 +65,7 @@ SHARED = (
     "core.admissible",
     "core.arrays",
     "core.laws",
+    "core.named_formulas",
     "core.system",
     "core.vectors",
 )

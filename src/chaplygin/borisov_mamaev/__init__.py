@@ -1,6 +1,6 @@
 """Borisov and Mamaev (2008), claim by claim: modules ``section_*`` in reading order.
 
-Each offers ``CLAIMS`` (what a computation decides) and ``REMARKS`` (what was not computed).
+Each has ``CLAIMS`` (decided by computation) and ``REMARKS`` (not computed).
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ def claims(section: int | None = None) -> tuple[tuple[int, Claim], ...]:
 
 
 def remarks(section: int | None = None) -> tuple[Remark, ...]:
-    """What was not computed, in reading order."""
+    """The statements that were not computed, in reading order."""
     return tuple(
         remark
         for name, number in _modules().items()

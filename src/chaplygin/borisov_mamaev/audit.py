@@ -1,7 +1,7 @@
 """The audit of the paper: every claim judged as printed, and as corrected.
 
-Claims are judged in processes of their own, as many as there are processors; verdicts are kept,
-so that an audit that was interrupted goes on where it stopped, and a second one takes seconds.
+Claims are judged in parallel processes; verdicts are stored, so that an interrupted audit resumes
+and a second one takes seconds.
 """
 
 from __future__ import annotations
@@ -55,37 +55,37 @@ class Judgement:
 
     @property
     def conditions(self) -> tuple[str, ...]:
-        """Where what is proven holds, if not everywhere, in the printed form or the right one."""
-        found = (v.conditions for v in (self.printed, self.corrected) if v is not None)
-        return tuple(dict.fromkeys(text for texts in found for text in texts))
+        """Conditions of what is proven, in the printed or the corrected form."""
+        conditions = (v.conditions for v in (self.printed, self.corrected) if v is not None)
+        return tuple(dict.fromkeys(text for texts in conditions for text in texts))
 
     @property
     def reason(self) -> str:
         """Why something is undecided; empty otherwise."""
-        found = (v.reason for v in (self.printed, self.corrected) if v is not None)
-        return "; ".join(dict.fromkeys(reason for reason in found if reason))
+        reasons = (v.reason for v in (self.printed, self.corrected) if v is not None)
+        return "; ".join(dict.fromkeys(reason for reason in reasons if reason))
 
     def record(self) -> dict[str, Any]:
         """The judgement for another program; formulas in LaTeX between dollar signs."""
-        made: dict[str, Any] = {
+        table: dict[str, Any] = {
             "source": self.claim.source,
             "statement": self.claim.statement,
             "printed": self.printed.decision,
         }
         if self.corrected is not None:
-            made["corrected"] = self.claim.correction
-            made["verdict"] = self.corrected.decision
+            table["corrected"] = self.claim.correction
+            table["verdict"] = self.corrected.decision
         if self.claim.note:
-            made["note"] = self.claim.note
+            table["note"] = self.claim.note
         if self.conditions:
-            made["conditions"] = list(self.conditions)
+            table["conditions"] = list(self.conditions)
         if self.reason:
-            made["reason"] = self.reason
-        made["seconds"] = round(self.seconds, 3)
-        return made
+            table["reason"] = self.reason
+        table["seconds"] = round(self.seconds, 3)
+        return table
 
 
-def _joined(case: Case) -> Verdict:
+def _joint_verdict(case: Case) -> Verdict:
     """The verdict on a case: all of its parts must hold, under all of their conditions."""
     if isinstance(case, Verdict):
         return case
@@ -108,13 +108,13 @@ def _joined(case: Case) -> Verdict:
     )
 
 
-def _kept(name: str, decide: Callable[[], Case]) -> Verdict:
-    """A verdict from an earlier audit, or a new one that is kept."""
+def _verdict_from_cache(name: str, decide: Callable[[], Case]) -> Verdict:
+    """A verdict from an earlier audit, or a new one, which is stored."""
     found = load_verdict(name)
     if found is not None:
         return found
     started = time.monotonic()
-    verdict = replace(_joined(decide()), seconds=time.monotonic() - started)
+    verdict = replace(_joint_verdict(decide()), seconds=time.monotonic() - started)
     store_verdict(name, verdict)
     return verdict
 
@@ -123,8 +123,8 @@ def judge(number: int, section: int | None) -> tuple[Verdict, Verdict | None]:
     """Verdicts on the printed and the corrected form of one claim."""
     _, claim = claims(section)[number]
     names = [_name(claim, form) for form in ("printed", "corrected")]
-    printed = _kept(names[0], claim.printed)
-    corrected = None if claim.corrected is None else _kept(names[1], claim.corrected)
+    printed = _verdict_from_cache(names[0], claim.printed)
+    corrected = None if claim.corrected is None else _verdict_from_cache(names[1], claim.corrected)
     return printed, corrected
 
 
@@ -181,7 +181,7 @@ def audit(
         raise InputError(
             f"section {section}: the audit covers sections {sections[0]} to {sections[-1]}"
         )
-    found: dict[int, tuple[Verdict, Verdict | None]] = {}
+    verdicts: dict[int, tuple[Verdict, Verdict | None]] = {}
     waiting = []
     for number, (_, claim) in enumerate(chosen):
         printed = load_verdict(_name(claim, "printed"))
@@ -189,48 +189,50 @@ def audit(
         if printed is None or (claim.corrected is not None and corrected is None):
             waiting.append(number)
         else:
-            found[number] = printed, corrected
+            verdicts[number] = printed, corrected
     left = 0
     if waiting:
-        left = _judged_by_processes(waiting, section, workers, found, len(chosen), report)
-    done = tuple(_judgement(*chosen[n], *found[n]) for n in sorted(found))
+        left = _judge_in_processes(waiting, section, workers, verdicts, len(chosen), report)
+    done = tuple(_judgement(*chosen[n], *verdicts[n]) for n in sorted(verdicts))
     return done, left
 
 
-def _judged_by_processes(
+def _judge_in_processes(
     waiting: Sequence[int],
     section: int | None,
     workers: int | None,
-    found: dict[int, tuple[Verdict, Verdict | None]],
+    verdicts: dict[int, tuple[Verdict, Verdict | None]],
     total: int,
     report: Callable[[float], None],
 ) -> int:
-    """Fill `found`; how many were left when interrupted."""
+    """Fill `verdicts`; the number left undone by an interruption."""
     pool = ProcessPoolExecutor(workers or os.cpu_count(), mp_context=get_context("spawn"))
     try:
-        with _deaf():
-            tasks: dict[Future[Any], int] = {pool.submit(judge, n, section): n for n in waiting}
+        with _interrupts_blocked():
+            tasks: dict[Future[tuple[Verdict, Verdict | None]], int] = {
+                pool.submit(judge, n, section): n for n in waiting
+            }
         open_tasks = set(tasks)
         while open_tasks:
             ended, open_tasks = wait(open_tasks, timeout=0.5, return_when=FIRST_COMPLETED)
-            found.update((tasks[task], task.result()) for task in ended)
-            report(len(found) / total)
+            verdicts.update((tasks[task], task.result()) for task in ended)
+            report(len(verdicts) / total)
     except KeyboardInterrupt:
         pool.shutdown(wait=False, cancel_futures=True)
-        return total - len(found)
+        return total - len(verdicts)
     except BrokenProcessPool:
         raise IncompleteError(
             f"a process ended before it had an answer, as it does when memory runs out; "
-            f"{total - len(found)} claims are not judged. Verdicts are kept: run the same again, "
-            "with fewer --workers"
+            f"{total - len(verdicts)} claims are not judged. Verdicts are kept: run the same "
+            "again, with fewer --workers"
         ) from None
     pool.shutdown()
     return 0
 
 
 @contextmanager
-def _deaf() -> Iterator[None]:
-    """Processes that are begun in this block leave Ctrl-C to this one."""
+def _interrupts_blocked() -> Iterator[None]:
+    """A block in which new processes ignore Ctrl-C."""
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
@@ -246,7 +248,7 @@ def _judgement(
 
 
 def counts(judgements: Iterable[Judgement]) -> dict[str, dict[Decision, int]]:
-    """How many claims came to each of `DECISIONS`: as printed, and as corrected."""
+    """Numbers of claims with each of `DECISIONS`, as printed and as corrected."""
     table: dict[str, dict[Decision, int]] = {
         form: dict.fromkeys(DECISIONS, 0) for form in ("printed", "corrected")
     }
@@ -263,14 +265,14 @@ def counts(judgements: Iterable[Judgement]) -> dict[str, dict[Decision, int]]:
 def _typeset(statement: str) -> str:
     """Words with LaTeX between dollar signs as HTML."""
     parts = re.split(r"\$\$(.+?)\$\$|\$(.+?)\$", statement, flags=re.S)
-    made = []
+    pieces = []
     for i in range(0, len(parts), 3):
         words = html.escape(parts[i])
-        made.append(re.sub(r"\*(.+?)\*", r"<em>\1</em>", words))
+        pieces.append(re.sub(r"\*(.+?)\*", r"<em>\1</em>", words))
         if i + 2 < len(parts):
             display, inline = parts[i + 1], parts[i + 2]
-            made.append(mathml(display, "block") if display else mathml(inline))
-    return "".join(made)
+            pieces.append(mathml(display, "block") if display else mathml(inline))
+    return "".join(pieces)
 
 
 def page(judgements: Sequence[Judgement], section: int | None = None) -> str:
@@ -297,7 +299,7 @@ def page(judgements: Sequence[Judgement], section: int | None = None) -> str:
         sections=sections,
         notes=notes,
         counts=counts(judgements),
-        counts_by_section={n: counts(found) for n, found in sections.items()},
+        counts_by_section={n: counts(judged) for n, judged in sections.items()},
         total=len(judgements),
         seconds=sum(j.seconds for j in judgements),
     )

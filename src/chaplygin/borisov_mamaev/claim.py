@@ -1,4 +1,4 @@
-"""A claim of the paper: what is printed, what is right, and how both are decided."""
+"""Claims of the paper: the printed and the corrected form, and their decisions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Systems, the laws claimed of them, and 3-vectors: the objects that everything else uses."""
+"""Systems, laws claimed of them, and 3-vectors."""
 
 import lazy_loader
 

@@ -1,7 +1,7 @@
-"""How systems and formulas are shown.
+"""Display of systems and formulas.
 
-The printers stand above this room, since they know what a system is.  They are looked up by name
-when something is first shown, so that no import leads up from here.
+The printers import this folder.  They are looked up by name at the first display, so that no import
+leads back to them.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def formula_latex(formula: sp.Basic) -> str:
 
 
 class Displayed:
-    """What is shown as on paper: as text, in LaTeX, and in a notebook."""
+    """A value with text, LaTeX and HTML."""
 
     def latex(self) -> str:
         """The equations of motion as a LaTeX ``aligned`` environment."""

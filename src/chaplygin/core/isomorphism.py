@@ -37,7 +37,7 @@ class Isomorphism(Law):
         dτ/dt, for the time τ of the target.
     constants : mapping or pairs of target parameter to formula
         Values of the target's parameters: functions of the parameters, or integrals of this
-        system (their constancy is proved along with the rest).  Parameters that are not named
+        system (their constancy is proved too).  Parameters that are not named
         keep their symbol, which must be that of a parameter of this system.
     onto : tuple of sympy.Expr
         Formulas in the state and the parameters of the target that vanish where the map leads;

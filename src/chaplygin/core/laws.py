@@ -1,12 +1,9 @@
-"""Laws as plain values: what is claimed of a system, apart from any proof.
+"""Laws: statements about a system, which :mod:`chaplygin.proof` proves or refutes.
 
-Every law is a tensor invariant of the field v of its system, or an identity on its phase space.
-A law speaks of the points where the relations of the system vanish, together with `on`: further
-expressions in state and parameters that must vanish for the law to hold, such as ``k + 1`` or
-``(M, γ)``.  :mod:`chaplygin.proof` proves or refutes them.
-
-The docstring of each kind defines what it claims, and so what a proof of it has shown; a law
-claims nothing at points where one of its formulas has no real value.
+Every law is a tensor invariant of the field v of its system, or an identity on its phase space.  It
+concerns the points where the relations of the system and the expressions `on` vanish, such as
+``k + 1`` or ``(M, γ)``, and where all its formulas have real values.  The docstring of each class
+defines its statement.
 """
 
 from __future__ import annotations
@@ -66,7 +63,7 @@ def _check_named(law: str, quantities: Pairs) -> None:
 
 @dataclass(frozen=True, kw_only=True)
 class Law:
-    """What all laws share.
+    """A law of a system; the base class of all laws.
 
     Parameters
     ----------
@@ -132,13 +129,10 @@ class Integral(Law):
 class Measure(Law):
     """An invariant measure: div(ρ v) = 0 with ρ = ∏ base^exponent.
 
-    The volume is that of the state variables.  Where relations hold, it is the volume that they
-    cut out: the form d^n x divided by the differentials of the relations (and of `on`), wherever
-    these are independent.
-
-    A measure has a real positive density.  A base under a root, that is with an exponent that is
-    no integer, must be positive; a base with an odd exponent may have either sign, and where it
-    does the measure is a signed one.
+    The volume is that of the state variables or, on relations, the form d^n x divided by the
+    differentials of the relations and of `on`, where these are independent.  The density is real
+    and positive: a base with a non-integer exponent must be positive; a base with an odd exponent
+    may have either sign, and the measure is then a signed one.
 
     Parameters
     ----------
@@ -169,7 +163,7 @@ class Measure(Law):
 @arguments_checked
 @dataclass(frozen=True)
 class Symmetry(Law):
-    """A symmetry field: [u, v] = 0, and u is tangent to the phase space and to the level.
+    """A symmetry field u: [u, v] = 0, u tangent to the phase space and the level.
 
     Parameters
     ----------
@@ -197,8 +191,8 @@ class Symmetry(Law):
 class PoissonStructure(Law):
     """A Poisson structure on the phase space: skew, with the Jacobi identity.
 
-    What vanishes on the phase space and on the level has a vanishing bracket with everything, so
-    that the bracket is one of functions there.
+    Functions that vanish on the phase space and on the level have vanishing brackets with all
+    others, so that the bracket is defined for functions there.
 
     Parameters
     ----------
@@ -258,7 +252,7 @@ class ConformallyHamiltonian(Law):
     """A conformally Hamiltonian form: v = N J dH, with J a Poisson structure.
 
     N = 1 states that the field is Hamiltonian.  The new time τ has dτ = N dt; N must not vanish
-    identically.  Where N vanishes, v does; where N is negative, τ runs backwards.
+    identically.  At zeros of N the field vanishes; for negative N the time τ runs backwards.
 
     Parameters
     ----------
@@ -294,15 +288,13 @@ class ConformallyHamiltonian(Law):
 class Reduction(Law):
     """Closed equations that some quantities satisfy by themselves along every motion.
 
-    The variables of a reduction are the symbols in its equations that are no parameters: its
-    quantities, and variables of the state (definitions stand for what they are in the state).  The
-    equations hold along every motion.  They are closed: together with the conditions between these
-    variables, and with the formulas of those quantities that are functions of the others, they
-    determine the rates of all variables at almost every point; of a variable that is a constant of
-    the motion the equation ``Rate(c)`` says so.  Equations that are homogeneous in the rates
-    need determine them up to a common factor only: then they give the paths, whatever the time.
-
-    Equations that hold along every motion but are not closed make an `Identity`.
+    The variables are the symbols in the equations that are no parameters: the quantities, and state
+    variables (definitions are expanded).  The equations hold along every motion and are closed:
+    together with the conditions between the variables, and with the formulas of those quantities
+    that are functions of the others, they determine the rates of all variables at almost every
+    point; for a constant c of the motion the equation is ``Rate(c)``.  Equations homogeneous in the
+    rates need to determine them up to a common factor only; they then give the paths, but not the
+    time.  Equations that hold along every motion but are not closed make an `Identity`.
 
     Parameters
     ----------
@@ -337,7 +329,6 @@ class Reduction(Law):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        object.__setattr__(self, "equations", tuple(self.equations))
         _check_named(self.name, self.quantities)
         if not self.equations:
             raise InputError(f"the law {self.name!r} has no equation")
@@ -348,15 +339,12 @@ class Reduction(Law):
 class Separation(Reduction):
     """Quantities each of which obeys an equation of its own, up to a common time.
 
-    For every quantity u_i that separates, two at least, one equation gives its rate or the square
-    of it:  u̇_i = r_i or u̇_i² = r_i², and mentions no other rate; every other equation is
-    ``Rate(c)`` and says that c is a constant.  In r_i/r_k the formulas are such that
-    r_i/r_k = f_i(u_i)/f_k(u_k), where f_i and f_k may contain parameters and constants, but
-    nothing else that moves.  So there is a common factor N, depending on whatever it may, with
-    r_i = N f_i(u_i), and du_i/dτ = f_i(u_i) in the time dτ = N dt.  On a level of the constants
-    the u_i are independent at almost every point.
-
-    The variables are usually roots of a quadratic, written with square roots.
+    For each of the separated quantities u_i, at least two, one equation gives its rate or the
+    square of it, u̇_i = r_i or u̇_i² = r_i², and contains no other rate; every other equation is
+    ``Rate(c)`` for a constant c.  The ratios are r_i/r_k = f_i(u_i)/f_k(u_k), where f_i and f_k
+    contain only parameters and constants besides u_i and u_k.  There is then a common factor N with
+    r_i = N f_i(u_i), and du_i/dτ = f_i(u_i) in the time dτ = N dt.  On a level of the constants the
+    u_i are independent at almost every point.  They are usually roots of a quadratic.
 
     Examples
     --------

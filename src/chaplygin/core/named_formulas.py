@@ -1,19 +1,25 @@
-"""Formulas by name, as a law holds them: a mapping becomes pairs, a number a formula."""
+"""Formulas by name: pairs of a quantity and a formula."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any, TypeAlias
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TypeAlias
 
 import sympy as sp
 
-__all__ = ["Pairs", "repeated", "scalar_names", "with_formulas"]
+__all__ = ["Pairs", "as_pairs", "expand", "repeated", "scalar_names", "with_formulas"]
 
-Pairs: TypeAlias = tuple[tuple[Any, Any], ...]
+#: Named quantities (symbols, vectors, tensors) with a formula for each.
+Pairs: TypeAlias = tuple[tuple[sp.Basic, sp.Basic], ...]
 
 
-def with_formulas(value: Any) -> Any:
-    """The value with pairs for mappings, tuples for lists, SymPy's numbers for Python's.
+def as_pairs(formulas: Mapping[sp.Basic, sp.Basic] | Iterable[tuple[sp.Basic, sp.Basic]]) -> Pairs:
+    """Formulas by name as pairs; a mapping gives its items."""
+    return tuple(formulas.items()) if isinstance(formulas, Mapping) else tuple(formulas)
+
+
+def with_formulas(value: object) -> object:
+    """A value with pairs for mappings, tuples for lists, SymPy numbers.
 
     Examples
     --------
@@ -27,6 +33,23 @@ def with_formulas(value: Any) -> Any:
     if isinstance(value, int | float) and not isinstance(value, bool):
         return sp.sympify(value)
     return value
+
+
+def expand(
+    formula: sp.Expr, definitions: Mapping[sp.Symbol, sp.Expr] | Iterable[tuple[sp.Symbol, sp.Expr]]
+) -> sp.Expr:
+    """The formula without definitions, which may use each other.
+
+    Examples
+    --------
+    >>> x, y, z = sp.symbols("x y z")
+    >>> expand(z + 1, {y: x**2, z: 3 * y})
+    3*x**2 + 1
+    """
+    values = dict(definitions)
+    while formula.free_symbols & values.keys():
+        formula = formula.xreplace(values)
+    return formula
 
 
 def scalar_names(pairs: Pairs) -> list[sp.Symbol]:

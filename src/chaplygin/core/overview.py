@@ -1,4 +1,4 @@
-"""What a value shows of itself: a heading and a short table, as text and in a notebook.
+"""Overviews of values: a heading and a short table, as text and as HTML.
 
 A trajectory of a million samples, printed, is to fit a screen.
 """
@@ -66,7 +66,7 @@ class WithOverview(ABC):
 
     @abstractmethod
     def overview(self) -> Overview:
-        """What it shows of itself."""
+        """The overview of this value."""
 
     def __repr__(self) -> str:
         return self.overview().text()

@@ -1,10 +1,10 @@
-"""The one object everything else makes or uses: a vector field and what is claimed of it."""
+"""Systems: a vector field on a phase space, and the laws claimed of it."""
 
 from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, TypeAlias
@@ -15,6 +15,7 @@ from ..arguments import Declared, Formula, arguments_checked
 from ..errors import InputError
 from .display import Displayed
 from .laws import Integral, Law
+from .named_formulas import Pairs, as_pairs, expand
 from .vectors import Diagonal, Symmetric, Vector, to_components
 
 __all__ = [
@@ -30,7 +31,6 @@ __all__ = [
 
 Name: TypeAlias = Vector | sp.Symbol
 Quantity: TypeAlias = Vector | Diagonal | Symmetric | sp.Symbol
-Pairs: TypeAlias = tuple[tuple[Any, Any], ...]
 
 
 @arguments_checked
@@ -77,7 +77,7 @@ class Observable:
     """
 
     name: str
-    value: Any
+    value: sp.Basic
     meaning: str
     unit: str = ""
     frame: str = ""
@@ -121,14 +121,10 @@ class Reconstruction:
     observables: tuple[Observable, ...]
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "field", _pairs(self.field))
+        object.__setattr__(self, "field", as_pairs(self.field))
 
 
-def _pairs(mapping: Mapping[Any, Any] | Pairs) -> Pairs:
-    return tuple(mapping.items()) if isinstance(mapping, Mapping) else tuple(mapping)
-
-
-def _symbols_of(formula: Any) -> set[sp.Symbol]:
+def _symbols_of(formula: sp.Basic) -> set[sp.Symbol]:
     symbols: set[sp.Symbol] = to_components(formula).free_symbols
     return symbols
 
@@ -140,37 +136,37 @@ def flat(names: Iterable[Quantity]) -> tuple[sp.Symbol, ...]:
 
 def flat_pairs(pairs: Pairs) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
     """Pairs (named quantity, formula) as pairs (scalar symbol, scalar formula)."""
-    found: list[tuple[sp.Symbol, sp.Expr]] = []
+    scalars: list[tuple[sp.Symbol, sp.Expr]] = []
     for name, formula in pairs:
         value = to_components(sp.sympify(formula))
         if isinstance(name, sp.Symbol):
-            found.append((name, value))
+            scalars.append((name, value))
         elif isinstance(name, Vector):
-            found.extend(zip(name.symbols, value, strict=True))
+            scalars.extend(zip(name.symbols, value, strict=True))
         else:
-            found.extend(zip(name.symbols, name.independent(value), strict=True))
-    return tuple(found)
+            scalars.extend(zip(name.symbols, name.independent(value), strict=True))
+    return tuple(scalars)
 
 
 def unknown_names(formula: sp.Expr, known: Iterable[sp.Symbol]) -> str:
     """The symbols of a formula that are not known, as text; empty if there are none.
 
-    A symbol that is written like a known one but has other assumptions is told as such.
+    A symbol with the name of a known one but other assumptions is reported with both.
     """
-    given = {str(s): s for s in known}
-    found = []
-    for symbol in sorted(formula.free_symbols - set(given.values()), key=str):
-        like = given.get(str(symbol))
-        found.append(
+    symbols = {str(s): s for s in known}
+    names = []
+    for symbol in sorted(formula.free_symbols - set(symbols.values()), key=str):
+        like = symbols.get(str(symbol))
+        names.append(
             str(symbol)
             if like is None
-            else f"{symbol} ({_assumed(symbol)}; the known {like} has {_assumed(like)})"
+            else f"{symbol} ({_assumptions(symbol)}; the known {like} has {_assumptions(like)})"
         )
-    return ", ".join(found)
+    return ", ".join(names)
 
 
-def _assumed(symbol: sp.Symbol) -> str:
-    """What was assumed of a symbol when it was made."""
+def _assumptions(symbol: sp.Symbol) -> str:
+    """The assumptions with which a symbol was created."""
     text = [f"{key}={value}" for key, value in sorted(symbol._assumptions_orig.items())]
     return ", ".join(text) or "no assumptions"
 
@@ -236,9 +232,9 @@ class System(Displayed):
     start: Declared = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "field", _pairs(self.field))
-        object.__setattr__(self, "definitions", _pairs(self.definitions))
-        object.__setattr__(self, "start", _pairs(self.start))
+        object.__setattr__(self, "field", as_pairs(self.field))
+        object.__setattr__(self, "definitions", as_pairs(self.definitions))
+        object.__setattr__(self, "start", as_pairs(self.start))
         self._check_symbols()
 
     # --- flat view -------------------------------------------------------------------------
@@ -267,7 +263,7 @@ class System(Displayed):
     def needed(
         self, formulas: Iterable[Formula], given: Iterable[sp.Symbol] = ()
     ) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
-        """The steps on which `formulas` depend, in order, when the symbols `given` are known."""
+        """The steps on which `formulas` depend, in order; `given` symbols are known."""
         wanted = {s for formula in formulas for s in _symbols_of(formula)} - set(given)
         chosen = []
         for symbol, value in reversed(self.steps):
@@ -275,6 +271,11 @@ class System(Displayed):
                 chosen.append((symbol, value))
                 wanted |= value.free_symbols - set(given)
         return tuple(reversed(chosen))
+
+    @arguments_checked
+    def expand(self, formula: Formula) -> sp.Expr:
+        """A scalar or vector formula by components, in the state and the parameters alone."""
+        return expand(to_components(sp.sympify(formula)), self.steps)
 
     @property
     def integrals(self) -> tuple[Integral, ...]:
@@ -335,7 +336,7 @@ class System(Displayed):
 
     @arguments_checked
     def with_laws(self, *laws: Law) -> System:
-        """The same system with further laws claimed of it."""
+        """The system with further laws."""
         return replace(self, laws=self.laws + laws)
 
     def lifted(self) -> System:

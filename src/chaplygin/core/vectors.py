@@ -1,4 +1,4 @@
-"""Symbolic 3-vectors, written and shown as on paper, turned into components on demand.
+"""Symbolic 3-vectors, and their components.
 
 A vector is a SymPy matrix expression of shape (3, 1).  Formulas built from
 :func:`dot`, :func:`cross` and :func:`outer` keep their vector form, so that they print as
@@ -7,8 +7,8 @@ A vector is a SymPy matrix expression of shape (3, 1).  Formulas built from
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from typing import Any, TypeAlias
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Self, TypeAlias
 
 import sympy as sp
 from sympy.core.symbol import Str
@@ -59,11 +59,11 @@ zero: MatrixExpr = ZeroMatrix(3, 1)
 identity: MatrixExpr = Identity(3)
 
 
-def by_name(formula: Any, known: Iterable[sp.Symbol]) -> sp.Expr:
+def by_name(formula: sp.Basic | float, known: Iterable[sp.Symbol]) -> sp.Expr:
     """The formula with the known symbols in place of others of the same name.
 
-    ``Symbol("gamma_3")`` and ``Symbol("gamma_3", real=True)`` are two symbols for SymPy, and one
-    for whoever writes a formula.
+    ``Symbol("gamma_3")`` and ``Symbol("gamma_3", real=True)`` differ for SymPy, but mean the same
+    in a formula that a user writes.
     """
     named = {symbol.name: symbol for symbol in known}
     written = sp.sympify(formula)
@@ -76,7 +76,7 @@ def real_symbol(name: str) -> sp.Symbol:
 
 
 class Vector(sp.MatrixSymbol):
-    """A named vector whose components are the scalars ``name_1``, ``name_2``, ``name_3``.
+    """A named vector with the components ``name_1``, ``name_2``, ``name_3``.
 
     Parameters
     ----------
@@ -87,12 +87,12 @@ class Vector(sp.MatrixSymbol):
         3; 2 for points of a plane, 4 for quaternions (components w, x, y, z).
     """
 
-    def __new__(cls, name: str | Str, size: int = 3, *_: Any) -> Vector:
+    def __new__(cls, name: str | Str, size: int = 3, *_: object) -> Vector:
         """Make the symbol; SymPy rebuilds expressions through here."""
-        made: Vector = sp.Basic.__new__(cls, Str(str(name)), sp.Integer(size), sp.S.One)
-        return made
+        vector: Vector = sp.Basic.__new__(cls, Str(str(name)), sp.Integer(size), sp.S.One)
+        return vector
 
-    def doit(self, **_: Any) -> Vector:
+    def doit(self, **_: object) -> Vector:
         """A name is evaluated already."""
         return self
 
@@ -109,10 +109,11 @@ class Vector(sp.MatrixSymbol):
 
 
 class _Tensor(sp.MatrixSymbol):
-    def __new__(cls, name: str | Str, *_: Any) -> Any:
-        return sp.Basic.__new__(cls, Str(str(name)), sp.Integer(3), sp.Integer(3))
+    def __new__(cls, name: str | Str, *_: object) -> Self:
+        tensor: Self = sp.Basic.__new__(cls, Str(str(name)), sp.Integer(3), sp.Integer(3))
+        return tensor
 
-    def doit(self, **_: Any) -> Any:
+    def doit(self, **_: object) -> Self:
         """A name is evaluated already."""
         return self
 
@@ -168,10 +169,10 @@ class Cross(MatrixExpr):
 
     def __new__(cls, left: MatrixExpr, right: MatrixExpr) -> Cross:
         """Make the node as it stands, without evaluation."""
-        made: Cross = sp.Basic.__new__(cls, left, right)
-        return made
+        node: Cross = sp.Basic.__new__(cls, left, right)
+        return node
 
-    def doit(self, **_: Any) -> Cross:
+    def doit(self, **_: object) -> Cross:
         """Stay as written: components are taken by :func:`explicit`."""
         return self
 
@@ -188,8 +189,8 @@ class Dot(sp.Expr):
 
     def __new__(cls, left: MatrixExpr, right: MatrixExpr) -> Dot:
         """Make the node as it stands, without evaluation."""
-        made: Dot = sp.Basic.__new__(cls, left, right)
-        return made
+        node: Dot = sp.Basic.__new__(cls, left, right)
+        return node
 
     def _latex(self, printer: LatexPrinter) -> str:
         return formula_latex(self)
@@ -205,10 +206,10 @@ class Gradient(MatrixExpr):
 
     def __new__(cls, value: Scalar, variable: Vector, name: sp.Symbol) -> Gradient:
         """Make the node as it stands, without evaluation."""
-        made: Gradient = sp.Basic.__new__(cls, value, variable, name)
-        return made
+        node: Gradient = sp.Basic.__new__(cls, value, variable, name)
+        return node
 
-    def doit(self, **_: Any) -> Gradient:
+    def doit(self, **_: object) -> Gradient:
         """Stay as written: components are taken by :func:`explicit`."""
         return self
 
@@ -226,13 +227,15 @@ def unit_vector(axis: int) -> MatrixExpr:
     return constant([int(axis == i) for i in (1, 2, 3)])
 
 
-def constant(values: Any) -> MatrixExpr:
+def constant(
+    values: sp.Matrix | Sequence[sp.Expr | float | Sequence[sp.Expr | float]],
+) -> MatrixExpr:
     """A vector or matrix given by its entries (numbers or scalars)."""
     return sp.ImmutableDenseMatrix(values)
 
 
 def _parts(vector: MatrixExpr) -> list[tuple[Scalar, MatrixExpr]]:
-    """Write a vector as a sum of scalar multiples of atoms, without touching the atoms."""
+    """A vector as a sum of scalar multiples of atoms."""
     if isinstance(vector, ZeroMatrix):
         return []
     if isinstance(vector, MatAdd):
@@ -248,7 +251,7 @@ def _parts(vector: MatrixExpr) -> list[tuple[Scalar, MatrixExpr]]:
 
 
 def _oriented(atom: MatrixExpr) -> tuple[int, MatrixExpr]:
-    """A vector product with its factors in a fixed order, and the sign that this costs."""
+    """A vector product with its factors in a fixed order, and its sign."""
     if isinstance(atom, Cross):
         left, right = atom.args
         if sp.default_sort_key(left) > sp.default_sort_key(right):
@@ -303,7 +306,7 @@ def gradient(value: Scalar, variable: Vector, name: str = "U") -> MatrixExpr:
     return Gradient(value, variable, real_symbol(name))
 
 
-def to_components(expression: Any) -> Any:
+def to_components(expression: sp.Basic) -> sp.Basic:
     """Turn a formula into components.
 
     Parameters

@@ -17,11 +17,11 @@ import sympy as sp
 from ..core.isomorphism import Isomorphism
 from ..core.laws import Identity
 from ..core.system import System, flat_pairs
-from ..core.vectors import Vector, constant, norm_squared, real_symbol, to_components
+from ..core.vectors import Vector, norm_squared, real_symbol, to_components
 from ..errors import InputError
 from .genus_two.separation import SeparatedSystem
 
-__all__ = ["inverse", "inverse_identity", "pull_back", "push_forward", "written_out"]
+__all__ = ["inverse", "inverse_identity", "pull_back", "push_forward"]
 
 #: Scalar symbols with what is put in for them.
 Formulas: TypeAlias = dict[sp.Symbol, sp.Expr]
@@ -46,7 +46,7 @@ def inverse(system: System, law: Isomorphism) -> Formulas:
     InputError
         If the map is of another kind.
     """
-    images = [(name, written_out(system, to_components(formula))) for name, formula in law.map]
+    images = [(name, system.expand(formula)) for name, formula in law.map]
     vectors = [name for name in system.state if isinstance(name, Vector)]
     if len(vectors) == len(system.state) == len(images):
         for unit in (v for v in vectors if norm_squared(v) - 1 in system.relations):
@@ -148,11 +148,11 @@ def pull_back(
     image = dict(flat_pairs(law.map))
 
     def text(formula: sp.Expr) -> sp.Expr:
-        return _substitution(written_out(target, formula), names | image)
+        return _substitution(target.expand(formula), names | image)
 
     state = {s: _substitution(f, names) for s, f in flat_pairs(separable.state)}
     back = {s: _substitution(f, state) for s, f in inverse(system, law).items()}
-    rate = _substitution(written_out(system, to_components(law.time)), back)
+    rate = _substitution(system.expand(law.time), back)
     return replace(
         _with_names(separable, text, names),
         name=system.name,
@@ -215,13 +215,11 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
     back = {s: _substitution(f, names) for s, f in inverse(system, law).items()}
 
     def text(formula: sp.Expr) -> sp.Expr:
-        return _substitution(written_out(system, formula), names | back)
+        return _substitution(system.expand(formula), names | back)
 
-    state = {
-        s: _substitution(written_out(system, f), names) for s, f in flat_pairs(separable.state)
-    }
-    rate = _substitution(_substitution(written_out(system, to_components(law.time)), names), state)
-    image = {s: written_out(system, f) for s, f in flat_pairs(law.map)}
+    state = {s: _substitution(system.expand(f), names) for s, f in flat_pairs(separable.state)}
+    rate = _substitution(_substitution(system.expand(law.time), names), state)
+    image = {s: system.expand(f) for s, f in flat_pairs(law.map)}
     return replace(
         _with_names(separable, text, names),
         name=target.name,
@@ -231,7 +229,7 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
         constants=tuple(
             (names[s], text(to_components(formula))) for s, formula in separable.constants
         ),
-        clock=_substitution(written_out(system, to_components(separable.clock)), names) * rate,
+        clock=_substitution(system.expand(separable.clock), names) * rate,
         state=tuple((s, _substitution(_substitution(f, names), state)) for s, f in image.items()),
         fixed=(),
         laws=(),
@@ -274,11 +272,3 @@ def _tilde(symbol: sp.Symbol) -> sp.Symbol:
 
 def _substitution(formula: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
     return formula.xreplace(dict(values))
-
-
-def written_out(system: System, formula: sp.Expr) -> sp.Expr:
-    """A formula of a system with its definitions put in."""
-    value = to_components(sp.sympify(formula))
-    for name, meaning in reversed(system.needed([value])):
-        value = value.xreplace({name: meaning})
-    return constant(list(value)) if isinstance(value, sp.MatrixBase) else value

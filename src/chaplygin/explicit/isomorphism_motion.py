@@ -19,10 +19,9 @@ from ..arguments import Numbers, Written
 from ..core.arrays import FloatArray
 from ..core.isomorphism import Isomorphism
 from ..core.system import System, flat_pairs
-from ..core.vectors import to_components
 from ..errors import InputError
 from ..formulas.balls import array_function, number
-from .isomorphism import inverse, written_out
+from .isomorphism import inverse
 
 __all__ = ["IsomorphismMap"]
 
@@ -73,7 +72,7 @@ class IsomorphismMap:
     @cached_property
     def image(self) -> Callable[[FloatArray], FloatArray]:
         """States of the system (n, size) ↦ states of the target."""
-        formulas = [written_out(self.system, f) for _, f in flat_pairs(self.law.map)]
+        formulas = [self.system.expand(f) for _, f in flat_pairs(self.law.map)]
         return self._arrays(self.system.symbols, formulas)
 
     @cached_property
@@ -86,14 +85,14 @@ class IsomorphismMap:
     @cached_property
     def rate(self) -> Callable[[FloatArray], FloatArray]:
         """dτ/dt at states of the system, (n,)."""
-        formula = written_out(self.system, to_components(self.law.time))
+        formula = self.system.expand(self.law.time)
         on = self._arrays(self.system.symbols, [formula])
         return lambda states: on(states)[:, 0]
 
     def target_parameters(self, state: Numbers) -> dict[sp.Symbol, float]:
         """The target's parameters on the motion through a state (size,) of the system."""
         names = [p for p, _ in self.law.constants]
-        formulas = [written_out(self.system, f) for _, f in self.law.constants]
+        formulas = [self.system.expand(f) for _, f in self.law.constants]
         values = self._arrays(self.system.symbols, formulas)(np.asarray(state)[None, :])[0]
         constants = dict(zip(names, map(float, values), strict=True))
         shared = {p.symbol for p in self.law.target.parameters} - set(constants)

@@ -221,7 +221,7 @@ def _matches(problem: Problem, target: System) -> Iterator[Formulas]:
         yield {s: readings[s] for s in wanted}
     for law in problem.system.laws:
         if isinstance(law, Isomorphism) and law.time == 1:
-            text = _written_out(problem.system, law)
+            text = {s: problem.system.expand(f) for s, f in flat_pairs(law.constants)}
             if all(s in text for s in wanted):
                 yield {s: text[s] for s in wanted}
     if problem.rolling is None and len(wanted) <= len(own) <= FEW:
@@ -235,14 +235,6 @@ def _field(rolling: Rolling | None) -> dict[sp.Symbol, sp.Expr]:
         return {}
     factor = bruns_factor(rolling.field.potential)
     return {} if factor is None else {real_symbol("K"): factor}
-
-
-def _written_out(system: System, law: Isomorphism) -> dict[sp.Symbol, sp.Expr]:
-    """The constants of an isomorphism in the parameters of its system."""
-    known: dict[sp.Symbol, sp.Expr] = {}
-    for symbol, value in system.steps:
-        known[symbol] = value.xreplace(known)
-    return {symbol: value.xreplace(known) for symbol, value in flat_pairs(law.constants)}
 
 
 def _agree(

@@ -17,12 +17,13 @@ from typing import Any
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from ..core.named_formulas import expand
 from ..errors import InputError
 from ..parsing.exact_decimals import exact_number
 from .evaluation import Evaluation
 from .taylor import Numbers, Series
 
-__all__ = ["TaylorExpansion", "add_angle", "angles", "combination", "expanded"]
+__all__ = ["TaylorExpansion", "add_angle", "angles", "combination"]
 
 Steps = Mapping[sp.Symbol, sp.Expr]
 #: Angles α of which sines and cosines are taken, with n where those of α/n are needed.
@@ -33,16 +34,9 @@ _CIRCULAR = (sp.sin, sp.cos, sp.tan)
 _OPAQUE = (sp.log, sp.atan, sp.asin, sp.acos)
 
 
-def expanded(formula: sp.Expr, steps: Steps) -> sp.Expr:
-    """A formula in which the definitions are written out."""
-    while formula.free_symbols & set(steps):
-        formula = formula.xreplace(dict(steps))
-    return formula
-
-
 def combination(argument: sp.Expr, steps: Steps) -> dict[sp.Expr, sp.Rational]:
     """An argument as a sum of rational multiples of angles; sp.pi stands for a half turn."""
-    found = sp.expand(expanded(argument, steps)).as_coefficients_dict()
+    found = sp.expand(expand(argument, steps)).as_coefficients_dict()
     return {core: sp.Rational(factor) for core, factor in found.items()}
 
 

@@ -9,8 +9,8 @@ import sympy as sp
 from flint import fmpq, fmpq_mat
 
 from ..core.laws import Identity
+from ..core.named_formulas import expand
 from ..core.system import System
-from ..formulas.expansion import expanded
 from ..formulas.taylor import IrrationalError, Rational
 from ..mechanics.constraints.distribution import Distribution
 from ..mechanics.constraints.exact_points import NoPointError, random_point
@@ -56,7 +56,7 @@ def density_from_powers(
     exponents = _exponents(given, level, theta, bases)
     if exponents is None:
         for f in theta:
-            below = sp.denom(sp.together(expanded(f, steps)))
+            below = sp.denom(sp.together(expand(f, steps)))
             bases += [b for b, _ in _factors(below) if _moves(b, given) and b not in bases]
         exponents = _exponents(given, level, theta, bases)
     if exponents is None:

@@ -7,9 +7,9 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from ..core.laws import Measure
+from ..core.named_formulas import expand
 from ..core.system import System
 from ..errors import InputError
-from ..formulas.expansion import expanded
 from ..mechanics.constraints.exact_points import NoPointError
 from ..mechanics.constraints.growth import generic
 from ..mechanics.lagrangian.constrained_frame import Restriction, constraint_distribution
@@ -133,8 +133,7 @@ def _volume(restriction: Restriction) -> sp.Expr:
     """The determinant of the kinetic form, factored, definitions written out."""
     size = len(restriction.velocities)
     entries = [e for row in restriction.kinetic for e in row]
-    steps = dict(restriction.definitions)
-    matrix = sp.Matrix(size, size, [expanded(e, steps) for e in entries])
+    matrix = sp.Matrix(size, size, [expand(e, restriction.definitions) for e in entries])
     return sp.factor(sp.together(matrix.det(method="berkowitz")))
 
 
@@ -152,11 +151,10 @@ def _measure(
     restriction: Restriction, lifted: LiftedFields, system: System, level: Level, effort: int
 ) -> tuple[Measure, Verdict, Domain] | None:
     """A proven measure on a level, and where its density is shown to be positive."""
-    steps = dict(restriction.definitions)
     jacobian: Powers = (
         (_volume(restriction), sp.S.One),
         # the constraints that stay as relations cut out the volume of the velocities
-        *((expanded(f, steps), sp.S.One) for f in restriction.nonzero),
+        *((expand(f, restriction.definitions), sp.S.One) for f in restriction.nonzero),
     )
     fit = density_from_powers(lifted, jacobian, level)
     if fit is None:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import operator
+from contextlib import suppress
 from fractions import Fraction
-from typing import Any
+from typing import SupportsFloat, SupportsIndex
 
 import mpmath
 import sympy
@@ -19,7 +20,7 @@ _DOUBLE = 53
 """Bits of a double, whose shortest decimal says it."""
 
 
-def exact_number(number: Any) -> sympy.Rational:
+def exact_number(number: object) -> sympy.Rational:
     """The rational number that a decimal number says.
 
     Of a double this is the shortest decimal that reads back as it: 0.1 is 1/10, and
@@ -49,16 +50,15 @@ def exact_number(number: Any) -> sympy.Rational:
         return _decimal(number._mpf_, number.context.prec)
     if isinstance(number, float):
         return _shortest(float(number))
-    try:
-        return sympy.Integer(operator.index(number))
-    except TypeError:
-        pass
-    if not hasattr(number, "__float__") or isinstance(number, sympy.Basic):
+    if isinstance(number, SupportsIndex):
+        with suppress(TypeError):
+            return sympy.Integer(operator.index(number))
+    if not isinstance(number, SupportsFloat) or isinstance(number, sympy.Basic):
         raise InputError(f"{number} is no number that has an exact value as a decimal")
     return _shortest(float(number))
 
 
-def exactly(formula: Any) -> Any:
+def exactly(formula: object) -> sympy.Basic:
     """A formula in which every decimal number is the rational number that it says.
 
     Parameters
@@ -83,7 +83,7 @@ def _shortest(number: float) -> sympy.Rational:
     return sympy.Rational(fraction.numerator, fraction.denominator)
 
 
-def _decimal(number: Any, bits: int) -> sympy.Rational:
+def _decimal(number: tuple[int, int, int, int], bits: int) -> sympy.Rational:
     """A number of mpmath as a decimal with the digits that so many bits carry."""
     if number in (libmp.finf, libmp.fninf, libmp.fnan):
         raise InputError(f"{libmp.to_str(number, 5)} is not a finite number")

@@ -20,7 +20,7 @@ _GREEK = re.compile(r"GREEK (SMALL|CAPITAL) LETTER (\w+)")
 
 
 def spelt(text: str) -> str:
-    """The same text with Greek letters, indices, powers and signs as they are spelt in code."""
+    """A text with Greek letters, indices, powers and signs spelt as in code."""
     return text if text.isascii() else "".join(map(_word, text.translate(_PLAIN)))
 
 

@@ -112,7 +112,7 @@ class Scalars:
         return self.names[node.id]
 
     def sum(self, node: ast.BinOp, depth: int) -> sympy.Expr:
-        """A whole chain ``a + b - c`` at once: term by term SymPy would sort it anew each time."""
+        """A chain ``a + b - c`` at once; term by term SymPy would sort it each time."""
         terms = []
         for operator, operand in chain(node, (ast.Add, ast.Sub)):
             value = self.read(operand, depth + 1)
@@ -165,7 +165,7 @@ class Scalars:
                 raise self.error(f"this exponent has more than {DECIMALS} decimals", node)
 
     def check(self, value: sympy.Expr, node: ast.expr) -> None:
-        """Refuse a constant without a real value, or one so large that SymPy might not return."""
+        """Refuse a constant that is not real, or too large for SymPy to evaluate."""
         if value.has(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
             raise self.error("this has no finite value", node)
         if value.is_Rational:

@@ -1,7 +1,7 @@
-"""Formulas with vectors, as on paper: sums, products with numbers and tensors, dot and cross.
+"""Formulas with vectors: sums, products with scalars and tensors, dot, cross.
 
-What is a vector is told from the words alone, before anything is computed; whatever is not goes
-to :class:`~chaplygin.parsing.scalar.Scalars`.
+Vectors are recognised from the text alone, before anything is computed; scalars are read by
+:class:`~chaplygin.parsing.scalar.Scalars`.
 """
 
 from __future__ import annotations

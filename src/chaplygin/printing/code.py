@@ -1,4 +1,4 @@
-"""The equations of a System for other tools: as a function of arrays, or as source text.
+"""The equations of a System as a function of arrays, or as source text.
 
 In every target the state is a flat array `x` in the order of ``system.symbols`` and the
 parameters are a flat array `p` in the order of ``system.parameters``; definitions are computed
@@ -12,13 +12,15 @@ import keyword
 import re
 import textwrap
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence, Sized
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sp
 
 from ..arguments import arguments_checked
+from ..core.arrays import FloatArray
 from ..errors import InputError
 from .system import field_text
 
@@ -108,7 +110,7 @@ def source_code(system: System, language: str) -> str:
 # --- functions -----------------------------------------------------------------------------
 
 
-def _library(name: str, target: str) -> Any:
+def _library(name: str, target: str) -> ModuleType:
     try:
         return importlib.import_module(name)
     except ImportError:
@@ -117,12 +119,12 @@ def _library(name: str, target: str) -> Any:
         ) from None
 
 
-def _generated(system: System, modules: str) -> Field:
+def _field_function(system: System, modules: str) -> Field:
     """``f(t, x, p)``, the list of rates, from elements of x and p."""
     x, p = sp.DeferredVector("x"), sp.DeferredVector("p")
     names = _identifiers(system, _PYTHON)
     steps, rates = _assignments(system, names)
-    used = _used(steps, rates)
+    used = _used_symbols(steps, rates)
     loads = [
         (names[symbol], array[index])
         for array, symbols in ((x, system.symbols), (p, [p.symbol for p in system.parameters]))
@@ -138,11 +140,11 @@ def _generated(system: System, modules: str) -> Field:
     return built
 
 
-def _defaults(system: System) -> Any:
+def _defaults(system: System) -> FloatArray:
     return np.array([p.default for p in system.parameters], dtype=float)
 
 
-def _check_lengths(system: System, x: Any, p: Any) -> None:
+def _check_lengths(system: System, x: Sized, p: Sized) -> None:
     for name, values, wanted, order in (
         ("x", x, len(system.symbols), "symbols"),
         ("p", p, len(system.parameters), "parameters"),
@@ -155,7 +157,7 @@ def _check_lengths(system: System, x: Any, p: Any) -> None:
 
 
 def _numpy(system: System) -> Field:
-    rates, defaults = _generated(system, "numpy"), _defaults(system)
+    rates, defaults = _field_function(system, "numpy"), _defaults(system)
 
     def field(t: float, x: Any, p: Any = None) -> Any:
         x, p = np.asarray(x, dtype=float), defaults if p is None else p
@@ -167,7 +169,7 @@ def _numpy(system: System) -> Field:
 
 def _jax(system: System) -> Field:
     jax, jnp = _library("jax", "jax"), _library("jax.numpy", "jax")
-    rates, defaults = _generated(system, "jax"), _defaults(system)
+    rates, defaults = _field_function(system, "jax"), _defaults(system)
 
     def field(t: float, x: Any, p: Any = None) -> Any:
         p = defaults if p is None else p
@@ -181,7 +183,7 @@ def _jax(system: System) -> Field:
 
 def _numba(system: System) -> Field:
     numba = _library("numba", "numba")
-    rates, defaults = numba.njit(_generated(system, "numpy")), _defaults(system)
+    rates, defaults = numba.njit(_field_function(system, "numpy")), _defaults(system)
 
     def field(t: float, x: Any, p: Any = None) -> Any:
         # the branch is chosen when this is compiled, by the type of p
@@ -193,12 +195,8 @@ def _numba(system: System) -> Field:
     return compiled
 
 
-TARGETS: Mapping[str, Callable[[System], Field]] = {
-    "numpy": _numpy,
-    "jax": _jax,
-    "numba": _numba,
-}
-"""What :func:`function` can make."""
+TARGETS: Mapping[str, Callable[[System], Field]] = {"numpy": _numpy, "jax": _jax, "numba": _numba}
+"""The targets of :func:`lambdify`."""
 
 
 # --- names and assignments -----------------------------------------------------------------
@@ -215,15 +213,15 @@ _FUNCTIONS = _words(
 _PYTHON = _words("t x p jax math numpy arcsin arccos arctan arctan2 e E", *keyword.kwlist)
 
 
-def _identifiers(system: System, taken: Iterable[str]) -> dict[sp.Symbol, sp.Symbol]:
-    """Symbols that may be spelt as they are; those that clash get a trailing underscore."""
-    taken = _FUNCTIONS.union(taken)
+def _identifiers(system: System, reserved: Iterable[str]) -> dict[sp.Symbol, sp.Symbol]:
+    """Identifiers of the symbols; those that clash get a trailing underscore."""
+    reserved = _FUNCTIONS.union(reserved)
     ours = [*system.symbols, *(p.symbol for p in system.parameters), *dict(system.steps)]
     spelt = {str(symbol) for symbol in ours}
     names = {}
     for symbol in ours:
         name = str(symbol)
-        while name in taken or (name != str(symbol) and name in spelt):
+        while name in reserved or (name != str(symbol) and name in spelt):
             name += "_"
         names[symbol] = sp.Symbol(name, real=True)
     return names
@@ -239,7 +237,7 @@ def _assignments(
     return steps, [value.xreplace(names) for value in system.rates]
 
 
-def _used(steps: Assignments, rates: Iterable[sp.Expr]) -> set[sp.Symbol]:
+def _used_symbols(steps: Assignments, rates: Iterable[sp.Expr]) -> set[sp.Symbol]:
     return set().union(*(e.free_symbols for e in (*rates, *(value for _, value in steps))))
 
 
@@ -250,20 +248,20 @@ _WIDTH = 96
 
 
 class _Language(ABC):
-    """How a function is written in a language."""
+    """The rules by which a function is written in a language."""
 
-    taken: frozenset[str]
+    reserved: frozenset[str]
     comment: str
 
     def render(self, system: System) -> str:
         """The whole text."""
         identifier = re.sub(r"\W", "_", system.name, flags=re.ASCII)
         identifier = f"f_{identifier}" if identifier[:1].isdigit() else identifier
-        if identifier in self.taken:
+        if identifier in self.reserved:
             identifier += "_"
-        names = _identifiers(system, {*self.taken, identifier})
+        names = _identifiers(system, {*self.reserved, identifier})
         steps, rates = _assignments(system, names)
-        used = _used(steps, rates)
+        used = _used_symbols(steps, rates)
         parameters = [p.symbol for p in system.parameters]
         body = [
             self.assignment(str(names[symbol]), self.element(array, index))
@@ -281,7 +279,7 @@ class _Language(ABC):
         return "\n".join([*header, *self.wrap(identifier, body)]) + "\n"
 
     def _header(self, system: System) -> list[str]:
-        """What a reader must know: equations, order of state and parameters, source."""
+        """Equations, order of state and parameters, and source, as comment lines."""
         lines = [system.title, *textwrap.wrap(system.summary, _WIDTH)]
         lines += ["", "Equations of motion:"]
         lines += field_text(system)
@@ -331,7 +329,7 @@ def _c_power(base: str, exponent: str) -> str:
 
 class _C(_Language):
     comment = "//"
-    taken = _words(
+    reserved = _words(
         "t x p dx auto break case char const continue default do double else enum extern float",
         "for goto if inline int long register restrict return short signed sizeof static struct",
         "switch typedef union unsigned void volatile while",
@@ -366,7 +364,7 @@ class _C(_Language):
 
 class _Julia(_Language):
     comment = "#"
-    taken = _words(
+    reserved = _words(
         "t x p dx baremodule begin break catch const continue do else elseif end export false",
         "finally for function global if import in isa let local macro module quote return struct",
         "true try using where while",
@@ -397,4 +395,4 @@ class _Julia(_Language):
 
 
 LANGUAGES: Mapping[str, _Language] = {"c": _C(), "julia": _Julia()}
-"""What :func:`source` can write."""
+"""The languages of :func:`source_code`."""

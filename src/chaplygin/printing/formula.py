@@ -1,4 +1,4 @@
-"""Formulas as on paper, in Unicode for a terminal and in LaTeX, by one set of rules.
+"""Formulas as in print, in Unicode and in LaTeX, by one set of rules.
 
 A :class:`_Writer` walks through a formula and decides what needs no brackets and what goes below
 the fraction line; :mod:`chaplygin.printing.ordering` knows which term and which factor comes first,
@@ -10,7 +10,7 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TypeAlias
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
@@ -42,11 +42,14 @@ from .symbol_names import SymbolName, letter_of
 
 __all__ = ["LATEX", "UNICODE", "Notation", "latex", "rate", "signed_terms", "text", "width"]
 
+#: What SymPy reads as a formula.
+Formula: TypeAlias = sp.Basic | float
+
 _FUNCTION_NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
 
 
-def text(formula: Any) -> str:
-    """A formula in one line of Unicode, such as ``A M + m (A r, M) A r / (1 − m (r, A r))``.
+def text(formula: Formula) -> str:
+    """A formula in one line of Unicode, such as ``A M + m (A r, M) A r / 2``.
 
     Parameters
     ----------
@@ -62,7 +65,7 @@ def text(formula: Any) -> str:
     return _Writer(UNICODE).piece(sp.sympify(formula)).text
 
 
-def latex(formula: Any) -> str:
+def latex(formula: Formula) -> str:
     r"""A formula in LaTeX (math mode), by the same rules as :func:`text`.
 
     Vectors and tensors are bold: ``\mathbf{M} \times \boldsymbol{\omega}``.
@@ -70,22 +73,22 @@ def latex(formula: Any) -> str:
     return _Writer(LATEX).piece(sp.sympify(formula)).text
 
 
-def rate(name: Any, notation: Notation) -> str:
+def rate(name: sp.Basic, notation: Notation) -> str:
     """The time derivative of a named vector or scalar: ``γ̇``."""
     letter = letter_of(str(name)).dotted()
     return notation.letter(letter, bold=not isinstance(name, sp.Symbol)).text
 
 
-def signed_terms(formula: Any, notation: Notation) -> list[tuple[str, str]]:
-    """The terms of a sum in order, each with its sign (``""`` or minus for the first, then ± )."""
+def signed_terms(formula: Formula, notation: Notation) -> list[tuple[str, str]]:
+    """The terms of a sum in order, each with its sign (``""`` for a leading plus)."""
     writer = _Writer(notation)
-    found = []
+    terms = []
     for index, (negative, piece) in enumerate(writer.terms(sp.sympify(formula))):
         plus = "+" if index else ""
-        found.append(
+        terms.append(
             (notation.minus if negative else plus, notation.guard(piece, Precedence.RATIO))
         )
-    return found
+    return terms
 
 
 def width(line: str) -> int:
@@ -99,13 +102,13 @@ class _Writer:
 
     notation: Notation
 
-    def piece(self, formula: Any) -> Fragment:
+    def piece(self, formula: sp.Basic) -> Fragment:
         """Any formula."""
-        found = self.terms(formula)
-        if len(found) == 1 and not found[0][0]:
-            return found[0][1]
+        terms = self.terms(formula)
+        if len(terms) == 1 and not terms[0][0]:
+            return terms[0][1]
         written = ""
-        for negative, term in found:
+        for negative, term in terms:
             body = self.notation.guard(term, Precedence.RATIO)
             if written:
                 written += f" {self.notation.minus if negative else '+'} {body}"
@@ -113,19 +116,19 @@ class _Writer:
                 written = (self.notation.minus if negative else "") + body
         return Fragment(written, Precedence.SUM)
 
-    def terms(self, formula: Any) -> list[tuple[bool, Fragment]]:
+    def terms(self, formula: sp.Basic) -> list[tuple[bool, Fragment]]:
         """The terms of a sum in order, each with its sign; anything else is a single term."""
         share = common_fraction(formula)
         if share != 1:
-            rest = sp.Add(*(term / share for term in formula.args))
-            return [self._product(factors_of(sp.Mul(share, rest, evaluate=False)))]
+            remainder = sp.Add(*(term / share for term in formula.args))
+            return [self._product(factors_of(sp.Mul(share, remainder, evaluate=False)))]
         if isinstance(formula, (sp.Add, MatAdd)):
             return [
                 self._term(term) for term in sort_terms(map(as_unit_vector_multiple, formula.args))
             ]
         return [self._term(as_unit_vector_multiple(formula))]
 
-    def _term(self, formula: Any) -> tuple[bool, Fragment]:
+    def _term(self, formula: sp.Basic) -> tuple[bool, Fragment]:
         if isinstance(formula, (sp.Add, MatAdd)):
             return False, self.piece(formula)
         if isinstance(formula, sp.Float):
@@ -150,7 +153,7 @@ class _Writer:
         written = self.notation.product(factors.coefficient, above, below, vector)
         return factors.negative, written
 
-    def _chain(self, tensors: Sequence[Any]) -> Fragment:
+    def _chain(self, tensors: Sequence[MatrixExpr]) -> Fragment:
         """Tensors and vectors one after the other; u ⊗ v for a column times a row."""
         for index, tensor in enumerate(tensors):
             if index and isinstance(tensor, Transpose) and tensor.arg.shape[1] == 1:
@@ -159,18 +162,18 @@ class _Writer:
                 guard = self.notation.guard
                 dyad = self.notation.dyad.join(guard(x, Precedence.PRODUCT) for x in (left, right))
                 piece = Fragment(dyad, Precedence.CROSS)
-                rest = tensors[index + 1 :]
-                return piece if not rest else self._beside(piece, self._chain(rest))
+                following = tensors[index + 1 :]
+                return piece if not following else self._juxtaposed(piece, self._chain(following))
         pieces = [self.piece(tensor) for tensor in tensors]
-        return pieces[0] if len(pieces) == 1 else self._beside(*pieces)
+        return pieces[0] if len(pieces) == 1 else self._juxtaposed(*pieces)
 
-    def _beside(self, *pieces: Fragment) -> Fragment:
+    def _juxtaposed(self, *pieces: Fragment) -> Fragment:
         return Fragment(
             " ".join(self.notation.guard(piece, Precedence.PRODUCT) for piece in pieces),
             Precedence.PRODUCT,
         )
 
-    def _whole(self, formula: Any) -> Fragment:
+    def _whole(self, formula: sp.Basic) -> Fragment:
         """A formula that is neither a sum nor a product."""
         if isinstance(formula, (MatrixExpr, sp.MatrixBase)):
             return self._tensor(formula)
@@ -236,7 +239,7 @@ class _Writer:
         arguments = [self.piece(argument).text for argument in formula.args]
         return self.notation.call(_FUNCTION_NAMES.get(name, name), arguments, exponent)
 
-    def _rate(self, formula: Any) -> Fragment:
+    def _rate(self, formula: sp.Basic) -> Fragment:
         """ẋ for a letter, d(…)/dt for a formula."""
         inner, times = formula, 0
         while isinstance(inner, Rate):
@@ -277,7 +280,7 @@ class _Writer:
             listed = listed[3:] if whole is not None else listed[1:]
         return ", ".join(shown)
 
-    def _tensor(self, formula: Any) -> Fragment:
+    def _tensor(self, formula: MatrixExpr | sp.MatrixBase) -> Fragment:
         """A vector or tensor that is neither a sum nor a product."""
         notation = self.notation
         match formula:

@@ -1,22 +1,21 @@
-"""What of a system belongs on its page: the equations, what their letters stand for."""
+"""The layout of a system's page: equations, and definitions of their letters."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from ..core.named_formulas import Pairs
 from ..core.vectors import Diagonal, Gradient, Symmetric, Vector, to_components
 from .laws import formulas
 
 if TYPE_CHECKING:
     from ..core.system import System
 
-__all__ = ["Layout", "Pairs", "layout", "reconstruction_layout"]
-
-Pairs = tuple[tuple[Any, Any], ...]
+__all__ = ["Layout", "layout", "reconstruction_layout"]
 
 
 @dataclass(frozen=True)
@@ -43,44 +42,44 @@ class Layout:
 def layout(system: System) -> Layout:
     """The formulas of a system, each once, in the order in which a reader needs them.
 
-    What is defined to vanish is left out of the formulas of the motion.
+    Quantities that are defined to vanish are left out of the formulas of the motion.
     """
-    found = _page_of(system)
+    page = _page_of(system)
     zeros = {
-        name: sp.S.Zero for name, value in found.where if isinstance(name, sp.Symbol) and value == 0
+        name: sp.S.Zero for name, value in page.where if isinstance(name, sp.Symbol) and value == 0
     }
 
     def short(pairs: Pairs) -> Pairs:
         return tuple((name, _without(zeros, value)) for name, value in pairs)
 
-    return replace(found, field=short(found.field), where=short(found.where))
+    return replace(page, field=short(page.field), where=short(page.where))
 
 
-def _without(zeros: dict[sp.Symbol, Any], value: Any) -> Any:
-    """A scalar formula of scalars without what vanishes; others stay as they are written."""
+def _without(zeros: dict[sp.Symbol, sp.Basic], value: sp.Basic) -> sp.Basic:
+    """A scalar formula with `zeros` put in; formulas with vectors are unchanged."""
     plain = isinstance(value, sp.Expr) and not value.atoms(Vector, Diagonal, Symmetric)
     return value.xreplace(zeros) if plain and value.free_symbols & zeros.keys() else value
 
 
 def _page_of(system: System) -> Layout:
-    field, spelt_out = _spelt_out(system, system.field)
-    needed = _needed(system, [formula for _, formula in system.field])
+    field, spelt_out = _with_rates_spelt_out(system, system.field)
+    needed = _needed_definitions(system, [formula for _, formula in system.field])
     where = tuple(pair for pair in needed if pair[0] not in spelt_out)
     claims = [formula for law in system.laws for formula in formulas(law)]
     claims += system.relations
-    extra = tuple(pair for pair in _needed(system, claims) if pair not in needed)
-    given = _given(system, [formula for _, formula in (*field, *where)])
-    given_too = _given(system, [*claims, *(formula for _, formula in extra)])
+    extra = tuple(pair for pair in _needed_definitions(system, claims) if pair not in needed)
+    tensors = _parameter_tensors(system, [formula for _, formula in (*field, *where)])
+    further_tensors = _parameter_tensors(system, [*claims, *(formula for _, formula in extra)])
     return Layout(
         field=field,
-        where=given + where,
-        further=tuple(pair for pair in given_too if pair not in given) + extra,
+        where=tensors + where,
+        further=tuple(pair for pair in further_tensors if pair not in tensors) + extra,
     )
 
 
 def reconstruction_layout(system: System) -> Layout:
-    """The equations of the lift to space, with the definitions that the other page lacks."""
-    field, spelt_out = _spelt_out(system, system.motion.field if system.motion else ())
+    """The equations of the lift to space, with the definitions that they add."""
+    field, spelt_out = _with_rates_spelt_out(system, system.motion.field if system.motion else ())
     page = layout(system)
     shown = {s for name in spelt_out for s in _scalars(name)}
     shown |= {s for name, _ in (*page.where, *page.further) for s in _scalars(name)}
@@ -88,48 +87,48 @@ def reconstruction_layout(system: System) -> Layout:
     return Layout(field, tuple(pair for pair in steps if pair[0] not in shown), ())
 
 
-def _spelt_out(system: System, field: Pairs) -> tuple[Pairs, set[Any]]:
+def _with_rates_spelt_out(system: System, field: Pairs) -> tuple[Pairs, set[sp.Basic]]:
     """Rates, those that are only names put in or left out, and the names put in."""
     definitions = dict(system.definitions)
-    found, names = [], set()
+    pairs, names = [], set()
     for name, formula in field:
         named = str(formula) == f"{name}dot"
         if named and formula in system.state:
             continue
         trivial = named and formula in definitions
-        found.append((name, definitions[formula] if trivial else formula))
+        pairs.append((name, definitions[formula] if trivial else formula))
         if trivial:
             names.add(formula)
-    return tuple(found), names
+    return tuple(pairs), names
 
 
-def _scalars(name: Any) -> set[sp.Symbol]:
+def _scalars(name: sp.Basic) -> set[sp.Symbol]:
     return {name} if isinstance(name, sp.Symbol) else set(name.symbols)
 
 
-def _mentioned(formula: Any) -> set[sp.Symbol]:
+def _mentioned_symbols(formula: sp.Basic) -> set[sp.Symbol]:
     """Symbols on which a formula depends or whose name it shows, as ∂U/∂γ shows U."""
     shown: set[sp.Symbol] = {gradient.args[2] for gradient in formula.atoms(Gradient)}
     return shown.union(to_components(formula).free_symbols)
 
 
-def _needed(system: System, formulas: Iterable[Any]) -> Pairs:
+def _needed_definitions(system: System, formulas: Iterable[sp.Basic]) -> Pairs:
     """The definitions on which formulas depend, in order."""
-    wanted = set().union(*map(_mentioned, formulas))
+    wanted = set().union(*map(_mentioned_symbols, formulas))
     chosen = []
     for name, formula in reversed(system.definitions):
         if wanted & _scalars(name):
             chosen.append((name, formula))
-            wanted |= _mentioned(formula)
+            wanted |= _mentioned_symbols(formula)
     return tuple(reversed(chosen))
 
 
-def _given(system: System, formulas: Iterable[Any]) -> Pairs:
+def _parameter_tensors(system: System, formulas: Iterable[sp.Basic]) -> Pairs:
     """Tensors and vectors made of parameters, by their components."""
     known = {name for name, _ in system.field} | {name for name, _ in system.definitions}
     atoms = set().union(*(formula.atoms(Vector, Diagonal, Symmetric) for formula in formulas))
-    found = []
+    components = []
     for name in sorted(atoms - known, key=str):
         entries = to_components(name) if isinstance(name, Vector) else name.entries
-        found.append((name, entries))
-    return tuple(found)
+        components.append((name, entries))
+    return tuple(components)

@@ -47,7 +47,7 @@ def mathml(formula: str, display: Literal["inline", "block"] = "inline") -> str:
 
 
 def _bold_greek(match: re.Match[str]) -> str:
-    """A bold Greek letter by its own code point, since browsers ignore ``mathvariant``."""
+    """A bold Greek letter by its code point, since browsers ignore ``mathvariant``."""
     code = int(match[1], 16)
     if ord("α") <= code <= ord("ω"):
         code += ord("𝜶") - ord("α")

@@ -1,4 +1,4 @@
-"""How the pieces of a formula look, in Unicode and in LaTeX."""
+"""Notations for the parts of a formula: Unicode and LaTeX."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import sympy as sp
 
@@ -18,7 +18,7 @@ __all__ = ["LATEX", "UNICODE", "Fragment", "Notation", "Precedence"]
 
 
 class Precedence(IntEnum):
-    """How strongly a piece of a formula holds together, loosest first."""
+    """Precedence of a part of a formula, the weakest binding first."""
 
     SUM = 0
     RATIO = 1
@@ -37,16 +37,16 @@ class Fragment:
 
 
 class Notation(ABC):
-    """How the pieces of a formula look; :data:`UNICODE` and :data:`LATEX` are the two."""
+    """A notation; :data:`UNICODE` and :data:`LATEX` are the two."""
 
     minus: str
     cross: str
     dyad: str
     relations: ClassVar[Mapping[str, str]]
-    constants: ClassVar[Mapping[Any, str]]
+    constants: ClassVar[Mapping[sp.Basic, str]]
 
     def guard(self, piece: Fragment, level: Precedence) -> str:
-        """`piece` as it stands where at least `level` is needed: in brackets if it is looser."""
+        """The text of `piece`, in brackets if it binds more weakly than `level`."""
         return piece.text if piece.level >= level else self.brackets(piece.text)
 
     @abstractmethod
@@ -108,8 +108,8 @@ class Notation(ABC):
         """All entries, row by row."""
 
     @abstractmethod
-    def fallback(self, formula: Any) -> str:
-        """What the rules here do not cover."""
+    def fallback(self, formula: sp.Basic) -> str:
+        """A formula that no rule covers, as SymPy prints it."""
 
 
 _RAISED = str.maketrans("0123456789-−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻")
@@ -142,7 +142,7 @@ class _Unicode(Notation):
         ">": ">",
         ">=": "≥",
     }
-    constants: ClassVar[Mapping[Any, str]] = {sp.pi: "π", sp.E: "e"}
+    constants: ClassVar[Mapping[sp.Basic, str]] = {sp.pi: "π", sp.E: "e"}
 
     def brackets(self, inner: str) -> str:
         return f"({inner})"
@@ -233,7 +233,7 @@ class _Unicode(Notation):
             return Fragment(f"({', '.join(row[0] for row in rows)})")
         return Fragment(f"[{'; '.join(', '.join(row) for row in rows)}]")
 
-    def fallback(self, formula: Any) -> str:
+    def fallback(self, formula: sp.Basic) -> str:
         return str(sp.sstr(formula))
 
 
@@ -249,7 +249,7 @@ class _Latex(Notation):
         ">": ">",
         ">=": r"\geq",
     }
-    constants: ClassVar[Mapping[Any, str]] = {sp.pi: r"\pi", sp.E: "e"}
+    constants: ClassVar[Mapping[sp.Basic, str]] = {sp.pi: r"\pi", sp.E: "e"}
 
     #: A vector whose components take more characters is written as a column.
     _longest_list = 200
@@ -357,7 +357,7 @@ class _Latex(Notation):
         body = r" \\ ".join(" & ".join(row) for row in rows)
         return Fragment(rf"\begin{{pmatrix}} {body} \end{{pmatrix}}")
 
-    def fallback(self, formula: Any) -> str:
+    def fallback(self, formula: sp.Basic) -> str:
         return str(sp.latex(formula))
 
 

@@ -1,4 +1,4 @@
-"""Numbers and units as they are printed: raised exponents, a minus sign as long as a plus."""
+"""Numbers and units as in print, with raised exponents and a proper minus."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ def number(value: float, digits: int = 10) -> str:
 def signed(text: str) -> str:
     """Words with numbers in them, their signs and powers of ten as in print."""
 
-    def power(found: re.Match[str]) -> str:
-        exponent = str(int(found[2])).translate(RAISED)
-        return f"{found[1]} × 10{exponent}"
+    def power(match: re.Match[str]) -> str:
+        exponent = str(int(match[2])).translate(RAISED)
+        return f"{match[1]} × 10{exponent}"
 
     return _SIGN.sub(MINUS, _POWER.sub(power, text))
 
 
 def unit(written: str) -> str:
-    """A unit with raised exponents: ``kg² m⁴/s²`` for ``kg^2 m^4/s^2`` or ``kg**2*m**4/s**2``."""
-    raised = re.sub(r"(?:\^|\*\*)\{?(-?\d+)\}?", lambda found: found[1].translate(RAISED), written)
+    """A unit with raised exponents: ``kg² m⁴`` for ``kg^2 m^4`` or ``kg**2*m**4``."""
+    raised = re.sub(r"(?:\^|\*\*)\{?(-?\d+)\}?", lambda match: match[1].translate(RAISED), written)
     return raised.replace("*", " ")

@@ -1,13 +1,12 @@
-"""What a human would write first: the order of terms and factors, signs, fractions."""
+"""The order of terms and factors, their signs and fractions."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
-from sympy.matrices.expressions import Identity, MatAdd, MatMul
+from sympy.matrices.expressions import Identity, MatAdd, MatMul, MatrixExpr
 
 from ..core.vectors import Diagonal, Dot, Gradient, Symmetric, Vector
 from .symbol_names import GREEK, letter_of
@@ -27,7 +26,7 @@ __all__ = [
 _FIRST = {"m": 0, "g": 1}
 
 
-def _weight(formula: Any) -> int:
+def _weight(formula: sp.Basic) -> int:
     """The length of a term as the eye sees it, by which terms are ordered."""
     match formula:
         case sp.Number() | sp.NumberSymbol() | Diagonal() | Symmetric() | Identity():
@@ -45,7 +44,7 @@ def _weight(formula: Any) -> int:
     return sum(map(_weight, formula.args))
 
 
-def _term_key(term: Any) -> tuple[int, int, bool, str]:
+def _term_key(term: sp.Basic) -> tuple[int, int, bool, str]:
     """Short terms first; before them ½ (M, ω), and a negative number after all."""
     negative = is_negative(term)
     place = 1
@@ -56,7 +55,7 @@ def _term_key(term: Any) -> tuple[int, int, bool, str]:
     return place, _weight(term), negative, str(sp.sstr(term))
 
 
-def is_negative(term: Any) -> bool:
+def is_negative(term: sp.Basic) -> bool:
     """Whether a term is written with a minus sign."""
     if isinstance(term, (sp.Add, MatAdd)):
         return all(map(is_negative, term.args))
@@ -67,15 +66,15 @@ def is_negative(term: Any) -> bool:
     return False
 
 
-def negated(tensor: Any) -> Any:
+def negated(tensor: MatrixExpr) -> MatrixExpr:
     """Minus a vector or tensor, sums term by term."""
     if isinstance(tensor, MatAdd):
         return MatAdd(*(-1 * term for term in tensor.args))
     return -1 * tensor
 
 
-def as_unit_vector_multiple(formula: Any) -> Any:
-    """A column with a single entry c other than 0 and 1 as c e_i; anything else as it is."""
+def as_unit_vector_multiple(formula: sp.Basic) -> sp.Basic:
+    """A column with a single nonzero entry c ≠ 1 as c e_i; others unchanged."""
     if isinstance(formula, sp.MatrixBase) and formula.shape[1] == 1:
         present = [i for i, entry in enumerate(formula) if entry != 0]
         if len(present) == 1 and formula[present[0]] != 1:
@@ -84,15 +83,15 @@ def as_unit_vector_multiple(formula: Any) -> Any:
     return formula
 
 
-def sort_terms(terms: Iterable[Any]) -> list[Any]:
-    """Terms in the order of `_term_key`, but a positive one at the head if there is one."""
-    found = sorted(terms, key=_term_key)
-    head = next((term for term in found if not is_negative(term)), found[0])
-    return [head, *(term for term in found if term is not head)]
+def sort_terms(terms: Iterable[sp.Basic]) -> list[sp.Basic]:
+    """Terms in the order of `_term_key`, a positive one first if there is one."""
+    ordered = sorted(terms, key=_term_key)
+    head = next((term for term in ordered if not is_negative(term)), ordered[0])
+    return [head, *(term for term in ordered if term is not head)]
 
 
-def common_fraction(formula: Any) -> sp.Rational:
-    """The fraction that every term of a sum has for a number, which stands before brackets."""
+def common_fraction(formula: sp.Basic) -> sp.Rational:
+    """The fraction common to all terms of a sum, written before brackets."""
     if not isinstance(formula, sp.Add):
         return sp.S.One
     shares = {abs(term.as_coeff_Mul()[0]) for term in formula.args}
@@ -100,8 +99,8 @@ def common_fraction(formula: Any) -> sp.Rational:
     return share if not shares and share.is_Rational and share.q != 1 else sp.S.One
 
 
-def _factor_key(factor: Any) -> tuple[int, int, str]:
-    """Latin letters, Greek ones, derivatives; then scalar products, functions, roots, sums."""
+def _factor_key(factor: sp.Expr) -> tuple[int, int, str]:
+    """Sort key: letters, derivatives, scalar products, functions, roots, sums."""
     base = factor.base if isinstance(factor, sp.Pow) else factor
     if isinstance(base, sp.Symbol):
         letter = letter_of(str(base))
@@ -111,7 +110,7 @@ def _factor_key(factor: Any) -> tuple[int, int, str]:
     return 0 if base.is_number else rank, 0, str(sp.sstr(factor))
 
 
-def vector_of(symbols: Sequence[Any]) -> Vector | None:
+def vector_of(symbols: Sequence[sp.Expr]) -> Vector | None:
     """The vector whose three components these are, if they are."""
     if len(symbols) < 3 or not isinstance(symbols[0], sp.Symbol):
         return None
@@ -121,16 +120,16 @@ def vector_of(symbols: Sequence[Any]) -> Vector | None:
 
 @dataclass(frozen=True)
 class Factors:
-    """A product: its sign and number p/q, factors above and below the line, tensors in order."""
+    """A product: sign, number p/q, factors above and below the line, tensors."""
 
     negative: bool
     coefficient: tuple[int, int]
-    above: tuple[Any, ...]
-    below: tuple[Any, ...]
-    tensors: tuple[Any, ...]
+    above: tuple[sp.Expr, ...]
+    below: tuple[sp.Expr, ...]
+    tensors: tuple[MatrixExpr, ...]
 
 
-def factors_of(formula: Any) -> Factors:
+def factors_of(formula: sp.Basic) -> Factors:
     """A product taken apart."""
     if isinstance(formula, MatMul):
         scalar, tensors = formula.as_coeff_matrices()
@@ -138,8 +137,8 @@ def factors_of(formula: Any) -> Factors:
         scalar, tensors = formula, ()
     negative = False
     coefficient = sp.S.One
-    above: list[Any] = []
-    below: list[Any] = []
+    above: list[sp.Expr] = []
+    below: list[sp.Expr] = []
     for signed in sp.Mul.make_args(scalar):
         minus = is_negative(signed)
         negative ^= minus
@@ -150,17 +149,19 @@ def factors_of(formula: Any) -> Factors:
             below.append(sp.Pow(factor.base, -factor.exp))
         else:
             above.append(factor)
-    found = []
+    signless = []
     for tensor in tensors:
         minus = is_negative(tensor)
         negative ^= minus
-        found.append(negated(tensor) if minus else tensor)
-    if len(found) > 1:
-        found = [tensor for tensor in found if not isinstance(tensor, Identity)] or found[:1]
+        signless.append(negated(tensor) if minus else tensor)
+    if len(signless) > 1:
+        signless = [tensor for tensor in signless if not isinstance(tensor, Identity)] or signless[
+            :1
+        ]
     return Factors(
         negative,
         (int(coefficient.p), int(coefficient.q)),
         tuple(sorted(above, key=_factor_key)),
         tuple(sorted(below, key=_factor_key)),
-        tuple(found),
+        tuple(signless),
     )

@@ -83,10 +83,10 @@ def plain_words(words: str) -> str:
     Emphasis between asterisks is dropped, and L_k in running words gets its index; script letters
     look the same there as in formulas.
     """
-    shown = _FORMULA.sub(lambda found: plain(found[1] or found[2]), words)
+    shown = _FORMULA.sub(lambda match: plain(match[1] or match[2]), words)
     shown = re.sub(r"(?<!\w)\*(\w[^*]*)\*", r"\1", shown).translate(_BOLD_SCRIPT)
     return re.sub(
-        r"(?<=[\w\u0300-\u036f])_([0-9a-z]+)(?!\w)", lambda found: _small("_", found[1]), shown
+        r"(?<=[\w\u0300-\u036f])_([0-9a-z]+)(?!\w)", lambda match: _small("_", match[1]), shown
     )
 
 
@@ -117,14 +117,14 @@ class _Reader:
 
     def parts(self) -> list[_Part]:
         """Everything up to the end of a group."""
-        found: list[_Part] = []
+        parts: list[_Part] = []
         while self._at < len(self._tokens) and self._tokens[self._at] != "}":
             token = self._next()
             if token in ("_", "^"):
-                found.append(_Part(_small(token, _line(self._argument())), "index"))
+                parts.append(_Part(_small(token, _line(self._argument())), "index"))
             else:
-                found += self._meaning(token)
-        return found
+                parts += self._meaning(token)
+        return parts
 
     def _next(self) -> str:
         token = self._tokens[self._at]
@@ -138,9 +138,9 @@ class _Reader:
         token = self._next()
         if token != "{":
             return self._meaning(token)
-        found = self.parts()
+        parts = self.parts()
         self._at += 1
-        return found
+        return parts
 
     def _meaning(self, token: str) -> list[_Part]:
         if token == "{":
@@ -161,9 +161,9 @@ class _Reader:
         if name == "frac":
             return [_fraction(self._argument(), self._argument())]
         if name == "sqrt":
-            return [_Part(f"√{_guarded(_line(self._argument()))}")]
+            return [_Part(f"√{_in_brackets(_line(self._argument()))}")]
         if name in _ACCENTS:
-            return [_accented(_line(self._argument()), name)]
+            return [_accented_letter(_line(self._argument()), name)]
         if name in ("mathcal", "mathbb"):
             return [_Part("".join(map(_drawn[name], _line(self._argument()))))]
         if name in _FONTS:
@@ -215,8 +215,8 @@ def _double(letter: str) -> str:
 _drawn = {"mathcal": _script, "mathbb": _double}
 
 
-def _accented(letter: str, accent: str) -> _Part:
-    """The mark on a single letter; a longer formula in brackets with the mark after it."""
+def _accented_letter(letter: str, accent: str) -> _Part:
+    """A letter with its mark; a longer formula in brackets, then the mark."""
     marks = sum(map(unicodedata.combining, letter)) > 0
     if len(letter) == 1 or marks:
         return _Part(letter + _ACCENTS[accent])
@@ -236,7 +236,7 @@ def _small(place: str, written: str) -> str:
 
 
 def _loose(written: str) -> bool:
-    """Whether a formula falls apart where a factor is wanted: it has a sign or space outside."""
+    """Whether a formula needs brackets as a factor: a sign or space outside."""
     depth = 0
     for character in written:
         depth += (character in "([{") - (character in ")]}")
@@ -245,8 +245,8 @@ def _loose(written: str) -> bool:
     return False
 
 
-def _guarded(written: str) -> str:
-    """In brackets unless it is one letter with its marks, brackets with all inside, or f(…)."""
+def _in_brackets(written: str) -> str:
+    """The text in brackets, unless it is a letter, in brackets already, or f(…)."""
     if re.fullmatch(r"\w?\(.*\)", written) and _one_pair(written[written.index("(") :]):
         return written
     base = re.sub(r"[₀-₉ₐ-ₜᵢᵣᵤᵥⱼ⁰¹²³⁴-⁹⁻′]", "", unicodedata.normalize("NFC", written))
@@ -273,7 +273,7 @@ def _fraction(above: Sequence[_Part], below: Sequence[_Part]) -> _Part:
     if sign in ("d", "∂") and first.startswith(sign) and " " not in first + second:
         return _Part(f"{first}/{second}", "rate")
     top = f"({first})" if _loose(first) else first
-    return _Part(f"{top}/{_guarded(second)}", "ratio")
+    return _Part(f"{top}/{_in_brackets(second)}", "ratio")
 
 
 def _line(parts: Sequence[_Part]) -> str:
@@ -322,7 +322,7 @@ def _is_factor(before: _Part | None, after: _Part | None) -> bool:
 
 
 def _apart(parts: Sequence[_Part], index: int) -> bool:
-    """Whether a letter would be read into what stands before it: sin² θ, cos θ φ̇, ρ_μ M."""
+    """Whether a letter needs a space before it: sin² θ, cos θ φ̇, ρ_μ M."""
     if index < 1 or parts[index].kind not in ("letter", "ratio"):
         return False
     before = parts[index - 1]

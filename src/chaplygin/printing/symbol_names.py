@@ -38,7 +38,7 @@ _NAME = re.compile(
 
 @dataclass(frozen=True)
 class SymbolName:
-    """A name as spelt in code, taken apart: ``rdot_1`` is r with a dot and subscript 1."""
+    """The parts of a name in code: ``rdot_1`` is r with a dot and subscript 1."""
 
     base: str
     accents: tuple[str, ...] = ()
@@ -46,7 +46,7 @@ class SymbolName:
     subscript: str = ""
 
     def dotted(self) -> SymbolName:
-        """The same name for the rate of what it names."""
+        """The name of the rate of this quantity."""
         accents = (*self.accents, "dot")
         if accents[-2:] == ("dot", "dot"):
             accents = (*accents[:-2], "ddot")

@@ -1,4 +1,4 @@
-"""A System as a page of paper: plain text for a terminal, LaTeX, and HTML with MathML.
+"""A System as plain text for a terminal, as LaTeX, and as HTML with MathML.
 
 Formulas themselves are written by :mod:`chaplygin.printing.formula`, whose :func:`text` and
 :func:`latex` are offered here as well.
@@ -10,11 +10,14 @@ import html
 import re
 import textwrap
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+import sympy as sp
+
+from ..core.named_formulas import Pairs
 from .formula import LATEX, UNICODE, Notation, latex, rate, signed_terms, text, width
 from .laws import caption, equation, equation_sides, heading
-from .layout import Layout, Pairs, layout, reconstruction_layout
+from .layout import Layout, layout, reconstruction_layout
 from .mathml import mathml, width_of
 from .numerals import number, unit
 
@@ -70,7 +73,7 @@ def system_text(system: System) -> str:
     blocks = [[system.title, *_paragraph(system.summary)]]
     blocks.append(["Equations of motion", *_field_lines(page)])
     if page.where:
-        blocks[-1] += ["where", *_equations(_written(page.where))]
+        blocks[-1] += ["where", *_equations(_text_pairs(page.where))]
     if system.relations:
         sides = [tuple(map(text, equation(zero))) for zero in system.relations]
         blocks[-1] += ["on the phase space", *_equations(sides)]
@@ -98,7 +101,7 @@ def _law_blocks(system: System) -> list[list[str]]:
         blocks.append(["Constant along the motion", *_table(laws)])
     blocks += [_law_lines(law, system) for law in _others(system)]
     if further := layout(system).further:
-        blocks.append(["In the laws", *_equations(_written(further))])
+        blocks.append(["In the laws", *_equations(_text_pairs(further))])
     return blocks
 
 
@@ -110,14 +113,14 @@ def field_text(system: System) -> list[str]:
 def motion_text(system: System) -> list[str]:
     """The equations of the lift to space, as indented lines; none without a lift."""
     page = reconstruction_layout(system)
-    return _field_lines(page) + _equations(_written(page.where))
+    return _field_lines(page) + _equations(_text_pairs(page.where))
 
 
 def _field_lines(page: Layout) -> list[str]:
     return _equations((rate(name, UNICODE), text(formula)) for name, formula in page.field)
 
 
-def _written(pairs: Pairs) -> list[tuple[str, str]]:
+def _text_pairs(pairs: Pairs) -> list[tuple[str, str]]:
     return [(text(name), text(formula)) for name, formula in pairs]
 
 
@@ -129,7 +132,7 @@ def _equations(sides: Iterable[tuple[str, ...]]) -> list[str]:
     lines: list[str] = []
     for left, right in sides:
         head = f"{_INDENT}{left} = "
-        lines += _broken(head, right)
+        lines += _wrapped_lines(head, right)
     return lines
 
 
@@ -147,7 +150,7 @@ def _law_lines(law: Law, system: System) -> list[str]:
     lines = [heading(law)]
     for left, right in equation_sides(law, system, UNICODE):
         head = f"{_INDENT}{left} = " if left else _INDENT * 2
-        lines += _broken(head, right if isinstance(right, str) else text(right))
+        lines += _wrapped_lines(head, right if isinstance(right, str) else text(right))
     wrapped = textwrap.wrap(caption(law, system, text), WIDTH - 4)
     return [*lines, *(textwrap.indent(line, _INDENT) for line in wrapped)]
 
@@ -158,13 +161,13 @@ def _table(rows: Sequence[tuple[str, ...]]) -> list[str]:
     lines: list[str] = []
     for *cells, last in rows:
         padded = (
-            cell + " " * (room - width(cell)) for cell, room in zip(cells, columns, strict=True)
+            cell + " " * (size - width(cell)) for cell, size in zip(cells, columns, strict=True)
         )
-        lines += _broken(_INDENT + "".join(f"{cell}  " for cell in padded), last)
+        lines += _wrapped_lines(_INDENT + "".join(f"{cell}  " for cell in padded), last)
     return lines
 
 
-def _broken(head: str, formula: str) -> list[str]:
+def _wrapped_lines(head: str, formula: str) -> list[str]:
     """`head` and a formula, continued under the formula at the best places to break."""
     lines = []
     indent = " " * width(head)
@@ -177,14 +180,14 @@ def _broken(head: str, formula: str) -> list[str]:
     return [*lines, (head + formula).rstrip()]
 
 
-def _best_break(formula: str, room: int) -> int | None:
-    """The space at which to break so that `room` columns are kept: outside brackets, before ±."""
+def _best_break(formula: str, limit: int) -> int | None:
+    """The best space for a break within `limit` columns: outside brackets, before ±."""
     best: tuple[float, int] | None = None
     depth = 0
     used = 0
     for index, character in enumerate(formula):
         used += width(character)
-        if used > room + 1:
+        if used > limit + 1:
             break
         depth += (character in "([") - (character in ")]")
         if character != " " or index == 0:
@@ -207,7 +210,7 @@ def _best_break(formula: str, room: int) -> int | None:
 
 
 def system_latex(system: System) -> str:
-    r"""The equations of motion and what their letters stand for, as an ``aligned`` environment.
+    r"""The equations of motion and their definitions, as an ``aligned`` environment.
 
     Returns
     -------
@@ -219,14 +222,14 @@ def system_latex(system: System) -> str:
     if page.where:
         rows.append(r"\text{where} \quad &")
         rows += _aligned_rows((latex(name), formula) for name, formula in page.where)
-    return _aligned(rows)
+    return _aligned_environment(rows)
 
 
-def _aligned(rows: Sequence[str]) -> str:
+def _aligned_environment(rows: Sequence[str]) -> str:
     return "\\begin{aligned}\n" + " \\\\\n".join(rows) + "\n\\end{aligned}"
 
 
-def _aligned_rows(sides: Iterable[tuple[str, Any]]) -> list[str]:
+def _aligned_rows(sides: Iterable[tuple[str, sp.Basic]]) -> list[str]:
     rows = []
     for left, formula in sides:
         first, *others = _lines(formula, LATEX)
@@ -235,7 +238,7 @@ def _aligned_rows(sides: Iterable[tuple[str, Any]]) -> list[str]:
     return rows
 
 
-def _lines(formula: Any, notation: Notation) -> list[str]:
+def _lines(formula: sp.Basic, notation: Notation) -> list[str]:
     """A sum as lines of about `LINE` columns each."""
     lines: list[str] = []
     used = 0
@@ -265,7 +268,7 @@ _STYLE = """\
 
 
 def system_html(system: System) -> str:
-    """A system as a self-contained HTML fragment with MathML, for notebooks and reports.
+    """A system as a self-contained HTML fragment with MathML.
 
     Returns
     -------
@@ -314,7 +317,7 @@ def law_html(law: Law, system: System) -> str:
 
 
 def claims_html(system: System) -> str:
-    """All laws of a system, integrals too, and what their letters stand for; empty without any."""
+    """All laws of a system with the definitions of their letters; empty without any."""
     parts = [law_html(law, system) for law in system.laws]
     further = layout(system).further
     if parts and further:
@@ -323,10 +326,10 @@ def claims_html(system: System) -> str:
 
 
 def law_latex(law: Law, system: System) -> str:
-    """The equations of a law as an ``aligned`` environment; of an integral its formula alone."""
+    """The equations of a law as an ``aligned`` environment, an integral by itself."""
     if law in system.integrals:
         return latex(law.value)
-    return _aligned(_law_rows_latex(law, system))
+    return _aligned_environment(_law_rows_latex(law, system))
 
 
 def _law_rows_latex(law: Law, system: System) -> list[str]:
@@ -341,14 +344,14 @@ def _law_rows_latex(law: Law, system: System) -> list[str]:
 
 def _caption_html(law: Law, system: System) -> str:
     """The caption of a law; the formulas of its level in MathML."""
-    kept: list[str] = []
+    formulas: list[str] = []
 
-    def mark(formula: Any) -> str:
-        kept.append(mathml(latex(formula)))
-        return f"\0{len(kept) - 1}\0"
+    def mark(formula: sp.Basic) -> str:
+        formulas.append(mathml(latex(formula)))
+        return f"\0{len(formulas) - 1}\0"
 
     sentence = html.escape(caption(law, system, mark))
-    return re.sub(r"\0(\d+)\0", lambda match: kept[int(match[1])], sentence)
+    return re.sub(r"\0(\d+)\0", lambda match: formulas[int(match[1])], sentence)
 
 
 def _defining_rows(pairs: Pairs) -> list[str]:
@@ -356,11 +359,11 @@ def _defining_rows(pairs: Pairs) -> list[str]:
 
 
 def _display(rows: Sequence[str]) -> str:
-    return displayed(_aligned(rows))
+    return displayed(_aligned_environment(rows))
 
 
 def displayed(formula: str) -> str:
-    """LaTeX on a line of its own as HTML; what is wider than the line is made to fit by it.
+    """LaTeX as a displayed formula in HTML, with the width that it needs.
 
     The width in em is there as ``--width``, for style sheets that shrink what would be cut.
     """

@@ -15,7 +15,6 @@ import sympy as sp
 from flint import nmod_mat
 
 from ..core.laws import Measure
-from ..core.vectors import to_components
 from ..errors import InputError
 from ..proof.prover import prove
 from .modular_jets import Integers, inverse, prime
@@ -146,9 +145,7 @@ def _divergence(space: SearchSpace, sample: Sample) -> Integers:
 def _rate(space: SearchSpace, relation: sp.Expr) -> sp.Expr:
     """v(R) as a formula, definitions inside R written out."""
     system = space.system
-    formula = to_components(relation)
-    for symbol, value in reversed(system.needed([formula])):
-        formula = formula.xreplace({symbol: value})
+    formula = system.expand(relation)
     return sp.Add(
         *(sp.diff(formula, s) * r for s, r in zip(system.symbols, system.rates, strict=True))
     )

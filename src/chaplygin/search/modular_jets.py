@@ -18,6 +18,7 @@ import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
+from ..core.named_formulas import expand
 from ..core.vectors import Dot, to_components
 from ..errors import InputError
 from ..formulas.evaluation import Evaluation
@@ -240,20 +241,13 @@ class Evaluator(Evaluation[Jet]):
     def _logarithm(self, argument: sp.Expr) -> Jet:
         """log |f|: a sum over the factors of f of functions that depend on them wildly."""
         total = self.constant(0)
-        for base, exponent in _factors(self._written_out(argument)).items():
+        for base, exponent in _factors(expand(to_components(argument), self._definitions)).items():
             jet = self(base)
             self.good &= jet.value != 0
             # even, as a factor is known up to its sign alone
             value = power(jet.value * jet.value % prime(), _WILD)
             total = total + self(exponent) * jet.chained(value, inverse(jet.value))
         return total
-
-    def _written_out(self, formula: sp.Expr) -> sp.Expr:
-        """A formula without definitions."""
-        formula = to_components(formula)
-        while used := formula.free_symbols & set(self._definitions):
-            formula = formula.xreplace({s: to_components(self._definitions[s]) for s in used})
-        return formula
 
     def _circular(self, formula: sp.Expr) -> Jet:
         """Sine or cosine of an angle: a point of the circle that depends on the angle wildly."""

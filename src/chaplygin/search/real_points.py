@@ -40,10 +40,8 @@ def has_real_points(
     defaults = system.defaults
     numbers = {s: sp.Float(defaults[s]) for s in free}
     numbers |= {s: sp.N(value.xreplace(numbers)) for s, value in substitutions}
-    formulas = list(relations)
-    for symbol, value in reversed(system.needed(formulas)):
-        formulas = [f.xreplace({symbol: value}) for f in formulas]
-    residual = sp.lambdify(system.symbols, [f.xreplace(numbers) for f in formulas], "numpy")
+    formulas = [system.expand(relation).xreplace(numbers) for relation in relations]
+    residual = sp.lambdify(system.symbols, formulas, "numpy")
 
     def function(x: FloatArray) -> FloatArray:
         with np.errstate(all="ignore"):

@@ -9,7 +9,11 @@ import sympy as sp
 
 from chaplygin.core.vectors import Vector, norm_squared, to_components
 from chaplygin.errors import InputError
-from chaplygin.mechanics.constraints.distribution import along, commutator, distribution_spanned_by
+from chaplygin.mechanics.constraints.distribution import (
+    commutator,
+    distribution_spanned_by,
+    lie_derivative,
+)
 from chaplygin.mechanics.constraints.growth import filtration, generic, growth
 
 x, y, z, u, w, p = sp.symbols("x y z u w p", real=True)
@@ -104,7 +108,7 @@ def test_redundant_coordinates():
     assert (found.growth, found.dimension) == ((2,), 2)
     assert sum(value**2 for value in found.point.values()) == 1
     for field in fields:
-        assert along(field, to_components(norm_squared(gamma))) == 0
+        assert lie_derivative(field, to_components(norm_squared(gamma))) == 0
 
 
 def test_a_point_off_the_relations_is_refused():

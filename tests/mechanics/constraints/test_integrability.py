@@ -37,7 +37,7 @@ from chaplygin.core.vectors import (
 )
 from chaplygin.errors import InputError
 from chaplygin.mechanics.ball.mechanism import ball_mechanism
-from chaplygin.mechanics.constraints.distribution import Distribution, along, distribution
+from chaplygin.mechanics.constraints.distribution import Distribution, distribution, lie_derivative
 from chaplygin.mechanics.constraints.integrability import nonholonomy, nonholonomy_at
 from chaplygin.mechanics.lagrangian.mechanism import (
     TIME,
@@ -75,7 +75,7 @@ def proven_by_the_prover(given: Distribution, function: sp.Expr) -> bool:
     """
     if function.has(sp.log, sp.atan):
         own = given.fixed.fields
-        return all(sp.simplify(along(field, function)) == 0 for field in own)
+        return all(sp.simplify(lie_derivative(field, function)) == 0 for field in own)
     speeds = [real_symbol(f"speed_{i}") for i, _ in enumerate(given.fields)]
     table = {s: sp.Rational(repr(value)) for s, value in given.constants}
     rates = {
@@ -387,7 +387,7 @@ def test_the_fields_satisfy_the_constraints():
     made = rolling(Ellipsoid((1.0, 0.8, 0.6)), Plane(), "rubber")
     given = distribution(made)
     assert len(given.fields) == 2
-    heights = [along(field, real_symbol("R_3")) for field in given.fields]
+    heights = [lie_derivative(field, real_symbol("R_3")) for field in given.fields]
     assert any(height != 0 for height in heights)
 
 

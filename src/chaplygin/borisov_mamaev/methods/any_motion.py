@@ -1,4 +1,4 @@
-"""A body in contact that moves in any way: with accelerations and a contact point of any kind.
+"""A body in contact with arbitrary accelerations and contact point.
 
 Equations of motion that are linear in ω̇ and λ₀ are equivalent when their residuals agree for
 every value of both; no equation has to be solved for that.
@@ -91,7 +91,7 @@ def driven(normal_rate: MatrixExpr, correction: Expr) -> System:
     adjugate = constant(K.entries.adjugate())
     determinant = K.entries.det()
     numerator = dot(adjugate * gamma, X) / determinant + correction
-    given = (
+    numbers = (
         *((s, "bracket of (1.19)", 0.4 - i / 3) for i, s in enumerate(X)),
         *((s, "rate of the normal", 0.2 + i / 3) for i, s in enumerate(gammadot)),
         *((s, "tensor", 2.0 if name[-1] == name[-2] else 0.1) for s, name in _NAMED),
@@ -100,7 +100,7 @@ def driven(normal_rate: MatrixExpr, correction: Expr) -> System:
         "any-torque",
         "A body under any torque",
         {omega: adjugate * (X + lambda_0 * gamma) / determinant, gamma: normal_rate},
-        parameters=tuple(Parameter(s, meaning, value) for s, meaning, value in given),
+        parameters=tuple(Parameter(s, meaning, value) for s, meaning, value in numbers),
         definitions={lambda_0: -numerator * determinant / dot(gamma, adjugate * gamma)},
     )
 

@@ -1,11 +1,11 @@
-"""Laws of the catalogue as the paper prints them."""
+"""Laws of systems by their names, and as the paper prints them."""
 
 from __future__ import annotations
 
 from ...core.laws import Law
 from ...core.system import System
 
-__all__ = ["law_named", "printed_form"]
+__all__ = ["law_named", "laws_named", "printed_form"]
 
 
 def law_named(system: System, name: str) -> Law:
@@ -18,6 +18,11 @@ def law_named(system: System, name: str) -> Law:
     """
     (law,) = (item for item in system.laws if getattr(item, "name", "") == name)
     return law
+
+
+def laws_named(system: System, *names: str) -> tuple[tuple[System, Law], ...]:
+    """A system paired with each of several of its laws."""
+    return tuple((system, law_named(system, name)) for name in names)
 
 
 def printed_form(law: Law) -> Law:

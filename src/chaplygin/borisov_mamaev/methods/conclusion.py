@@ -1,15 +1,30 @@
-"""A verdict that rests on several others."""
+"""Verdicts that follow from a computation, or from several other verdicts."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 from ...core.laws import Law
 from ...core.system import System
 from ...proof.prover import prove
-from ...proof.verdict import Verdict
+from ...proof.verdict import Decision, Verdict
 
-__all__ = ["concluded"]
+__all__ = ["computed_verdict", "concluded"]
+
+
+def computed_verdict(
+    name: str,
+    holds: object,
+    shown: str = "",
+    otherwise: str = "",
+    *,
+    decision: Decision = "proven",
+    **details: Any,
+) -> Verdict:
+    """The verdict of a computation: `decision` if it holds, else undecided, with a reason."""
+    result: Decision = decision if holds else "undecided"
+    return Verdict(name, result, shown=shown, reason="" if holds else otherwise, **details)
 
 
 def concluded(name: str, shown: str, rests_on: Iterable[Verdict | tuple[System, Law]]) -> Verdict:

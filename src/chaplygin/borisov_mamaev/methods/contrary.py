@@ -18,7 +18,7 @@ _OPPOSITE: dict[Decision, Decision] = {
 def contrary(verdict: Verdict) -> Verdict:
     """The verdict on the opposite statement.
 
-    What was shown, and the witness if there is one, are kept.  What is proven only under conditions
+    The text and the witness, if there is one, are kept.  A statement proven only under conditions
     does not decide the opposite.
     """
     if verdict.decision == "proven where":

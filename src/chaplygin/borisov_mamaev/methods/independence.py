@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
 from ...core.system import System
-from ...core.vectors import to_components
 from ...parsing.exact_decimals import exact_number
 from ...proof.verdict import Verdict
+from .conclusion import computed_verdict
 
 __all__ = ["independent", "rational_point"]
 
@@ -49,19 +48,15 @@ def independent(
         Proven when the rank of the differentials at the point is the number of functions, so
         that it is so on an open dense set; otherwise undecided.
     """
-    started = time.monotonic()
     rows = []
     for function in functions:
-        value = to_components(function)
-        for symbol, formula in reversed(system.steps):
-            value = value.xreplace({symbol: formula})
+        value = system.expand(function)
         rows.append([sp.diff(value, s).xreplace(dict(point)) for s in system.symbols])
     rank = sp.Matrix(rows).rank()
     reached = rank == len(functions)
-    return Verdict(
+    return computed_verdict(
         "independence",
-        "proven" if reached else "undecided",
-        shown=f"rank {rank} of {len(functions)} differentials at a rational point",
-        reason="" if reached else f"the differentials have rank {rank} at the point tried",
-        seconds=time.monotonic() - started,
+        reached,
+        f"rank {rank} of {len(functions)} differentials at a rational point",
+        f"the differentials have rank {rank} at the point tried",
     )

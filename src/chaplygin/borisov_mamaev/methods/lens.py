@@ -47,16 +47,16 @@ def lens(potential: sp.Expr = POTENTIAL) -> System:
     State M, γ, and p, p′ at the contact, whose rates follow from the equation of the profile.
     """
     any_profile = Revolution(1 + g_3**2 / 4)
-    made = roll(Body(1.0, (0.3, 0.3, 0.2), any_profile), field=Forces(9.81, potential))
+    system = roll(Body(1.0, (0.3, 0.3, 0.2), any_profile), field=Forces(9.81, potential))
     along, across = curvatures()
     nod = g_1 * omega.symbols[1] - g_2 * omega.symbols[0]
-    kept = tuple(item for item in made.definitions if item[0] not in (height, slope, bend))
+    definitions = tuple(item for item in system.definitions if item[0] not in (height, slope, bend))
     return replace(
-        made,
+        system,
         name="marble-lens",
         title="Marble lens",
-        field=(*made.field, (height, slope * nod), (slope, bend * nod)),
-        definitions=((bend, (along - across) / LEAN), *kept),
+        field=(*system.field, (height, slope * nod), (slope, bend * nod)),
+        definitions=((bend, (along - across) / LEAN), *definitions),
         guards=(),
         observables=(),
         motion=None,

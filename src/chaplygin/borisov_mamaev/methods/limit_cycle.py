@@ -1,7 +1,7 @@
-"""That an unbalanced rubber ball has limit cycles, with rigorous bounds: no invariant measure.
+"""Limit cycles of an unbalanced rubber ball, with rigorous bounds.
 
 On the torus of :func:`~chaplygin.catalogue.bodies.unbalanced_rubber_ball_centred.torus` the motion
-is dα/dβ = f(α, β) > 0, and one turn of β gives a map of the circle of α.  Where its displacement
+is dα/dβ = f(α, β) > 0, and one turn of β gives a map of the circle of α.  If its displacement
 from two whole turns is negative at one α and positive at another, the map has a fixed point and is
 not the identity.  A map of the circle that keeps a continuous positive density and has a fixed
 point is the identity; so that on this torus, and hence around it in the phase space, there is no
@@ -13,13 +13,13 @@ from a corner, that line is above the solution, and the same below.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Sequence
 from fractions import Fraction
 
 from flint import arb, ctx
 
 from ...proof.verdict import Verdict
+from .conclusion import computed_verdict
 
 __all__ = ["CASE", "displacement", "limit_cycle"]
 
@@ -91,24 +91,20 @@ def displacement(start: Fraction, upwards: bool, case: Case = CASE, steps: int =
 
 
 def limit_cycle(proofs: Sequence[Verdict] = ()) -> Verdict:
-    """That the map of the circle has a fixed point and is not the identity.
+    """The verdict that the circle map has a fixed point and is not the identity.
 
     Parameters
     ----------
     proofs : sequence of Verdict
         What the reduction to the torus rests on; all must be proven.
     """
-    started = time.monotonic()
     below = displacement(BELOW, upwards=True)
     above = displacement(ABOVE, upwards=False)
     shown = all(proofs) and below < 0 and above > 0
     numbers = f"{float(below):.3f} < 0 at α = {BELOW} and {float(above):.3f} > 0 at α = {ABOVE}"
-    return Verdict(
+    return computed_verdict(
         "limit cycle",
-        "proven" if shown else "undecided",
-        shown=f"on the torus F/2H = {CASE[2]} one turn moves α from 4π by {numbers}",
-        reason=""
-        if shown
-        else "the bounds do not decide, or the reduction to the torus is not proven",
-        seconds=time.monotonic() - started,
+        shown,
+        f"on the torus F/2H = {CASE[2]} one turn moves α from 4π by {numbers}",
+        "the bounds do not decide, or the reduction to the torus is not proven",
     )

@@ -39,38 +39,40 @@ def divergence_of_spin(system: System, place: Sequence[Fraction]) -> Fraction:
     place : 3 rational numbers
         γ, a unit vector.
     """
-    spinning = _known(system, dict(zip(omega.symbols, place, strict=True)), place)
-    momentum = [_evaluated(part, spinning) for part in to_components(dict(system.start)[M])]
+    spinning = _symbol_values(system, dict(zip(omega.symbols, place, strict=True)), place)
+    momentum = [_rational_value(part, spinning) for part in to_components(dict(system.start)[M])]
     rates = dict(zip(system.symbols, system.rates, strict=True))
     total = Fraction(0)
     for i, symbol in enumerate(M.symbols):
         for sign in (1, -1):
             shifted = dict(zip(M.symbols, momentum, strict=True))
             shifted[symbol] = momentum[i] + sign
-            rate = _evaluated(rates[symbol], _known(system, shifted, place))
+            rate = _rational_value(rates[symbol], _symbol_values(system, shifted, place))
             total += Fraction(sign, 2) * rate
     return total
 
 
-def _known(system: System, state: Known, place: Sequence[Fraction]) -> dict[sp.Symbol, Fraction]:
+def _symbol_values(
+    system: System, state: Known, place: Sequence[Fraction]
+) -> dict[sp.Symbol, Fraction]:
     """Parameters, state, and the definitions that follow from them."""
     known = {p.symbol: Fraction(str(p.default)) for p in system.parameters}
     known |= {**state, **dict(zip(gamma.symbols, place, strict=True))}
     for symbol, formula in system.steps:
         if symbol not in known and formula.free_symbols <= set(known):
-            known[symbol] = _evaluated(formula, known)
+            known[symbol] = _rational_value(formula, known)
     return known
 
 
-def _evaluated(formula: sp.Expr, known: Known) -> Fraction:
+def _rational_value(formula: sp.Expr, known: Known) -> Fraction:
     """A rational formula."""
     if formula.is_Symbol:
         return known[formula]
     if formula.is_Add or formula.is_Mul:
-        parts = [_evaluated(arg, known) for arg in formula.args]
+        parts = [_rational_value(arg, known) for arg in formula.args]
         return reduce(add if formula.is_Add else mul, parts)
     if formula.is_Pow:
-        made: Fraction = _evaluated(formula.base, known) ** int(formula.exp)
-        return made
+        power: Fraction = _rational_value(formula.base, known) ** int(formula.exp)
+        return power
     number = sp.Rational(formula)
     return Fraction(int(number.p), int(number.q))

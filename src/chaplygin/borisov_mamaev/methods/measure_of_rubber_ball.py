@@ -1,4 +1,4 @@
-"""For which unbalanced rubber balls a measure exists whose density depends on γ alone.
+"""Unbalanced rubber balls with a measure whose density depends on γ alone.
 
 In the momenta across γ a density e^σ(γ) gives an invariant measure if and only if
 
@@ -19,7 +19,6 @@ line of κ is an axis of symmetry of J, and thus of I.  For these bodies dσ is 
 
 from __future__ import annotations
 
-import time
 from dataclasses import replace
 
 import sympy as sp
@@ -31,6 +30,7 @@ from ...mechanics.rolling.equations import Rolling
 from ...mechanics.rolling.shapes import Ball
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
+from .conclusion import computed_verdict
 
 __all__ = ["curl", "only_symmetric_balls"]
 
@@ -79,7 +79,7 @@ def necessary() -> bool:
 
 
 def sufficient() -> Verdict:
-    """That dσ is closed for a ball with its centre on an axis of symmetry."""
+    """The verdict that dσ is closed for a centre on an axis of symmetry."""
     ball = Ball(1.0, centre=(0.1, 0.2, 0.3))
     form = one_form(Rolling(Body(1.0, (1.0, 1.5, 2.1), ball), contact="rubber"))
     I, c = Diagonal("I").symbols, Vector("c").symbols
@@ -88,13 +88,11 @@ def sufficient() -> Verdict:
 
 def only_symmetric_balls() -> Verdict:
     """A measure exists if and only if c = 0 or c is along an axis of dynamical symmetry."""
-    started = time.monotonic()
     shown = necessary() and bool(sufficient())
-    return Verdict(
+    return computed_verdict(
         "measure",
-        "proven" if shown else "undecided",
-        shown="the curl of q at the principal axes and across them vanishes for these balls alone, "
+        shown,
+        "the curl of q at the principal axes and across them vanishes for these balls alone, "
         "and everywhere for these",
-        reason="" if shown else "the curl is not as it should be",
-        seconds=time.monotonic() - started,
+        "the curl is not as it should be",
     )

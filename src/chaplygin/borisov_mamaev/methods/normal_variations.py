@@ -1,4 +1,4 @@
-"""That (9.17) with k = −½ has no meromorphic second integral (§9.4).
+"""(9.17) with k = −½ has no meromorphic second integral (§9.4).
 
 V = −h (γ, Jγ)² is a polynomial on the sphere.  A point on the great circle γ₃ = 0 with H̃ = 0 has
 φ′² = 2h a², a = J₁cos²φ + J₂sin²φ.  With y = δγ₃ and φ as the time its variation across the circle
@@ -26,14 +26,12 @@ homogeneous in M, so that the same holds for (9.2).
 
 from __future__ import annotations
 
-import time
-
 import sympy as sp
 
 from ...catalogue.ball_on_sphere import power_potential_on_sphere as point
 from ...catalogue.ball_on_sphere.rubber_ball_on_e3 import J, M, gamma, k
-from ...core.vectors import to_components
 from ...proof.verdict import Verdict
+from .conclusion import computed_verdict
 
 __all__ = ["EXPONENT", "exponents", "no_second_integral", "normal_equation", "remainder"]
 
@@ -55,11 +53,9 @@ def normal_equation() -> tuple[sp.Expr, sp.Expr]:
     γ = (cos φ, sin φ, 0), M = (0, 0, −φ′), and a variation δγ₃ = y, δM₁, δM₂ with
     δγ₃′ = γ₁δM₂ − γ₂δM₁ that keeps (M, γ) = 0.
     """
-    made = point.moving()
+    system = point.moving()
     state = sp.Matrix([*M, *gamma])
-    rates = sp.Matrix([to_components(made.rates[made.symbols.index(s)]) for s in state])
-    for symbol, formula in reversed(made.steps):
-        rates = rates.xreplace({symbol: formula})
+    rates = sp.Matrix([system.expand(system.rates[system.symbols.index(s)]) for s in state])
     rates = rates.xreplace({k: EXPONENT}).doit()
     speed = sp.sqrt(2 * point.h) * WEIGHT
     cosine, sine = sp.cos(phi), sp.sin(phi)
@@ -80,29 +76,28 @@ def exponents() -> dict[str, list[sp.Expr]]:
     """
     zero, e = sp.symbols("z e")
     weight = J_2 * (t**2 - zero**2)
-    rest = 3 * weight - 2 * J_3 * (1 + t**2)
-    found = {}
+    coefficient = 3 * weight - 2 * J_3 * (1 + t**2)
+    pairs = {}
     for name, place in (("i", sp.I), ("root", zero)):
         first = sp.cancel((t - place) * sp.diff(weight, t) / weight)
         last = sp.cancel(
-            (t - place) ** 2 * rest / (sp.expand((t - sp.I) * (t + sp.I)) ** 2 * weight),
+            (t - place) ** 2 * coefficient / (sp.expand((t - sp.I) * (t + sp.I)) ** 2 * weight),
             extension=sp.I,
         )
         indicial = e * (e - 1) + first.subs(t, place) * e + last.subs(t, place)
         roots = sp.roots(sp.Poly(sp.simplify(indicial), e))
-        found[name] = sorted(x for x, count in roots.items() for _ in range(count))
-    return found
+        pairs[name] = sorted(x for x, count in roots.items() for _ in range(count))
+    return pairs
 
 
 def remainder() -> sp.Expr:
-    """What `_operator` makes of y = b sin φ + c cos φ."""
+    """The value of `_operator` for y = b sin φ + c cos φ."""
     value = b * sp.sin(phi) + c * sp.cos(phi)
     return sp.simplify(_operator(value, sp.diff(value, phi), sp.diff(value, phi, 2)))
 
 
 def no_second_integral() -> Verdict:
-    """That the computations named above come out as they are stated there."""
-    started = time.monotonic()
+    """The verdict on the computations stated above."""
     left = 2 * (J_2 - J_3) * b * sp.sin(phi) + 2 * (J_1 - J_3) * c * sp.cos(phi)
     half = sp.Rational(1, 2)
     shown = (
@@ -110,10 +105,9 @@ def no_second_integral() -> Verdict:
         and exponents() == {"i": [-half, 3 * half], "root": [0, 0]}
         and sp.simplify(remainder() - left) == 0
     )
-    return Verdict(
+    return computed_verdict(
         "no second integral",
-        "proven" if shown else "undecided",
-        shown="for k = −½ the group of the variations across the circle γ₃ = 0 is SL(2)",
-        reason="" if shown else "the equation of the variations is not as it should be",
-        seconds=time.monotonic() - started,
+        shown,
+        "for k = −½ the group of the variations across the circle γ₃ = 0 is SL(2)",
+        "the equation of the variations is not as it should be",
     )

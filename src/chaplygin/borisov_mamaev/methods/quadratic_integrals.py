@@ -1,4 +1,4 @@
-"""Which potentials (γ, Jγ)^(−s) on a sphere have a second integral quadratic in the momentum.
+"""Quadratic integrals in the potentials (γ, Jγ)^(−s) on a sphere.
 
 An integral of ½M² + V on the sphere that is quadratic in M has the form ½(M, CM) + W(γ) with a
 constant symmetric C, since the Killing tensors of the sphere are squares of rotations.  It is
@@ -11,12 +11,11 @@ the energy).  With V continued to be homogeneous of degree zero it reads
 
 from __future__ import annotations
 
-import time
-
 import sympy as sp
 
 from ...core.vectors import Diagonal, real_symbol, to_components, vectors
 from ...proof.verdict import Verdict
+from .conclusion import computed_verdict
 
 __all__ = ["conditions", "no_quadratic_integral"]
 
@@ -40,12 +39,12 @@ def conditions() -> list[sp.Expr]:
     divergence = sp.Add(*(sp.diff(turned[i], place[i]) for i in range(3))) + slope.dot(turned)
     excess = divergence - 2 * place.dot(turned) / square
     numerator = sp.numer(sp.together(excess / s))
-    found: list[sp.Expr] = sp.Poly(sp.expand(numerator), *place).coeffs()
-    return found
+    coefficients: list[sp.Expr] = sp.Poly(sp.expand(numerator), *place).coeffs()
+    return coefficients
 
 
 def no_quadratic_integral() -> Verdict:
-    """That C is a multiple of E unless s² = 1, for every J with three different eigenvalues.
+    """C is a multiple of E unless s² = 1, for any J with three distinct eigenvalues.
 
     Returns
     -------
@@ -54,8 +53,7 @@ def no_quadratic_integral() -> Verdict:
         that vanishes only for equal J, and two of them in C₁₁ and C₂₂ have the determinant
         (s² − 1) times such a factor.
     """
-    started = time.monotonic()
-    found = conditions()
+    equations = conditions()
     J_1, J_2, J_3 = J.symbols
     differences = {
         C_23: J_1 * (J_2 - J_3),
@@ -63,10 +61,10 @@ def no_quadratic_integral() -> Verdict:
         C_12: J_3 * (J_1 - J_2),
     }
     single = all(
-        any(sp.expand(c - factor * entry * sign) == 0 for c in found for sign in (2, -2))
+        any(sp.expand(c - factor * entry * sign) == 0 for c in equations for sign in (2, -2))
         for entry, factor in differences.items()
     )
-    diagonal = [c for c in found if c.free_symbols & {C_11, C_22}]
+    diagonal = [c for c in equations if c.free_symbols & {C_11, C_22}]
     wanted = (s**2 - 1) * (J_1 - J_2) ** 2 * (J_2 - J_3) * (J_1 - J_3)
     regular = any(
         sp.simplify(_determinant(a, b) / wanted).is_number
@@ -75,12 +73,11 @@ def no_quadratic_integral() -> Verdict:
         if sp.expand(_determinant(a, b)) != 0
     )
     proven = single and regular
-    return Verdict(
+    return computed_verdict(
         "no quadratic integral",
-        "proven" if proven else "undecided",
-        shown="the conditions on C have only C ~ E as solution unless s² = 1 or two J are equal",
-        reason="" if proven else "the conditions do not have the expected form",
-        seconds=time.monotonic() - started,
+        proven,
+        "the conditions on C have only C ~ E as solution unless s² = 1 or two J are equal",
+        "the conditions do not have the expected form",
     )
 
 

@@ -1,6 +1,6 @@
-"""A free rigid body in space: its attitude as a quaternion, and the vector fields of (1.11).
+"""A free rigid body in space, and the vector fields of (1.11).
 
-The quaternion is a description of its own, in which the formulas of the paper for the direction
+The attitude is a quaternion, in which the formulas of the paper for the direction
 vectors α, β, γ can be decided: they are the rows of the rotation matrix.
 """
 
@@ -38,13 +38,13 @@ POTENTIAL = sp.Function("U")(*gamma.symbols)
 
 def turn(axis: int) -> VectorField:
     """ξ_k of (1.11): −Σ ε_kij (α_i ∂/∂α_j + β_i ∂/∂β_j + γ_i ∂/∂γ_j)."""
-    found = {}
+    components = {}
     for direction in (alpha, beta, gamma):
         for j, symbol in enumerate(direction):
-            found[symbol] = -sum(
+            components[symbol] = -sum(
                 sp.LeviCivita(axis, i, j) * other for i, other in enumerate(direction)
             )
-    return found
+    return components
 
 
 def shift(axis: int) -> VectorField:

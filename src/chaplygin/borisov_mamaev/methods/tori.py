@@ -63,7 +63,7 @@ def of_rank_two() -> tuple[tuple[System, Law], ...]:
     (speed,), (rotation,) = of("f", theta_1, theta_2, F_1, F_2), of("r", F_2)
     rates = (speed, rotation * speed)
     still = dict.fromkeys((F_1, F_2), sp.S.Zero)
-    made = system(
+    dynamics = system(
         "flow_on_tori", "(4.3)", {**dict(zip((theta_1, theta_2), rates, strict=True)), **still}
     )
     matrix = sp.zeros(4)
@@ -71,7 +71,7 @@ def of_rank_two() -> tuple[tuple[System, Law], ...]:
         matrix[i, 2], matrix[2, i] = rate, -rate
     structure = PoissonStructure("bracket", matrix, casimirs=(F_2,), rank=2)
     form = ConformallyHamiltonian("form", sp.S.One, structure, F_1)
-    return (made, structure), (made, form)
+    return (dynamics, structure), (dynamics, form)
 
 
 @cache
@@ -103,8 +103,8 @@ def not_hamiltonian() -> Verdict:
     )
     twist = lambda_1 * sp.diff(lambda_2, F_1) - lambda_2 * sp.diff(lambda_1, F_1)
     along = lambda_1 * sp.diff(a, theta_1) + lambda_2 * sp.diff(a, theta_2)
-    made = system("torus", "T² × ℝ", dict.fromkeys(state, sp.S.Zero))
-    verdict = prove(made, Identity("jacobi", defect - mu**2 * (twist - along)))
+    dynamics = system("torus", "T² × ℝ", dict.fromkeys(state, sp.S.Zero))
+    verdict = prove(dynamics, Identity("jacobi", defect - mu**2 * (twist - along)))
     if not verdict:
         return Verdict("tori", "undecided", reason="the Jacobi identity could not be reduced")
     return Verdict(

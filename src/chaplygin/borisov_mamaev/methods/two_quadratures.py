@@ -1,4 +1,4 @@
-"""The ball around a sphere beside the ball on a plane: their quadratures compared (§8.2).
+"""The quadratures of the ball around a sphere and of the ball on a plane (§8.2).
 
 With w = 1/u the separated equations of
 :mod:`chaplygin.catalogue.ball_on_sphere.ball_around_sphere_coordinates` are ẇ₁²/R(w₁) = ẇ₂²/R(w₂)
@@ -32,7 +32,7 @@ from ...core.vectors import real_symbol
 from ...explicit.separations.chaplygin_ball import chaplygin_ball
 from ...explicit.separations.fedorov import fedorov
 from ...proof.verdict import Verdict
-from .conclusion import concluded
+from .conclusion import computed_verdict, concluded
 
 __all__ = ["alike", "level_factor", "not_the_same", "roots_that_move"]
 
@@ -48,7 +48,7 @@ def level_factor() -> sp.Expr:
 
 
 def roots_that_move() -> tuple[int, int]:
-    """How many roots depend on f/h: for the ball around a sphere, and for Chaplygin's ball.
+    """The numbers of roots that depend on f/h: around a sphere, and on a plane.
 
     A root of q that does not would be one of its part with h, w = 1/τ or e₂/e₃, where the part with
     f is −I₁I₂I₃/τ² and d, both not zero.
@@ -75,7 +75,11 @@ def roots_that_move() -> tuple[int, int]:
 def _separations() -> tuple[tuple[System, Law], ...]:
     around = chart.coordinates_around_sphere()
     return (
-        *((made.system, law) for made in (chaplygin_ball(), fedorov()) for law in made.laws),
+        *(
+            (separable.system, law)
+            for separable in (chaplygin_ball(), fedorov())
+            for law in separable.laws
+        ),
         *((around, law) for law in around.laws),
         (ball.vanishing_area(), chart.of_ball()),
     )
@@ -91,15 +95,15 @@ def alike() -> Verdict:
 
 
 def not_the_same() -> Verdict:
-    """That no Chaplygin ball has the quadratures of a ball around a sphere on all levels."""
+    """No Chaplygin ball has the quadratures of a ball around a sphere on all levels."""
     around, own = roots_that_move()
     rests_on = alike()
     shown = bool(rests_on) and (around, own) == (2, 1)
-    return Verdict(
+    return computed_verdict(
         "quadratures",
-        "proven" if shown else "undecided",
-        shown=f"{around} of the six roots depend on the level, {own} of those of Chaplygin's ball",
-        reason="" if shown else rests_on.reason or "the roots are not as they should be",
+        shown,
+        f"{around} of the six roots depend on the level, {own} of those of Chaplygin's ball",
+        rests_on.reason or "the roots are not as they should be",
         terms=rests_on.terms,
         seconds=rests_on.seconds,
     )

@@ -1,8 +1,6 @@
-"""What the claims of §10.1 and §10.2 share: the symbols of the unbalanced ball."""
+"""The symbols of the unbalanced ball, for the claims of §10.1 and §10.2."""
 
 from __future__ import annotations
-
-from typing import Any
 
 from sympy.matrices.expressions import MatrixExpr
 
@@ -22,7 +20,7 @@ M_RATE, OMEGA_RATE, GAMMA_RATE, R_RATE = (
 )
 
 
-def about_contact(turning: Any) -> MatrixExpr:
+def about_contact(turning: MatrixExpr) -> MatrixExpr:
     """Ĩ applied to a vector: I u + m r×(u×r)."""
-    made: MatrixExpr = I * turning + m * cross(r, cross(turning, r))
-    return made
+    momentum: MatrixExpr = I * turning + m * cross(r, cross(turning, r))
+    return momentum

@@ -1,4 +1,4 @@
-"""That closed motions of the Chaplygin ball on one torus have different periods (Remark 21).
+"""Closed motions of the Chaplygin ball on one torus with different periods.
 
 At (M, γ) = 0 the roots z₁, z₂ of Σ Iᵢγᵢ²/(Iᵢ − z) = 0 move between I₁ and e = M²/2H − D and between
 I₂ and I₃ (:mod:`chaplygin.explicit.separations.chaplygin_ball`).  With z₁ = I₁ + (e − I₁) sin²α,
@@ -8,7 +8,7 @@ z₂ = I₂ + (I₃ − I₂) sin²β and 2H = 1
     dt = (z₂ − z₁) √(det I (z₁ + D)(z₂ + D)/(z₁z₂)) ds.
 
 α and β, both mod 2π, are angles of a torus: γ₁ has the sign of sin α, γ₂ and γ₃ those of sin β and
-cos β.  Let A(e) and B(e) be the growth of s while α or β grows by π.  Where A = 2B every motion of
+cos β.  Let A(e) and B(e) be the growth of s while α or β grows by π.  If A = 2B, every motion of
 the torus is closed, after two turns of β for one of α, and its period is twice the integral of dt
 over 0 ≤ α ≤ π.  Rigorous bounds show that A − 2B changes its sign between two values of e, with a
 derivative that is not zero, and that for all e between them the motions from (0, 0) and (0, π/2)
@@ -17,10 +17,9 @@ have different periods.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Sequence
 from functools import cache
-from typing import Any, TypeAlias
+from typing import TypeAlias, TypeVar
 
 import sympy as sp
 from flint import acb, arb, arb_series, ctx
@@ -34,9 +33,11 @@ from ...explicit.separations.chaplygin_ball import CLOCK, chaplygin_ball
 from ...explicit.separations.fedorov import fedorov
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
+from .conclusion import computed_verdict
 
 __all__ = ["BALL", "BETWEEN", "clock", "half_period", "resonance", "unequal_periods"]
 
+T = TypeVar("T", arb, arb_series)
 #: I and D = mR², as decimal fractions.
 Ball: TypeAlias = tuple[tuple[str, str, str], str]
 #: A slender ball: one of 5 kg and radius 1 m can have these moments.
@@ -51,14 +52,14 @@ PRECISION = 128
 z_1, z_2 = real_symbol("z_1"), real_symbol("z_2")
 
 
-def _numbers(ball: Ball) -> tuple[Any, Any, Any, Any]:
+def _moments_and_lever(ball: Ball) -> tuple[arb, arb, arb, arb]:
     (first, second, third), lever = ball
     return arb(first), arb(second), arb(third), arb(lever)
 
 
-def _rates(alpha: Any, beta: Any, level: Any, ball: Ball) -> tuple[Any, Any]:
+def _rates(alpha: T, beta: T, level: arb, ball: Ball) -> tuple[T, T]:
     """dβ/dα and dt/dα, for numbers or power series."""
-    i_1, i_2, i_3, lever = _numbers(ball)
+    i_1, i_2, i_3, lever = _moments_and_lever(ball)
     low, high = alpha.sin(), beta.sin()
     first = low * low * (level - i_1) + i_1
     second = high * high * (i_3 - i_2) + i_2
@@ -69,7 +70,7 @@ def _rates(alpha: Any, beta: Any, level: Any, ball: Ball) -> tuple[Any, Any]:
     return steep, (second - first) * slow
 
 
-def _series(alpha: Any, beta: Any, level: Any, ball: Ball) -> tuple[list[Any], list[Any]]:
+def _series(alpha: arb, beta: arb, level: arb, ball: Ball) -> tuple[list[arb], list[arb]]:
     """Taylor coefficients of β and t by α, up to `ORDER`, at a point or on a box."""
     place = arb_series([alpha, arb(1)])
     moved = arb_series([beta])
@@ -79,7 +80,7 @@ def _series(alpha: Any, beta: Any, level: Any, ball: Ball) -> tuple[list[Any], l
     return moved.coeffs(), _rates(place, moved, level, ball)[1].integral().coeffs()
 
 
-def _step(alpha: Any, beta: Any, step: Any, level: Any, ball: Ball) -> tuple[Any, Any]:
+def _step(alpha: arb, beta: arb, step: arb, level: arb, ball: Ball) -> tuple[arb, arb]:
     """Bounds of β at α + `step`, and of the growth of t.
 
     Taylor's formula, with the last coefficient on a box that contains the motion.
@@ -98,7 +99,7 @@ def _step(alpha: Any, beta: Any, step: Any, level: Any, ball: Ball) -> tuple[Any
     return sums[0], sums[1]
 
 
-def half_period(start: Any, ball: Ball = BALL, between: Sequence[str] = BETWEEN) -> tuple[Any, Any]:
+def half_period(start: arb, ball: Ball = BALL, between: Sequence[str] = BETWEEN) -> tuple[arb, arb]:
     """The growth of t and of β while α grows from 0 to π, for every e between two values.
 
     Parameters
@@ -118,7 +119,7 @@ def half_period(start: Any, ball: Ball = BALL, between: Sequence[str] = BETWEEN)
     ArithmeticError
         If a slope exceeds the bound that the boxes assume.
     """
-    kept = ctx.prec, ctx.cap
+    precision = ctx.prec, ctx.cap
     ctx.prec, ctx.cap = PRECISION, ORDER + 1
     try:
         level = arb(between[0]).union(arb(between[1]))
@@ -129,39 +130,39 @@ def half_period(start: Any, ball: Ball = BALL, between: Sequence[str] = BETWEEN)
             elapsed += grown
         return elapsed, beta - start
     finally:
-        ctx.prec, ctx.cap = kept
+        ctx.prec, ctx.cap = precision
 
 
-def resonance(level: Any, ball: Ball = BALL) -> tuple[Any, Any]:
+def resonance(level: arb, ball: Ball = BALL) -> tuple[arb, arb]:
     """A − 2B and its derivative by e, at one value or on an interval of them."""
-    i_1, i_2, i_3, lever = (acb(x) for x in _numbers(ball))
+    i_1, i_2, i_3, lever = (acb(x) for x in _moments_and_lever(ball))
     e = acb(level)
 
-    def low(angle: Any, analytic: bool) -> tuple[Any, Any]:
+    def low(angle: acb, analytic: bool) -> tuple[acb, acb]:
         share = angle.sin() ** 2
         z = i_1 + (e - i_1) * share
         value = 1 / (z * (z + lever) * (i_2 - z) * (i_3 - z)).sqrt(analytic=analytic)
         return value, -value * share / 2 * (1 / z + 1 / (z + lever) - 1 / (i_2 - z) - 1 / (i_3 - z))
 
-    def high(angle: Any, analytic: bool) -> tuple[Any, Any]:
+    def high(angle: acb, analytic: bool) -> tuple[acb, acb]:
         z = i_2 + (i_3 - i_2) * angle.sin() ** 2
         value = 1 / (z * (z + lever) * (z - i_1) * (z - e)).sqrt(analytic=analytic)
         return value, value / (2 * (z - e))
 
-    def grown(rate: Callable[[Any, bool], tuple[Any, Any]], which: int) -> Any:
+    def integral(rate: Callable[[acb, bool], tuple[acb, acb]], which: int) -> arb:
         whole = acb.integral(lambda s, analytic: rate(s, analytic)[which], acb(0), acb.pi())
         return whole.real
 
-    return grown(low, 0) - 2 * grown(high, 0), grown(low, 1) - 2 * grown(high, 1)
+    return integral(low, 0) - 2 * integral(high, 0), integral(low, 1) - 2 * integral(high, 1)
 
 
 def clock() -> tuple[System, Identity]:
     """(dt/dτ)² in z₁ and z₂, with dτ = (z₂ − z₁) ds: det I (z₁ + D)(z₂ + D)/(z₁z₂)."""
-    made = chaplygin_ball()
+    separable = chaplygin_ball()
     moments = sp.Mul(*I.symbols)
     places = [
         sp.sqrt(moments * weight * (z_1 - i) * (z_2 - i) / (z_1 * z_2))
-        for i, weight in zip(I.symbols, made.weights, strict=True)
+        for i, weight in zip(I.symbols, separable.weights, strict=True)
     ]
     resting = System(
         name="chaplygin-ball-roots",
@@ -189,9 +190,10 @@ def clock() -> tuple[System, Identity]:
 @cache
 def unequal_periods() -> Verdict:
     """Two closed motions on one torus, of a certain ball, with different periods."""
-    started = time.monotonic()
     proofs = [
-        prove(made.system, law) for made in (chaplygin_ball(), fedorov()) for law in made.laws
+        prove(separable.system, law)
+        for separable in (chaplygin_ball(), fedorov())
+        for law in separable.laws
     ]
     proofs.append(prove(*clock()))
     low, high = (resonance(arb(e))[0] for e in BETWEEN)
@@ -199,11 +201,10 @@ def unequal_periods() -> Verdict:
     resonant = low * high < 0 and not slope.contains(0)
     first, second = (half_period(start)[0] for start in (arb(0), arb.pi() / 2))
     shown = all(proofs) and resonant and not first.overlaps(second)
-    return Verdict(
+    return computed_verdict(
         "unequal periods",
-        "proven" if shown else "undecided",
-        shown=f"on a torus with M²/2H − D between {' and '.join(BETWEEN)} two closed motions have "
+        shown,
+        f"on a torus with M²/2H − D between {' and '.join(BETWEEN)} two closed motions have "
         f"the periods {2 * float(first):.3f} and {2 * float(second):.3f} for 2H = 1",
-        reason="" if shown else "the bounds do not decide, or the separation is not proven",
-        seconds=time.monotonic() - started,
+        "the bounds do not decide, or the separation is not proven",
     )

@@ -7,12 +7,13 @@ from typing import Any
 
 import sympy as sp
 
+from ...arguments import Declared
 from ...core.system import System
 
 __all__ = ["bracket", "fields", "gradient", "hamiltonian", "of", "skew", "system"]
 
 
-def of(names: str, *variables: sp.Symbol) -> tuple[Any, ...]:
+def of(names: str, *variables: sp.Symbol) -> tuple[sp.Expr, ...]:
     """Unspecified functions of the given variables, by their names."""
     return tuple(sp.Function(name)(*variables) for name in names.split())
 
@@ -38,8 +39,8 @@ def fields(names: str, variables: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Exp
     return dict(zip(variables, of(names, *variables), strict=True))
 
 
-def system(name: str, title: str, field: Any, **more: Any) -> System:
-    """A System that serves a proof alone."""
+def system(name: str, title: str, field: Declared, **more: Any) -> System:
+    """A System that is constructed for a proof alone."""
     return System(name=name, title=title, field=field, **more)
 
 

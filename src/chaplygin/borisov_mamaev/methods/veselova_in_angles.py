@@ -1,9 +1,8 @@
-"""The Veselova system in Euler angles: energies, their derivatives, and the new time (§6.2)."""
+"""The Veselova system in Euler angles, with energies and new time (§6.2)."""
 
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
 
 import sympy as sp
 
@@ -89,6 +88,6 @@ def lagrangian(rate: sp.Expr, slope_of: sp.Symbol) -> sp.Expr:
     return sp.diff(in_new_time, slope_of).xreplace({s: s / rate for s in RATES})
 
 
-def metric() -> Any:
+def metric() -> sp.Matrix:
     """The matrix of T in θ̇, φ̇."""
     return sp.hessian(sp.expand(T), RATES)

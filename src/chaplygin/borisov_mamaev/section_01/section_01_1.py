@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import sympy as sp
 
@@ -39,7 +38,7 @@ CONSTRAINTS = (dot(a_1, v) + b[0], dot(a_2, v) + b[1])
 NORMALS = (a_1, a_2)
 
 
-def _unspecified(name: str, *variables: sp.Symbol) -> sp.ImmutableDenseMatrix:
+def _unspecified_vector(name: str, *variables: sp.Symbol) -> sp.ImmutableDenseMatrix:
     """A vector with unspecified components."""
     return constant(unspecified.of(" ".join(f"{name}{i}" for i in (1, 2, 3)), *variables))
 
@@ -52,7 +51,7 @@ def _matrix(variables: Iterable[sp.Symbol]) -> sp.ImmutableDenseMatrix:
     )
 
 
-def _along(formula: Any) -> Any:
+def _rate_along_velocity(formula: sp.Expr) -> sp.Expr:
     """Σ v_k ∂/∂q_k of a formula in q."""
     return sp.Add(*(w * sp.diff(formula, s) for s, w in zip(q, v, strict=True)))
 
@@ -60,9 +59,9 @@ def _along(formula: Any) -> Any:
 MATRIX = _matrix(q)
 SPEED = to_components(v)
 #: Ȧ q̇ and ∂T/∂q for T = ½ (v, A(q) v).
-DRIFT = constant(MATRIX.applyfunc(_along) * SPEED)
+DRIFT = constant(MATRIX.applyfunc(_rate_along_velocity) * SPEED)
 SLOPE = constant([HALF * (SPEED.T * sp.diff(MATRIX, s) * SPEED)[0] for s in q])
-ROWS = (_unspecified("a_s1", *q), _unspecified("a_s2", *q))
+ROWS = (_unspecified_vector("a_s1", *q), _unspecified_vector("a_s2", *q))
 RESTS = unspecified.of("b_s1 b_s2", *q)
 
 
@@ -82,7 +81,7 @@ def ferrers() -> System:
             A: MATRIX,
             **dict(zip(NORMALS, ROWS, strict=True)),
             **dict(zip(b, RESTS, strict=True)),
-            Q: _unspecified("Q_s", *q, *v),
+            Q: _unspecified_vector("Q_s", *q, *v),
             slope: SLOPE,
             push: Q + slope - DRIFT,
             det: A.entries.det(),
@@ -94,7 +93,7 @@ def ferrers() -> System:
 
 @cache
 def constrained() -> System:
-    """The same with the multipliers that solve (1.5)."""
+    """`ferrers` with the multipliers that solve (1.5)."""
     free = ferrers()
     (one, mixed), (_, two) = _gram()
     right = [_right(i) for i in (0, 1)]
@@ -119,7 +118,7 @@ def _gram() -> list[list[sp.Expr]]:
 
 def _partial(index: int) -> sp.Expr:
     """(q̇, ∂f_μ/∂q)."""
-    return _along((ROWS[index].T * SPEED)[0] + RESTS[index])
+    return _rate_along_velocity((ROWS[index].T * SPEED)[0] + RESTS[index])
 
 
 def _right(index: int) -> sp.Expr:
@@ -142,7 +141,7 @@ def degree_printed() -> Case:
 
 
 def degree() -> Case:
-    """The same for A(q)."""
+    """The statement for A(q)."""
     return _degree(MATRIX)
 
 

@@ -60,7 +60,7 @@ def derivative(matrix: sp.ImmutableDenseMatrix, index: int, function: sp.Expr) -
 def structure(matrix: sp.ImmutableDenseMatrix) -> dict[tuple[int, int, int], sp.Expr]:
     """c_ij^k of (1.8): [E_i, E_j] = Σ_k c_ij^k E_k."""
     inverse = matrix.adjugate() / matrix.det(method="berkowitz")
-    found: dict[tuple[int, int, int], sp.Expr] = {}
+    coefficients: dict[tuple[int, int, int], sp.Expr] = {}
     for i, j in product(THREE, repeat=2):
         bracket = sp.Matrix(
             [
@@ -68,8 +68,8 @@ def structure(matrix: sp.ImmutableDenseMatrix) -> dict[tuple[int, int, int], sp.
                 for a in THREE
             ]
         )
-        found |= {(i, j, k): value for k, value in enumerate(inverse * bracket)}
-    return found
+        coefficients |= {(i, j, k): value for k, value in enumerate(inverse * bracket)}
+    return coefficients
 
 
 def _momenta(matrix: sp.ImmutableDenseMatrix, function: sp.Expr) -> list[sp.Expr]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from functools import cache
 from itertools import product
 
@@ -30,7 +29,8 @@ from ...mechanics.rolling.equations import roll
 from ...mechanics.rolling.shapes import Ellipsoid
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.growth_vector import VectorField, along
+from ..methods.conclusion import computed_verdict
+from ..methods.growth_vector import VectorField, lie_derivative
 from ..methods.rigid_body_in_space import COORDINATES, bracket, moving, shift, turn
 
 alpha, beta, gamma, R, omega, v, r, c = vectors("alpha beta gamma R omega v r c")
@@ -40,7 +40,6 @@ HALF = sp.Rational(1, 2)
 DIRECTIONS = (alpha, beta, gamma)
 #: Q of (1.10), with the columns α, β, γ.
 Q = sp.ImmutableDenseMatrix.hstack(*(to_components(u) for u in DIRECTIONS))
-FUNCTION = sp.Function("h_f")(*COORDINATES)
 
 
 @cache
@@ -65,7 +64,7 @@ def _same(first: VectorField, second: VectorField) -> list[sp.Expr]:
     return [first.get(s, sp.S.Zero) - second.get(s, sp.S.Zero) for s in COORDINATES]
 
 
-def _scaled(field: VectorField, number: sp.Expr) -> VectorField:
+def _multiple(field: VectorField, number: sp.Expr) -> VectorField:
     return {symbol: number * value for symbol, value in field.items()}
 
 
@@ -79,7 +78,6 @@ def orthogonal() -> Case:
 
 def redundant() -> Verdict:
     """Rank of the six relations between the nine direction cosines, at a rational rotation."""
-    started = time.monotonic()
     relations = [
         dot(first, second) for i, first in enumerate(DIRECTIONS) for second in DIRECTIONS[: i + 1]
     ]
@@ -87,11 +85,10 @@ def redundant() -> Verdict:
     point = dict(zip(symbols, rational_rotation().flat(), strict=True))
     rows = [[sp.diff(to_components(f), s).xreplace(point) for s in symbols] for f in relations]
     rank = sp.Matrix(rows).rank()
-    return Verdict(
+    return computed_verdict(
         "redundant",
-        "proven" if 0 < rank == len(relations) else "undecided",
-        shown=f"nine coordinates with {rank} independent relations: three are free",
-        seconds=time.monotonic() - started,
+        0 < rank == len(relations),
+        f"nine coordinates with {rank} independent relations: three are free",
     )
 
 
@@ -105,7 +102,7 @@ def rational_rotation() -> sp.ImmutableDenseMatrix:
 def turning() -> Case:
     """The rate of any function of the attitude is Σ ω_k ξ_k of it."""
     function = sp.Function("h_f")(*COORDINATES[:9])
-    total = sp.Add(*(w * along(turn(k), function) for k, w in enumerate(omega)))
+    total = sp.Add(*(w * lie_derivative(turn(k), function) for k, w in enumerate(omega)))
     return body(), Identity("turning", Rate(function) - total)
 
 
@@ -117,7 +114,7 @@ def shifting_printed() -> Case:
 
 def shifting() -> Case:
     """The rate of R is Σ v_k ζ_k of it."""
-    fields = [_scaled(shift(k), w) for k, w in enumerate(v)]
+    fields = [_multiple(shift(k), w) for k, w in enumerate(v)]
     total = [sp.Add(*(field[symbol] for field in fields)) for symbol in R]
     return body(), Identity("shifting", rate(R) - constant(total))
 
@@ -128,8 +125,8 @@ def commutators() -> Case:
     for i, j in product(THREE, repeat=2):
         k = next((n for n in THREE if sp.LeviCivita(i, j, n) != 0), 0)
         sign = sp.LeviCivita(i, j, k)
-        residuals += _same(bracket(turn(i), turn(j)), _scaled(turn(k), sign))
-        residuals += _same(bracket(turn(i), shift(j)), _scaled(shift(k), sign))
+        residuals += _same(bracket(turn(i), turn(j)), _multiple(turn(k), sign))
+        residuals += _same(bracket(turn(i), shift(j)), _multiple(shift(k), sign))
         residuals += _same(bracket(shift(i), shift(j)), {})
     return body(), Identity("commutators", tuple(residuals))
 

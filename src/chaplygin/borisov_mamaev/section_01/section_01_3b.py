@@ -28,7 +28,7 @@ from ...core.vectors import (
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified
 from ..methods.any_motion import any_motion, driven, newton_euler, reaction, reduced, tensor
-from ..methods.growth_vector import along
+from ..methods.growth_vector import lie_derivative
 from ..methods.rigid_body_in_space import POTENTIAL, constrained, shift, turn
 
 alpha, beta, gamma, R, omega, v, r = vectors("alpha beta gamma R omega v r")
@@ -42,7 +42,7 @@ COUPLE = cross(gamma, gradient(POTENTIAL, gamma)) + cross(r, lambda_) + lambda_0
 
 
 @cache
-def pushed() -> System:
+def free_with_reactions() -> System:
     """The body of (1.17), with reactions of any value."""
     return constrained()
 
@@ -62,10 +62,10 @@ def newton() -> Case:
     residuals = [m * Rate(s) - dot(u, lambda_) for s, u in zip(speed, DIRECTIONS, strict=True)]
     residuals += [Rate(dot(u, I * omega)) - dot(u, COUPLE) for u in DIRECTIONS]
     work = Rate(POTENTIAL) + dot(cross(gamma, gradient(POTENTIAL, gamma)), omega)
-    return pushed(), Identity("newton", (*residuals, work))
+    return free_with_reactions(), Identity("newton", (*residuals, work))
 
 
-def _turned(index: int, pairs: tuple[tuple[Vector, sp.ImmutableDenseMatrix], ...]) -> sp.Expr:
+def _frame_terms(index: int, pairs: tuple[tuple[Vector, sp.ImmutableDenseMatrix], ...]) -> sp.Expr:
     """Σ c_ji^k (∂L/∂w_k) w_j, with c of (1.12), over pairs of velocities w and momenta."""
     return sp.Add(
         *(
@@ -86,20 +86,20 @@ def suslov() -> Case:
     angular, linear = (constant([sp.diff(lagrangian, s) for s in u]) for u in (omega, v))
     residuals = []
     for i in THREE:
-        turned = _turned(i, ((omega, angular), (v, linear)))
-        force = along(turn(i), lagrangian) + sp.diff(work, omega.symbols[i])
+        turned = _frame_terms(i, ((omega, angular), (v, linear)))
+        force = lie_derivative(turn(i), lagrangian) + sp.diff(work, omega.symbols[i])
         residuals.append(Rate(angular[i]) - turned - force)
-        turned = _turned(i, ((omega, linear),))
-        force = along(shift(i), lagrangian) + sp.diff(work, v.symbols[i])
+        turned = _frame_terms(i, ((omega, linear),))
+        force = lie_derivative(shift(i), lagrangian) + sp.diff(work, v.symbols[i])
         residuals.append(Rate(linear[i]) - turned - force)
-    return pushed(), Identity("suslov", tuple(residuals))
+    return free_with_reactions(), Identity("suslov", tuple(residuals))
 
 
 def rates() -> Case:
     """α̇ = α×ω, β̇ = β×ω, γ̇ = γ×ω and Ṙ."""
     residuals = [rate(u) - cross(u, omega) for u in DIRECTIONS]
     place = [Rate(s) - dot(u, v) for s, u in zip(R, DIRECTIONS, strict=True)]
-    return pushed(), Identity("rates", (*residuals, *place))
+    return free_with_reactions(), Identity("rates", (*residuals, *place))
 
 
 # --- elimination of the multipliers --------------------------------------------------------
@@ -108,8 +108,8 @@ def rates() -> Case:
 def _multiplier(sign: int) -> Case:
     """λ against ±(m ω̇×r + m ω×ṙ + m (r×ω)×ω)."""
     spin_rate, wander = rate(omega), rate(r)
-    found = cross(spin_rate, r) + cross(omega, wander) + cross(cross(r, omega), omega)
-    return touching(), Identity("multiplier", reaction() - sign * m * found)
+    acceleration = cross(spin_rate, r) + cross(omega, wander) + cross(cross(r, omega), omega)
+    return touching(), Identity("multiplier", reaction() - sign * m * acceleration)
 
 
 def multiplier_printed() -> Case:
@@ -135,8 +135,8 @@ def contact_tensor() -> Case:
 
 def spin_torque() -> Case:
     """With (1.19), (1.18) keeps (ω, γ), whatever symmetric tensor and bracket it contains."""
-    made = driven(cross(gamma, omega), sp.S.Zero)
-    return made, Identity("spin", Rate(dot(omega, gamma)))
+    system = driven(cross(gamma, omega), sp.S.Zero)
+    return system, Identity("spin", Rate(dot(omega, gamma)))
 
 
 # --- angles and quadratures ----------------------------------------------------------------
@@ -182,8 +182,8 @@ def quadratures() -> Case:
 
 def evolution() -> Case:
     """(1.18) in θ, φ and their rates is a closed system."""
-    made = in_angles(any_rubber_body())
-    return made, made.laws[0]
+    system = in_angles(any_rubber_body())
+    return system, system.laws[0]
 
 
 CLAIMS = (

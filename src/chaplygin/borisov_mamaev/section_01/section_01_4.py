@@ -65,13 +65,13 @@ def ellipsoid_on_sphere() -> System:
 @cache
 def over_sphere() -> System:
     """A body on a sphere in any motion: ω̇ and the rate of γ along the sphere are arbitrary."""
-    made = any_motion()
+    system = any_motion()
     return replace(
-        made,
+        system,
         name="any-motion-over-sphere",
         field={omega: omegadot, gamma: gammadot, r: a * gammadot + a * cross(omega, gamma)},
         parameters=(
-            *(p for p in made.parameters if p.symbol not in rdot.symbols),
+            *(p for p in system.parameters if p.symbol not in rdot.symbols),
             *(Parameter(s, "rate of the normal", 0.4 - i / 3) for i, s in enumerate(gammadot)),
             Parameter(a, "radius of the sphere", 3.0),
         ),
@@ -117,14 +117,14 @@ def veselova() -> tuple[System, Identity]:
 @cache
 def bound(point: sp.MatrixExpr, torque_0: sp.Expr) -> System:
     """A body in any motion, touching at a given point r, with a given torque λ₀."""
-    made = any_motion()
+    system = any_motion()
     return replace(
-        made,
+        system,
         name="any-motion-of-a-contact",
         definitions={r: point, lambda_0: torque_0},
-        field=tuple(pair for pair in made.field if pair[0] != r),
+        field=tuple(pair for pair in system.field if pair[0] != r),
         parameters=(
-            *(p for p in made.parameters if p.symbol not in {lambda_0, *rdot.symbols}),
+            *(p for p in system.parameters if p.symbol not in {lambda_0, *rdot.symbols}),
             Parameter(R, "radius of the ball", 0.8),
             Parameter(nu, "torque", 0.4),
         ),
@@ -196,21 +196,21 @@ def balance_printed() -> Case:
 
 def balance() -> Case:
     """The couple γ×(E + W/a)⁻¹∂U/∂γ: for a ball W = RE; and energy is kept for every shape."""
-    made = general_on_sphere()
-    (energy,) = made.integrals
-    return _ball_on_sphere(a / (a + R) * COUPLE), (made, energy)
+    system = general_on_sphere()
+    (energy,) = system.integrals
+    return _ball_on_sphere(a / (a + R) * COUPLE), (system, energy)
 
 
 def spin_torque_printed() -> Case:
     """(1.19) as it stands, on a sphere."""
-    made = ellipsoid_on_sphere()
-    return made, Identity("spin_torque", lambda_0 + dot(gammatilde, X) / dot(gammatilde, gamma))
+    system = ellipsoid_on_sphere()
+    return system, Identity("spin_torque", lambda_0 + dot(gammatilde, X) / dot(gammatilde, gamma))
 
 
 def spin_torque() -> Case:
     """(1.19) with (ω, γ̇) keeps the constraint, whatever tensor, bracket and γ̇."""
-    made = driven(gammadot, dot(omega, gammadot))
-    return made, Identity("spin", Rate(dot(omega, gamma)))
+    system = driven(gammadot, dot(omega, gammadot))
+    return system, Identity("spin", Rate(dot(omega, gamma)))
 
 
 def plane_limit() -> Case:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import replace
 from functools import cache
 
@@ -15,6 +14,7 @@ from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, to_
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified
+from ..methods.conclusion import computed_verdict
 from ..methods.growth_vector import VectorField, growth, holonomic_count_verdict
 from ..methods.rigid_body_in_space import COORDINATES, shift, turn
 from ..section_01.section_01_3a import rational_rotation
@@ -98,8 +98,7 @@ POINT = {x: sp.Rational(2, 3), y: sp.Rational(-1, 5), z: sp.S.Zero}
 
 
 def _example(fields: tuple[VectorField, ...], claimed: int) -> Verdict:
-    started = time.monotonic()
-    return holonomic_count_verdict(claimed, growth(fields, (x, y, z), POINT), 3, started)
+    return holonomic_count_verdict(claimed, growth(fields, (x, y, z), POINT), 3)
 
 
 def full_printed() -> Verdict:
@@ -123,8 +122,7 @@ def least() -> Verdict:
 
 
 def _of_ball(claimed: int) -> Verdict:
-    started = time.monotonic()
-    return holonomic_count_verdict(claimed, ball_growth(), 6, started)
+    return holonomic_count_verdict(claimed, ball_growth(), 6)
 
 
 def between_printed() -> Verdict:
@@ -167,18 +165,18 @@ def second() -> Case:
 
 def dimension() -> Verdict:
     """dim L = 5: no more, since every field keeps R_3; no less, at a rational attitude."""
-    started = time.monotonic()
     both = (PRINTED, ADMISSIBLE)
     counts = [ball_growth(pairs) for pairs in both]
-    kept = [sp.expand((to_components(gamma).T * u)[0]) for pairs in both for _, u in pairs]
-    reached = all(n[-1] == 5 for n in counts) and all(sp.cancel(value) == 0 for value in kept)
+    level_rates = [sp.expand((to_components(gamma).T * u)[0]) for pairs in both for _, u in pairs]
+    reached = all(n[-1] == 5 for n in counts) and all(
+        sp.cancel(value) == 0 for value in level_rates
+    )
     shown = "; ".join(", ".join(map(str, n)) for n in counts)
-    return Verdict(
+    return computed_verdict(
         "dimension",
-        "proven" if reached else "undecided",
-        shown=f"the span grows as {shown}, and every field keeps R_3",
-        reason="" if reached else "another dimension at the attitude tried",
-        seconds=time.monotonic() - started,
+        reached,
+        f"the span grows as {shown}, and every field keeps R_3",
+        "another dimension at the attitude tried",
     )
 
 
@@ -189,8 +187,8 @@ def level() -> Case:
 
 def any_level() -> Case:
     """R_3 + (γ, r) along every motion of a rubber body, for every support function."""
-    made = any_rubber_body()
-    lifted = replace(made, field=(*made.field, (height, dot(gamma, cross(r, omega)))))
+    system = any_rubber_body()
+    lifted = replace(system, field=(*system.field, (height, dot(gamma, cross(r, omega)))))
     return lifted, Integral("level", height + dot(gamma, r))
 
 

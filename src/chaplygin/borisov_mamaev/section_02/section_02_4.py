@@ -72,13 +72,13 @@ def suslov_balance() -> Case:
     swing = m * R**2 * dot(rate(omega), gamma) * gamma
     balance = whole * rate(omega) - cross(whole * omega, omega) - swing - TORQUE
     rolling = bound(POINT, sp.S.Zero)
-    made = chaplygin_suslov_ball.general()
+    system = chaplygin_suslov_ball.general()
     spin_rate = Rate(dot(omega, gamma))
     solved = J * rate(omega) - cross(J * omega, omega) - TORQUE - lambda_0 * e
     return (
         (rolling, Identity("balance", newton_euler() - balance)),
         (
-            made,
+            system,
             Identity("constrained", (solved - m * R**2 * spin_rate * gamma, Rate(dot(omega, e)))),
         ),
     )

@@ -12,7 +12,8 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, roll
 from ...mechanics.rolling.shapes import Ellipsoid
 from ..claim import Case, Claim, Remark
-from ..methods.named import named
+from ..methods.catalogue_laws import law_named
+from ..methods.growth_vector import lie_derivative
 from ..methods.unspecified import fields, gradient, of, system
 
 q = sp.symbols("q_1:4", real=True)
@@ -26,8 +27,7 @@ def rate_of_a_function() -> Case:
     """Ḟ = (∇F, v) for any F and v."""
     (F,) = of("F", *x)
     field = fields("v1 v2 v3", x)
-    along = sp.Add(*(sp.diff(F, s) * rate for s, rate in field.items()))
-    return system("field", "ẋ = v(x)", field), Identity("rate", Rate(F) - along)
+    return system("field", "ẋ = v(x)", field), Identity("rate", Rate(F) - lie_derivative(field, F))
 
 
 def symmetry_of_integrals() -> Case:
@@ -35,11 +35,10 @@ def symmetry_of_integrals() -> Case:
     (F,) = of("F", *x)
     v, u = fields("v1 v2 v3", x), fields("u1 u2 u3", x)
 
-    def along(field: dict[sp.Symbol, sp.Expr], function: sp.Expr) -> sp.Expr:
-        return sp.Add(*(sp.diff(function, s) * rate for s, rate in field.items()))
-
-    lie = sp.Add(*((along(u, v[s]) - along(v, u[s])) * sp.diff(F, s) for s in x))
-    commuted = along(u, along(v, F)) - along(v, along(u, F)) - lie
+    lie = sp.Add(*((lie_derivative(u, v[s]) - lie_derivative(v, u[s])) * sp.diff(F, s) for s in x))
+    commuted = (
+        lie_derivative(u, lie_derivative(v, F)) - lie_derivative(v, lie_derivative(u, F)) - lie
+    )
     return system("field", "ẋ = v(x)", v), Identity("commutator", commuted)
 
 
@@ -127,8 +126,8 @@ def examples() -> Case:
     potential = sp.Function("U")(*gamma.symbols)
     body = Body(1.0, (1.0, 1.5, 2.1), Ellipsoid((1.0, 0.9, 0.8)))
     rubber = roll(body, contact="rubber", field=Forces(potential=potential))
-    made = [rubber, *(CATALOGUE[name].system() for name in ("chaplygin-ball", "veselova"))]
-    return tuple((each, named(each, "energy")) for each in made)
+    dynamics = [rubber, *(CATALOGUE[name].system() for name in ("chaplygin-ball", "veselova"))]
+    return tuple((each, law_named(each, "energy")) for each in dynamics)
 
 
 CLAIMS = (

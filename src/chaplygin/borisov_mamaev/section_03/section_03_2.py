@@ -38,39 +38,41 @@ def volume() -> Case:
 
 def chaplygin_ball() -> Case:
     """The measure of (7.3)."""
-    made = CATALOGUE["chaplygin-ball"].system()
-    return made, next(law for law in made.laws if isinstance(law, Measure))
+    dynamics = CATALOGUE["chaplygin-ball"].system()
+    return dynamics, next(law for law in dynamics.laws if isinstance(law, Measure))
 
 
 def body_of_revolution() -> Case:
     """A spheroid in any potential U(γ₃): ρ = (I₁I₃ + m(r, Ir))^(−1/2) in the variables M, γ."""
     potential = sp.Function("U")(gamma.symbols[2])
     body = Body(1.0, (1.0, 1.0, 1.5), Ellipsoid((1.0, 1.0, 2.0)))
-    made = roll(body, field=Forces(potential=potential))
+    dynamics = roll(body, field=Forces(potential=potential))
     I_1, I_2, I_3 = I.symbols
     b_1, b_2, b_3 = sp.symbols("b_1:4", real=True)
     m = real_symbol("m")
     numbers = (m - 1, I_2 - I_1, b_1 - 1, b_2 - 1, b_3 - 2)
     density = I_1 * I_3 + m * dot(r, I * r)
-    return made, Measure("measure", {density: -sp.Rational(1, 2)}, on=numbers)
+    return dynamics, Measure("measure", {density: -sp.Rational(1, 2)}, on=numbers)
 
 
 def celtic_stone() -> Verdict:
     """An ellipsoid whose axes are not its principal axes of inertia spins about the vertical."""
     inertia = ((1.0, 0.25, 0.0), (0.25, 1.5, 0.0), (0.0, 0.0, 2.0))
-    made = roll(Body(1.0, inertia, Ellipsoid((1.0, 0.75, 0.5))), field=Forces(10.0))
-    point = {p.symbol: exact_number(p.default) for p in made.parameters}
+    dynamics = roll(Body(1.0, inertia, Ellipsoid((1.0, 0.75, 0.5))), field=Forces(10.0))
+    point = {p.symbol: exact_number(p.default) for p in dynamics.parameters}
     upright = dict(zip((*M, *gamma), map(sp.Integer, (0, 0, 2, 0, 0, 1)), strict=True))
-    return excludes_measure(made, {**point, **upright})
+    return excludes_measure(dynamics, {**point, **upright})
 
 
 def suslov_skew() -> Verdict:
     """Rotation about ω ∥ (I_23, −I_13, 0), which is also the vertical."""
-    made = CATALOGUE["suslov"].system({"I_1": 5.0, "I_2": 6.0, "I_3": 7.0, "I_13": 1.5, "I_23": 2})
-    point = {p.symbol: exact_number(p.default) for p in made.parameters}
+    dynamics = CATALOGUE["suslov"].system(
+        {"I_1": 5.0, "I_2": 6.0, "I_3": 7.0, "I_13": 1.5, "I_23": 2}
+    )
+    point = {p.symbol: exact_number(p.default) for p in dynamics.parameters}
     axis = (sp.Rational(4, 5), -sp.Rational(3, 5), sp.S.Zero)
-    rest = dict(zip((*suslov.omega, *suslov.gamma), (*axis, *axis), strict=True))
-    return excludes_measure(made, {**point, **rest})
+    equilibrium = dict(zip((*suslov.omega, *suslov.gamma), (*axis, *axis), strict=True))
+    return excludes_measure(dynamics, {**point, **equilibrium})
 
 
 CLAIMS = (

@@ -44,7 +44,7 @@ def _cyclic_gradient(matrix: sp.Matrix, i: int, j: int, k: int) -> sp.Expr:
 # --- Jacobi identity -----------------------------------------------------------------------
 
 
-def _nested() -> sp.Expr:
+def _nested_brackets() -> sp.Expr:
     """{f, {g, h}} + {g, {h, f}} + {h, {f, g}}."""
     turns = ((f, g, h), (g, h, f), (h, f, g))
     return sp.Add(*(bracket(J, one, bracket(J, two, three, x), x) for one, two, three in turns))
@@ -53,7 +53,7 @@ def _nested() -> sp.Expr:
 def _jacobi(defect: sp.Expr) -> Case:
     """The nested brackets of any f, g, h are (∇f × ∇g, ∇h) times the defect J_123 of identity."""
     volume = sp.Matrix.hstack(*(gradient(function, x) for function in (f, g, h))).det()
-    return hamiltonian(J, H, x), Identity("jacobi", _nested() - volume * defect)
+    return hamiltonian(J, H, x), Identity("jacobi", _nested_brackets() - volume * defect)
 
 
 def jacobi_printed() -> Case:
@@ -95,10 +95,10 @@ def _book() -> tuple[System, PoissonStructure]:
 
 def measure_printed() -> Verdict:
     """A Hamiltonian system that preserves no smooth measure."""
-    made, structure = _book()
-    if not prove(made, structure):
+    dynamics, structure = _book()
+    if not prove(dynamics, structure):
         return Verdict("measure", "undecided", reason="the bracket of the example is not proven")
-    return contrary(excludes_measure(made, dict.fromkeys(x, sp.S.Zero)))
+    return contrary(excludes_measure(dynamics, dict.fromkeys(x, sp.S.Zero)))
 
 
 def _symplectic(multiplier: sp.Expr = sp.S.One) -> tuple[System, PoissonStructure]:
@@ -119,13 +119,13 @@ def _symplectic(multiplier: sp.Expr = sp.S.One) -> tuple[System, PoissonStructur
     rates = multiplier * (matrix * gradient(energy_function, z))
     pairs = combinations(range(4), 2)
     definitions = {s: omega[i, j] for s, (i, j) in zip(entries, pairs, strict=True)}
-    made = system(
+    dynamics = system(
         "symplectic",
         "ẋ = N J ∇H with J non-degenerate",
         dict(zip(z, rates, strict=True)),
         definitions={**definitions, PF: pfaffian},
     )
-    return made, PoissonStructure("inverse", matrix, rank=4)
+    return dynamics, PoissonStructure("inverse", matrix, rank=4)
 
 
 PF = sp.Symbol("Pf", real=True)
@@ -133,15 +133,15 @@ PF = sp.Symbol("Pf", real=True)
 
 def measure_corrected() -> Case:
     """Pf Ω for a non-degenerate structure; for any J, Σ_i ∂(ρJ_ij)/∂x_i = 0 is what is needed."""
-    made, structure = _symplectic()
+    dynamics, structure = _symplectic()
     (rho,) = of("rho", *x)
     modular = [sp.Add(*(sp.diff(rho * J[i, j], x[i]) for i in range(3))) for j in range(3)]
     flow = hamiltonian(J, H, x)
     spread = sp.Add(*(sp.diff(rho * rate, s) for s, rate in flow.field))
     by_modular = sp.Add(*(part * sp.diff(H, s) for part, s in zip(modular, x, strict=True)))
     return (
-        (made, structure),
-        (made, Measure("liouville", {PF: sp.S.One})),
+        (dynamics, structure),
+        (dynamics, Measure("liouville", {PF: sp.S.One})),
         (flow, Identity("modular", spread - by_modular)),
     )
 
@@ -149,17 +149,17 @@ def measure_corrected() -> Case:
 def conformal_measure_printed() -> Verdict:
     """q̇ = q, ṗ = 0: N = q, H = p in the canonical bracket."""
     canonical = sp.Matrix([[0, 1], [-1, 0]])
-    made = hamiltonian(canonical, x[1], x[:2], x[0])
-    return contrary(excludes_measure(made, dict.fromkeys(x[:2], sp.S.Zero)))
+    dynamics = hamiltonian(canonical, x[1], x[:2], x[0])
+    return contrary(excludes_measure(dynamics, dict.fromkeys(x[:2], sp.S.Zero)))
 
 
 def conformal_measure_corrected() -> Case:
     """Pf Ω/N for a non-degenerate structure."""
     (multiplier,) = of("N", *z)
-    made, structure = _symplectic(multiplier)
+    dynamics, structure = _symplectic(multiplier)
     return (
-        (made, structure),
-        (made, Measure("liouville", {PF: sp.S.One, multiplier: -sp.S.One})),
+        (dynamics, structure),
+        (dynamics, Measure("liouville", {PF: sp.S.One, multiplier: -sp.S.One})),
     )
 
 

@@ -10,7 +10,8 @@ from ...core.system import System
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.named import named
+from ..methods.catalogue_laws import laws_named
+from ..methods.conclusion import computed_verdict
 from ..methods.unspecified import gradient, hamiltonian, of, skew, system
 
 x = sp.symbols("x_1:4", real=True)
@@ -47,9 +48,9 @@ def _darboux(pairs: sp.Matrix, among_z: int) -> tuple[System, PoissonStructure]:
     turn = among_z * sp.Matrix([[0, 1], [-1, 0]])
     matrix = sp.diag(sp.zeros(4), turn)
     matrix[0:2, 2:4], matrix[2:4, 0:2] = pairs, -pairs.T
-    made = hamiltonian(matrix, of("H", *DARBOUX)[0], DARBOUX)
+    dynamics = hamiltonian(matrix, of("H", *DARBOUX)[0], DARBOUX)
     law = PoissonStructure("darboux", matrix, casimirs=DARBOUX[4:], rank=4)
-    return made, law
+    return dynamics, law
 
 
 def pairs_printed() -> Case:
@@ -69,8 +70,7 @@ def darboux() -> Case:
 
 def local_casimirs() -> Case:
     """Rank two in dimension five, and three Casimir functions, near a regular point of (3.8)."""
-    made = CATALOGUE["suslov-bracket"].system()
-    return (made, named(made, "bracket")), (made, named(made, "third_casimir"))
+    return laws_named(CATALOGUE["suslov-bracket"].system(), "bracket", "third_casimir")
 
 
 def canonical_form() -> Case:
@@ -92,8 +92,7 @@ def canonical_form() -> Case:
 
 
 def _top(names: tuple[str, ...]) -> tuple[tuple[System, Law], ...]:
-    made = CATALOGUE["lagrange-top"].system()
-    return tuple((made, named(made, name)) for name in names)
+    return laws_named(CATALOGUE["lagrange-top"].system(), *names)
 
 
 def additional_corrected() -> Case:
@@ -109,12 +108,13 @@ def additional_printed() -> Verdict:
     """
     verdicts = [prove(*case) for case in _top(("bracket", "spin", "nutation"))]
     decided = all(verdicts)
-    return Verdict(
+    return computed_verdict(
         "additional",
-        "refuted" if decided else "undecided",
-        shown="the Lagrange top, on leaves of dimension four, is integrated with one integral "
+        decided,
+        "the Lagrange top, on leaves of dimension four, is integrated with one integral "
         "besides the Hamiltonian",
-        reason="" if decided else "the laws of the Lagrange top are not proven",
+        "the laws of the Lagrange top are not proven",
+        decision="refuted",
         witness={"n": 2, "additional integrals": 1} if decided else None,
     )
 

@@ -12,7 +12,8 @@ from ...core.laws import PoissonStructure
 from ...core.system import System
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim
-from ..methods.named import named
+from ..methods.catalogue_laws import law_named, printed_form
+from ..methods.conclusion import computed_verdict
 from ..methods.unspecified import system
 
 # --- global and local Casimir functions ----------------------------------------------------
@@ -50,8 +51,8 @@ def kernel_corrected() -> Verdict:
 
 def in_suslovs_problem() -> Case:
     """Suslov's problem in the potential ½(γ, Cγ), with a principal axis, in new variables."""
-    made = CATALOGUE["suslov-quadratic"].system()
-    return made, named(made, "bracket")
+    dynamics = CATALOGUE["suslov-quadratic"].system()
+    return dynamics, law_named(dynamics, "bracket")
 
 
 def solvable() -> Verdict:
@@ -71,19 +72,17 @@ def solvable() -> Verdict:
 
 def bracket_printed() -> Case:
     """(3.8) with {γ₁, γ₂} = p₁."""
-    law = named(_five(), "bracket").as_printed
-    assert law is not None
-    return _five(), law
+    return _five(), printed_form(law_named(_five(), "bracket"))
 
 
 def bracket_corrected() -> Case:
     """(3.8) with {γ₁, γ₃} = p₁."""
-    return _five(), named(_five(), "bracket")
+    return _five(), law_named(_five(), "bracket")
 
 
 def hamiltonian_form() -> Case:
     """ẋ = {x, H} with H = ½γ², in the corrected bracket."""
-    return _five(), named(_five(), "form")
+    return _five(), law_named(_five(), "form")
 
 
 def rank_two() -> Case:
@@ -108,21 +107,21 @@ def only_two() -> Verdict:
     order = suslov_bracket.ORDER
     place = order.index(gamma_3)
 
-    def turned(function: sp.Expr) -> sp.Expr:
+    def bracket_with_gamma_3(function: sp.Expr) -> sp.Expr:
         return sp.Add(*(matrix[i, place] * sp.diff(function, s) for i, s in enumerate(order)))
 
     first, second = p_1 + sp.I * gamma_1, p_2 + sp.I * gamma_2
     weights = {first: 1, p_1 - sp.I * gamma_1: -1, second: d, p_2 - sp.I * gamma_2: -d}
     holds = all(
-        sp.expand(turned(function) - sp.I * weight * function) == 0
+        sp.expand(bracket_with_gamma_3(function) - sp.I * weight * function) == 0
         for function, weight in weights.items()
     )
-    return Verdict(
+    return computed_verdict(
         "casimirs",
-        "proven" if holds else "undecided",
-        shown="{z, γ₃} = iwz with w = 1, −1, d, −d; for irrational d only powers of |z₁|² and "
+        holds,
+        "{z, γ₃} = iwz with w = 1, −1, d, −d; for irrational d only powers of |z₁|² and "
         "|z₂|² have weight zero",
-        reason="" if holds else "the weights are not as expected",
+        "the weights are not as expected",
     )
 
 
@@ -135,11 +134,12 @@ def no_leaf() -> Verdict:
     rank = there.subs({p_2: sp.Rational(3, 5), gamma_2: sp.Rational(4, 5)}).rank()
     level = 3 - sp.Matrix([sp.diff(p_2**2 + gamma_2**2, s) for s in (p_2, gamma_2, gamma_3)]).rank()
     refuted = still and rank == level
-    return Verdict(
+    return computed_verdict(
         "leaves",
-        "refuted" if refuted else "undecided",
-        shown="the leaf of p₁ = γ₁ = 0, p₂² + γ₂² = 1 is the level surface Φ₁ = 0, Φ₂ = 1",
-        reason="" if refuted else "the leaf tried is no level surface",
+        refuted,
+        "the leaf of p₁ = γ₁ = 0, p₂² + γ₂² = 1 is the level surface Φ₁ = 0, Φ₂ = 1",
+        "the leaf tried is no level surface",
+        decision="refuted",
         witness={"rank of the bracket": rank, "dimension of the level surface": level},
     )
 
@@ -165,8 +165,8 @@ def leaves() -> Case:
     dense in the three-dimensional level of ρ₁ and ρ₂, on which a continuous function that is
     constant on it must be constant.
     """
-    made = _polar()
-    rho_1, rho_2, phi_1, phi_2, _ = made.symbols
+    dynamics = _polar()
+    rho_1, rho_2, phi_1, phi_2, _ = dynamics.symbols
     matrix = sp.zeros(5)
     for place, value in ((2, sp.S.One), (3, d)):
         matrix[place, 4], matrix[4, place] = value, -value
@@ -179,8 +179,8 @@ def leaves() -> Case:
         ),
     }
     return (
-        (made, PoissonStructure("leaves", matrix, casimirs=casimirs, rank=2)),
-        (made, Isomorphism("polar", _five(), old)),
+        (dynamics, PoissonStructure("leaves", matrix, casimirs=casimirs, rank=2)),
+        (dynamics, Isomorphism("polar", _five(), old)),
     )
 
 

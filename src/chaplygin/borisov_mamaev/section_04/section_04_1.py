@@ -13,9 +13,10 @@ from ...parsing.exact_decimals import exact_number
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
+from ..methods.catalogue_laws import law_named, laws_named
+from ..methods.conclusion import computed_verdict
 from ..methods.contrary import contrary
 from ..methods.divergence_at_equilibria import excludes_measure
-from ..methods.named import named
 from ..methods.tori import F_1, F_2, canonical_in, not_hamiltonian, theta_1, theta_2, theta_3
 from ..methods.unspecified import of, system
 
@@ -32,18 +33,18 @@ def _triangular() -> System:
 
 def triangular_measure() -> Case:
     """The density 1/v₁, where v₁ is not zero."""
-    made = _triangular()
-    return made, Measure("measure", {made.rates[0]: -sp.S.One})
+    dynamics = _triangular()
+    return dynamics, Measure("measure", {dynamics.rates[0]: -sp.S.One})
 
 
 def lie_measure() -> Verdict:
     """The velocities of the Chaplygin sleigh: n = 2, one integral, no symmetry field needed."""
-    made = CATALOGUE["chaplygin-sleigh-reduced"].system()
-    if not prove(made, named(made, "energy")):
+    dynamics = CATALOGUE["chaplygin-sleigh-reduced"].system()
+    if not prove(dynamics, law_named(dynamics, "energy")):
         return Verdict("measure", "undecided", reason="the energy of the example is not proven")
-    point = {p.symbol: exact_number(p.default) for p in made.parameters}
-    straight_on = dict(zip(made.symbols, (sp.S.One, sp.S.Zero), strict=True))
-    return contrary(excludes_measure(made, {**point, **straight_on}))
+    point = {p.symbol: exact_number(p.default) for p in dynamics.parameters}
+    straight_on = dict(zip(dynamics.symbols, (sp.S.One, sp.S.Zero), strict=True))
+    return contrary(excludes_measure(dynamics, {**point, **straight_on}))
 
 
 # --- the Lagrange top ----------------------------------------------------------------------
@@ -81,8 +82,7 @@ def rotation_corrected() -> Case:
 
 def momenta_of_the_top() -> Case:
     """p_ψ and p_φ are constants of motion."""
-    made = CATALOGUE["lagrange-top-angles"].system()
-    return (made, named(made, "area")), (made, named(made, "spin"))
+    return laws_named(CATALOGUE["lagrange-top-angles"].system(), "area", "spin")
 
 
 # --- reducibility --------------------------------------------------------------------------
@@ -95,13 +95,13 @@ def _uniform() -> System:
     return system("uniform", "(4.2)", {**field, F_1: sp.S.Zero, F_2: sp.S.Zero})
 
 
-def _straightened(shifts: tuple[sp.Expr, sp.Expr]) -> Case:
+def _with_uniform_angles(shifts: tuple[sp.Expr, sp.Expr]) -> Case:
     """(4.1) with ζ_i = ω_i + ω₁ ∂Z_i/∂θ₁, and the change θ̃_i = θ_i − Z_i."""
     uniform = _uniform()
     omega = uniform.rates[:3]
     rates = [w + omega[0] * sp.diff(Z, theta_1) for w, Z in zip(omega[1:], shifts, strict=True)]
     field = {theta_1: omega[0], theta_2: rates[0], theta_3: rates[1]}
-    made = system("one_angle", "(4.1)", {**field, F_1: sp.S.Zero, F_2: sp.S.Zero})
+    dynamics = system("one_angle", "(4.1)", {**field, F_1: sp.S.Zero, F_2: sp.S.Zero})
     new = {
         theta_1: theta_1,
         theta_2: theta_2 - shifts[0],
@@ -109,7 +109,7 @@ def _straightened(shifts: tuple[sp.Expr, sp.Expr]) -> Case:
         F_1: F_1,
         F_2: F_2,
     }
-    return made, Isomorphism("straightened", uniform, new)
+    return dynamics, Isomorphism("straightened", uniform, new)
 
 
 def theorem_4_printed() -> Verdict:
@@ -118,15 +118,16 @@ def theorem_4_printed() -> Verdict:
     In (4.2) either all points of a torus are at rest or none.
     """
     field = {theta_1: F_1, theta_2: sp.cos(theta_1), F_1: sp.S.Zero}
-    made = system("stopping", "θ̇₁ = F, θ̇₂ = cos θ₁", field)
-    at_rest = [rate.subs({theta_1: sp.pi / 2, F_1: 0}) for rate in made.rates]
-    moving = [rate.subs({theta_1: 0, F_1: 0}) for rate in made.rates]
+    dynamics = system("stopping", "θ̇₁ = F, θ̇₂ = cos θ₁", field)
+    at_rest = [rate.subs({theta_1: sp.pi / 2, F_1: 0}) for rate in dynamics.rates]
+    moving = [rate.subs({theta_1: 0, F_1: 0}) for rate in dynamics.rates]
     broken = not any(at_rest) and any(moving)
-    return Verdict(
+    return computed_verdict(
         "reducibility",
-        "refuted" if broken else "undecided",
-        shown="θ̇₁ = F, θ̇₂ = cos θ₁: on the torus F = 0 the point θ₁ = π/2 rests, θ₁ = 0 moves",
-        reason="" if broken else "the example does not stop",
+        broken,
+        "θ̇₁ = F, θ̇₂ = cos θ₁: on the torus F = 0 the point θ₁ = π/2 rests, θ₁ = 0 moves",
+        "the example does not stop",
+        decision="refuted",
         witness={"rate at θ₁ = π/2": str(at_rest), "rate at θ₁ = 0": str(moving)},
     )
 
@@ -134,7 +135,7 @@ def theorem_4_printed() -> Verdict:
 def theorem_4_corrected() -> Case:
     """Z_i(θ₁, F), the periodic primitive of (ζ_i − ω_i)/ω₁, unspecified."""
     first, second = of("Z2 Z3", theta_1, F_1, F_2)
-    return _straightened((first, second))
+    return _with_uniform_angles((first, second))
 
 
 def fourier() -> Case:
@@ -148,7 +149,7 @@ def fourier() -> Case:
             terms.append((a * sp.sin(n * theta_1) - b * sp.cos(n * theta_1)) / n)
         return sp.Add(*terms) / omega_1
 
-    return _straightened((shift("y"), shift("z")))
+    return _with_uniform_angles((shift("y"), shift("z")))
 
 
 def frequencies() -> Verdict:
@@ -157,12 +158,12 @@ def frequencies() -> Verdict:
     coefficients = {n: sp.Symbol(f"zeta_{n}") for n in orders}
     series = sp.Add(*(c * sp.exp(sp.I * n * theta_1) for n, c in coefficients.items()))
     mean = sp.integrate(sp.expand(series), (theta_1, 0, 2 * sp.pi)) / (2 * sp.pi)
-    rest = sp.simplify(mean - coefficients[0])
+    difference = sp.simplify(mean - coefficients[0])
     return Verdict(
         "frequencies",
-        "proven" if rest == 0 else "refuted",
+        "proven" if difference == 0 else "refuted",
         shown="the mean over θ₁ is the coefficient with m = 0",
-        witness=None if rest == 0 else {"difference": str(rest)},
+        witness=None if difference == 0 else {"difference": str(difference)},
     )
 
 
@@ -176,7 +177,7 @@ def corollary_1_corrected() -> Case:
         F_1: sp.S.Zero,
         F_2: sp.S.Zero,
     }
-    made = system("one_angle", "(4.1) with two angles", field)
+    dynamics = system("one_angle", "(4.1) with two angles", field)
     first = canonical_in((omega_1, omega_2), (sp.S.One, sp.S.One), Z)
     second = canonical_in((omega_1, omega_2), (omega_1, omega_2), Z)
     half = sp.Rational(1, 2)
@@ -185,16 +186,16 @@ def corollary_1_corrected() -> Case:
     for i, (matrix, energy) in enumerate(cases, 1):
         structure = PoissonStructure(f"bracket_{i}", matrix, rank=4)
         form = ConformallyHamiltonian(f"form_{i}", sp.S.One, structure, energy)
-        forms += [(made, structure), (made, form)]
+        forms += [(dynamics, structure), (dynamics, form)]
     return tuple(forms)
 
 
 def remark_11() -> Case:
     """θ̇₁ = θ̇₂ = 1, θ̇₃ = cos(θ₁ − θ₂): the mean rate of θ₃ differs along one torus."""
     field = {theta_1: sp.S.One, theta_2: sp.S.One, theta_3: sp.cos(theta_1 - theta_2)}
-    made = system("resonant", "a resonant triangular field", field)
+    dynamics = system("resonant", "a resonant triangular field", field)
     mean = Integral("mean", sp.cos(theta_1 - theta_2))
-    return (made, mean), (made, Identity("rate", Rate(theta_3) - mean.value))
+    return (dynamics, mean), (dynamics, Identity("rate", Rate(theta_3) - mean.value))
 
 
 def corollary_1_printed() -> Verdict:

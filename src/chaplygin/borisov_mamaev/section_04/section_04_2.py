@@ -46,8 +46,11 @@ def quadratures() -> Case:
     x = sp.symbols("x_1:3", real=True)
     psi, rho = of("psi rho", *x)
     rates = (sp.diff(psi, x[1]) / rho, -sp.diff(psi, x[0]) / rho)
-    made = system("surface", "the level surface", dict(zip(x, rates, strict=True)))
-    return (made, Measure("measure", {rho: sp.S.One})), (made, Integral("trajectories", psi))
+    dynamics = system("surface", "the level surface", dict(zip(x, rates, strict=True)))
+    return (dynamics, Measure("measure", {rho: sp.S.One})), (
+        dynamics,
+        Integral("trajectories", psi),
+    )
 
 
 def measure_of_kolmogorov() -> Case:
@@ -62,12 +65,12 @@ def corollary_2_printed() -> Verdict:
 
 def corollary_2_corrected() -> Case:
     """Two angles and two integrals, independent λ_i: N = 1/Φ and {θ_i, λ_j} = δ_ij."""
-    made = _kolmogorov()
+    dynamics = _kolmogorov()
     matrix = canonical_in(LAMBDA, (sp.S.One, sp.S.One))
     structure = PoissonStructure("bracket", matrix, rank=4)
     energy = HALF * sp.Add(*(value**2 for value in LAMBDA))
     form = ConformallyHamiltonian("form", 1 / PHI, structure, energy)
-    return (made, structure), (made, form), *_constant_ratio()
+    return (dynamics, structure), (dynamics, form), *_constant_ratio()
 
 
 def _constant_ratio() -> tuple[tuple[System, Law], ...]:
@@ -75,14 +78,14 @@ def _constant_ratio() -> tuple[tuple[System, Law], ...]:
     (speed,), (spread,) = of("Lambda", F_1), of("Phi", *ANGLES, F_1)
     ratio = (sp.S(2), sp.S(3))
     rates = [c * speed / spread for c in ratio]
-    made = system(
+    dynamics = system(
         "constant_ratio", "(4.3)", dict(zip((*ANGLES, F_1), (*rates, sp.S.Zero), strict=True))
     )
     matrix = sp.Matrix([[0, 0, ratio[0]], [0, 0, ratio[1]], [-ratio[0], -ratio[1], 0]])
     structure = PoissonStructure("bracket", matrix, rank=2)
     return (
-        (made, structure),
-        (made, ConformallyHamiltonian("form", speed / spread, structure, F_1)),
+        (dynamics, structure),
+        (dynamics, ConformallyHamiltonian("form", speed / spread, structure, F_1)),
     )
 
 
@@ -95,11 +98,11 @@ def never_hamiltonian() -> Verdict:
 def different_periods() -> Case:
     """λ₁ = λ₂ = 1, Φ = 2 + cos(θ₁ − θ₂): the period is 2πΦ, constant on each trajectory alone."""
     spread = 2 + sp.cos(theta_1 - theta_2)
-    made = system("resonant", "a resonant torus", dict.fromkeys(ANGLES, 1 / spread))
+    dynamics = system("resonant", "a resonant torus", dict.fromkeys(ANGLES, 1 / spread))
     return (
-        (made, Measure("measure", {spread: sp.S.One})),
-        (made, Integral("period", spread)),
-        (made, Identity("rates", tuple(Rate(s) * spread - 1 for s in ANGLES))),
+        (dynamics, Measure("measure", {spread: sp.S.One})),
+        (dynamics, Integral("period", spread)),
+        (dynamics, Identity("rates", tuple(Rate(s) * spread - 1 for s in ANGLES))),
     )
 
 
@@ -110,8 +113,10 @@ def equal_periods() -> tuple[tuple[System, Law], ...]:
     """
     (energy,) = of("H", F_1, F_2)
     field = dict(zip(ANGLES, (sp.diff(energy, F) for F in (F_1, F_2)), strict=True))
-    made = system("actions", "angle–action variables", {**field, F_1: sp.S.Zero, F_2: sp.S.Zero})
-    return tuple((made, Symmetry(f"shift of {s}", {s: sp.S.One})) for s in ANGLES)
+    dynamics = system(
+        "actions", "angle–action variables", {**field, F_1: sp.S.Zero, F_2: sp.S.Zero}
+    )
+    return tuple((dynamics, Symmetry(f"shift of {s}", {s: sp.S.One})) for s in ANGLES)
 
 
 CLAIMS = (

@@ -10,7 +10,7 @@ from ...catalogue.mechanisms import chaplygin_sleigh
 from ...core.laws import Identity, Rate
 from ...core.system import System
 from ..claim import Case, Claim, Remark
-from ..methods.named import named
+from ..methods.catalogue_laws import law_named, laws_named
 from ..methods.unspecified import of, system
 
 q = q_1, q_2 = chaplygin.q_1, chaplygin.q_2
@@ -69,8 +69,8 @@ def _any_motion() -> System:
 
 def sleigh() -> Case:
     """The Chaplygin sleigh with its centre of mass anywhere, in q₁ = φ and q₂ = x."""
-    made = CATALOGUE["chaplygin-sleigh"].system()
-    return made, named(made, "chaplygin_form")
+    dynamics = CATALOGUE["chaplygin-sleigh"].system()
+    return dynamics, law_named(dynamics, "chaplygin_form")
 
 
 def _condition() -> Identity:
@@ -87,8 +87,7 @@ def sleigh_multiplier_printed() -> Case:
 
 def sleigh_multiplier_corrected() -> Case:
     """N = cos φ when the centre of mass lies beside the contact."""
-    made = chaplygin_sleigh.sleigh_in_chaplygin_form()
-    return (made, named(made, "measure")), (made, named(made, "form"))
+    return laws_named(chaplygin_sleigh.sleigh_in_chaplygin_form(), "measure", "form")
 
 
 # --- the change of time --------------------------------------------------------------------

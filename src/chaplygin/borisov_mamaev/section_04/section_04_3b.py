@@ -12,7 +12,7 @@ from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, PoissonStructure, Rate, Reduction
 from ...core.system import Guard, System
 from ..claim import Case, Claim
-from ..methods.named import named
+from ..methods.catalogue_laws import laws_named
 from ..methods.unspecified import hamiltonian, of, system
 
 q, P = (q_1, q_2), (P_1, P_2)
@@ -30,7 +30,7 @@ def _any_linear() -> System:
 
 
 def _density() -> System:
-    """The same with the measure ρ(q) dP dq."""
+    """(4.7) with the measure ρ(q) dP dq."""
     return chaplygin.general()
 
 
@@ -58,13 +58,13 @@ def _lagrangian() -> tuple[System, dict[sp.Symbol, sp.Expr], sp.Expr]:
         for i in (0, 1)
     ]
     accelerations = inverse * sp.Matrix(known)
-    made = system("lagrangian", "(4.4)", dict(zip((*q, *v), (*v, *accelerations), strict=True)))
-    return made, dict(zip(P, momenta, strict=True)), turning
+    dynamics = system("lagrangian", "(4.4)", dict(zip((*q, *v), (*v, *accelerations), strict=True)))
+    return dynamics, dict(zip(P, momenta, strict=True)), turning
 
 
 def legendre() -> Case:
     """(4.7) from (4.4), with H the Legendre transform of L."""
-    made, momenta, turning = _lagrangian()
+    dynamics, momenta, turning = _lagrangian()
     H = chaplygin.quadratic_hamiltonian()
     by_q1, by_q2, by_P1, by_P2 = (sp.diff(H, s) for s in (*q, *P))
     equations = (
@@ -73,26 +73,26 @@ def legendre() -> Case:
         Rate(P_1) + by_q1 - by_P2 * turning,
         Rate(P_2) + by_q2 + by_P1 * turning,
     )
-    return made, Reduction("legendre", momenta, equations)
+    return dynamics, Reduction("legendre", momenta, equations)
 
 
 def linear() -> Case:
     """A_i = Σ_j a_j (m⁻¹)_ji, B = b − (A, l)."""
-    made, momenta, turning = _lagrangian()
+    dynamics, momenta, turning = _lagrangian()
     a_1, a_2, m11, m12, m22, l1, l2, b = of("a1 a2 m11 m12 m22 l1 l2 b", *q)
     first, second = a_1 * m11 + a_2 * m12, a_1 * m12 + a_2 * m22
-    rest = b - first * l1 - second * l2
-    value = turning - first * P_1 - second * P_2 - rest
-    return made, Identity("linear", value, quantities=momenta)
+    remainder = b - first * l1 - second * l2
+    value = turning - first * P_1 - second * P_2 - remainder
+    return dynamics, Identity("linear", value, quantities=momenta)
 
 
 # --- Liouville equation --------------------------------------------------------------------
 
 
-def _spread(made: System) -> sp.Expr:
+def _divergence(dynamics: System) -> sp.Expr:
     """div(ρv)/ρ of (4.7), written out."""
-    gyroscopic = dict(made.steps)
-    rates = [rate.xreplace(gyroscopic) for rate in made.rates]
+    gyroscopic = dict(dynamics.steps)
+    rates = [rate.xreplace(gyroscopic) for rate in dynamics.rates]
     states = (*q, *P)
     return sp.Add(*(sp.diff(rho * r, s) for r, s in zip(rates, states, strict=True))) / rho
 
@@ -104,10 +104,10 @@ def _brackets() -> tuple[sp.Expr, sp.Expr]:
 
 def liouville() -> Case:
     """div(ρv)/ρ = q̇₁(…) + q̇₂(…)."""
-    made = _any_linear()
+    dynamics = _any_linear()
     first, second = _brackets()
     value = Rate(q_1) * first + Rate(q_2) * second
-    return made, Identity("liouville", _spread(made) - value)
+    return dynamics, Identity("liouville", _divergence(dynamics) - value)
 
 
 def brackets_vanish() -> Case:
@@ -115,12 +115,12 @@ def brackets_vanish() -> Case:
 
     With D = div(ρv)/ρ, ∂D/∂P_i = Σ_j (m⁻¹)_ij (…)_j, and m⁻¹ is not degenerate.
     """
-    made = _any_linear()
-    by_P1, by_P2 = (sp.diff(_spread(made), s) for s in P)
+    dynamics = _any_linear()
+    by_P1, by_P2 = (sp.diff(_divergence(dynamics), s) for s in P)
     m11, m12, m22 = of("m11 m12 m22", *q)
     determinant = m11 * m22 - m12**2
     first, second = _brackets()
-    return made, Identity(
+    return dynamics, Identity(
         "independent",
         (
             first - (m22 * by_P1 - m12 * by_P2) / determinant,
@@ -139,9 +139,9 @@ def _bar(multiplier: sp.Expr, gyroscopic: sp.Expr) -> sp.Expr:
     return multiplier * gyroscopic + by_q2 * P_1 - by_q1 * P_2
 
 
-def _momenta_form(rest: sp.Expr) -> Case:
+def _momenta_form(remainder: sp.Expr) -> Case:
     by_q1, by_q2 = (sp.diff(N, s) for s in q)
-    value = (N * A[0] + by_q2) * P_1 + (N * A[1] - by_q1) * P_2 + rest
+    value = (N * A[0] + by_q2) * P_1 + (N * A[1] - by_q1) * P_2 + remainder
     return _any_linear(), Identity("S_bar", _bar(N, S) - value)
 
 
@@ -169,8 +169,8 @@ def _target() -> tuple[System, PoissonStructure]:
     """The Hamiltonian system with the bracket (4.6), S̄ = ρB and H̄(q, p) = H(q, p/ρ)."""
     H = chaplygin.quadratic_hamiltonian().xreplace({P_1: p[0] / rho, P_2: p[1] / rho})
     matrix = _magnetic(rho * B)
-    made = hamiltonian(matrix, H, (*q, *p))
-    return made, PoissonStructure("bracket", matrix, rank=4)
+    dynamics = hamiltonian(matrix, H, (*q, *p))
+    return dynamics, PoissonStructure("bracket", matrix, rank=4)
 
 
 def _magnetic(turn: sp.Expr) -> sp.Matrix:
@@ -184,10 +184,12 @@ def theorem_6() -> Case:
     """Both statements: S̄ = ρB depends on q alone, and N = ρ leads to (4.6)."""
     target, structure = _target()
     map_ = {q_1: q_1, q_2: q_2, p[0]: rho * P_1, p[1]: rho * P_2}
-    made = _density()
-    forward = replace(made, guards=(Guard("density", rho, "the density of the measure vanishes"),))
+    dynamics = _density()
+    forward = replace(
+        dynamics, guards=(Guard("density", rho, "the density of the measure vanishes"),)
+    )
     return (
-        (made, Identity("S_bar", _bar(rho, S) - rho * B)),
+        (dynamics, Identity("S_bar", _bar(rho, S) - rho * B)),
         (forward, Isomorphism("new_time", target, map_, time=rho)),
         (target, structure),
     )
@@ -196,14 +198,13 @@ def theorem_6() -> Case:
 def bracket_4_6() -> Case:
     """(4.6) with any S̄(q)."""
     (turn,) = of("Sbar", *q)
-    made = hamiltonian(_magnetic(turn), of("H", *q, *p)[0], (*q, *p))
-    return made, PoissonStructure("bracket", _magnetic(turn), rank=4)
+    dynamics = hamiltonian(_magnetic(turn), of("H", *q, *p)[0], (*q, *p))
+    return dynamics, PoissonStructure("bracket", _magnetic(turn), rank=4)
 
 
 def in_the_old_time() -> Case:
     """N = ρ in the variables q, P and the time t."""
-    made = _density()
-    return tuple((made, named(made, name)) for name in ("bracket", "form"))
+    return laws_named(_density(), "bracket", "form")
 
 
 def ordinary() -> Case:
@@ -211,8 +212,8 @@ def ordinary() -> Case:
     flat = (sp.diff(rho, q_1) * P_2 - sp.diff(rho, q_2) * P_1) / rho
     m11, m12, m22, U = of("m11 m12 m22 U", *q)
     H = HALF * (m11 * P_1**2 + m22 * P_2**2) + m12 * P_1 * P_2 + U
-    made = chaplygin.form("ordinary", "an ordinary Chaplygin system", H, flat)
-    return made, Identity("S_bar", _bar(rho, S))
+    dynamics = chaplygin.form("ordinary", "an ordinary Chaplygin system", H, flat)
+    return dynamics, Identity("S_bar", _bar(rho, S))
 
 
 CLAIMS = (

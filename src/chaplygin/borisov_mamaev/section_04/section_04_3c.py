@@ -38,9 +38,9 @@ def canonical_momenta() -> Case:
     slopes = new.jacobian(state)
     canonical = sp.zeros(4)
     canonical[0:2, 2:4], canonical[2:4, 0:2] = sp.eye(2), -sp.eye(2)
-    made = system("phase_space", "T*M", dict.fromkeys(state, sp.S.Zero))
+    dynamics = system("phase_space", "T*M", dict.fromkeys(state, sp.S.Zero))
     difference = slopes * magnetic * slopes.T - canonical
-    return made, Identity("canonical", tuple(difference))
+    return dynamics, Identity("canonical", tuple(difference))
 
 
 # --- exactness -----------------------------------------------------------------------------
@@ -56,7 +56,7 @@ def on_torus() -> tuple[System, Identity]:
     """
     (mean,) = of("g", q[1])
     spread = sp.diff(mean, q[1]) + sp.diff(psi, q[0])
-    return _closed("torus", (-mean, psi), spread)
+    return _closedness("torus", (-mean, psi), spread)
 
 
 def on_sphere() -> tuple[System, Identity]:
@@ -69,16 +69,16 @@ def on_sphere() -> tuple[System, Identity]:
     """
     (mean,) = of("g", q[0])
     spread = sp.diff(mean, q[0]) + sp.sin(q[0]) * sp.diff(psi, q[1])
-    return _closed("sphere", (-psi * sp.sin(q[0]), mean), spread)
+    return _closedness("sphere", (-psi * sp.sin(q[0]), mean), spread)
 
 
-def _closed(
+def _closedness(
     name: str, potential: tuple[sp.Expr, sp.Expr], spread: sp.Expr
 ) -> tuple[System, Identity]:
     """∂ω₂/∂q₁ − ∂ω₁/∂q₂ = S̄."""
-    made = system(name, name, dict.fromkeys(q, sp.S.Zero))
+    dynamics = system(name, name, dict.fromkeys(q, sp.S.Zero))
     curl = sp.diff(potential[1], q[0]) - sp.diff(potential[0], q[1])
-    return made, Identity("exact", curl - spread)
+    return dynamics, Identity("exact", curl - spread)
 
 
 def exact() -> Case:

@@ -41,6 +41,7 @@ from ...core.vectors import (
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim
+from ..methods.conclusion import computed_verdict
 from ..methods.independence import independent, rational_point
 from ..methods.lens import curvatures, height, lens, linear_integral, slope
 from ..methods.unspecified import system
@@ -63,7 +64,7 @@ def body() -> System:
 
 @cache
 def body_in_angles() -> System:
-    """The same in the angles θ, φ; it is proven to lead back to ω, γ."""
+    """The body in the angles θ, φ, which is proven to lead back to ω, γ."""
     return in_angles(body())
 
 
@@ -92,9 +93,9 @@ def equations() -> Case:
 
 def contact_vector() -> Case:
     """r of the mechanics, in which r is the point with the normal −γ."""
-    made = catalogue.rolled()
+    dynamics = catalogue.rolled()
     first, second = from_support(HEIGHT)
-    return made, Identity("contact", r - constant([first * g_1, first * g_2, second]))
+    return dynamics, Identity("contact", r - constant([first * g_1, first * g_2, second]))
 
 
 def tie() -> Case:
@@ -107,19 +108,19 @@ def tie() -> Case:
 
 def potential() -> Case:
     """The share of the weight in the energy of the mechanics."""
-    made = catalogue.rolled(gravity=9.81)
+    dynamics = catalogue.rolled(gravity=9.81)
     first, second = from_support(HEIGHT)
-    (energy,) = (item.value for item in made.integrals)
+    (energy,) = (item.value for item in dynamics.integrals)
     weight = energy - HALF * dot(M, omega) - POTENTIAL
-    return made, Identity("potential", weight + m * g * (first * LEAN + second * g_3))
+    return dynamics, Identity("potential", weight + m * g * (first * LEAN + second * g_3))
 
 
 def geometric() -> Case:
     """γ² and (ω, γ)."""
-    made = catalogue.rolled()
+    dynamics = catalogue.rolled()
     return (
-        (made, Integral("geometric", norm_squared(gamma))),
-        (made, Integral("constraint", dot(omega, gamma))),
+        (dynamics, Integral("geometric", norm_squared(gamma))),
+        (dynamics, Integral("constraint", dot(omega, gamma))),
     )
 
 
@@ -141,17 +142,18 @@ def only_spheres() -> Verdict:
     at = {symbol: sp.Rational(*value) for symbol, value in place.items()}
     radii = [formula.xreplace(at) for formula in (along, across)]
     contradicts = bool(verdict) and min(radii) > 0 and radii[0] != radii[1]
-    return Verdict(
+    return computed_verdict(
         "only spheres",
-        "refuted" if contradicts else "undecided",
-        shown=f"a body with the radii of curvature {radii[0]}, {radii[1]} has such an integral",
-        reason="" if contradicts else verdict.reason or "the radii tried do not decide it",
+        contradicts,
+        f"a body with the radii of curvature {radii[0]}, {radii[1]} has such an integral",
+        verdict.reason or "the radii tried do not decide it",
+        decision="refuted",
         witness={str(symbol): str(value) for symbol, value in at.items()},
     )
 
 
 def edge() -> tuple[System, Identity]:
-    """Where γ₃ = 0, the left side of the lens's condition is (I₃ + mp²)p².
+    """At γ₃ = 0 the left side of the lens's condition is (I₃ + mp²)p².
 
     There r₁² + r₂² = p² and ρ₂ = p for every support function p.  A smooth closed strictly convex
     body of revolution touches the plane with every normal, and p > 0 at γ₃ = 0, where p is the
@@ -162,11 +164,13 @@ def edge() -> tuple[System, Identity]:
     along = across + LEAN * HEIGHT.diff(g_3, 2)
     third, reach = I.symbols[2], first**2 * LEAN
     left = third * g_3 * second * along + (third + m * reach) * HEIGHT * across
-    made = system(
+    dynamics = system(
         "contact", "a contact point, at rest", {gamma: zero}, relations=(norm_squared(gamma) - 1,)
     )
-    made = replace(made, parameters=(Parameter(m, "mass", 1.3), Parameter(third, "moment", 0.2)))
-    return made, Identity("edge", left - (third + m * HEIGHT**2) * HEIGHT**2, on=(g_3,))
+    dynamics = replace(
+        dynamics, parameters=(Parameter(m, "mass", 1.3), Parameter(third, "moment", 0.2))
+    )
+    return dynamics, Identity("edge", left - (third + m * HEIGHT**2) * HEIGHT**2, on=(g_3,))
 
 
 def other_bodies() -> Case:
@@ -176,27 +180,31 @@ def other_bodies() -> Case:
 
 def lie() -> Case:
     """Two integrals besides the relations, and a symmetry field tangent to their level."""
-    made = body()
-    turning = replace(made, field={v: cross(unit_vector(3), v) for v in (omega, gamma)}, laws=())
+    dynamics = body()
+    turning = replace(
+        dynamics, field={v: cross(unit_vector(3), v) for v in (omega, gamma)}, laws=()
+    )
     h, k = constants()
     levels = (Integral("energy", h), Integral("spin", k))
     return (
         rotation(),
-        *((made, integral) for integral in levels),
+        *((dynamics, integral) for integral in levels),
         *((turning, integral) for integral in levels),
     )
 
 
 def lie_independent() -> Case:
     """γ², (ω, γ), energy and K² of Routh's sphere have independent differentials."""
-    made = CATALOGUE["rubber-routh-sphere"].system()
-    (energy,) = (item.value for item in made.integrals if item.name == "energy")
+    dynamics = CATALOGUE["rubber-routh-sphere"].system()
+    (energy,) = (item.value for item in dynamics.integrals if item.name == "energy")
     square = I_1 * g_3**2 + I.symbols[2] * LEAN + m * dot(r, gamma) ** 2
-    state = dict(zip(map(str, made.symbols), ("3", "0", "-1", "2/7", "3/7", "6/7"), strict=True))
+    state = dict(
+        zip(map(str, dynamics.symbols), ("3", "0", "-1", "2/7", "3/7", "6/7"), strict=True)
+    )
     return independent(
-        made,
+        dynamics,
         (norm_squared(gamma), dot(omega, gamma), energy, square * w_3**2),
-        rational_point(made, state),
+        rational_point(dynamics, state),
     )
 
 
@@ -205,8 +213,8 @@ def lie_independent() -> Case:
 
 def angles() -> Case:
     """The angles lead back to γ and ω, and every γ has them."""
-    made = body_in_angles()
-    return made, made.laws[0]
+    dynamics = body_in_angles()
+    return dynamics, dynamics.laws[0]
 
 
 def nutation() -> Case:

@@ -12,6 +12,7 @@ from ...core.system import System
 from ...core.vectors import constant, real_symbol, to_components, vectors
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim
+from ..methods.conclusion import computed_verdict
 from ..methods.tori import of_rank_two
 from .section_05_a import body, body_in_angles, constants, quadratures
 
@@ -64,11 +65,12 @@ def always_positive() -> Verdict:
     on_constraint = sum(x * y for x, y in zip(normal, turn, strict=True)) == 0
     rate = turn[2] / (1 - normal[2] ** 2)
     refuted = on_constraint and rate < 0
-    return Verdict(
+    return computed_verdict(
         "phi increases",
-        "refuted" if refuted else "undecided",
-        shown="φ̇ is negative at a point with k < 0",
-        reason="" if refuted else "the point tried does not decide it",
+        refuted,
+        "φ̇ is negative at a point with k < 0",
+        "the point tried does not decide it",
+        decision="refuted",
         witness={"omega": str(turn), "gamma": str(normal), "residual": str(rate)},
     )
 
@@ -78,18 +80,18 @@ def always_positive() -> Verdict:
 
 def profile(name: str, chi_1: sp.Expr, chi_2: sp.Expr) -> Case:
     """r of the mechanics is (χ₁γ₁, χ₁γ₂, χ₂)."""
-    made = CATALOGUE[name].system()
+    system = CATALOGUE[name].system()
     value = r - constant([chi_1 * g_1, chi_1 * g_2, chi_2])
-    return made, Identity("profile", to_components(value), on=LEVEL)
+    return system, Identity("profile", to_components(value), on=LEVEL)
 
 
 def nutation(name: str, principal: sp.Expr, weight: sp.Expr) -> Case:
     """½ B θ̇² = h − U − ½k²/sin²θ, with θ̇² = γ̇₃²/(1 − γ₃²)."""
-    made = CATALOGUE[name].system()
-    (energy,) = (law.value for law in made.integrals if law.name == "energy")
-    (linear,) = (law.value for law in made.integrals if law.name == "spin")
+    system = CATALOGUE[name].system()
+    (energy,) = (law.value for law in system.integrals if law.name == "energy")
+    (linear,) = (law.value for law in system.integrals if law.name == "spin")
     speed = Rate(u) ** 2 / (1 - u**2)
-    return made, Reduction(
+    return system, Reduction(
         "nutation",
         {u: g_3, k: linear, h: energy},
         (Rate(k), Rate(h), HALF * principal * speed - (h - weight - HALF * k**2 / SIN**2)),

@@ -80,11 +80,11 @@ def _lagrange(coordinate: sp.Symbol, speed: sp.Symbol) -> sp.Expr:
 
 def multiplier(sign: int) -> Case:
     """The torque along γ that keeps (ω, γ) = 0, up to a sign."""
-    made = body()
+    system = body()
     reaction = I * rate(omega) - TORQUE
     return (
-        (made, Integral("constraint", dot(omega, gamma))),
-        (made, Identity("multiplier", dot(gamma, reaction) - sign * PRINTED)),
+        (system, Integral("constraint", dot(omega, gamma))),
+        (system, Identity("multiplier", dot(gamma, reaction) - sign * PRINTED)),
     )
 
 
@@ -107,34 +107,34 @@ def square() -> Case:
     """(6.4)."""
     momentum = I * omega
     value = norm_squared(momentum) - dot(momentum, gamma) ** 2
-    made = free_body()
+    system = free_body()
     return (
-        (made, Integral("F", value)),
-        (made, Identity("square", value - norm_squared(cross(momentum, gamma)))),
+        (system, Integral("F", value)),
+        (system, Identity("square", value - norm_squared(cross(momentum, gamma)))),
     )
 
 
 def euler_jacobi() -> Case:
     """γ², (ω, γ), H and F have independent differentials."""
-    made = free_body()
+    system = free_body()
     momentum = I * omega
-    state = dict(zip(map(str, made.symbols), ("3", "0", "-1", "2/7", "3/7", "6/7"), strict=True))
+    state = dict(zip(map(str, system.symbols), ("3", "0", "-1", "2/7", "3/7", "6/7"), strict=True))
     return independent(
-        made,
+        system,
         (
             norm_squared(gamma),
             dot(omega, gamma),
             HALF * dot(momentum, omega),
             norm_squared(cross(momentum, gamma)),
         ),
-        rational_point(made, state),
+        rational_point(system, state),
     )
 
 
 def bruns() -> Case:
     """F − K det I (γ, I⁻¹γ) in the field ½K(γ, Iγ), of which the printed one has K = 2."""
-    made = catalogue.in_bruns_field({**catalogue.NUMBERS, "K": 2.0})
-    return made, catalogue.momentum_in_bruns_field()
+    system = catalogue.in_bruns_field({**catalogue.NUMBERS, "K": 2.0})
+    return system, catalogue.momentum_in_bruns_field()
 
 
 def separated() -> Case:
@@ -144,12 +144,12 @@ def separated() -> Case:
 
 def generalised() -> Case:
     """Three integrals and a measure for any (ω, γ) = d."""
-    made = catalogue.spinning(catalogue.NUMBERS)
+    system = catalogue.spinning(catalogue.NUMBERS)
     return (
-        (made, catalogue.spin()),
-        (made, catalogue.energy_of_spinning(catalogue.FREE)),
-        (made, catalogue.momentum()),
-        (made, catalogue.measure()),
+        (system, catalogue.spin()),
+        (system, catalogue.energy_of_spinning(catalogue.FREE)),
+        (system, catalogue.momentum()),
+        (system, catalogue.measure()),
     )
 
 

@@ -210,18 +210,18 @@ def canonical() -> System:
 def legendre() -> Case:
     """(6.10): the momenta ∂L/∂θ′, ∂L/∂φ′ obey Hamilton's equations, and H = p q′ − L."""
     momenta = [lagrangian(REDUCING, s) for s in RATES]
-    made = canonical()
-    (form,) = made.laws
+    system = canonical()
+    (form,) = system.laws
     carried = Isomorphism(
         "canonical",
-        made,
+        system,
         {theta: theta, phi: phi, p_theta: momenta[0], p_phi: momenta[1]},
         REDUCING,
     )
     swept = sp.Add(*(p * s for p, s in zip(momenta, RATES, strict=True))) / REDUCING
     return (
         (body(), carried),
-        (made, form),
+        (system, form),
         (body(), Identity("H", swept - T - HALF * dot(omega, I * omega))),
     )
 

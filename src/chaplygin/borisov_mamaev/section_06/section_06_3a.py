@@ -20,6 +20,7 @@ from ...core.vectors import constant, dot, norm_squared, real_symbol, to_compone
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
+from ..methods.conclusion import computed_verdict
 
 omega, gamma = vectors("omega gamma")
 I_1, I_2, I_3 = I.symbols
@@ -95,12 +96,13 @@ def bracket(sign: int) -> Case:
 
 def leaf_by_gamma() -> Verdict:
     """γ² by Γ is one everywhere, so that it cuts nothing out of e(3)."""
-    found = prove(off_level(), Identity("unit", norm_squared(S) - 1))
-    return Verdict(
+    verdict = prove(off_level(), Identity("unit", norm_squared(S) - 1))
+    return computed_verdict(
         "leaf",
-        "refuted" if found else "undecided",
-        shown="γ² = 1 for every Γ, so that γ² = 1, (M, Γ) = 0 leaves five dimensions",
-        reason="" if found else found.reason,
+        verdict,
+        "γ² = 1 for every Γ, so that γ² = 1, (M, Γ) = 0 leaves five dimensions",
+        verdict.reason,
+        decision="refuted",
     )
 
 
@@ -148,11 +150,11 @@ def only_on_level() -> Verdict:
     law = Integral("F", second())
     on, off = prove(free_flow(), law), prove(off_level(), law)
     decided = on.decision == "proven" and off.decision == "refuted"
-    return Verdict(
+    return computed_verdict(
         "only on the level",
-        "proven" if decided else "undecided",
-        shown="zero on the level, and not zero at a point with (M, Γ) ≠ 0",
-        reason="" if decided else on.reason or off.reason,
+        decided,
+        "zero on the level, and not zero at a point with (M, Γ) ≠ 0",
+        on.reason or off.reason,
         witness=off.witness,
     )
 

@@ -27,6 +27,7 @@ from ...core.vectors import cross, dot, norm_squared, real_symbol, to_components
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim
+from ..methods.conclusion import computed_verdict
 from .section_06_3a import DET, INVERSE_ROOT, MOMENTS, NUMBERS, S, flow, free_flow, off_level
 
 I_1, I_2, I_3 = I.symbols
@@ -60,15 +61,15 @@ def kirchhoff_equations(sign: int) -> tuple[tuple[System, Integral], tuple[Syste
     level = norm_squared(M) * dot(Gamma, I * Gamma) / DET
     factor = sign * sp.sqrt(DET)
     place, turn = (to_components(v).subs(c, to_components(level)) for v in kirchhoff(S, L))
-    made = flow()
+    system = flow()
     return (
-        (made, Integral("level", level)),
-        (made, Identity("kirchhoff", (rate(S) - factor * place, rate(L) - factor * turn))),
+        (system, Integral("level", level)),
+        (system, Identity("kirchhoff", (rate(S) - factor * place, rate(L) - factor * turn))),
     )
 
 
 def proposition() -> Case:
-    """The same with k = √det I, also as a map onto the Clebsch case of the catalogue."""
+    """The map with k = √det I, also onto the Clebsch case of the catalogue."""
     target = clebsch.build(NUMBERS)
     return (*kirchhoff_equations(1), (flow(), geodesic.to_clebsch(target)))
 
@@ -124,7 +125,7 @@ def field_6_14() -> System:
     )
 
 
-def generated(tensor: MatrixExpr) -> Case:
+def quadratic_hamiltonian(tensor: MatrixExpr) -> Case:
     """(6.14) is generated on e(3) by kα(…) + kβ(…)."""
     first, other = quadratic(tensor)
     return field_6_14(), ConformallyHamiltonian(
@@ -136,10 +137,10 @@ def neumann_case() -> Case:
     """α = 1, β = 0, k = 1: the Neumann system."""
     first, _ = quadratic(I)
     (energy,) = (law for law in neumann.build(NUMBERS).integrals if law.name == "energy")
-    made = neumann.build(NUMBERS)
+    system = neumann.build(NUMBERS)
     return (
-        (made, Identity("H", first - energy.value)),
-        (made, ConformallyHamiltonian("hamiltonian", sp.S.One, e3.bracket(), first)),
+        (system, Identity("H", first - energy.value)),
+        (system, ConformallyHamiltonian("hamiltonian", sp.S.One, e3.bracket(), first)),
     )
 
 
@@ -166,14 +167,14 @@ def brackets_change() -> Verdict:
     first, place = (to_components(to_components(v)[0]) for v in (L, S))
     slopes = [sp.Matrix([sp.diff(f, x) for x in variables]) for f in (first, place)]
     value = (slopes[0].T * sp.Matrix(e3.lie_poisson(M, Gamma)) * slopes[1])[0]
-    found = prove(free_flow(), Identity("bracket", value))
-    changed = found.decision == "refuted"
-    return Verdict(
+    verdict = prove(free_flow(), Identity("bracket", value))
+    changed = verdict.decision == "refuted"
+    return computed_verdict(
         "brackets change",
-        "proven" if changed else "undecided",
-        shown="{L₁, s₁} is not zero at a point",
-        reason="" if changed else found.reason,
-        witness=found.witness,
+        changed,
+        "{L₁, s₁} is not zero at a point",
+        verdict.reason,
+        witness=verdict.witness,
     )
 
 
@@ -249,8 +250,8 @@ CLAIMS = (
         r"With constant c, (6.14) is generated on e(3) by "
         r"$H = k\alpha(\frac{1}{2}M^2 + \frac{c}{2}(\Gamma, I\Gamma)) + "
         r"k\beta(\frac{1}{2}(M, IM) - \frac{c}{2}\det I(\Gamma, I\Gamma))$.",
-        lambda: generated(I),
-        lambda: generated(I**-1),
+        lambda: quadratic_hamiltonian(I),
+        lambda: quadratic_hamiltonian(I**-1),
         r"$H = k\alpha(\frac{1}{2}M^2 + \frac{c}{2}(\Gamma, I\Gamma)) + "
         r"k\beta(\frac{1}{2}(M, IM) - \frac{c}{2}\det I(\Gamma, I^{-1}\Gamma))$",
         "lost inverse in the last term",

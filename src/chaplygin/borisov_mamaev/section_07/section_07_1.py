@@ -181,7 +181,7 @@ def periods_exclude_printed() -> Verdict:
 def periods_exclude() -> Verdict:
     """Proposition 4 against the periods, and the bracket of rank two."""
     shown = f"{unequal_periods().shown}; Proposition 4 would make them equal"
-    shifts = tuple(prove(made, law) for made, law in equal_periods())
+    shifts = tuple(prove(system, law) for system, law in equal_periods())
     return concluded("no form of rank four", shown, (unequal_periods(), *shifts, *of_rank_two()))
 
 

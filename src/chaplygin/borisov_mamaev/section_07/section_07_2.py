@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
@@ -43,7 +42,7 @@ def printed_bracket() -> Components:
     return Components(-lie_poisson(TWISTED, gamma))
 
 
-def hamilton(value: Any) -> Components:
+def hamilton(value: sp.Basic) -> Components:
     """{H, f} by (7.6) and (7.7) for the components f of a vector in L and γ."""
     slope = sp.Matrix([sp.diff(to_components(ENERGY), s) for s in VARIABLES])
     jacobian = sp.Matrix(to_components(value)).jacobian(VARIABLES)
@@ -53,17 +52,17 @@ def hamilton(value: Any) -> Components:
 @cache
 def ball() -> System:
     """The rolling ball in an unspecified potential, with L = ρM."""
-    made = unspecified()
-    return replace(made, definitions=(*made.definitions, (L, DENSITY * M)), laws=())
+    system = unspecified()
+    return replace(system, definitions=(*system.definitions, (L, DENSITY * M)), laws=())
 
 
 def kinematics() -> Case:
     """The rates of α and β, the first rows of the rotation from body to space."""
-    made = free_ball()
+    dynamics = free_ball()
     system = replace(
-        made,
-        field=(*made.field, (attitude, quaternion_rate(omega))),
-        relations=(*made.relations, unit_length()),
+        dynamics,
+        field=(*dynamics.field, (attitude, quaternion_rate(omega))),
+        relations=(*dynamics.relations, unit_length()),
         motion=None,
     )
     first, second = (sp.ImmutableDenseMatrix(rotation()[i, :].T) for i in range(2))
@@ -72,7 +71,7 @@ def kinematics() -> Case:
     )
 
 
-def _along(potential: sp.Expr) -> Case:
+def _orientation_brackets(potential: sp.Expr) -> Case:
     system = orientation(potential)
     return tuple(
         (system, Integral(name, dot(M, axis))) for name, axis in (("x", alpha), ("y", beta))
@@ -81,12 +80,12 @@ def _along(potential: sp.Expr) -> Case:
 
 def along_in_a_field() -> Case:
     """(M, α), (M, β) along (7.1)."""
-    return _along(U)
+    return _orientation_brackets(U)
 
 
 def along_without_field() -> Case:
     """(M, α), (M, β) without a field."""
-    return _along(sp.S.Zero)
+    return _orientation_brackets(sp.S.Zero)
 
 
 def superintegrable() -> Case:
@@ -125,8 +124,8 @@ def _equations(system: System, momentum: MatrixExpr) -> Case:
 
 def equations_of_6_1() -> Case:
     """Hamilton's equations for M and γ along (6.1) with the tensor J."""
-    made = rubber_ball()
-    return _equations(replace(made, definitions=(*made.definitions, (L, DENSITY * M))), M)
+    system = rubber_ball()
+    return _equations(replace(system, definitions=(*system.definitions, (L, DENSITY * M))), M)
 
 
 def equations() -> Case:

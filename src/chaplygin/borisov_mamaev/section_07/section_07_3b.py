@@ -62,7 +62,7 @@ SLOPES = {
 @cache
 def turning_slowly() -> System:
     """The ball in angles with N, θ′ = θ̇/N and φ′ = φ̇/N, and the momenta of Theorem 9."""
-    made = turning()
+    system = turning()
     further = (
         (N, 1 / sp.sqrt(DET_IQ_ANGLES)),
         (thetaprime, thetadot / N),
@@ -70,7 +70,7 @@ def turning_slowly() -> System:
         (p_theta, SLOPES[thetaprime]),
         (p_phi, SLOPES[phiprime]),
     )
-    return replace(made, definitions=made.definitions + further)
+    return replace(system, definitions=system.definitions + further)
 
 
 @cache
@@ -145,7 +145,7 @@ def _brackets(sign: int) -> Case:
     momenta = to_components(MOMENTUM).subs(N, MULTIPLIER)
     variables = sp.Matrix([*momenta, *place.values()])
     jacobian = variables.jacobian(COORDINATES)
-    found = jacobian * sp.Matrix(gyroscopic_matrix(SBAR)) * jacobian.T
+    bracket = jacobian * sp.Matrix(gyroscopic_matrix(SBAR)) * jacobian.T
     twisted = to_components(L - D * dot(L, gamma) * N**2 * DET_J * (A * gamma)).xreplace(
         place | dict(zip(L.symbols, to_components(MOMENTUM), strict=True))
     )
@@ -156,9 +156,9 @@ def _brackets(sign: int) -> Case:
             right_L = sum(sign * e * twisted[k] for e, k in along)
             right_g = sum(sign * e * list(place.values())[k] for e, k in along)
             residuals += [
-                found[i, j] - right_L,
-                found[i, 3 + j] - right_g,
-                found[3 + i, 3 + j],
+                bracket[i, j] - right_L,
+                bracket[i, 3 + j] - right_g,
+                bracket[3 + i, 3 + j],
             ]
     return canonical(), Identity("brackets", tuple(residuals))
 

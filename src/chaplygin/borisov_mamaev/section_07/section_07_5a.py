@@ -35,9 +35,9 @@ AREA = (dot(M, gamma),)
 @cache
 def ball() -> System:
     """The ball without a field, with L = ρM and B = IJ⁻¹."""
-    made = CATALOGUE["chaplygin-ball"].system()
-    definitions = (*made.definitions, (L, DENSITY * M), (B, I * A))
-    return replace(made, definitions=definitions, laws=())
+    system = CATALOGUE["chaplygin-ball"].system()
+    definitions = (*system.definitions, (L, DENSITY * M), (B, I * A))
+    return replace(system, definitions=definitions, laws=())
 
 
 def bracket() -> Case:

@@ -34,9 +34,9 @@ SAME_DENSITY = r"$\rho_\mu$ read as $(1 - D(\gamma, J^{-1}\gamma))^{1/2}$"
 @cache
 def ball(density: sp.Expr) -> System:
     """The ball without a field, with Q = Iω and K = ρQ for a density ρ."""
-    made = CATALOGUE["chaplygin-ball"].system()
+    system = CATALOGUE["chaplygin-ball"].system()
     further = ((rho, density), (Q, I * omega), (K, rho * Q))
-    return replace(made, definitions=made.definitions + further, laws=())
+    return replace(system, definitions=system.definitions + further, laws=())
 
 
 @cache
@@ -68,14 +68,14 @@ def momentum() -> Case:
     return _momentum(rightly())
 
 
-def _momentum(made: System) -> Case:
+def _momentum(system: System) -> Case:
     turn = cross(Q, INVERSE * Q)
     value = (
         I * (A * cross(Q, rho * (INVERSE * Q)))
         + D * dot(turn, A * gamma) / rho * (I * (A * gamma))
         - D * dot(cross(gamma, INVERSE * Q), A * gamma) / rho * Q
     )
-    return made, Identity("momentum", rate(rho * Q) - value)
+    return system, Identity("momentum", rate(rho * Q) - value)
 
 
 def normal() -> Case:
@@ -102,9 +102,9 @@ def in_new_time() -> Case:
     return _in_new_time(rightly())
 
 
-def _in_new_time(made: System) -> Case:
+def _in_new_time(system: System) -> Case:
     pull = D / DET_J * LOAD / TILT * cross(gamma, I * gamma)
-    return made, Identity(
+    return system, Identity(
         "new_time",
         (
             rho * rate(K) - (cross(K, INVERSE * K) - pull),

@@ -48,13 +48,13 @@ def kinematics(ratio: sp.Expr) -> tuple[System, Identity]:
 
 def momentum(sign: int, moment: sp.Expr) -> Case:
     """M = Iω ± d n×(n×ω) with d given."""
-    made = I * omega + sign * moment * cross(gamma, cross(gamma, omega))
-    return rolled(Sphere(2.0)), Identity("momentum", M - made, "momentum about the contact")
+    right_side = I * omega + sign * moment * cross(gamma, cross(gamma, omega))
+    return rolled(Sphere(2.0)), Identity("momentum", M - right_side, "momentum about the contact")
 
 
 def flattened(ratio: sp.Expr) -> tuple[System, Identity]:
     """ṅ = n×ω where a curvature κ vanishes, for ṅ = `ratio` n×ω with any ω."""
-    made = unspecified.system(
+    system = unspecified.system(
         "limit",
         "a ball of the ratio given",
         {gamma: ratio * cross(gamma, omega), omega: zero},
@@ -65,7 +65,7 @@ def flattened(ratio: sp.Expr) -> tuple[System, Identity]:
         ),
     )
     law = Identity("kinematics", rate(gamma) - cross(gamma, omega), "a plane", on=(kappa,))
-    return made, law
+    return system, law
 
 
 def large_body() -> Case:
@@ -89,9 +89,9 @@ def on_plane() -> tuple[tuple[System, Identity], ...]:
 
 def integrals() -> Case:
     """n², the energy and M², for every k."""
-    made = ball.equations_on_sphere()
+    system = ball.equations_on_sphere()
     return tuple(
-        (made, Integral(name, value, name))
+        (system, Integral(name, value, name))
         for name, value in (
             ("length", norm_squared(n)),
             ("energy", HALF * dot(M, ball.omega)),

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
 
 from ...catalogue.ball_on_sphere import (
@@ -18,6 +16,7 @@ from ...core.system import System
 from ...core.vectors import cross, dot, identity, norm_squared
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
+from ..methods.catalogue_laws import laws_named
 from ..methods.conclusion import concluded
 from ..methods.contrary import contrary
 from ..methods.two_quadratures import alike, not_the_same
@@ -29,15 +28,15 @@ NUMBERS = e3.ENTRIES[0].defaults
 
 def velocity() -> Case:
     """(8.4) with the A printed in (8.3) and with the right one, for every (AM, n)."""
-    made = ball.equations_on_sphere()
-    found = []
+    system = ball.equations_on_sphere()
+    laws = []
     for shift in (sp.S.Zero, d):
         tensor = (sp.Add(*ball.I.symbols) + shift) / 2 * identity - ball.I
         drawn = ball.drawn(tensor * n)
         excess = dot(n, drawn) * ball.omega - cross(drawn, rate(n)) - dot(tensor * M, n) * n
         meaning = "angular velocity from n and its rate"
-        found.append((made, Identity("velocity", excess, meaning, on=(k + 1,))))
-    return tuple(found)
+        laws.append((system, Identity("velocity", excess, meaning, on=(k + 1,))))
+    return tuple(laws)
 
 
 def coordinates() -> Case:
@@ -62,14 +61,13 @@ def as_printed() -> Case:
     """The energy under the printed right-hand sides of (8.6), for unspecified a_u and a_v."""
     du, dv = chart.rates()
     push = sp.Function("a_u")(u, v) * du + sp.Function("a_v")(u, v) * dv
-    made = chart.chaplygin_system(du * push, -dv * push)
-    return made, Integral("energy", chart.energy(), "energy")
+    system = chart.chaplygin_system(du * push, -dv * push)
+    return system, Integral("energy", chart.energy(), "energy")
 
 
 def equations() -> Case:
     """(8.6) with Φ from the reducing multiplier is the ball."""
-    made = chart.reduced()
-    return tuple((made, law) for law in made.laws if law.name in ("energy", "second", "ball"))
+    return laws_named(chart.reduced(), "energy", "second", "ball")
 
 
 def measure() -> Case:
@@ -82,9 +80,9 @@ def lagrangian() -> Case:
     top = chart.numerator()
     density = top / chart.form() / sp.sqrt(chart.area())
     bent = sp.diff(density, v) * chart.P_u - sp.diff(density, u) * chart.P_v
-    made = chart.reduced()
+    system = chart.reduced()
     law = Identity("S", density * chart.force(top) + bent, "gyroscopic term in the time τ")
-    return (made, law), *((made, law) for law in made.laws if law.name in ("energy", "ball"))
+    return (system, law), *laws_named(system, "energy", "ball")
 
 
 def multiplier(sign: int) -> Case:
@@ -129,7 +127,7 @@ def with_area() -> Case:
     form, area = dot(n, drawn), dot(tensor * M, n)
     swing, spin = cross(drawn, rate(n)), area * n
 
-    def energy(turning: Any) -> sp.Expr:
+    def energy(turning: sp.MatrixExpr) -> sp.Expr:
         shared = ball.drawn(turning)
         return half * dot(shared, turning) - norm_squared(shared)
 
@@ -152,8 +150,7 @@ def as_chaplygins_problem() -> Verdict:
 
 def like_chaplygins_problem() -> Verdict:
     """A Chaplygin system with b = 0, Hamiltonian on e(3), separated on a curve of genus two."""
-    made = chart.reduced()
-    reducing = tuple((made, law) for law in made.laws if law.name in ("energy", "ball"))
+    reducing = laws_named(chart.reduced(), "energy", "ball")
     return concluded(
         "alike",
         "(8.6) with the right Φ is linear in the velocities; reduced to e(3) and separated",

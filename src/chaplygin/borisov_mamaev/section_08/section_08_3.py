@@ -68,7 +68,7 @@ def bracket(f: sp.Expr, g: sp.Expr) -> sp.Expr:
 
 
 def difference(first: Turned, second: Turned) -> tuple[sp.Expr, ...]:
-    """What vanishes when both are equal: a real formula, or real and imaginary part."""
+    """The difference of two numbers: a real formula, or real and imaginary part."""
     gap = (first.turns - second.turns) % 4
     if gap % 2:
         return first.real, second.real
@@ -91,16 +91,16 @@ def leaf(sign: int) -> Case:
 def algebra(turns: int, factor: sp.Expr) -> Case:
     """The brackets of e(3), for m of (8.8) times a complex factor."""
     m, normal = momenta(turns, factor), normals(1)
-    found: list[sp.Expr] = []
+    differences: list[sp.Expr] = []
     for left, right in combinations_with_replacement((m, normal), 2):
         if left is normal:
             continue
         for i, j in product(range(3), repeat=2):
-            made = Turned(left[i].turns + right[j].turns, bracket(left[i].real, right[j].real))
+            entry = Turned(left[i].turns + right[j].turns, bracket(left[i].real, right[j].real))
             sign = int(sp.LeviCivita(i, j, 3 - i - j)) if i != j else 0
-            third = right[3 - i - j] if i != j else Turned(made.turns, sp.S.Zero)
-            found += difference(made, Turned(third.turns, sign * third.real))
-    return darboux_plane(), Identity("algebra", tuple(found), "brackets of e(3)")
+            third = right[3 - i - j] if i != j else Turned(entry.turns, sp.S.Zero)
+            differences += difference(entry, Turned(third.turns, sign * third.real))
+    return darboux_plane(), Identity("algebra", tuple(differences), "brackets of e(3)")
 
 
 def _square(part: Turned) -> sp.Expr:
@@ -113,7 +113,7 @@ def quadratic_in_momenta() -> Case:
 
     m_i and γ_i enter as squares alone, which are real.
     """
-    found: list[sp.Expr] = []
+    differences: list[sp.Expr] = []
     for sign in (1, -1):
         pairs = zip((*M, *Gamma), (*momenta(0, sp.S.One), *normals(sign)), strict=True)
         squares = {letter**2: _square(part) for letter, part in pairs}
@@ -122,10 +122,12 @@ def quadratic_in_momenta() -> Case:
             first, mixed, last = (
                 sp.diff(written, p, q) for p, q in ((p_1, p_1), (p_1, p_2), (p_2, p_2))
             )
-            found.append(written - (first * p_1**2 / 2 + mixed * p_1 * p_2 + last * p_2**2 / 2))
-            found += [sp.diff(entry, p) for entry in (first, mixed, last) for p in (p_1, p_2)]
-    made = replace(darboux_plane(), parameters=e3.parameters(e3.ENTRIES[0].defaults))
-    return made, Identity("quadratic", tuple(found), "quadratic forms of p₁ and p₂")
+            differences.append(
+                written - (first * p_1**2 / 2 + mixed * p_1 * p_2 + last * p_2**2 / 2)
+            )
+            differences += [sp.diff(entry, p) for entry in (first, mixed, last) for p in (p_1, p_2)]
+    system = replace(darboux_plane(), parameters=e3.parameters(e3.ENTRIES[0].defaults))
+    return system, Identity("quadratic", tuple(differences), "quadratic forms of p₁ and p₂")
 
 
 # --- Liouville's form ----------------------------------------------------------------------
@@ -178,15 +180,15 @@ def roots() -> Case:
 
 def liouville_form() -> Case:
     """H and F are in involution, and S_i P_i² = s_i H − F."""
-    made = liouville_system()
+    system = liouville_system()
     first, second = sp.Function("S_1")(s_1), sp.Function("S_2")(s_2)
     separated = (
         first * P_1**2 - s_1 * value(0) + value(1),
         second * P_2**2 - s_2 * value(0) + value(1),
     )
     return (
-        (made, Integral("second", value(1), "second integral")),
-        (made, Identity("separated", separated, "separated equations")),
+        (system, Integral("second", value(1), "second integral")),
+        (system, Identity("separated", separated, "separated equations")),
     )
 
 
@@ -238,8 +240,8 @@ def function(square: sp.Expr, factor: sp.Expr) -> Identity:
     z, d = chart.variable(chart.u[0]), chart.d
     cubic = 8 * z**3 + 8 * (d - epsilon) * z**2 + (square - 4 * d * epsilon) * z
     top = 2 * (cubic - 4 * gamma - d * beta + root())
-    made = factor * top / (gamma * (2 * z - epsilon + 2 * d) ** 2)
-    return Identity("S", made + 8 * chart.function(chart.u[0]) / gamma, "function S of (8.12)")
+    value = factor * top / (gamma * (2 * z - epsilon + 2 * d) ** 2)
+    return Identity("S", value + 8 * chart.function(chart.u[0]) / gamma, "function S of (8.12)")
 
 
 def printed_function() -> Case:
@@ -250,10 +252,10 @@ def printed_function() -> Case:
 
 def right_function() -> Case:
     """The separation of the ball, and (8.12) as the function of its Liouville form."""
-    made = chart.coordinates_around_sphere()
+    system = chart.coordinates_around_sphere()
     beta, _, epsilon = letters()
-    laws = (*made.laws, function(2 * epsilon**2 - beta, delta(right_alpha())))
-    return ((ball.vanishing_area(), chart.of_ball()), *((made, law) for law in laws))
+    laws = (*system.laws, function(2 * epsilon**2 - beta, delta(right_alpha())))
+    return ((ball.vanishing_area(), chart.of_ball()), *((system, law) for law in laws))
 
 
 def without_mass() -> Case:
@@ -261,10 +263,10 @@ def without_mass() -> Case:
     beta, gamma, epsilon = letters()
     z = chart.variable(chart.u[0])
     first = 16 * sp.Mul(*(z - j for j in chart.J.symbols)) / (gamma * (2 * z - epsilon) ** 2)
-    made = first * (z * beta + 4 * gamma) ** 2
+    value = first * (z * beta + 4 * gamma) ** 2
     law = Identity(
         "S",
-        made + 8 * chart.function(chart.u[0]) / gamma,
+        value + 8 * chart.function(chart.u[0]) / gamma,
         "function S for d = 0",
         on=(chart.TRACE - chart.tau,),
     )

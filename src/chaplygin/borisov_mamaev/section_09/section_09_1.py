@@ -66,8 +66,8 @@ def tensor() -> Case:
 def spin_torque(weights: Diagonal) -> Case:
     """Whether (ω, n) stays zero with λ in which M_Q is weighed by J or by J⁻¹."""
     share = dot(A * n, cross(J * omega, omega)) + dot(ratio.torque, weights * n)
-    made = ratio.rolling(ratio.any_couple(), -share / ratio.RHO_SQUARED)
-    return made, ratio.CONSTRAINT
+    system = ratio.rolling(ratio.any_couple(), -share / ratio.RHO_SQUARED)
+    return system, ratio.CONSTRAINT
 
 
 def measure_alone() -> Case:
@@ -112,8 +112,8 @@ def as_veselova() -> Case:
 def radii() -> Case:
     """k = a/(a + b) is −1 for b = −2a: for the hollow ball, whose inner radius is R = −b."""
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(2.0, hollow=True))
-    made = Rolling(body, Sphere(1.0), "rubber").system()
-    return made, Identity("ratio", k + 1, "ratio k of a hollow ball", on=(R - 2 * a,))
+    system = Rolling(body, Sphere(1.0), "rubber").system()
+    return system, Identity("ratio", k + 1, "ratio k of a hollow ball", on=(R - 2 * a,))
 
 
 def around() -> Case:
@@ -123,11 +123,11 @@ def around() -> Case:
 
 def complete(extra: Integral, value: int) -> Verdict:
     """Whether n², (ω, n), H and F are independent, so that their levels are two-dimensional."""
-    made = ratio.rolling()
+    system = ratio.rolling()
     functions = (norm_squared(n), dot(omega, n), ratio.ENERGY.value, extra.value)
     state: dict[str, object] = {"n_1": "2/7", "n_2": "-3/7", "n_3": "6/7", "k": value}
     state |= {"omega_1": 9, "omega_2": -5, "omega_3": "-11/2"}
-    return independent(made, functions, rational_point(made, state))
+    return independent(system, functions, rational_point(system, state))
 
 
 CLAIMS = (

@@ -29,9 +29,9 @@ n_1, n_2, n_3 = n.symbols
 
 def with_point() -> System:
     """(9.2) with a further number z."""
-    made = ratio.rolling()
+    system = ratio.rolling()
     extra = Parameter(z, "argument of f", 0.7, "kg m^2")
-    return replace(made, parameters=(*made.parameters, extra))
+    return replace(system, parameters=(*system.parameters, extra))
 
 
 def in_coordinates(name: str, *equations: sp.Expr) -> Case:
@@ -63,9 +63,9 @@ def squares() -> Case:
 
 def kinetic(sign: int) -> Case:
     """(9.7) against ½(ω, Jω), for arbitrary ξ̇, η̇."""
-    made = conical.chaplygin_form(conical.kinetic(), conical.GYROSCOPIC)
+    system = conical.chaplygin_form(conical.kinetic(), conical.GYROSCOPIC)
     excess = conical.kinetic(sign) - dot(omega, J * omega) / 2
-    return made, Identity("kinetic", excess, "kinetic energy")
+    return system, Identity("kinetic", excess, "kinetic energy")
 
 
 def chaplygin_form() -> Case:
@@ -90,9 +90,9 @@ def canonical(*levels: sp.Expr) -> Case:
 
 def at_both() -> Case:
     """Conformally Hamiltonian for k = 1 and for k = −1."""
-    made = conical.momentum_form()
+    system = conical.momentum_form()
     first, second = (replace(conical.to_canonical(), on=(k - value,)) for value in (1, -1))
-    return (made, first), (made, second)
+    return (system, first), (system, second)
 
 
 def half() -> Case:
@@ -169,8 +169,8 @@ def algebra() -> Case:
         Guard(f"order {i}", above - below, "two coordinates meet")
         for i, (below, above) in enumerate(pairwise(order), 1)
     )
-    made = replace(conical.canonical_form(), guards=guards)
-    return made, Identity("brackets", tuple(values), "brackets of M and γ")
+    system = replace(conical.canonical_form(), guards=guards)
+    return system, Identity("brackets", tuple(values), "brackets of M and γ")
 
 
 def energy_on_e3() -> Case:

@@ -58,9 +58,9 @@ def on_level() -> System:
 
 def factors() -> Case:
     """(9.14) is a product of a function of γ and one of M."""
-    made = e3.hamiltonian_form()
-    energy = next(law for law in made.laws if isinstance(law, Integral))
-    return made, Identity("product", energy.value - STIFFNESS * KINETIC, "energy as a product")
+    system = e3.hamiltonian_form()
+    energy = next(law for law in system.laws if isinstance(law, Integral))
+    return system, Identity("product", energy.value - STIFFNESS * KINETIC, "energy as a product")
 
 
 def product_equations() -> Case:
@@ -172,7 +172,7 @@ def multiplier(exponent: sp.Rational) -> Case:
 
 def momenta() -> Case:
     """p = N ∂T/∂q̇ for the canonical equations of H."""
-    made = separated.canonical_form()
+    system = separated.canonical_form()
     factor = LEVER / rho**6
     p_u, p_v = separated.p_u, separated.p_v
     values = (
@@ -180,7 +180,7 @@ def momenta() -> Case:
         p_v + factor * Rate(v) / cubic(v),
         separated.H - separated.HAMILTONIAN,
     )
-    return made, Identity("momenta", values, "momenta of u and v")
+    return system, Identity("momenta", values, "momenta of u and v")
 
 
 def canonical() -> Case:
@@ -190,11 +190,11 @@ def canonical() -> Case:
 
 def separable() -> Case:
     """The separated equations, in the canonical variables and on (9.2) itself."""
-    made = separated.canonical_form()
+    system = separated.canonical_form()
     return (
-        (made, separated.separated()),
-        (made, separated.momenta()),
-        (made, separated.CONSTANT),
+        (system, separated.separated()),
+        (system, separated.momenta()),
+        (system, separated.CONSTANT),
         (ratio.rolling(), separated.separation()),
     )
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from fractions import Fraction
 
 from sympy.matrices.expressions import MatrixExpr
@@ -17,6 +16,7 @@ from ...mechanics.rolling.shapes import Ball
 from ...mechanics.rolling.surfaces import Sphere
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
+from ..methods.conclusion import computed_verdict
 from ..methods.independence import independent, rational_point
 from ..methods.measure_at_rest import divergence_of_spin
 from ..methods.unbalanced import (
@@ -43,10 +43,10 @@ def marble() -> System:
 def momentum() -> Case:
     """The first and the third of (10.1)."""
     balance = M_RATE - cross(M, omega) - m * cross(R_RATE, cross(omega, r))
-    made = marble()
+    system = marble()
     return (
-        (made, Identity("balance", balance, "rate of the momentum")),
-        (made, Identity("momentum", M - about_contact(omega), "momentum about the contact")),
+        (system, Identity("balance", balance, "rate of the momentum")),
+        (system, Identity("momentum", M - about_contact(omega), "momentum about the contact")),
     )
 
 
@@ -62,10 +62,10 @@ def contact_rate(vector: MatrixExpr) -> Case:
 
 def invariants() -> Case:
     """(10.2)."""
-    made = marble()
+    system = marble()
     return (
-        (made, Integral("length", norm_squared(gamma), "length of the normal")),
-        (made, Integral("energy", dot(M, omega) / 2, "energy")),
+        (system, Integral("length", norm_squared(gamma), "length of the normal")),
+        (system, Integral("energy", dot(M, omega) / 2, "energy")),
     )
 
 
@@ -79,12 +79,12 @@ QUADRATIC = Integral(
 
 def balanced() -> Case:
     """(10.3) for a = 0 is M² up to a multiple of the energy."""
-    made = from_catalogue("chaplygin-ball")
+    system = from_catalogue("chaplygin-ball")
     reach = -R * gamma + zero
     value = norm_squared(M) - m * norm_squared(reach) * dot(M, omega)
     excess = value - (norm_squared(M) - 2 * m * R**2 * dot(M, omega) / 2)
-    return (made, Identity("balanced", excess, "(10.3) for a = 0")), (
-        made,
+    return (system, Identity("balanced", excess, "(10.3) for a = 0")), (
+        system,
         Integral("momentum", norm_squared(M), "square of the momentum"),
     )
 
@@ -94,28 +94,26 @@ def on_sphere() -> Case:
     body = Body(1.3, (1.0, 1.5, 2.1), Ball(2.0, centre=(0.1, -0.2, 0.3), hollow=True))
     around = Rolling(body, Sphere(0.75)).system()
     places = (from_catalogue("unbalanced-ball-on-sphere", a=value) for value in (2.0, -3.0))
-    return tuple((made, QUADRATIC) for made in (*places, around))
+    return tuple((system, QUADRATIC) for system in (*places, around))
 
 
 def rank_of_marble() -> Verdict:
     """γ², H and F₂ are independent, so that their levels are three-dimensional."""
-    made = marble()
+    system = marble()
     state: dict[str, object] = {"M_1": 2, "M_2": "-1/3", "M_3": "5/4"}
     functions = (norm_squared(gamma), dot(M, omega), QUADRATIC.value)
-    return independent(made, functions, rational_point(made, state | NORMAL))
+    return independent(system, functions, rational_point(system, state | NORMAL))
 
 
 def no_measure_for_marble() -> Verdict:
     """No density that is positive and continuously differentiable at M = 0."""
-    started = time.monotonic()
     value = divergence_of_spin(marble(), (Fraction(2, 7), Fraction(-3, 7), Fraction(6, 7)))
-    return Verdict(
+    return computed_verdict(
         "no measure",
-        "proven" if value else "undecided",
-        shown="no invariant density is positive and smooth at M = 0: for the parameters of the "
+        value,
+        "no invariant density is positive and smooth at M = 0: for the parameters of the "
         f"catalogue the divergence for ω = γ = (2, −3, 6)/7 is {value}",
-        reason="" if value else "the obstruction vanishes",
-        seconds=time.monotonic() - started,
+        "the obstruction vanishes",
     )
 
 

@@ -52,34 +52,34 @@ def rubber() -> System:
 def rubber_equations() -> Case:
     """(10.4) but for λ₀: the balance across γ, and γ̇."""
     excess = about_contact(OMEGA_RATE) - FREE
-    made = rubber()
+    system = rubber()
     return (
-        (made, Identity("balance", cross(gamma, excess), "balance across the normal")),
-        (made, Identity("normal", GAMMA_RATE - cross(gamma, omega), "motion of the normal")),
+        (system, Identity("balance", cross(gamma, excess), "balance across the normal")),
+        (system, Identity("normal", GAMMA_RATE - cross(gamma, omega), "motion of the normal")),
     )
 
 
 def spin_torque() -> Case:
     """λ₀ of (10.4), with gammatilde = Ĩ⁻¹γ."""
-    made = rubber()
+    system = rubber()
     excess = dot(gamma, about_contact(OMEGA_RATE) - FREE) + dot(gammatilde, FREE) / dot(
         gammatilde, gamma
     )
     return (
-        (made, Identity("inverse", about_contact(gammatilde) - gamma, "gammatilde is Ĩ⁻¹γ")),
-        (made, Identity("torque", excess, "torque λ₀")),
+        (system, Identity("inverse", about_contact(gammatilde) - gamma, "gammatilde is Ĩ⁻¹γ")),
+        (system, Identity("torque", excess, "torque λ₀")),
     )
 
 
 def rubber_invariants() -> Case:
     """(10.2) and the constraint for the rubber ball."""
-    made = rubber()
+    system = rubber()
     laws: tuple[Law, ...] = (
         Integral("length", norm_squared(gamma), "length of the normal"),
         Integral("energy", dot(M, omega) / 2, "energy"),
         Identity("constraint", dot(omega, gamma), "the constraint"),
     )
-    return tuple((made, law) for law in laws)
+    return tuple((system, law) for law in laws)
 
 
 def rubber_quadratic(vector: MatrixExpr) -> sp.Expr:
@@ -105,9 +105,9 @@ def as_marble_integral() -> Case:
 
 def balanced_rubber() -> Case:
     """(10.5) for a = 0 is |Jω×γ|², the integral of the Veselova system with J for I."""
-    made = from_catalogue("rubber-chaplygin-ball")
+    system = from_catalogue("rubber-chaplygin-ball")
     excess = rubber_quadratic(zero) - norm_squared(cross(J * omega, gamma))
-    return made, Identity("balanced", excess, "(10.5) for a = 0")
+    return system, Identity("balanced", excess, "(10.5) for a = 0")
 
 
 def as_veselova() -> Case:
@@ -125,10 +125,10 @@ def as_veselova() -> Case:
 
 def rank_of_rubber() -> Verdict:
     """γ², (ω, γ), H and F₂ are independent, so that their levels are two-dimensional."""
-    made = rubber()
+    system = rubber()
     state: dict[str, object] = {"omega_1": 9, "omega_2": -5, "omega_3": "-11/2"}
     functions = (norm_squared(gamma), dot(omega, gamma), dot(M, omega), rubber_quadratic(OFFSET))
-    return independent(made, functions, rational_point(made, state | NORMAL))
+    return independent(system, functions, rational_point(system, state | NORMAL))
 
 
 def tori() -> Verdict:
@@ -140,15 +140,15 @@ def tori() -> Verdict:
     count these points once if α̇ and β̇ > 0, and once more if α̇ < 0 < β̇, and neither rate vanishes:
     two tori.  For λ > J₂ the same with ξ and η, J₁ and J₃ exchanged.
     """
-    made = centred.centred()
+    system = centred.centred()
     return concluded(
         "tori",
         "for 2mR|a| < J₁ every level with J₁ < F₂/2H < J₃, F₂/2H ≠ J₂ consists of two tori, with "
         "angles on which the rates have no zero",
         (
             centred.balance(),
-            (made, centred.ENERGY),
-            (made, centred.QUADRATIC),
+            (system, centred.ENERGY),
+            (system, centred.QUADRATIC),
             centred.quadratic_forms(),
             centred.on_torus(),
             centred.on_torus(centred.torus(centred.EXCHANGED, 2.4)),
@@ -158,11 +158,11 @@ def tori() -> Verdict:
 
 def with_limit_cycle() -> Verdict:
     """Limit cycles on a torus of a particular ball, with all that this rests on."""
-    made = centred.centred()
+    dynamics = centred.centred()
     cases: tuple[tuple[System, Law], ...] = (
         centred.balance(),
-        (made, centred.ENERGY),
-        (made, centred.QUADRATIC),
+        (dynamics, centred.ENERGY),
+        (dynamics, centred.QUADRATIC),
         centred.quadratic_forms(),
         centred.on_torus(),
     )
@@ -170,17 +170,17 @@ def with_limit_cycle() -> Verdict:
 
 
 def refuted_by_limit_cycle() -> Verdict:
-    """What limit cycles exclude."""
-    found = with_limit_cycle()
+    """The statements that limit cycles refute."""
+    cycle = with_limit_cycle()
     return replace(
-        found,
-        decision="refuted" if found else "undecided",
-        witness={"parameters": "J = {}, κ = {}, λ = {}".format(*CASE), "limit cycle": found.shown},
+        cycle,
+        decision="refuted" if cycle else "undecided",
+        witness={"parameters": "J = {}, κ = {}, λ = {}".format(*CASE), "limit cycle": cycle.shown},
     )
 
 
 def measure_decided() -> Verdict:
-    """What excludes a measure for a certain ball, and for all that are not symmetric."""
+    """No measure for a certain ball, and for all that are not symmetric."""
     cycle, symmetric = with_limit_cycle(), only_symmetric_balls()
     return replace(
         symmetric,

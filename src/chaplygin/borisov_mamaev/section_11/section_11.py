@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import time
-
 import sympy as sp
 
 from ...catalogue import from_catalogue
@@ -37,8 +35,7 @@ def ice_growth() -> tuple[int, ...]:
 
 def no_holonomic_constraint() -> Verdict:
     """The velocity parallel to the horizontal diameter is a non-integrable constraint."""
-    started = time.monotonic()
-    return holonomic_count_verdict(0, ice_growth(), 5, started)
+    return holonomic_count_verdict(0, ice_growth(), 5)
 
 
 def disk() -> System:
@@ -77,14 +74,12 @@ def sliding_share() -> sp.Expr:
 
 def proportional_when_spinning_fast() -> Verdict:
     """The coefficient of proportionality is finite and not zero; the force is odd in v."""
-    started = time.monotonic()
     share = sliding_share()
     holds = share == 3 * sp.pi / 8
     return Verdict(
         "contensou",
         "proven" if holds else "refuted",
         shown=f"for v ≪ ωa the force is {sp.sstr(share)} μN v/(ωa), exactly integrated",
-        seconds=time.monotonic() - started,
         witness=None if holds else {"share": str(share)},
     )
 

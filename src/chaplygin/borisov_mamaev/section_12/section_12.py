@@ -35,7 +35,7 @@ from ...core.vectors import (
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.catalogue_laws import law_named
+from ..methods.catalogue_laws import law_named, laws_named
 from ..methods.conclusion import concluded
 from ..methods.contrary import contrary
 from ..methods.tori import not_hamiltonian, of_rank_two
@@ -64,14 +64,13 @@ def in_bruns_field() -> tuple[tuple[System, Law], ...]:
 def around_a_sphere() -> Case:
     """The problem of Borisov and Fedorov with a Bruns field keeps its integrals and measure."""
     system = from_catalogue("ball-around-sphere-bruns")
-    names = ("energy", "momentum", "linear", "measure")
-    return tuple((system, law_named(system, name)) for name in names)
+    return laws_named(system, "energy", "momentum", "linear", "measure")
 
 
 # --- integrals in the velocities of the reduced system ---------------------------------------
 
 
-def _turned(rotors: MatrixExpr) -> tuple[sp.Expr, sp.Expr]:
+def _momentum_and_energy(rotors: MatrixExpr) -> tuple[sp.Expr, sp.Expr]:
     """(M + k)² and H in θ, φ, θ̇, φ̇ and the area constant c, by ψ̇ of (7.11) and §7.4."""
     share = to_components(dot(constant([SIN * TURN, SIN * ACROSS, COS]), rotors))
     spin = SPIN.xreplace({psidot: PRECESSION - share / SPREAD})
@@ -90,15 +89,15 @@ def in_velocities(rotors: MatrixExpr) -> tuple[tuple[System, Identity], ...]:
 
     The integral of the Bruns field, M² less a function of γ, has the linear part of M².
     """
-    made = ball_in_angles(rotors)
-    square, energy = _turned(rotors)
+    system = ball_in_angles(rotors)
+    square, energy = _momentum_and_energy(rotors)
     values = (square - norm_squared(M + rotors), energy - dot(M, omega) / 2, _linear(energy))
-    return ((made, Identity("velocities", values)),)
+    return ((system, Identity("velocities", values)),)
 
 
 def linear_part(rotors: MatrixExpr, *level: sp.Expr) -> tuple[System, Identity]:
     """That (M + k)² has no part linear in the velocities, on a level."""
-    law = Identity("linear part", _linear(_turned(rotors)[0]), on=level)
+    law = Identity("linear part", _linear(_momentum_and_energy(rotors)[0]), on=level)
     return ball_in_angles(rotors), law
 
 
@@ -120,7 +119,7 @@ def without_area() -> Case:
 
 def around_sphere_linear() -> Verdict:
     """k = −1, F₂ = (AM, n): the parts of (M, ω) and M² linear in ṅ are not zero unless F₂ is."""
-    made = sphere.equations_on_sphere()
+    system = sphere.equations_on_sphere()
     tensor = (sp.Add(*sphere.I.symbols) + sphere.d) / 2 * identity - sphere.I
     drawn = sphere.drawn(tensor * sphere.n)
     swing, area = cross(drawn, rate(sphere.n)), dot(tensor * sphere.M, sphere.n)
@@ -128,7 +127,7 @@ def around_sphere_linear() -> Verdict:
     form = dot(sphere.n, drawn)
     # ω = (Bn×ṅ + F₂n)/(n, Bn), and (8.4) is the case F₂ = 0
     parts = (2 * area * dot(spun, swing), 2 * area * dot(spun, shared))
-    rest = (
+    constant_parts = (
         dot(swing, shared) + area**2 * dot(sphere.n, spun),
         norm_squared(shared) + area**2 * norm_squared(spun),
     )
@@ -137,17 +136,17 @@ def around_sphere_linear() -> Verdict:
         "parts",
         tuple(
             form**2 * value - part - other
-            for value, part, other in zip(values, parts, rest, strict=True)
+            for value, part, other in zip(values, parts, constant_parts, strict=True)
         ),
         on=(sphere.k + 1,),
     )
     present = [
-        contrary(prove(made, Identity("linear part", part, on=(sphere.k + 1,)))) for part in parts
+        contrary(prove(system, Identity("linear part", part, on=(sphere.k + 1,)))) for part in parts
     ]
     return concluded(
         "linear terms",
         "the parts of H and F₁ linear in ṅ have the factor F₂ and are not zero at a point",
-        ((made, split), *present),
+        ((system, split), *present),
     )
 
 
@@ -169,13 +168,12 @@ def straight_line() -> tuple[tuple[System, Law], ...]:
     by_momenta = from_catalogue("straight-line-ball-momenta")
     return (
         *((plain, law) for law in plain.laws),
-        (by_momenta, law_named(by_momenta, "energy")),
-        (by_momenta, law_named(by_momenta, "measure")),
+        *laws_named(by_momenta, "energy", "measure"),
     )
 
 
 def therefore_conformally_hamiltonian() -> Verdict:
-    """What Corollary 2 asserts of every such system."""
+    """The assertion of Corollary 2 on every such system."""
     return contrary(not_hamiltonian())
 
 

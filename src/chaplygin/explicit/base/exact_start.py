@@ -11,7 +11,6 @@ from flint import arb, arb_mat
 
 from ...arguments import Written
 from ...core.system import System
-from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.balls import ball, ball_function, exact
 from ...formulas.relative_zero import GIVEN, Sized, measured, sized
@@ -101,16 +100,8 @@ def _moving(
     system: System, level: tuple[sp.Expr, ...]
 ) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
     """The conditions on the state, and their gradients."""
-    plain = (_plain(system, formula) for formula in (*system.relations, *level))
+    plain = map(system.expand, (*system.relations, *level))
     # what depends on parameters alone is no condition on the state
     conditions = tuple(formula for formula in plain if formula.free_symbols & set(system.symbols))
     gradients = tuple(sp.diff(f, x) for f in conditions for x in system.symbols)
     return conditions, gradients
-
-
-def _plain(system: System, formula: sp.Expr) -> sp.Expr:
-    """A formula in the state and the parameters, its definitions put in."""
-    value = to_components(sp.sympify(formula))
-    for name, meaning in reversed(system.needed([value])):
-        value = value.xreplace({name: meaning})
-    return value

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
@@ -118,7 +117,7 @@ class RollingBall:
 
     @cached_property
     def kinematics(self) -> Kinematics:
-        """The surface in the variables of the state: R where the centre's is known, else x."""
+        """The surface in the state variables: R if the centre's is known, else x."""
         offset = b if self.carrier == "support" else sp.S.Zero
         equation = self.surface.equation(R.symbols, offset)
         if equation is not None:
@@ -136,20 +135,22 @@ class RollingBall:
     @property
     def parameters(self) -> tuple[Parameter, ...]:
         """All symbols with their numbers."""
-        found = [
+        parameters = [
             *ball_parameters(self.mass, self.inertia, self.radius),
             *self.surface.parameters,
             *self.numbers,
         ]
         if self.gravity:
-            found.append(Parameter(g, "acceleration of gravity", self.gravity, "m/s^2", (g >= 0,)))
+            parameters.append(
+                Parameter(g, "acceleration of gravity", self.gravity, "m/s^2", (g >= 0,))
+            )
             if not self._along_axis:
-                found += [
+                parameters += [
                     Parameter(s, f"direction of gravity, axis {axis}", value)
                     for s, value, axis in zip(down, self._unit, "xyz", strict=True)
                     if value
                 ]
-        return tuple(found)
+        return tuple(parameters)
 
     @property
     def _unit(self) -> tuple[float, ...]:
@@ -161,7 +162,7 @@ class RollingBall:
         return sum(map(bool, self.direction)) == 1
 
     @property
-    def _down(self) -> MatrixExpr:
+    def _gravity_direction(self) -> MatrixExpr:
         """The direction of gravity, by numbers along an axis and by parameters otherwise."""
         if self._along_axis:
             return constant([int(value) for value in self._unit])
@@ -173,13 +174,15 @@ class RollingBall:
         """The potential energy at the centre R."""
         if not self.gravity:
             return self.potential
-        fallen = sp.Add(*(d * s for d, s in zip(to_components(self._down), R.symbols, strict=True)))
+        fallen = sp.Add(
+            *(d * s for d, s in zip(to_components(self._gravity_direction), R.symbols, strict=True))
+        )
         return self.potential - m * g * fallen
 
     @property
     def force(self) -> MatrixExpr:
         """The force at the centre, space axes."""
-        weight = m * g * self._down if self.gravity else constant([0, 0, 0])
+        weight = m * g * self._gravity_direction if self.gravity else constant([0, 0, 0])
         return weight - gradient(self.potential, R) if self.potential != 0 else weight
 
     def system(
@@ -191,17 +194,17 @@ class RollingBall:
         of the normal force is not watched.
         """
         kinematics = self.kinematics
-        made = equations_of_motion(
+        system = equations_of_motion(
             self.contact, kinematics, self.force, self.parameters, name, title
         )
-        watched = tuple(item for item in made.guards if self.loaded or not item.lift_off)
+        watched = tuple(item for item in system.guards if self.loaded or not item.lift_off)
         surface, symbols = kinematics.surface, kinematics.surface.free_symbols
         on_surface = Integral("surface", surface, "the ball stays on its surface", source="(2.7)")
         # what is no polynomial is kept as an integral, since proofs go modulo polynomials
         polynomial = surface.is_rational_function(*symbols)
         return replace(
-            made,
-            relations=(surface, *made.relations) if polynomial else made.relations,
+            system,
+            relations=(surface, *system.relations) if polynomial else system.relations,
             guards=watched + self.surface.domain(kinematics.place.symbols),
             laws=self._laws() if polynomial else (*self._laws(), on_surface),
         )
@@ -210,7 +213,7 @@ class RollingBall:
         half = sp.Rational(1, 2)
         energy = half * m * norm_squared(v) + half * mu * norm_squared(omega) + self.height
         # the relations are cut out by df, of length ell, and for rubber by d(ω, df) besides
-        density: dict[Any, Any] = {ell: 1 if self.contact == "marble" else 2}
+        density: dict[sp.Symbol, int] = {ell: 1 if self.contact == "marble" else 2}
         if self.kinematics.fit is not None:
             density[Delta] = 1
         return (

@@ -12,19 +12,20 @@ Without N these are, with m̃ = m + μ/b²,
     b² m̃ ω̇ = F×r + m b² (ω, n) ṅ            (marble),
     b² m̃ ω̇ = F×r − b² m̃ (ω, ṅ) n,  (ω, n) = 0      (rubber).
 
-How n turns depends on which surface is given: `centred`, the one on which the centre moves, or
-`supported`, the one that carries the ball, with its contact point x in place of R.
+The rate of n depends on the surface that is given: that of the centre (`centre_surface`), or the
+one that carries the ball (`supporting_surface`), with the contact point x in place of R.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.system import Guard, Observable, Parameter, Reconstruction, System
+from ...core.named_formulas import Pairs
+from ...core.system import Guard, Name, Observable, Parameter, Reconstruction, System
 from ...core.vectors import (
     Vector,
     constant,
@@ -59,7 +60,7 @@ Contact = Literal["marble", "rubber"]
 
 @dataclass(frozen=True)
 class Kinematics:
-    """How the normal follows from the place of the ball.
+    """The normal as a function of the place of the ball.
 
     Attributes
     ----------
@@ -77,18 +78,18 @@ class Kinematics:
 
     surface: sp.Expr
     place: Vector
-    normal: tuple[tuple[Any, Any], ...]
-    turning: tuple[tuple[Any, Any], ...]
+    normal: Pairs
+    turning: Pairs
     rate: MatrixExpr
     fit: sp.Expr | None
 
 
-def _normal(surface: sp.Expr, place: Vector) -> tuple[tuple[Any, Any], ...]:
+def _normal(surface: sp.Expr, place: Vector) -> Pairs:
     return ((df, gradient(surface, place, "f")), (ell, sp.sqrt(norm_squared(df))), (n, df / ell))
 
 
 def _shape_operator(surface: sp.Expr, place: Vector, vector: MatrixExpr) -> MatrixExpr:
-    """S u = (Hu − (n, Hu)n)/|∇f| with the matrix H of second derivatives of f, for tangent u."""
+    """S u = (Hu − (n, Hu)n)/|∇f| for tangent u, with the Hessian H of f."""
     bent = constant(sp.hessian(surface, place.symbols)) * vector
     return (bent - dot(n, bent) * n) / ell
 
@@ -172,7 +173,7 @@ def equations_of_motion(
     across = F - dot(F, n) * n
     pressed = -(m * dot(v, ndot) + dot(F, n)) * n
     turning: MatrixExpr = cross(F, r) / (b**2 * mtilde)
-    push: dict[Any, Any]
+    push: dict[Name, sp.Expr]
     if contact == "marble":
         turning = turning + (m / mtilde) * spin * ndot
         push = {

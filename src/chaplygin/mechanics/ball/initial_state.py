@@ -1,4 +1,4 @@
-"""From a place and an angular velocity to the state of a homogeneous ball on a surface.
+"""The state of a homogeneous ball on a surface from place and angular velocity.
 
 As in :mod:`chaplygin.mechanics.rolling.initial_state`, numbers are carried with 50 digits.
 """
@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import mpmath
 import sympy as sp
@@ -28,22 +27,22 @@ _STEPS = 400
 
 
 @dataclass(frozen=True)
-class _Spot:
-    """A point beside a surface: f, its gradient, and the curvatures there."""
+class _SurfacePoint:
+    """f, its gradient and its second derivatives at a point."""
 
-    value: Any
-    slope: list[Any]
-    bent: list[list[Any]]
+    value: mpmath.mpf
+    slope: list[mpmath.mpf]
+    bent: list[list[mpmath.mpf]]
 
     @property
-    def steepness(self) -> Any:
+    def steepness(self) -> mpmath.mpf:
         return mpmath.sqrt(sum(s * s for s in self.slope))
 
     @property
-    def normal(self) -> list[Any]:
+    def normal(self) -> list[mpmath.mpf]:
         return [s / self.steepness for s in self.slope]
 
-    def curvatures(self) -> tuple[Any, Any]:
+    def curvatures(self) -> tuple[mpmath.mpf, mpmath.mpf]:
         """The principal curvatures, positive where the surface falls away from the ball."""
         n, ell = self.normal, self.steepness
         across = [_dot(row, n) for row in self.bent]
@@ -56,8 +55,8 @@ class _Spot:
 
 def ball_state(
     ball: RollingBall, system: System, place: Sequence[float], omega: Sequence[float]
-) -> tuple[Any, ...]:
-    """The state of a ball, lifted to space, that starts at a place with an angular velocity.
+) -> tuple[mpmath.mpf, ...]:
+    """The state, lifted to space, of a ball with given place and angular velocity.
 
     Parameters
     ----------
@@ -83,16 +82,16 @@ def ball_state(
     name = "contact" if ball.carrier == "support" else "centre"
     with mpmath.workdps(DIGITS):
         surface = _Surface(ball)
-        given = [_number(value, name) for value in place]
-        point = _onto(surface, given, name)
-        spot = surface.at(point, name)
+        target = [_number(value, name) for value in place]
+        point = _nearest_or_refused(surface, target, name)
+        contact = surface.at(point, name)
         _check_domain(ball, system, point, name)
-        _check_fit(ball, spot, name)
-        spin = _without_spin(ball, [_number(value, "omega") for value in omega], spot.normal)
+        _check_fit(ball, contact, name)
+        spin = _without_spin(ball, [_number(value, "omega") for value in omega], contact.normal)
         start = point
         if ball.carrier == "support" and ball.kinematics.place == R:
             radius = _number(ball.radius, "radius")
-            start = [p + radius * n for p, n in zip(point, spot.normal, strict=True)]
+            start = [p + radius * n for p, n in zip(point, contact.normal, strict=True)]
         attitude = [mpmath.mpf(int(i == 0)) for i in range(4)]
         return (*start, *spin, *attitude)
 
@@ -106,79 +105,81 @@ class _Surface:
         self._formulas = [f, *(f.diff(s) for s in symbols), *sp.hessian(f, symbols)]
         self._values = values
 
-    def at(self, point: Sequence[Any], name: str) -> _Spot:
-        """What the surface does at a point; InputError where it has no normal."""
+    def at(self, point: Sequence[mpmath.mpf], name: str) -> _SurfacePoint:
+        """Value, gradient and Hessian at a point; InputError without a normal."""
         try:
             numbers = Multiprecision({**self._values, **dict(zip(x.symbols, point, strict=True))})
-            found = [numbers(formula) for formula in self._formulas]
+            values = [numbers(formula) for formula in self._formulas]
         except (ValueError, ZeroDivisionError):
-            found = [mpmath.nan]
-        if not all(isinstance(v, mpmath.mpf | int) and mpmath.isfinite(v) for v in found):
-            raise InputError(f"{name}: the equation of the surface has no value at {_shown(point)}")
-        slope = found[1:4]
+            values = [mpmath.nan]
+        if not all(isinstance(v, mpmath.mpf | int) and mpmath.isfinite(v) for v in values):
+            raise InputError(
+                f"{name}: the equation of the surface has no value at {_point_text(point)}"
+            )
+        slope = values[1:4]
         if not any(slope):
             raise InputError(
-                f"{name}: the surface has no normal at {_shown(point)}, since the gradient of its "
-                "equation vanishes there; start at another point"
+                f"{name}: the surface has no normal at {_point_text(point)}, since the "
+                "gradient of its equation vanishes there; start at another point"
             )
-        return _Spot(found[0], slope, [found[4:7], found[7:10], found[10:13]])
+        return _SurfacePoint(values[0], slope, [values[4:7], values[7:10], values[10:13]])
 
 
-def _onto(surface: _Surface, given: list[Any], name: str) -> list[Any]:
+def _nearest_or_refused(surface: _Surface, point: list[mpmath.mpf], name: str) -> list[mpmath.mpf]:
     """The nearest point of the surface, if the given one is no farther than rounding."""
-    spot = surface.at(given, name)
-    scale = 1 + max(abs(value) for value in given)
+    spot = surface.at(point, name)
+    scale = 1 + max(abs(value) for value in point)
     distance = abs(spot.value) / spot.steepness
-    near = _nearest(surface, given, name)
+    near = _nearest(surface, point, name)
     if distance <= SLACK * scale and near is not None:
         return near
-    message = f"{name}: {_shown(given)} misses the surface by about {float(distance):.6g}"
+    message = f"{name}: {_point_text(point)} misses the surface by about {float(distance):.6g}"
     if near is not None:
-        message += f"; the nearest point on it is {_shown(near)}"
+        message += f"; the nearest point on it is {_point_text(near)}"
     raise InputError(message)
 
 
-def _nearest(surface: _Surface, given: list[Any], name: str) -> list[Any] | None:
-    """The point of the surface whose normal leads to the given one, by way of nearer and nearer."""
-    point = list(given)
+def _nearest(surface: _Surface, point: list[mpmath.mpf], name: str) -> list[mpmath.mpf] | None:
+    """The foot of the perpendicular from a point to the surface, by iteration."""
+    candidate = list(point)
     good = mpmath.mpf(10) ** (8 - DIGITS)
     for step in range(_STEPS):
         try:
-            spot = surface.at(point, name)
+            spot = surface.at(candidate, name)
         except InputError:
             return None
         fall = spot.value / spot.steepness
-        away = [g - p for g, p in zip(given, point, strict=True)]
+        away = [g - p for g, p in zip(point, candidate, strict=True)]
         sunk = _dot(away, spot.normal)
         aside = [a - sunk * n for a, n in zip(away, spot.normal, strict=True)]
         drift = max(map(abs, aside))
         # the nearest point is wanted to all digits of a double, the surface to all there are
         if abs(fall) < good and (drift < mpmath.mpf(10) ** -20 or step > _STEPS // 2):
-            return point
+            return candidate
         low, high = spot.curvatures()
-        # how far a point beside the surface is magnified or reduced when laid onto it
+        # the factor by which lengths beside the surface change when projected onto it
         gentle = 1 / max(1 + abs(sunk * low), 1 + abs(sunk * high))
         if drift < mpmath.mpf(10) ** -20:
             gentle = mpmath.mpf(0)
-        point = [
-            p - fall * n + gentle * a for p, n, a in zip(point, spot.normal, aside, strict=True)
+        candidate = [
+            p - fall * n + gentle * a for p, n, a in zip(candidate, spot.normal, aside, strict=True)
         ]
     return None
 
 
-def _check_domain(ball: RollingBall, system: System, point: list[Any], name: str) -> None:
+def _check_domain(ball: RollingBall, system: System, point: list[mpmath.mpf], name: str) -> None:
     for guard in ball.surface.domain(x.symbols):
         values = {p.symbol: mpmath.mpf(p.default) for p in ball.parameters}
         known = values | dict(zip(x.symbols, point, strict=True))
         if not _positive(system, guard, known):
-            raise InputError(f"{name}: {_shown(point)} is outside the domain; {guard.message}")
+            raise InputError(f"{name}: {_point_text(point)} is outside the domain; {guard.message}")
 
 
-def _positive(system: System, guard: Guard, known: dict[Any, Any]) -> bool:
+def _positive(system: System, guard: Guard, known: dict[sp.Symbol, mpmath.mpf]) -> bool:
     return bool(evaluate(system, [guard.value], known)[0] > 0)
 
 
-def _check_fit(ball: RollingBall, spot: _Spot, name: str) -> None:
+def _check_fit(ball: RollingBall, spot: _SurfacePoint, name: str) -> None:
     """A ball fits where it is rounder than the surface, seen from its side."""
     radius = mpmath.mpf(ball.radius)
     low, high = spot.curvatures()
@@ -195,8 +196,10 @@ def _check_fit(ball: RollingBall, spot: _Spot, name: str) -> None:
         )
 
 
-def _without_spin(ball: RollingBall, omega: list[Any], normal: list[Any]) -> list[Any]:
-    """ω of a rubber ball without the rounding along the normal; more than rounding is refused."""
+def _without_spin(
+    ball: RollingBall, omega: list[mpmath.mpf], normal: list[mpmath.mpf]
+) -> list[mpmath.mpf]:
+    """ω of a rubber ball made exactly tangent; more than rounding is refused."""
     if ball.contact == "marble":
         return omega
     excess = _dot(omega, normal)
@@ -204,22 +207,22 @@ def _without_spin(ball: RollingBall, omega: list[Any], normal: list[Any]) -> lis
     if abs(excess) > SLACK * max(map(abs, omega)):
         raise InputError(
             f"omega: (omega, n) = {float(excess):.6g}, and a rubber ball, which does not spin "
-            f"about the normal, needs 0; the nearest admissible omega is {_shown(nearest)}"
+            f"about the normal, needs 0; the nearest admissible omega is {_point_text(nearest)}"
         )
     return nearest
 
 
-def _number(value: float, name: str) -> Any:
+def _number(value: float, name: str) -> mpmath.mpf:
     if not mpmath.isfinite(value):
         raise InputError(f"{name}: {value} is not a finite number")
     return mpmath.mpf(repr(float(value)))
 
 
-def _dot(u: Sequence[Any], v: Sequence[Any]) -> Any:
+def _dot(u: Sequence[mpmath.mpf], v: Sequence[mpmath.mpf]) -> mpmath.mpf:
     return sum(a * b for a, b in zip(u, v, strict=True))
 
 
-def _adjugate_times(matrix: list[list[Any]], vector: list[Any]) -> list[Any]:
+def _adjugate_times(matrix: list[list[mpmath.mpf]], vector: list[mpmath.mpf]) -> list[mpmath.mpf]:
     rows = mpmath.matrix(matrix)
     cofactors = mpmath.matrix(3, 3)
     for i in range(3):
@@ -231,5 +234,5 @@ def _adjugate_times(matrix: list[list[Any]], vector: list[Any]) -> list[Any]:
     return [_dot([cofactors[i, j] for j in range(3)], vector) for i in range(3)]
 
 
-def _shown(point: Sequence[Any]) -> str:
+def _point_text(point: Sequence[mpmath.mpf]) -> str:
     return f"[{', '.join(repr(float(value)) for value in point)}]"

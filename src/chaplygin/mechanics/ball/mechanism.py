@@ -1,4 +1,4 @@
-"""A homogeneous ball on a surface as a mechanism: coordinates, Lagrangian, constraints.
+"""A homogeneous ball on a surface as a mechanism.
 
 From it :func:`chaplygin.mechanics.lagrangian.poincare_suslov.equations` derives the closed
 equations that :mod:`chaplygin.mechanics.ball.equations` writes down; a test compares both.
@@ -6,10 +6,9 @@ equations that :mod:`chaplygin.mechanics.ball.equations` writes down; a test com
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
 
+from ...arguments import Declared
 from ...core.system import Parameter
 from ...core.vectors import cross, dot, gradient, norm_squared, real_symbol, vectors
 from ..lagrangian.mechanism import Frame, Mechanism, rotations
@@ -28,7 +27,7 @@ def ball_mechanism(
     parameters: tuple[Parameter, ...],
     name: str = "ball-on-surface",
 ) -> Mechanism:
-    """The ball whose centre moves on `surface` = 0, with the velocities ω and v in space axes.
+    """A ball whose centre moves on `surface` = 0, with ω and v in space axes.
 
     The rotations enter by ω alone, and their structure constants in space axes are those of body
     axes with the other sign.  That f keeps its value follows from v = r×ω.
@@ -42,7 +41,7 @@ def ball_mechanism(
     parameters : tuple of Parameter
         m, μ, b and all that both use.
     """
-    structure: dict[Any, Any] = {
+    structure: Declared = {
         pair: {k: -c for k, c in row.items()} for pair, row in rotations(omega).items()
     }
     half = sp.Rational(1, 2)

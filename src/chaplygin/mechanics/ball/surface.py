@@ -44,7 +44,7 @@ axes = tuple(real_symbol(f"a_{i}") for i in (1, 2, 3))
 
 @dataclass(frozen=True, kw_only=True)
 class SmoothSurface(ABC):
-    """What all surfaces offer.
+    """The interface of all surfaces.
 
     Parameters
     ----------
@@ -52,7 +52,7 @@ class SmoothSurface(ABC):
         Where the ball is: on the side of larger or of smaller f as `level` writes it.  Above and
         outside are the same side.
     axis : ``"x"``, ``"y"`` or ``"z"``
-        The space axis that plays the part of the surface's third one; the others follow in turn.
+        The space axis that is the surface's third one; the others follow cyclically.
     """
 
     side: Side = "outside"
@@ -68,7 +68,7 @@ class SmoothSurface(ABC):
         """f of the surface at the distance `offset` to the outside; None if it has none."""
 
     def guards(self, point: Point) -> tuple[Guard, ...]:
-        """What else must stay positive there."""
+        """Further quantities that must stay positive."""
         return ()
 
     @property
@@ -87,7 +87,7 @@ class SmoothSurface(ABC):
         return (*point[first:], *point[:first])
 
     def equation(self, point: Point, offset: sp.Expr = sp.S.Zero) -> sp.Expr | None:
-        """f, positive on the ball's side, of the surface at the distance `offset` on that side.
+        """f, positive on the ball's side, of the parallel surface at distance `offset`.
 
         None if that surface has no simple equation; there always is one for `offset` zero.
         """
@@ -239,7 +239,7 @@ class EllipsoidSurface(SmoothSurface):
 
 @dataclass(frozen=True)
 class Paraboloid(SmoothSurface):
-    """The paraboloid z = x²/2p + y²/2q: elliptic, or hyperbolic when p and q differ in sign.
+    """The paraboloid z = x²/2p + y²/2q, hyperbolic if p and q differ in sign.
 
     Parameters
     ----------
@@ -252,14 +252,14 @@ class Paraboloid(SmoothSurface):
     @property
     def parameters(self) -> tuple[Parameter, ...]:
         """The radii of curvature at the vertex."""
-        found = []
+        parameters = []
         for symbol, value, name in zip((p, q), self.radii, "xy", strict=True):
             meaning = f"radius of curvature at the vertex, along {name}"
             _finite(meaning, (value,))
             if value == 0:
                 raise InputError(f"{meaning}: it must not be zero")
-            found.append(Parameter(symbol, meaning, float(value), "m", (sp.Ne(symbol, 0),)))
-        return tuple(found)
+            parameters.append(Parameter(symbol, meaning, float(value), "m", (sp.Ne(symbol, 0),)))
+        return tuple(parameters)
 
     def level(self, point: Point, offset: sp.Expr) -> sp.Expr | None:
         """z − x²/2p − y²/2q; no simple equation elsewhere."""
@@ -295,7 +295,7 @@ class Ring(SmoothSurface):
 
 @dataclass(frozen=True)
 class ImplicitSurface(SmoothSurface):
-    """Any surface f(x, y, z) = 0, the ball where f is positive (outside) or negative (inside).
+    """Any surface f(x, y, z) = 0; f is positive outside and negative inside.
 
     Parameters
     ----------

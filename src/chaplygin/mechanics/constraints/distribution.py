@@ -1,4 +1,4 @@
-"""The motions that constraints admit: a distribution on the configuration space (§2.1).
+"""The distribution of velocities that constraints admit (§2.1).
 
 Constraints Σ a_μi(q) w_i = 0, (2.1), leave at each point a linear space of velocities, spanned
 by the fields η_s = Σ w_i^(s) E_i of (2.2).  Affine constraints and those that depend on the time
@@ -10,26 +10,25 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import sympy as sp
 
+from ...core.named_formulas import expand
 from ...core.vectors import real_symbol
 from ...errors import InputError
-from ...formulas.expansion import expanded
 from ...parsing.exact_decimals import exactly
 from ..lagrangian.mechanism import TIME, Mechanism
-from ..lagrangian.structure_functions import commutator
-from .exact_points import ConfigurationSpace
-from .reconstruction import Coefficients, VectorField, along, whole_configuration
+from ..lagrangian.structure_functions import Coefficients, VectorField, commutator, lie_derivative
+from .exact_points import ConfigurationSpace, ParameterValue
+from .reconstruction import whole_configuration
 
 __all__ = [
     "Distribution",
     "VectorField",
-    "along",
     "commutator",
     "distribution",
     "distribution_spanned_by",
+    "lie_derivative",
 ]
 
 
@@ -66,7 +65,7 @@ class Distribution:
     forms: tuple[tuple[sp.Expr, ...], ...] = ()
     structure: Coefficients | None = None
     steps: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
-    constants: tuple[tuple[sp.Symbol, Any], ...] = ()
+    constants: tuple[tuple[sp.Symbol, ParameterValue], ...] = ()
 
     @cached_property
     def formulas(self) -> tuple[sp.Expr, ...]:
@@ -80,7 +79,7 @@ class Distribution:
     def space(
         self, free: Sequence[sp.Symbol] = (), known: Sequence[sp.Expr] = ()
     ) -> ConfigurationSpace:
-        """What its points have to satisfy; `free` parameters have no value."""
+        """The conditions on its points; `free` parameters have no value."""
         return ConfigurationSpace(
             self.coordinates,
             self.relations,
@@ -92,7 +91,7 @@ class Distribution:
 
     @cached_property
     def fixed(self) -> Distribution:
-        """The same with the values of the parameters put in."""
+        """The distribution with numbers for its parameters."""
         table = {s: exactly(v) for s, v in self.constants}
         return replace(
             self,
@@ -107,7 +106,7 @@ class Distribution:
 
     @cached_property
     def solved(self) -> Distribution:
-        """The same with its admissible fields as the frame, and no forms."""
+        """The distribution with its admissible fields as the frame, and no forms."""
         names = tuple(real_symbol(f"u_{i}") for i, _ in enumerate(self.fields, 1))
         return replace(self, velocities=names, frame=self.fields, forms=())
 
@@ -118,18 +117,18 @@ class Distribution:
         Each has one free velocity equal to 1; it is singular where the others cannot be solved
         for.
         """
-        found = []
+        fields = []
         for combination in _admissible(self.forms, len(self.velocities)):
             total: dict[sp.Symbol, sp.Expr] = {}
             for number, field in zip(combination, self.frame, strict=True):
                 for symbol, value in field.items():
                     total[symbol] = total.get(symbol, sp.S.Zero) + number * value
-            found.append({s: value for s, value in total.items() if value != 0})
-        return tuple(found)
+            fields.append({s: value for s, value in total.items() if value != 0})
+        return tuple(fields)
 
 
 def _admissible(forms: Sequence[Sequence[sp.Expr]], width: int) -> list[list[sp.Expr]]:
-    """A basis of the solutions of the constraints, columns that are numbers as pivots first."""
+    """A basis of the solutions of the constraints; pivots are numbers if possible."""
     rows = [list(row) for row in forms]
     pivots: list[tuple[int, list[sp.Expr]]] = []
     while rows:
@@ -142,20 +141,20 @@ def _admissible(forms: Sequence[Sequence[sp.Expr]], width: int) -> list[list[sp.
             break
         lead = rows[row][column]
         chosen = [sp.cancel(entry / lead) for entry in rows.pop(row)]
-        pivots = [(c, _less(other, chosen, column)) for c, other in pivots]
-        rows = [_less(other, chosen, column) for other in rows]
+        pivots = [(c, _eliminated(other, chosen, column)) for c, other in pivots]
+        rows = [_eliminated(other, chosen, column) for other in rows]
         pivots.append((column, chosen))
-    taken = {c for c, _ in pivots}
-    found = []
-    for free in (c for c in range(width) if c not in taken):
+    pivot_columns = {c for c, _ in pivots}
+    solutions = []
+    for free in (c for c in range(width) if c not in pivot_columns):
         solution = [sp.S.One if c == free else sp.S.Zero for c in range(width)]
         for c, pivot in pivots:
             solution[c] = -pivot[free]
-        found.append(solution)
-    return found
+        solutions.append(solution)
+    return solutions
 
 
-def _less(row: list[sp.Expr], pivot: list[sp.Expr], column: int) -> list[sp.Expr]:
+def _eliminated(row: list[sp.Expr], pivot: list[sp.Expr], column: int) -> list[sp.Expr]:
     factor = row[column]
     if factor == 0:
         return row
@@ -167,7 +166,7 @@ def distribution_spanned_by(
     fields: Sequence[VectorField],
     coordinates: Sequence[sp.Symbol],
     relations: Sequence[sp.Expr] = (),
-    constants: Mapping[sp.Symbol, Any] | None = None,
+    constants: Mapping[sp.Symbol, ParameterValue] | None = None,
 ) -> Distribution:
     """The distribution spanned by fields that are given outright."""
     return Distribution(
@@ -196,13 +195,13 @@ def distribution(mechanism: Mechanism) -> Distribution:
     """
     steps = {s: v for s, v in mechanism.steps}
     moving = _moving(mechanism)
-    kept = tuple((s, v) for s, v in steps.items() if s not in moving)
+    position_steps = tuple((s, v) for s, v in steps.items() if s not in moving)
     frame = mechanism.frame
     w = frame.w
     rows: list[list[sp.Expr]] = []
-    rest: list[sp.Expr] = []
+    inhomogeneous: list[sp.Expr] = []
     for f in mechanism.f:
-        formula = expanded(f, {s: steps[s] for s in moving})
+        formula = expand(f, {s: steps[s] for s in moving})
         row = [sp.diff(formula, s) for s in w]
         if any(entry.free_symbols & set(w) for entry in row):
             raise InputError(
@@ -210,19 +209,19 @@ def distribution(mechanism: Mechanism) -> Distribution:
                 "whether constraints are holonomic can be told only of linear ones"
             )
         rows.append(row)
-        rest.append(formula.xreplace(dict.fromkeys(w, sp.S.Zero)))
-    positions = [expanded(F, dict(kept)) for F in mechanism.F]
+        inhomogeneous.append(formula.xreplace(dict.fromkeys(w, sp.S.Zero)))
+    positions = [expand(F, position_steps) for F in mechanism.F]
     constants = {p.symbol: p.default for p in mechanism.parameters}
-    entries = [*positions, *rest, *(entry for row in rows for entry in row)]
-    whole = whole_configuration(frame, entries, kept, constants)
+    entries = [*positions, *inhomogeneous, *(entry for row in rows for entry in row)]
+    whole = whole_configuration(frame, entries, position_steps, constants)
     coordinates, fields = whole.coordinates, whole.fields
-    rows += [[along(field, F) for field in fields] for F in positions]
-    rest += [sp.diff(F, TIME) for F in positions]
-    if any(entry != 0 for entry in rest) or _timed(rows, kept):
+    rows += [[lie_derivative(field, F) for field in fields] for F in positions]
+    inhomogeneous += [sp.diff(F, TIME) for F in positions]
+    if any(entry != 0 for entry in inhomogeneous) or _depend_on_time(rows, position_steps):
         coordinates, fields = (*coordinates, TIME), (*fields, {TIME: sp.S.One})
         w = (*w, real_symbol("tdot"))
-        rows = [[*row, entry] for row, entry in zip(rows, rest, strict=True)]
-    found = Distribution(
+        rows = [[*row, entry] for row, entry in zip(rows, inhomogeneous, strict=True)]
+    admissible = Distribution(
         mechanism.name,
         coordinates,
         (*whole.relations, *positions),
@@ -230,21 +229,22 @@ def distribution(mechanism: Mechanism) -> Distribution:
         fields,
         tuple(tuple(row) for row in rows),
         whole.structure,
-        kept,
+        position_steps,
         tuple(constants.items()),
     )
-    return found.solved if whole.admissible else found
+    return admissible.solved if whole.admissible else admissible
 
 
 def _moving(mechanism: Mechanism) -> set[sp.Symbol]:
     """Definitions that depend on the velocities."""
-    found = set(mechanism.frame.w)
+    moving = set(mechanism.frame.w)
     for symbol, value in mechanism.steps:
-        if value.free_symbols & found:
-            found.add(symbol)
-    return found - set(mechanism.frame.w)
+        if value.free_symbols & moving:
+            moving.add(symbol)
+    return moving - set(mechanism.frame.w)
 
 
-def _timed(rows: Sequence[Sequence[sp.Expr]], steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> bool:
-    table = dict(steps)
-    return any(expanded(entry, table).has(TIME) for row in rows for entry in row)
+def _depend_on_time(
+    rows: Sequence[Sequence[sp.Expr]], steps: Sequence[tuple[sp.Symbol, sp.Expr]]
+) -> bool:
+    return any(expand(entry, steps).has(TIME) for row in rows for entry in row)

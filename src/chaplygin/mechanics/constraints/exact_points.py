@@ -13,16 +13,20 @@ from functools import cached_property
 from typing import Any, TypeAlias
 
 import sympy as sp
+from flint import fmpq, nmod
 
+from ...core.named_formulas import expand
 from ...errors import InputError
-from ...formulas.expansion import Angles, TaylorExpansion, angles, expanded
+from ...formulas.expansion import Angles, TaylorExpansion, angles
 from ...formulas.taylor import IrrationalError, Numbers, Series
 from ...parsing.exact_decimals import exactly
 
 __all__ = [
     "ConfigurationSpace",
     "ExactPoint",
+    "FieldElement",
     "NoPointError",
+    "ParameterValue",
     "UnsolvedError",
     "point_at",
     "random_point",
@@ -30,6 +34,10 @@ __all__ = [
 
 ATTEMPTS = 60
 
+#: A number of the field in which a point is taken.
+FieldElement: TypeAlias = fmpq | nmod
+#: A parameter's value; a decimal stands for itself.
+ParameterValue: TypeAlias = float | sp.Expr
 #: Orthogonal vectors of one length, by their components, and the square of the length.
 Block: TypeAlias = tuple[tuple[tuple[sp.Symbol, ...], ...], sp.Expr]
 
@@ -44,7 +52,7 @@ class UnsolvedError(InputError):
 
 @dataclass(frozen=True)
 class ConfigurationSpace:
-    """What the points have to satisfy, and what is to be evaluated there.
+    """Conditions on points, and formulas to be evaluated at them.
 
     Parameters
     ----------
@@ -54,7 +62,7 @@ class ConfigurationSpace:
     steps : pairs (Symbol, formula)
         Definitions.
     formulas : tuple of formula
-        Everything that will be evaluated: it tells the angles.
+        All formulas that will be evaluated; they determine the angles.
     constants : pairs (Symbol, number)
         Parameters.
     free : tuple of Symbol
@@ -65,7 +73,7 @@ class ConfigurationSpace:
     relations: tuple[sp.Expr, ...]
     steps: tuple[tuple[sp.Symbol, sp.Expr], ...]
     formulas: tuple[sp.Expr, ...]
-    constants: tuple[tuple[sp.Symbol, Any], ...] = ()
+    constants: tuple[tuple[sp.Symbol, ParameterValue], ...] = ()
     free: tuple[sp.Symbol, ...] = ()
 
     @cached_property
@@ -76,7 +84,7 @@ class ConfigurationSpace:
     @cached_property
     def written(self) -> tuple[sp.Expr, ...]:
         """The relations with the definitions written out."""
-        return tuple(expanded(r, dict(self.steps)) for r in self.relations)
+        return tuple(expand(r, self.steps) for r in self.relations)
 
     @cached_property
     def blocks(self) -> list[Block]:
@@ -104,8 +112,8 @@ class ExactPoint:
     """
 
     numbers: Numbers
-    values: Mapping[sp.Symbol, Any]
-    circles: Mapping[sp.Expr, tuple[Any, Any]]
+    values: Mapping[sp.Symbol, FieldElement]
+    circles: Mapping[sp.Expr, tuple[FieldElement, FieldElement]]
     shown: Mapping[sp.Symbol, sp.Expr]
     formal: bool
     seed: int
@@ -132,11 +140,14 @@ def random_point(space: ConfigurationSpace, numbers: Numbers, dice: random.Rando
     NoPointError
         If none was found.
     """
-    return _place(space, {}, numbers, dice)
+    return _first_success(space, {}, numbers, dice)
 
 
 def point_at(
-    space: ConfigurationSpace, point: Mapping[sp.Symbol, Any], numbers: Numbers, dice: random.Random
+    space: ConfigurationSpace,
+    point: Mapping[sp.Symbol, ParameterValue],
+    numbers: Numbers,
+    dice: random.Random,
 ) -> ExactPoint:
     """The point given; coordinates that are not named are chosen at random.
 
@@ -147,44 +158,44 @@ def point_at(
     InputError
         If a relation does not hold at the point.
     """
-    given = {s: exactly(v) for s, v in point.items()}
-    return _place(space, given, numbers, dice)
+    fixed = {s: exactly(v) for s, v in point.items()}
+    return _first_success(space, fixed, numbers, dice)
 
 
-def _place(
+def _first_success(
     space: ConfigurationSpace,
-    given: Mapping[sp.Symbol, sp.Expr],
+    fixed: Mapping[sp.Symbol, sp.Expr],
     numbers: Numbers,
     dice: random.Random,
 ) -> ExactPoint:
     for _ in range(ATTEMPTS):
         try:
-            return _tried(space, given, numbers, dice)
+            return _point_attempt(space, fixed, numbers, dice)
         except (ZeroDivisionError, IrrationalError):
-            if set(space.coordinates) <= set(given):
+            if set(space.coordinates) <= set(fixed):
                 break
     raise NoPointError
 
 
-def _tried(
+def _point_attempt(
     space: ConfigurationSpace,
-    given: Mapping[sp.Symbol, sp.Expr],
+    fixed: Mapping[sp.Symbol, sp.Expr],
     numbers: Numbers,
     dice: random.Random,
 ) -> ExactPoint:
     plain = TaylorExpansion(numbers, (), {}, {}, {}, {}, 0)
-    values = {s: plain.series(_rational(v)).value for s, v in space.constants if s not in given}
-    circles: dict[sp.Expr, tuple[Any, Any]] = {}
+    values = {s: plain.series(_rational(v)).value for s, v in space.constants if s not in fixed}
+    circles: dict[sp.Expr, tuple[FieldElement, FieldElement]] = {}
     shown: dict[sp.Symbol, sp.Expr] = {}
     formal = False
-    for symbol, value in given.items():
+    for symbol, value in fixed.items():
         if value.has(sp.pi):
             values[symbol] = numbers.drawn(dice)
         else:
             values[symbol] = plain.series(value).value
         shown[symbol] = value
     for core, n in space.units.items():
-        circles[core], free = _circle(core, n, space, given, shown, plain, dice)
+        circles[core], free = _circle(core, n, space, fixed, shown, plain, dice)
         formal = formal or free
     known = TaylorExpansion(numbers, (), values, {}, {}, {}, 0)
     for vectors, squared in space.blocks:
@@ -198,16 +209,17 @@ def _tried(
         trial.impose(relation)
     for symbol in (*space.coordinates, *space.free):
         trial.values.setdefault(symbol, numbers.drawn(dice))
-    trial.check(space.written, bool(given))
-    if numbers.exact:
-        for s in space.coordinates:
-            shown.setdefault(s, sp.Rational(int(trial.values[s].p), int(trial.values[s].q)))
+    trial.check(space.written, bool(fixed))
+    for s in space.coordinates:
+        value = trial.values[s]
+        if isinstance(value, fmpq):
+            shown.setdefault(s, sp.Rational(int(value.p), int(value.q)))
     return ExactPoint(
         numbers, trial.values, circles, shown if numbers.exact else {}, formal, trial.seed
     )
 
 
-def _rational(value: Any) -> sp.Expr:
+def _rational(value: ParameterValue) -> sp.Expr:
     return exactly(sp.sympify(value))
 
 
@@ -215,14 +227,14 @@ def _circle(
     core: sp.Expr,
     n: int,
     space: ConfigurationSpace,
-    given: Mapping[sp.Symbol, sp.Expr],
+    fixed: Mapping[sp.Symbol, sp.Expr],
     shown: dict[sp.Symbol, sp.Expr],
     plain: TaylorExpansion,
     dice: random.Random,
-) -> tuple[tuple[Any, Any], bool]:
+) -> tuple[tuple[FieldElement, FieldElement], bool]:
     """Sine and cosine of core/n, and whether they stand for transcendental numbers."""
     constants = {s: _rational(v) for s, v in space.constants}
-    angle = core.xreplace({**constants, **given}) / n
+    angle = core.xreplace({**constants, **fixed}) / n
     if not angle.free_symbols:
         turns = angle / sp.pi
         if angle == 0 or turns.is_Rational:
@@ -230,22 +242,22 @@ def _circle(
             if not any(value.has(sp.sin, sp.cos) for value in exact):
                 return (plain.series(exact[0]).value, plain.series(exact[1]).value), False
     t = plain.numbers.drawn(dice)
-    if core.is_Symbol and core not in constants and core not in given and plain.numbers.exact:
+    if core.is_Symbol and core not in constants and core not in fixed and plain.numbers.exact:
         shown[core] = 2 * n * sp.atan(sp.Rational(int(t.p), int(t.q)))
     below = 1 + t * t
     return (2 * t / below, (1 - t * t) / below), not angle.free_symbols
 
 
 def _blocks(relations: Sequence[sp.Expr], coordinates: set[sp.Symbol]) -> list[Block]:
-    """Spheres among the relations, orthogonal ones together, with the square of the radius."""
+    """Spheres among the relations by orthogonal groups, with the radius squared."""
     spheres: dict[tuple[sp.Symbol, ...], sp.Expr] = {}
     products: list[sp.Expr] = []
     for relation in relations:
         expression = sp.expand(relation)
         own = sorted(expression.free_symbols & coordinates, key=str)
-        rest = expression - sp.Add(*(s**2 for s in own))
-        if len(own) > 1 and not rest.free_symbols & coordinates:
-            spheres[tuple(own)] = -rest
+        remainder = expression - sp.Add(*(s**2 for s in own))
+        if len(own) > 1 and not remainder.free_symbols & coordinates:
+            spheres[tuple(own)] = -remainder
         else:
             products.append(expression)
     groups: list[list[tuple[sp.Symbol, ...]]] = []
@@ -267,8 +279,11 @@ def _orthogonal(
 
 
 def _rows(
-    vectors: Sequence[tuple[sp.Symbol, ...]], squared: Any, numbers: Numbers, dice: random.Random
-) -> dict[sp.Symbol, Any]:
+    vectors: Sequence[tuple[sp.Symbol, ...]],
+    squared: FieldElement,
+    numbers: Numbers,
+    dice: random.Random,
+) -> dict[sp.Symbol, FieldElement]:
     """Rational points of a sphere, or rows of a rational rotation."""
     length = numbers.root(squared, 2)
     if len(vectors[0]) == 3:
@@ -286,7 +301,7 @@ def _rows(
     return {s: length * x for s, x in zip(own, (first, *others), strict=True)}
 
 
-def _rotation(numbers: Numbers, dice: random.Random) -> list[list[Any]]:
+def _rotation(numbers: Numbers, dice: random.Random) -> list[list[FieldElement]]:
     """The matrix of a quaternion drawn at random."""
     w, x, y, z = (numbers.drawn(dice) for _ in range(4))
     n = w * w + x * x + y * y + z * z
@@ -299,14 +314,14 @@ def _rotation(numbers: Numbers, dice: random.Random) -> list[list[Any]]:
 
 
 class _Trial:
-    """Coordinates settled so far."""
+    """A point under construction: the coordinates that have a value."""
 
     def __init__(
         self,
         space: ConfigurationSpace,
         numbers: Numbers,
-        values: dict[sp.Symbol, Any],
-        circles: Mapping[sp.Expr, tuple[Any, Any]],
+        values: dict[sp.Symbol, FieldElement],
+        circles: Mapping[sp.Expr, tuple[FieldElement, FieldElement]],
         dice: random.Random,
     ) -> None:
         self.space, self.numbers, self.values = space, numbers, values
@@ -320,7 +335,7 @@ class _Trial:
         ).series(relation)
 
     def impose(self, relation: sp.Expr) -> None:
-        """Solve a relation for a coordinate that is not settled, or else for a free parameter."""
+        """Solve a relation for a coordinate without a value, or for a free parameter."""
         free = relation.free_symbols - self.values.keys()
         open_ = [s for s in (*self.space.free, *self.space.coordinates) if s in free]
         if not open_:
@@ -342,11 +357,11 @@ class _Trial:
     def _coefficient(self, part: Any) -> Any:
         return self.numbers.number(0) if part.is_zero() else self.numbers.number(part.coeffs()[0])
 
-    def check(self, relations: Sequence[sp.Expr], given: bool) -> None:
+    def check(self, relations: Sequence[sp.Expr], exact_input: bool) -> None:
         """Raise unless every relation holds."""
         for relation in relations:
             left = self._series(relation, (), 0).value
             if left != 0:
-                if given and set(self.space.coordinates) & relation.free_symbols:
+                if exact_input and set(self.space.coordinates) & relation.free_symbols:
                     raise InputError(f"the point does not lie on {relation} = 0")
                 raise ZeroDivisionError

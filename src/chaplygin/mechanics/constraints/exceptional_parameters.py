@@ -1,4 +1,4 @@
-"""Values of a parameter at which constraints become less nonholonomic than at almost all others.
+"""Parameter values at which the growth of a distribution is smaller than usual.
 
 At a fixed point, modulo a prime, the pivots of the elimination that tells the growth are rational
 functions of the parameter.  They are interpolated; a value at which the growth is less makes one
@@ -11,13 +11,14 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import reduce
 from typing import Any
 
 import sympy as sp
 from flint import nmod, nmod_poly
 
+from ...core.named_formulas import expand
 from ...errors import InputError
-from ...formulas.expansion import expanded
 from ...formulas.taylor import PRIMES, IrrationalError, Modular
 from ..lagrangian.mechanism import Mechanism
 from .distribution import Distribution, distribution
@@ -58,7 +59,7 @@ class Exceptional:
 def exceptional(
     mechanism: Mechanism | Distribution, parameter: sp.Symbol
 ) -> tuple[Exceptional, ...]:
-    """Rational values of a parameter, not zero, at which the growth is not the usual one.
+    """Nonzero rational values of a parameter with an unusual growth.
 
     The other parameters keep their values.
 
@@ -68,93 +69,100 @@ def exceptional(
         If there is no such parameter, if the configuration space depends on it, or if it does
         not enter rationally.
     """
-    given = mechanism if isinstance(mechanism, Distribution) else distribution(mechanism)
-    names = [s for s, _ in given.constants]
+    admissible = mechanism if isinstance(mechanism, Distribution) else distribution(mechanism)
+    names = [s for s, _ in admissible.constants]
     if parameter not in names:
         raise InputError(
-            f"{given.name} has no parameter {parameter}; its parameters are "
+            f"{admissible.name} has no parameter {parameter}; its parameters are "
             f"{', '.join(map(str, names)) or 'none'}"
         )
-    if any(parameter in expanded(r, dict(given.steps)).free_symbols for r in given.relations):
-        raise InputError(f"{given.name}: the configuration space itself depends on {parameter}")
-    usual = generic(given, [parameter])
-    found = []
-    for value in _candidates(given, parameter):
-        there = _with(given, parameter, value)
+    if any(parameter in expand(r, admissible.steps).free_symbols for r in admissible.relations):
+        raise InputError(
+            f"{admissible.name}: the configuration space itself depends on {parameter}"
+        )
+    usual = generic(admissible, [parameter])
+    exceptions = []
+    for value in _candidates(admissible, parameter):
+        there = _growth_at_value(admissible, parameter, value)
         if there is not None and there.growth != usual.growth:
-            found.append(Exceptional(parameter, value, there.growth, usual.growth, usual.dimension))
-    return tuple(sorted(found, key=lambda e: e.value))
+            exceptions.append(
+                Exceptional(parameter, value, there.growth, usual.growth, usual.dimension)
+            )
+    return tuple(sorted(exceptions, key=lambda e: e.value))
 
 
-def _with(given: Distribution, parameter: sp.Symbol, value: sp.Rational) -> Filtration | None:
-    """The growth with another value of a parameter; None where constraints become dependent."""
-    constants = tuple((s, value if s == parameter else v) for s, v in given.constants)
+def _growth_at_value(
+    admissible: Distribution, parameter: sp.Symbol, value: sp.Rational
+) -> Filtration | None:
+    """The growth at a value of a parameter; None if constraints become dependent."""
+    constants = tuple((s, value if s == parameter else v) for s, v in admissible.constants)
     try:
-        return generic(replace(given, constants=constants))
+        return generic(replace(admissible, constants=constants))
     except InputError:
         return None
 
 
-def _candidates(given: Distribution, parameter: sp.Symbol) -> list[sp.Rational]:
+def _candidates(admissible: Distribution, parameter: sp.Symbol) -> list[sp.Rational]:
     """Common zeros of the pivots at several points."""
     numbers = Modular(PRIMES[0])
     dice = random.Random(SEED)
-    common: Any = None
-    for _ in range(POINTS):
-        product = _vanishing(given, parameter, numbers, dice)
-        common = product if common is None else common.gcd(product)
+    products = (_vanishing(admissible, parameter, numbers, dice) for _ in range(POINTS))
+    common = reduce(lambda left, right: left.gcd(right), products)
     zeros = [-f[0] / f[1] for f, _ in common.factor()[1] if f.degree() == 1]
     fractions = [numbers.fraction(zero) for zero in zeros]
     return [sp.Rational(f.numerator, f.denominator) for f in fractions if f]
 
 
 def _vanishing(
-    given: Distribution, parameter: sp.Symbol, numbers: Modular, dice: random.Random
-) -> Any:
+    admissible: Distribution, parameter: sp.Symbol, numbers: Modular, dice: random.Random
+) -> nmod_poly:
     """The product of the numerators of the pivots at a point."""
-    place = _place(given, parameter, numbers, dice)
-    samples: list[tuple[Any, tuple[Any, ...]]] = []
+    place = _place(admissible, parameter, numbers, dice)
+    samples: list[tuple[nmod, tuple[Any, ...]]] = []
     wanted = 8
     while wanted <= SAMPLES:
         while len(samples) < wanted:
             value = numbers.drawn(dice)
-            samples.append((value, _pivots(given, place, parameter, value)))
+            samples.append((value, _pivots(admissible, place, parameter, value)))
         numerators = [
             _numerator([(p, row[i]) for p, row in samples], numbers.prime)
             for i in range(len(samples[0][1]))
         ]
-        if None not in numerators:
+        known = [numerator for numerator in numerators if numerator is not None]
+        if len(known) == len(numerators):
             product = nmod_poly([1], numbers.prime)
-            for numerator in numerators:
+            for numerator in known:
                 product = product * numerator
             return product
         wanted *= 2
-    raise InputError(f"{given.name}: {parameter} does not enter the constraints rationally")
+    raise InputError(f"{admissible.name}: {parameter} does not enter the constraints rationally")
 
 
 def _place(
-    given: Distribution, parameter: sp.Symbol, numbers: Modular, dice: random.Random
+    admissible: Distribution, parameter: sp.Symbol, numbers: Modular, dice: random.Random
 ) -> ExactPoint:
     try:
-        return random_point(given.space([parameter]), numbers, dice)
+        return random_point(admissible.space([parameter]), numbers, dice)
     except NoPointError:
-        raise InputError(f"{given.name}: no point of its configuration space was found") from None
-
-
-def _pivots(
-    given: Distribution, place: ExactPoint, parameter: sp.Symbol, value: Any
-) -> tuple[Any, ...]:
-    there = replace(place, values={**place.values, parameter: value})
-    try:
-        return pivots_at(given, there)
-    except (IrrationalError, SingularError, ZeroDivisionError):
         raise InputError(
-            f"{given.name}: {parameter} does not enter the constraints rationally"
+            f"{admissible.name}: no point of its configuration space was found"
         ) from None
 
 
-def _numerator(samples: Sequence[tuple[nmod, nmod]], prime: int) -> Any:
-    """The numerator of the rational function through the samples; None if they do not tell it."""
+def _pivots(
+    admissible: Distribution, place: ExactPoint, parameter: sp.Symbol, value: nmod
+) -> tuple[Any, ...]:
+    there = replace(place, values={**place.values, parameter: value})
+    try:
+        return pivots_at(admissible, there)
+    except (IrrationalError, SingularError, ZeroDivisionError):
+        raise InputError(
+            f"{admissible.name}: {parameter} does not enter the constraints rationally"
+        ) from None
+
+
+def _numerator(samples: Sequence[tuple[nmod, nmod]], prime: int) -> nmod_poly | None:
+    """The numerator of the rational function through samples; None if undetermined."""
     modulus, through = nmod_poly([1], prime), nmod_poly([0], prime)
     for place, value in samples:
         step = (value - through(place)) / modulus(place)
@@ -164,8 +172,8 @@ def _numerator(samples: Sequence[tuple[nmod, nmod]], prime: int) -> Any:
     factors = nmod_poly([0], prime), nmod_poly([1], prime)
     # as soon as both degrees are small the fraction is the one sought
     while last.degree() > len(samples) // 2 - 2:
-        quotient, rest = divmod(before, last)
-        before, last = last, rest
+        quotient, remainder = divmod(before, last)
+        before, last = last, remainder
         factors = factors[1], factors[0] - quotient * factors[1]
     if last.degree() + factors[1].degree() > len(samples) - 4:
         return None

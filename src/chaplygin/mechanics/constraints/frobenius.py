@@ -6,27 +6,30 @@ from itertools import combinations
 
 import sympy as sp
 
-from ...formulas.expansion import expanded
+from ...core.named_formulas import expand
 from .distribution import Distribution, VectorField, commutator
 from .zero_test import vanishes
 
 __all__ = ["involutive"]
 
 
-def involutive(given: Distribution) -> bool:
-    """Whether every commutator of admissible fields is a combination of them.
+def involutive(distribution: Distribution) -> bool:
+    """Whether all commutators of admissible fields are combinations of these.
 
     False also where that is not shown: if the frame was reduced by a group, or if no coordinate
     moves with one of the fields alone.
     """
-    if given.structure is not None:
+    if distribution.structure is not None:
         return False
-    steps = dict(given.steps)
-    fields = [{q: expanded(v, steps) for q, v in field.items()} for field in given.fields]
+    fields = [
+        {q: expand(v, distribution.steps) for q, v in field.items()}
+        for field in distribution.fields
+    ]
     own = [_own(fields, i) for i, _ in enumerate(fields)]
     free = [q for q in own if q is not None]
     return len(free) == len(fields) and all(
-        _combination(commutator(u, w), fields, free, given) for u, w in combinations(fields, 2)
+        _combination(commutator(u, w), fields, free, distribution)
+        for u, w in combinations(fields, 2)
     )
 
 
@@ -43,14 +46,14 @@ def _combination(
     bracket: VectorField,
     fields: list[dict[sp.Symbol, sp.Expr]],
     free: list[sp.Symbol],
-    given: Distribution,
+    distribution: Distribution,
 ) -> bool:
     factors = [bracket.get(q, sp.S.Zero) for q in free]
     return all(
         vanishes(
             bracket.get(q, sp.S.Zero)
             - sp.Add(*(c * f.get(q, sp.S.Zero) for c, f in zip(factors, fields, strict=True))),
-            given.relations,
+            distribution.relations,
         )
-        for q in given.coordinates
+        for q in distribution.coordinates
     )

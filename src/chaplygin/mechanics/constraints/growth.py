@@ -1,4 +1,4 @@
-"""The growth of a distribution: its fields, their commutators with them, and so on, exactly.
+"""The growth vector of a distribution, computed exactly.
 
 Fields are Taylor series about a point.  A commutator is first freed of the fields found before
 by multiplying these with functions, which changes no span of the following steps: a new direction
@@ -11,14 +11,21 @@ import random
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import comb
-from typing import Any
 
 import sympy as sp
 
 from ...errors import InputError
 from ...formulas.taylor import PRIMES, IrrationalError, Modular, Numbers, Rational
 from .distribution import Distribution, VectorField, distribution_spanned_by
-from .exact_points import ExactPoint, NoPointError, point_at, random_point
+from .exact_points import (
+    ConfigurationSpace,
+    ExactPoint,
+    FieldElement,
+    NoPointError,
+    ParameterValue,
+    point_at,
+    random_point,
+)
 from .vector_field_series import Bundle, Section, SingularError, Span
 
 __all__ = ["Filtration", "filtration", "generic", "growth"]
@@ -33,7 +40,7 @@ START = 3
 
 @dataclass(frozen=True)
 class Filtration:
-    """How the span of admissible fields grows with their commutators, at a point.
+    """Dimensions spanned at a point by the fields and their iterated commutators.
 
     Attributes
     ----------
@@ -70,8 +77,8 @@ class Filtration:
         return self.growth[-1]
 
 
-def pivots_at(given: Distribution, place: ExactPoint) -> tuple[Any, ...]:
-    """The numbers on which the growth at a point rests: it is less where one of them vanishes.
+def pivots_at(distribution: Distribution, place: ExactPoint) -> tuple[FieldElement, ...]:
+    """Numbers that vanish where the growth at a point is smaller.
 
     Raises
     ------
@@ -81,25 +88,29 @@ def pivots_at(given: Distribution, place: ExactPoint) -> tuple[Any, ...]:
     order = START
     while True:
         span = Span(place.numbers)
-        bundle = Bundle(given, place.germs(given.space(), order))
-        if _filled(given, place, bundle, span)[1] or order == _highest(len(given.coordinates)):
+        bundle = Bundle(distribution, place.germs(distribution.space(), order))
+        if _filtration_of_span(distribution, place, bundle, span)[1] or order == _highest(
+            len(distribution.coordinates)
+        ):
             return (*bundle.leads, *span.leads)
-        order = min(2 * order, _highest(len(given.coordinates)))
+        order = min(2 * order, _highest(len(distribution.coordinates)))
 
 
-def _grown(given: Distribution, place: ExactPoint, order: int) -> tuple[Filtration, bool]:
-    """The filtration at a point by series of the order given, and whether it was enough."""
-    bundle = Bundle(given, place.germs(given.space(), order))
-    return _filled(given, place, bundle, Span(place.numbers))
+def _filtration_and_sufficiency(
+    distribution: Distribution, place: ExactPoint, order: int
+) -> tuple[Filtration, bool]:
+    """The filtration by series of an order, and whether the order sufficed."""
+    bundle = Bundle(distribution, place.germs(distribution.space(), order))
+    return _filtration_of_span(distribution, place, bundle, Span(place.numbers))
 
 
-def _filled(
-    given: Distribution, place: ExactPoint, bundle: Bundle, span: Span
+def _filtration_of_span(
+    distribution: Distribution, place: ExactPoint, bundle: Bundle, span: Span
 ) -> tuple[Filtration, bool]:
     """The filtration, and whether the series are long enough; `span` is filled."""
     basis = bundle.admissible()
     fields = [bundle.section(section) for section in basis]
-    dimension = _dimension(given, bundle)
+    dimension = _dimension(distribution, bundle)
     names = [f"η{i}" for i in range(1, len(fields) + 1)]
     last: list[tuple[str, Section]] = []
     words: list[tuple[str, ...]] = [()]
@@ -113,8 +124,8 @@ def _filled(
     letters = [name for name, _ in last]
     while last and counts[-1] < dimension:
         if last[0][1][0].order == 0:
-            return _filtration(given, place, counts, dimension, words, False), False
-        found: list[tuple[str, Section]] = []
+            return _filtration(distribution, place, counts, dimension, words, False), False
+        next_sections: list[tuple[str, Section]] = []
         directions: tuple[str, ...] = ()
         for i, (letter, field) in enumerate(zip(letters, generators, strict=True)):
             for j, (word, other) in enumerate(last):
@@ -123,17 +134,17 @@ def _filled(
                 added = span.add(bundle.bracket(field, other))
                 if added is not None:
                     name = f"[{letter}, {word}]"
-                    found.append((name, added[0]))
+                    next_sections.append((name, added[0]))
                     directions += (name,) if added[1] else ()
-        last = found
+        last = next_sections
         if last:
             counts.append(len(span.pivots))
             words.append(directions)
-    return _filtration(given, place, counts, dimension, words, True), True
+    return _filtration(distribution, place, counts, dimension, words, True), True
 
 
 def _filtration(
-    given: Distribution,
+    distribution: Distribution,
     place: ExactPoint,
     counts: Sequence[int],
     dimension: int,
@@ -144,21 +155,21 @@ def _filtration(
         tuple(counts),
         dimension,
         tuple(words),
-        {s: v for s, v in place.shown.items() if s in given.coordinates},
+        {s: v for s, v in place.shown.items() if s in distribution.coordinates},
         place.numbers.exact and not place.formal,
         settled,
     )
 
 
-def _dimension(given: Distribution, bundle: Bundle) -> int:
+def _dimension(distribution: Distribution, bundle: Bundle) -> int:
     """Of the configuration space at the point."""
     germs = bundle.germs
     if germs.order == 0:
-        return len(given.coordinates)
+        return len(distribution.coordinates)
     slopes = []
-    for relation in given.relations:
+    for relation in distribution.relations:
         series = germs.series(relation)
-        row = [series.derivative(q).value for q, _ in enumerate(given.coordinates)]
+        row = [series.derivative(q).value for q, _ in enumerate(distribution.coordinates)]
         if bundle.constants is not None:
             row = [
                 sum((value.value * row[q] for q, value in field.items()), germs.numbers.number(0))
@@ -170,12 +181,12 @@ def _dimension(given: Distribution, bundle: Bundle) -> int:
     return width - used
 
 
-def filtration(given: Distribution, point: Mapping[sp.Symbol, Any]) -> Filtration:
+def filtration(distribution: Distribution, point: Mapping[sp.Symbol, ParameterValue]) -> Filtration:
     """The growth of a distribution at a point.
 
     Parameters
     ----------
-    given : Distribution
+    distribution : Distribution
     point : mapping of Symbol to exact number
         Rational numbers, roots of them, and multiples of π for angles; what is not named is
         chosen at random.  Parameters may be named, too.
@@ -186,50 +197,58 @@ def filtration(given: Distribution, point: Mapping[sp.Symbol, Any]) -> Filtratio
         If the point does not lie on the relations, or the constraints become dependent there.
     """
     dice = random.Random(SEED)
-    final = generic(given).final
+    final = generic(distribution).final
 
     def there(numbers: Numbers) -> Filtration | None:
         try:
-            place = point_at(given.space(), point, numbers, dice)
-            return None if numbers.exact and place.formal else _deepened(given, place, final)
+            place = point_at(distribution.space(), point, numbers, dice)
+            return (
+                None
+                if numbers.exact and place.formal
+                else _filtration_reaching(distribution, place, final)
+            )
         except (NoPointError, IrrationalError):
             return None
         except (SingularError, ZeroDivisionError):
             raise InputError(
-                f"{given.name}: the constraints are dependent or singular at this point, so that "
-                "the admissible velocities have no constant dimension about it"
+                f"{distribution.name}: the constraints are dependent or singular at this point, so "
+                "that the admissible velocities have no constant dimension about it"
             ) from None
 
-    found = _confirmed(there)
-    if found is None:
-        raise InputError(f"{given.name}: the point has roots that cannot be computed with exactly")
-    return found
+    result = _first_confirmed(there)
+    if result is None:
+        raise InputError(
+            f"{distribution.name}: the point has roots that cannot be computed with exactly"
+        )
+    return result
 
 
-def _confirmed(trial: Callable[[Numbers], Filtration | None]) -> Filtration | None:
-    """What is found modulo a prime; with rational numbers where that is the same."""
-    found: Filtration | None = None
+def _first_confirmed(trial: Callable[[Numbers], Filtration | None]) -> Filtration | None:
+    """A result modulo a prime; the rational one if both agree."""
+    result: Filtration | None = None
     for prime in PRIMES:
-        found = found or trial(Modular(prime))
+        result = result or trial(Modular(prime))
     for _ in range(RATIONAL_ATTEMPTS):
-        exact = trial(Rational()) if found else None
-        if found and exact and exact.growth == found.growth:
+        exact = trial(Rational()) if result else None
+        if result and exact and exact.growth == result.growth:
             return exact
-    return found
+    return result
 
 
-def _deepened(given: Distribution, place: ExactPoint, final: int = 0) -> Filtration:
+def _filtration_reaching(
+    distribution: Distribution, place: ExactPoint, final: int = 0
+) -> Filtration:
     """The filtration by series of as high an order as it takes to reach a dimension.
 
-    What vanishes up to an order at a singular point may still count beyond it.
+    A section that vanishes up to an order at a singular point may matter beyond it.
     """
-    order, highest = START, _highest(len(given.coordinates))
+    order, highest = START, _highest(len(distribution.coordinates))
     while True:
-        found, enough = _grown(given, place, order)
-        if enough and found.final >= final:
-            return found
+        result, enough = _filtration_and_sufficiency(distribution, place, order)
+        if enough and result.final >= final:
+            return result
         if order == highest:
-            return replace(found, settled=False)
+            return replace(result, settled=False)
         order = min(2 * order, highest)
 
 
@@ -241,12 +260,12 @@ def _highest(variables: int) -> int:
     return order
 
 
-def generic(given: Distribution, free: Sequence[sp.Symbol] = ()) -> Filtration:
-    """The growth at a generic point, and a rational one where it is the same if one is found.
+def generic(distribution: Distribution, free: Sequence[sp.Symbol] = ()) -> Filtration:
+    """The growth at a generic point, a rational one if one with this growth is found.
 
     Parameters
     ----------
-    given : Distribution
+    distribution : Distribution
     free : sequence of Symbol
         Parameters for which any value is taken instead of their own.
 
@@ -256,22 +275,22 @@ def generic(given: Distribution, free: Sequence[sp.Symbol] = ()) -> Filtration:
         If no point was found at all.
     """
     dice = random.Random(SEED)
-    space = given.space(free)
-    found = _confirmed(lambda numbers: _at_random(given, space, numbers, dice))
-    if found is None:
+    space = distribution.space(free)
+    result = _first_confirmed(lambda numbers: _at_random_point(distribution, space, numbers, dice))
+    if result is None:
         raise InputError(
-            f"{given.name}: no point was found at which the relations and position constraints "
-            "hold and the constraints are independent"
+            f"{distribution.name}: no point was found at which the relations and position "
+            "constraints hold and the constraints are independent"
         )
-    return found
+    return result
 
 
-def _at_random(
-    given: Distribution, space: Any, numbers: Numbers, dice: random.Random
+def _at_random_point(
+    distribution: Distribution, space: ConfigurationSpace, numbers: Numbers, dice: random.Random
 ) -> Filtration | None:
     for _ in range(RATIONAL_ATTEMPTS if numbers.exact else ATTEMPTS):
         try:
-            return _deepened(given, random_point(space, numbers, dice))
+            return _filtration_reaching(distribution, random_point(space, numbers, dice))
         except NoPointError:
             return None
         except (IrrationalError, SingularError, ZeroDivisionError):
@@ -280,9 +299,11 @@ def _at_random(
 
 
 def growth(
-    fields: Sequence[VectorField], coordinates: Sequence[sp.Symbol], point: Mapping[sp.Symbol, Any]
+    fields: Sequence[VectorField],
+    coordinates: Sequence[sp.Symbol],
+    point: Mapping[sp.Symbol, ParameterValue],
 ) -> tuple[int, ...]:
-    """Dimensions of the span of fields, with their commutators, with those of these, and so on.
+    """Dimensions of the spans of fields and of their iterated commutators.
 
     Parameters
     ----------
@@ -299,5 +320,5 @@ def growth(
     """
     own = set(coordinates)
     constants = {s: v for s, v in point.items() if s not in own}
-    given = distribution_spanned_by("fields", fields, coordinates, constants=constants)
-    return filtration(given, {s: v for s, v in point.items() if s in own}).growth
+    distribution = distribution_spanned_by("fields", fields, coordinates, constants=constants)
+    return filtration(distribution, {s: v for s, v in point.items() if s in own}).growth

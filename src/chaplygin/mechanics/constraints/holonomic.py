@@ -1,9 +1,9 @@
-"""Functions that are constant along all admissible motions: the holonomic part of constraints.
+"""Functions that are constant along all admissible motions.
 
 Such a function F(q) is sought as a combination of monomials in the coordinates, the definitions,
 sines and cosines, and, if that is not enough, inverses and logarithms.  η_s(F) = 0 at sufficiently
-many points modulo a prime is a linear system for the coefficients.  What is found is verified
-identically, as a formula.
+many points modulo a prime is a linear system for the coefficients.  Each solution is then
+verified as an identity.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from sympy.core.function import AppliedUndef
 
 from ...formulas.expansion import angles
 from ...formulas.taylor import PRIMES, IrrationalError, Modular
-from .distribution import Distribution, along
+from .distribution import Distribution, lie_derivative
 from .exact_points import NoPointError, random_point
 from .growth import SEED
 from .vector_field_series import SingularError, Values, slopes, values_at
@@ -52,18 +52,21 @@ class Constancy:
     proven: bool
 
 
-def constant_along(given: Distribution, function: sp.Expr) -> bool:
-    """Whether a function is constant along the admissible motions, decided as an identity."""
-    return all(vanishes(rate, given.relations, given.steps) for rate in _rates(given, function))
+def constant_along(distribution: Distribution, function: sp.Expr) -> bool:
+    """Whether a function is proven constant along all admissible motions."""
+    return all(
+        vanishes(rate, distribution.relations, distribution.steps)
+        for rate in _rates(distribution, function)
+    )
 
 
-def _rates(given: Distribution, function: sp.Expr) -> Iterator[sp.Expr]:
+def _rates(distribution: Distribution, function: sp.Expr) -> Iterator[sp.Expr]:
     """η_s(F), the definitions being differentiated as what they stand for."""
-    for field in given.fields:
-        total = along(field, function)
+    for field in distribution.fields:
+        total = lie_derivative(field, function)
         known: dict[sp.Symbol, sp.Expr] = {}
-        for symbol, value in given.steps:
-            rate = along(field, value) + sum(
+        for symbol, value in distribution.steps:
+            rate = lie_derivative(field, value) + sum(
                 (sp.diff(value, s) * r for s, r in known.items()), sp.S.Zero
             )
             if rate != 0:
@@ -73,66 +76,66 @@ def _rates(given: Distribution, function: sp.Expr) -> Iterator[sp.Expr]:
 
 
 def constants(
-    given: Distribution, many: int, free: Sequence[sp.Symbol] = ()
+    distribution: Distribution, many: int, free: Sequence[sp.Symbol] = ()
 ) -> tuple[Constancy, ...]:
     """Independent functions that are constant along all admissible motions.
 
     Parameters
     ----------
-    given : Distribution
+    distribution : Distribution
     many : int
         How many there are, as from the growth; fewer may be found.
     free : sequence of Symbol
         Parameters that the functions may contain, and for all values of which they are constant.
     """
     chosen: tuple[Constancy, ...] = ()
-    narrow = _Search(given, free, wide=False)
+    narrow = _Search(distribution, free, wide=False)
     for degree, wide in STAGES:
         if len(chosen) == many:
             break
-        search = _Search(given, free, wide=True) if wide else narrow
+        search = _Search(distribution, free, wide=True) if wide else narrow
         if search.count(degree) <= MONOMIALS:
-            chosen = search.found(degree, many, chosen)
+            chosen = search.extended(degree, many, chosen)
     return chosen
 
 
 class _Search:
     """Monomials in some letters, and points at which they are evaluated."""
 
-    def __init__(self, given: Distribution, free: Sequence[sp.Symbol], wide: bool) -> None:
-        self.given, self.free = given, tuple(free)
-        written = {s for f in given.formulas for s in f.free_symbols}
-        letters: list[sp.Expr] = [*given.coordinates, *(s for s in free if s in written)]
-        letters += _named(given)
-        for core, n in angles(given.formulas, dict(given.steps)).items():
-            if core.free_symbols & set(given.coordinates):
+    def __init__(self, distribution: Distribution, free: Sequence[sp.Symbol], wide: bool) -> None:
+        self.distribution, self.free = distribution, tuple(free)
+        written = {s for f in distribution.formulas for s in f.free_symbols}
+        letters: list[sp.Expr] = [*distribution.coordinates, *(s for s in free if s in written)]
+        letters += _named_letters(distribution)
+        for core, n in angles(distribution.formulas, dict(distribution.steps)).items():
+            if core.free_symbols & set(distribution.coordinates):
                 letters += [sp.sin(core / n), sp.cos(core / n)]
-        everything = (*given.formulas, *(value for _, value in given.steps))
+        everything = (*distribution.formulas, *(value for _, value in distribution.steps))
         functions = {n for f in everything for n in f.atoms(sp.exp, AppliedUndef)}
         functions |= {n.expr for f in everything for n in f.atoms(sp.Derivative)}
         letters += sorted(functions, key=str)
         if wide:
-            own = set(given.coordinates)
+            own = set(distribution.coordinates)
             plain = [s for s in letters if s.free_symbols & own]
-            plain += _factors(given)
+            plain += _factors(distribution)
             letters += [f for s in plain for f in (1 / s, sp.log(s))] + _arcs(plain, own)
         self.letters = tuple(letters)
         self.numbers = Modular(PRIMES[1])
-        self.space = given.space(self.free, self.letters)
+        self.space = distribution.space(self.free, self.letters)
         self.dice = random.Random(SEED)
         self.known: list[Values] = []
 
     def count(self, degree: int) -> int:
-        """How many monomials there are."""
+        """The number of monomials."""
         return len(self._monomials(degree))
 
     def _monomials(self, degree: int) -> list[tuple[int, ...]]:
         """Monomials as letters by number, from the most complex to the simplest; not 1."""
-        found = []
+        monomials = []
         for d in range(degree, 0, -1):
             level = combinations_with_replacement(range(len(self.letters)), d)
-            found += [m for m in reversed(list(level)) if self._sensible(m)]
-        return found
+            monomials += [m for m in reversed(list(level)) if self._sensible(m)]
+        return monomials
 
     def _sensible(self, monomial: tuple[int, ...]) -> bool:
         names = {self.letters[i] for i in monomial}
@@ -141,21 +144,23 @@ class _Search:
 
     def points(self, many: int) -> list[Values]:
         """Values and rates of the letters at generic points."""
-        found, failures = self.known, 0
-        while len(found) < many:
+        points, failures = self.known, 0
+        while len(points) < many:
             try:
                 place = random_point(self.space, self.numbers, self.dice)
-                found.append(values_at(self.given, place, self.space, self.letters))
+                points.append(values_at(self.distribution, place, self.space, self.letters))
             except (NoPointError, IrrationalError, SingularError, ZeroDivisionError):
                 failures += 1
                 if failures > 4 * many:
                     return []
-        return found[:many]
+        return points[:many]
 
-    def found(self, degree: int, many: int, chosen: tuple[Constancy, ...]) -> tuple[Constancy, ...]:
+    def extended(
+        self, degree: int, many: int, chosen: tuple[Constancy, ...]
+    ) -> tuple[Constancy, ...]:
         """The functions chosen already, and more of them."""
         monomials = self._monomials(degree)
-        width = max(1, len(self.given.fields))
+        width = max(1, len(self.distribution.fields))
         points = self.points((len(monomials) + SPARE) // width + 2)
         if not points:
             return chosen
@@ -182,7 +187,7 @@ class _Search:
             formula = self._formula(vector, monomials)
             if grown > rank and formula is not None:
                 span, rank = [*span, row], grown
-                chosen += (Constancy(formula, constant_along(self.given, formula)),)
+                chosen += (Constancy(formula, constant_along(self.distribution, formula)),)
         return chosen
 
     def _formula(
@@ -205,37 +210,37 @@ class _Search:
         return sp.Add(*(sign * term / content for term in terms))
 
 
-def _named(given: Distribution) -> list[sp.Symbol]:
-    """Definitions that the constraints use themselves, and those that are rates of coordinates."""
-    used = {s for row in given.forms for entry in row for s in entry.free_symbols}
-    used |= {v for field in given.frame for v in field.values()}
-    constant = {s for s, _ in given.constants}
-    return [s for s, v in given.steps if s in used and v.free_symbols - constant]
+def _named_letters(distribution: Distribution) -> list[sp.Symbol]:
+    """Definitions that the constraints or the rates of coordinates consist of."""
+    used = {s for row in distribution.forms for entry in row for s in entry.free_symbols}
+    used |= {v for field in distribution.frame for v in field.values()}
+    constant = {s for s, _ in distribution.constants}
+    return [s for s, v in distribution.steps if s in used and v.free_symbols - constant]
 
 
-def _factors(given: Distribution) -> list[sp.Expr]:
-    """Polynomials of several terms that divide coefficients of the constraints, or their poles."""
-    own = set(given.coordinates)
-    found: set[sp.Expr] = set()
-    for entry in {entry for row in given.forms for entry in row}:
+def _factors(distribution: Distribution) -> list[sp.Expr]:
+    """Polynomial factors of numerators and denominators in the constraints."""
+    own = set(distribution.coordinates)
+    factors: set[sp.Expr] = set()
+    for entry in {entry for row in distribution.forms for entry in row}:
         for part in sp.fraction(sp.together(entry)):
             if part.is_polynomial(*part.free_symbols) and part.free_symbols & own:
-                found |= {f for f, _ in sp.factor_list(part)[1] if f.is_Add}
-    return sorted((f for f in found if f.free_symbols & own), key=str)
+                factors |= {f for f, _ in sp.factor_list(part)[1] if f.is_Add}
+    return sorted((f for f in factors if f.free_symbols & own), key=str)
 
 
 def _arcs(factors: Sequence[sp.Expr], own: set[sp.Symbol]) -> list[sp.Expr]:
-    """The angles whose derivatives have such a polynomial as denominator, as x/y for x² + y²."""
-    found = []
+    """Arctangents with such denominators in their derivatives: x/y for x² + y²."""
+    arcs = []
     for factor in factors:
         for s in sorted(factor.free_symbols & own, key=str):
             if factor.is_Add and sp.degree(factor, s) == 2:
                 a, b, c = sp.Poly(factor, s).all_coeffs()
                 root = sp.sqrt(sp.factor(4 * a * c - b**2)).replace(sp.Abs, lambda x: x)
                 if root.is_polynomial(*own) and not root.has(sp.I):
-                    found.append(sp.atan((2 * a * s + b) / root))
+                    arcs.append(sp.atan((2 * a * s + b) / root))
                     break
-    return found
+    return arcs
 
 
 def _rate(monomial: Sequence[int], letters: Sequence[Any], rates: Sequence[Any]) -> Any:

@@ -1,4 +1,4 @@
-"""What constraints on velocities say of places: holonomic, nonholonomic, or in between (§2.1).
+"""Whether constraints on velocities are holonomic (§2.1).
 
 The admissible fields span, together with all their commutators, a space of some dimension.  If
 it is that of the configuration space, any two configurations can be joined by an admissible
@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
-from typing import Any, Literal
+from typing import Literal
 
 import sympy as sp
 
@@ -22,7 +22,7 @@ from ...errors import InputError
 from ..lagrangian.mechanism import TIME, Mechanism
 from ..lagrangian.structure_functions import structure, written_frame
 from .distribution import Distribution, distribution
-from .exact_points import UnsolvedError
+from .exact_points import ParameterValue, UnsolvedError
 from .frobenius import involutive
 from .growth import Filtration, filtration, generic
 from .holonomic import Constancy, constants
@@ -83,12 +83,12 @@ class Nonholonomy:
 
     @property
     def holonomic(self) -> int:
-        """How many independent holonomic constraints there are."""
+        """The number of independent holonomic constraints."""
         return self.dimension - self.growth[-1]
 
     @property
     def constraints(self) -> int:
-        """How many independent constraints there are."""
+        """The number of independent constraints."""
         return self.dimension - self.rank
 
     def __repr__(self) -> str:
@@ -100,7 +100,7 @@ class Nonholonomy:
 
 @arguments_checked
 def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
-    """Tell whether constraints are holonomic, nonholonomic or in between, and find their integrals.
+    """Decide whether constraints are holonomic, and find their integrals.
 
     Parameters
     ----------
@@ -128,41 +128,41 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
     >>> ch.nonholonomy(particle).verdict, ch.nonholonomy(particle).growth
     ('completely nonholonomic', (2, 3))
     """
-    given = _given(mechanism)
-    symbols = [s for s, _ in given.constants]
+    admissible = _spanning_distribution(mechanism)
+    symbols = [s for s, _ in admissible.constants]
     almost = False
     try:
-        here = generic(given)
+        here = generic(admissible)
     except UnsolvedError:
         # a relation may be solved for a parameter where it cannot be for a coordinate
-        here, almost = generic(given, symbols), True
-    _check_time(given, here, symbols if almost else ())
-    everywhere = generic(given, symbols) if symbols and not almost else here
+        here, almost = generic(admissible, symbols), True
+    _check_time(admissible, here, symbols if almost else ())
+    everywhere = generic(admissible, symbols) if symbols and not almost else here
     special = everywhere.growth != here.growth
     missing = here.dimension - here.final
-    found = () if special else constants(given, missing, symbols)
-    if len(found) < missing and symbols and not almost:
-        found = max(found, constants(given.fixed, missing), key=len)
-    certain = missing == 0 or (len(found) == missing and all(f.proven for f in found))
+    integrals = () if special else constants(admissible, missing, symbols)
+    if len(integrals) < missing and symbols and not almost:
+        integrals = max(integrals, constants(admissible.fixed, missing), key=len)
+    certain = missing == 0 or (len(integrals) == missing and all(f.proven for f in integrals))
     if not certain and not almost and _word(here) == "holonomic":
-        certain = involutive(given.fixed)
+        certain = involutive(admissible.fixed)
     return Nonholonomy(
-        given.name,
+        admissible.name,
         _word(here),
         certain,
         here.dimension,
         here.rank,
         here.growth,
         here.words,
-        found,
+        integrals,
         here.point,
         everywhere.growth if special else (),
-        TIME in given.coordinates,
+        TIME in admissible.coordinates,
         almost,
     )
 
 
-def _given(mechanism: Mechanism | Distribution) -> Distribution:
+def _spanning_distribution(mechanism: Mechanism | Distribution) -> Distribution:
     """The admissible motions, of a frame that spans the configuration space."""
     if isinstance(mechanism, Distribution):
         return mechanism
@@ -170,123 +170,124 @@ def _given(mechanism: Mechanism | Distribution) -> Distribution:
     return distribution(mechanism)
 
 
-def _check_time(given: Distribution, here: Filtration, free: Sequence[sp.Symbol]) -> None:
-    """Refuse affine constraints that no velocity satisfies: they admit no motion in time."""
-    if TIME not in given.coordinates:
+def _check_time(admissible: Distribution, here: Filtration, free: Sequence[sp.Symbol]) -> None:
+    """Refuse affine constraints that no velocity satisfies."""
+    if TIME not in admissible.coordinates:
         return
-    still = tuple(sp.S.One if field.get(TIME) == 1 else sp.S.Zero for field in given.frame)
-    if generic(replace(given, forms=(*given.forms, still)), free).rank == here.rank:
+    still = tuple(sp.S.One if field.get(TIME) == 1 else sp.S.Zero for field in admissible.frame)
+    if generic(replace(admissible, forms=(*admissible.forms, still)), free).rank == here.rank:
         raise InputError(
-            f"{given.name}: the constraints contradict each other; no velocity satisfies all of "
-            "them at a generic configuration"
+            f"{admissible.name}: the constraints contradict each other; no velocity satisfies all "
+            "of them at a generic configuration"
         )
 
 
 def nonholonomy_at(
-    mechanism: Mechanism | Distribution, point: Mapping[sp.Symbol, Any]
+    mechanism: Mechanism | Distribution, point: Mapping[sp.Symbol, ParameterValue]
 ) -> Filtration:
     """The growth at a point, which may be singular; see :func:`~.growth.filtration`."""
-    given = _given(mechanism)
-    return filtration(given, point)
+    admissible = _spanning_distribution(mechanism)
+    return filtration(admissible, point)
 
 
-def _word(found: Filtration) -> Word:
-    if found.rank == found.dimension:
+def _word(growth: Filtration) -> Word:
+    if growth.rank == growth.dimension:
         return "free"
-    if found.final == found.dimension:
+    if growth.final == growth.dimension:
         return "completely nonholonomic"
-    return "holonomic" if found.final == found.rank else "in between"
+    return "holonomic" if growth.final == growth.rank else "in between"
 
 
-def _sentences(found: Nonholonomy) -> list[str]:
-    where = "space of time and configuration" if found.timed else "configuration space"
-    known = "time and configuration" if found.timed else "the configuration"
-    if found.verdict == "free":
+def _sentences(verdict: Nonholonomy) -> list[str]:
+    where = "space of time and configuration" if verdict.timed else "configuration space"
+    known = "time and configuration" if verdict.timed else "the configuration"
+    if verdict.verdict == "free":
         return [
             "There are no constraints on the velocities besides those that keep the "
-            f"{found.dimension}-dimensional configuration space."
+            f"{verdict.dimension}-dimensional configuration space."
         ]
     sentences = [
-        f"{_counted(found.constraints, 'constraint')} on {found.dimension} velocities "
-        f"{'leaves' if found.constraints == 1 else 'leave'} {found.rank}; with their commutators "
-        f"the admissible fields span {_listed(found.growth)} dimensions of the {where}."
+        f"{_count_text(verdict.constraints, 'constraint')} on {verdict.dimension} velocities "
+        f"{'leaves' if verdict.constraints == 1 else 'leave'} {verdict.rank}; with their "
+        f"commutators the admissible fields span {_list_text(verdict.growth)} "
+        f"dimensions of the {where}."
     ]
-    if found.verdict == "completely nonholonomic":
+    if verdict.verdict == "completely nonholonomic":
         sentences.append(
             f"The constraints are completely nonholonomic: no function of {known} is constant "
             "along all admissible motions."
         )
-    elif found.verdict == "holonomic":
+    elif verdict.verdict == "holonomic":
         sentences.append(
             f"The constraints are holonomic: they confine the configuration to surfaces of "
-            f"dimension {found.rank}."
+            f"dimension {verdict.rank}."
         )
     else:
         sentences.append(
-            f"The constraints are nonholonomic, but {found.holonomic} of them "
-            f"{'is' if found.holonomic == 1 else 'are'} holonomic in effect."
+            f"The constraints are nonholonomic, but {verdict.holonomic} of them "
+            f"{'is' if verdict.holonomic == 1 else 'are'} holonomic in effect."
         )
-    if found.almost:
+    if verdict.almost:
         sentences.append("(For almost all values of the parameters; these were not tried.)")
-    return [*sentences, *_integrals(found), *_elsewhere(found)]
+    return [*sentences, *_integrals(verdict), *_elsewhere(verdict)]
 
 
-def _integrals(found: Nonholonomy) -> list[str]:
-    if not found.holonomic:
+def _integrals(verdict: Nonholonomy) -> list[str]:
+    if not verdict.holonomic:
         return []
     sentences = []
-    if found.integrals:
-        formulas = ", ".join(f"{_text(f.formula)} = const" for f in found.integrals)
+    if verdict.integrals:
+        formulas = ", ".join(f"{_text(f.formula)} = const" for f in verdict.integrals)
         sentences.append(f"Constant along every admissible motion: {formulas}.")
-    lacking = found.holonomic - len(found.integrals)
+    lacking = verdict.holonomic - len(verdict.integrals)
     if lacking:
         sentences.append(
-            f"{_counted(lacking, 'further function' if found.integrals else 'function')} of this "
-            f"kind {'exists' if lacking == 1 else 'exist'} locally; no formula was found."
+            f"{_count_text(lacking, 'further function' if verdict.integrals else 'function')} of "
+            f"this kind {'exists' if lacking == 1 else 'exist'} locally; no formula was found."
         )
-    if not found.proven:
+    if not verdict.proven:
         sentences.append(
             "(That the dimension is not greater was computed at random points, not proven.)"
         )
     return sentences
 
 
-def _elsewhere(found: Nonholonomy) -> list[str]:
-    if not found.elsewhere:
+def _elsewhere(verdict: Nonholonomy) -> list[str]:
+    if not verdict.elsewhere:
         return []
     return [
         "This holds for the present values of the parameters only: for almost all others the "
-        f"dimensions are {_listed(found.elsewhere)}."
+        f"dimensions are {_list_text(verdict.elsewhere)}."
     ]
 
 
-def _counted(number: int, noun: str) -> str:
+def _count_text(number: int, noun: str) -> str:
     return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
-def _listed(numbers: Sequence[int]) -> str:
+def _list_text(numbers: Sequence[int]) -> str:
     return ", ".join(map(str, numbers))
 
 
 def _text(formula: sp.Expr) -> str:
     from ...printing.formula import text
 
-    return text(_paired(formula))
+    return text(_with_scalar_products(formula))
 
 
-def _paired(formula: sp.Expr) -> sp.Expr:
+def _with_scalar_products(formula: sp.Expr) -> sp.Expr:
     """A formula in which sums of products of components are scalar products."""
     names = {str(s)[:-2] for s in formula.free_symbols if str(s)[-2:] in ("_1", "_2", "_3")}
-    found = sp.expand(formula)
+    expanded = sp.expand(formula)
     factors = [sp.S.One, *sorted(formula.free_symbols, key=str)]
     for left, right in combinations([Vector(name) for name in sorted(names)], 2):
         product = sp.Add(*(a * b for a, b in zip(left, right, strict=True)))
         for factor in factors:
-            number = found.coeff(factor * left.symbols[0] * right.symbols[0])
-            rest = sp.expand(found - number * factor * product)
-            if number.is_Number and _terms(rest) == _terms(found) - 3:
-                found = rest + number * factor * dot(left, right)
-    return found
+            number = expanded.coeff(factor * left.symbols[0] * right.symbols[0])
+            remainder = sp.expand(expanded - number * factor * product)
+            if number.is_Number and _terms(remainder) == _terms(expanded) - 3:
+                expanded = remainder + number * factor * dot(left, right)
+    return expanded
 
 
 def _terms(formula: sp.Expr) -> int:

@@ -1,11 +1,11 @@
 """The whole configuration behind a frame that was reduced by a symmetry group.
 
-A frame with given structure functions leaves out coordinates that are of no account.  Those of
+A frame with given structure functions leaves out coordinates on which nothing depends.  Those of
 rotations and of motions of space are put back, as direction cosines α, β, γ and the place R of
 the centre of mass, so that integrals of the constraints can be written down.
 
 On a sphere the rate of the normal γ that goes with ω holds along admissible motions alone: the
-commutators of the fields on the coordinates are not those that the structure functions tell.
+commutators of the fields on the coordinates are not those of the structure functions.
 There attitude and contact point are the configuration, and the constraints are those among the
 spins.
 """
@@ -15,7 +15,7 @@ from __future__ import annotations
 import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 
@@ -24,24 +24,22 @@ from ...errors import InputError
 from ...formulas.expansion import TaylorExpansion
 from ...formulas.taylor import PRIMES, IrrationalError, Modular, Series
 from ..lagrangian.mechanism import Frame, euclidean, rotations
-from ..lagrangian.structure_functions import structure
-from .exact_points import ConfigurationSpace, NoPointError, random_point
+from ..lagrangian.structure_functions import Coefficients, VectorField, structure
+from .exact_points import (
+    ConfigurationSpace,
+    FieldElement,
+    NoPointError,
+    ParameterValue,
+    random_point,
+)
 
-__all__ = ["Coefficients", "VectorField", "Whole", "along", "whole_configuration"]
+__all__ = ["Whole", "whole_configuration"]
 
-VectorField: TypeAlias = Mapping[sp.Symbol, sp.Expr]
-#: c_ij^k by (i, j, k), i < j.
-Coefficients: TypeAlias = Mapping[tuple[int, int, int], sp.Expr]
 Steps: TypeAlias = tuple[tuple[sp.Symbol, sp.Expr], ...]
 
 alpha, beta, gamma, zeta, place = (Vector(n) for n in ("alpha", "beta", "gamma", "zeta", "R"))
 SEED = 1911
 ATTEMPTS = 8
-
-
-def along(field: VectorField, function: sp.Expr) -> sp.Expr:
-    """A field applied to a function."""
-    return sp.Add(*(value * sp.diff(function, symbol) for symbol, value in field.items()))
 
 
 @dataclass(frozen=True)
@@ -60,7 +58,10 @@ class Whole:
 
 
 def whole_configuration(
-    frame: Frame, formulas: Sequence[sp.Expr], steps: Steps, constants: Mapping[sp.Symbol, Any]
+    frame: Frame,
+    formulas: Sequence[sp.Expr],
+    steps: Steps,
+    constants: Mapping[sp.Symbol, ParameterValue],
 ) -> Whole:
     """The whole configuration behind a frame.
 
@@ -81,55 +82,61 @@ def whole_configuration(
     """
     if frame.structure is None:
         return _whole(frame, None)
-    given = structure(frame)
-    if _full(frame, steps, constants):
+    coefficients = structure(frame)
+    if _spans_all(frame, steps, constants):
         return _whole(frame, None)
     upright = set(gamma.symbols) & set(frame.coordinates)
-    needed = _needed(frame, [*formulas, *given.values(), *upright], steps)
-    bare = _whole(frame, given, needed)
-    taken = {*constants, *dict(steps), *frame.w}
-    for extra in _extras(frame, given, bare, steps, taken):
-        if _follows(extra, given, steps, constants):
+    needed = _influential_coordinates(frame, [*formulas, *coefficients.values(), *upright], steps)
+    bare = _whole(frame, coefficients, needed)
+    used = {*constants, *dict(steps), *frame.w}
+    for extra in _extras(frame, coefficients, bare, steps, used):
+        if _has_commutators(extra, coefficients, steps, constants):
             return extra
-    if _follows(bare, given, steps, constants):
+    if _has_commutators(bare, coefficients, steps, constants):
         return bare
-    turned = _turned(frame, given, bare, taken)
-    if turned is None:
+    attitude = _attitude_configuration(frame, coefficients, bare, used)
+    if attitude is None:
         raise InputError(
             "frame: the rates of the coordinates contradict the structure functions; the "
             "commutators of the fields must be those that the structure functions tell"
         )
-    return turned
+    return attitude
 
 
-def _whole(frame: Frame, given: Coefficients | None, needed: set[sp.Symbol] | None = None) -> Whole:
-    kept = [q for q in frame.coordinates if needed is None or q in needed]
+def _whole(
+    frame: Frame, coefficients: Coefficients | None, needed: set[sp.Symbol] | None = None
+) -> Whole:
+    coordinates = [q for q in frame.coordinates if needed is None or q in needed]
     relations = [
-        r for r in frame.relations if not r.free_symbols & (set(frame.coordinates) - set(kept))
+        r
+        for r in frame.relations
+        if not r.free_symbols & (set(frame.coordinates) - set(coordinates))
     ]
     fields = tuple(
-        {q: v for q, v in frame.field(i).items() if q in kept} for i in range(len(frame.w))
+        {q: v for q, v in frame.field(i).items() if q in coordinates} for i in range(len(frame.w))
     )
-    return Whole(tuple(kept), tuple(relations), fields, given)
+    return Whole(tuple(coordinates), tuple(relations), fields, coefficients)
 
 
-def _needed(frame: Frame, formulas: Sequence[sp.Expr], steps: Steps) -> set[sp.Symbol]:
+def _influential_coordinates(
+    frame: Frame, formulas: Sequence[sp.Expr], steps: Steps
+) -> set[sp.Symbol]:
     """Coordinates on which formulas depend, with those on which their rates depend."""
     uses = {q: rate.free_symbols for q, rate in zip(frame.coordinates, frame.qdot, strict=True)}
     uses |= {s: value.free_symbols for s, value in steps}
     waiting = {s for f in formulas for s in f.free_symbols}
-    found: set[sp.Symbol] = set()
+    reached: set[sp.Symbol] = set()
     while waiting:
         symbol = waiting.pop()
-        found.add(symbol)
-        waiting |= uses.get(symbol, set()) - found
+        reached.add(symbol)
+        waiting |= uses.get(symbol, set()) - reached
         for relation in frame.relations:
             if symbol in relation.free_symbols & set(frame.coordinates):
-                waiting |= relation.free_symbols & set(frame.coordinates) - found
-    return found
+                waiting |= relation.free_symbols & set(frame.coordinates) - reached
+    return reached
 
 
-def _spin(frame: Frame, given: Coefficients) -> tuple[Vector, Vector | None] | None:
+def _spin(frame: Frame, coefficients: Coefficients) -> tuple[Vector, Vector | None] | None:
     """Angular and linear velocity, body axes, of rotations or motions in the frame.
 
     Further velocities, such as those of wheels, commute with all.
@@ -139,20 +146,20 @@ def _spin(frame: Frame, given: Coefficients) -> tuple[Vector, Vector | None] | N
     kinds += [(spin, speed) for spin in names for speed in names if spin != speed]
     for spin, speed in kinds:
         expected = rotations(spin) if speed is None else euclidean(spin, speed)
-        if structure(replace(frame, structure=expected)) == given:
+        if structure(replace(frame, structure=expected)) == coefficients:
             return spin, speed
     return None
 
 
 def _extras(
-    frame: Frame, given: Coefficients, bare: Whole, steps: Steps, taken: set[sp.Symbol]
+    frame: Frame, coefficients: Coefficients, bare: Whole, steps: Steps, used: set[sp.Symbol]
 ) -> list[Whole]:
-    """Direction cosines and the place put back; with less of them if that is all that fits."""
-    found = _spin(frame, given)
-    if found is None:
+    """Configurations with direction cosines and place, as far as they fit."""
+    velocities = _spin(frame, coefficients)
+    if velocities is None:
         return []
-    spin, speed = found
-    free = [d for d in (alpha, beta) if not set(d.symbols) & taken]
+    spin, speed = velocities
+    free = [d for d in (alpha, beta) if not set(d.symbols) & used]
     known = {*bare.coordinates, *dict(steps)}
     upright = set(gamma.symbols) <= known
     cosines = free if len(free) == 2 and set(gamma.symbols) <= set(bare.coordinates) else []
@@ -161,16 +168,16 @@ def _extras(
     if cosines:
         relations += [dot(alpha, beta), dot(alpha, gamma), dot(beta, gamma)]
     added = {s: rate for d, v in rates.items() for s, rate in zip(d.symbols, v, strict=True)}
-    if speed is not None and not set(place.symbols) & taken:
+    if speed is not None and not set(place.symbols) & used:
         axes = [*cosines, *([gamma] if upright else [])]
         for direction in axes:
             axis = (alpha, beta, gamma).index(direction)
             added[place.symbols[axis]] = to_components(dot(direction, speed))
     new = {s: rate for s, rate in added.items() if s not in bare.coordinates}
-    return [_extended(frame, bare, new, relations)] if new else []
+    return [_with_coordinates(frame, bare, new, relations)] if new else []
 
 
-def _extended(
+def _with_coordinates(
     frame: Frame, bare: Whole, new: Mapping[sp.Symbol, sp.Expr], relations: Sequence[sp.Expr]
 ) -> Whole:
     fields = []
@@ -185,13 +192,15 @@ def _extended(
     )
 
 
-def _turned(frame: Frame, given: Coefficients, bare: Whole, taken: set[sp.Symbol]) -> Whole | None:
-    """The attitude, by direction cosines in space, beside the coordinates of the contact."""
-    found = _spin(frame, given)
+def _attitude_configuration(
+    frame: Frame, coefficients: Coefficients, bare: Whole, used: set[sp.Symbol]
+) -> Whole | None:
+    """The configuration of attitude (direction cosines) and contact point."""
+    velocities = _spin(frame, coefficients)
     rows = (alpha, beta, zeta)
-    if found is None or any(set(d.symbols) & {*taken, *bare.coordinates} for d in rows):
+    if velocities is None or any(set(d.symbols) & {*used, *bare.coordinates} for d in rows):
         return None
-    spin, _ = found
+    spin, _ = velocities
     rates = {
         s: rate
         for d in rows
@@ -199,21 +208,24 @@ def _turned(frame: Frame, given: Coefficients, bare: Whole, taken: set[sp.Symbol
     }
     relations = [dot(d, d) - 1 for d in rows]
     relations += [dot(alpha, beta), dot(alpha, zeta), dot(beta, zeta)]
-    extended = _extended(frame, bare, rates, relations)
+    extended = _with_coordinates(frame, bare, rates, relations)
     return replace(extended, structure=None, admissible=True)
 
 
-def _follows(
-    whole: Whole, given: Coefficients, steps: Steps, constants: Mapping[sp.Symbol, Any]
+def _has_commutators(
+    whole: Whole,
+    coefficients: Coefficients,
+    steps: Steps,
+    constants: Mapping[sp.Symbol, ParameterValue],
 ) -> bool:
-    """Whether the commutators of the fields are those that the structure functions tell."""
-    formulas = [*(v for field in whole.fields for v in field.values()), *given.values()]
+    """Whether the fields have the commutators given by the structure functions."""
+    formulas = [*(v for field in whole.fields for v in field.values()), *coefficients.values()]
     germs = _germs(whole, formulas, steps, constants)
-    return germs is not None and _commutes(whole, given, germs)
+    return germs is not None and _commutes(whole, coefficients, germs)
 
 
-def _full(frame: Frame, steps: Steps, constants: Mapping[sp.Symbol, Any]) -> bool:
-    """Whether the fields on the coordinates span all directions, so that nothing is left out."""
+def _spans_all(frame: Frame, steps: Steps, constants: Mapping[sp.Symbol, ParameterValue]) -> bool:
+    """Whether the coordinates describe the whole configuration."""
     if len(frame.coordinates) < len(frame.w):
         return False
     whole = _whole(frame, None)
@@ -231,7 +243,10 @@ def _full(frame: Frame, steps: Steps, constants: Mapping[sp.Symbol, Any]) -> boo
 
 
 def _germs(
-    whole: Whole, formulas: Sequence[sp.Expr], steps: Steps, constants: Mapping[sp.Symbol, Any]
+    whole: Whole,
+    formulas: Sequence[sp.Expr],
+    steps: Steps,
+    constants: Mapping[sp.Symbol, ParameterValue],
 ) -> TaylorExpansion | None:
     """Series of first order about a generic point, if one is found."""
     space = ConfigurationSpace(
@@ -250,23 +265,26 @@ def _germs(
     return None
 
 
-def _commutes(whole: Whole, given: Coefficients, germs: TaylorExpansion) -> bool:
+def _commutes(whole: Whole, coefficients: Coefficients, germs: TaylorExpansion) -> bool:
     number = {q: i for i, q in enumerate(whole.coordinates)}
     fields = [{number[q]: germs.series(v) for q, v in field.items()} for field in whole.fields]
-    zero = germs.numbers.number(0)
+    zero: FieldElement = germs.numbers.number(0)
 
-    def moved(by: Mapping[int, Series], entry: Series | None) -> Any:
+    def rate(by: Mapping[int, Series], entry: Series | None) -> FieldElement:
         if entry is None:
             return zero
-        return sum((v.value * entry.derivative(q).value for q, v in by.items()), zero)
+        total: FieldElement = sum(
+            (v.value * entry.derivative(q).value for q, v in by.items()), zero
+        )
+        return total
 
     for i, first in enumerate(fields):
         for j in range(i + 1, len(fields)):
             second = fields[j]
             for q in number.values():
-                left = moved(first, second.get(q)) - moved(second, first.get(q))
+                left = rate(first, second.get(q)) - rate(second, first.get(q))
                 for k, third in enumerate(fields):
-                    c = given.get((i, j, k))
+                    c = coefficients.get((i, j, k))
                     if c is not None and q in third:
                         left = left - germs.series(sp.sympify(c)).value * third[q].value
                 if left != 0:

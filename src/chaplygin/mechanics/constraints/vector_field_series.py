@@ -1,4 +1,4 @@
-"""Sections of the bundle of velocities as Taylor series about a point, with their commutators.
+"""Sections of the bundle of velocities as Taylor series, and their commutators.
 
 A section has components along the fields of the frame where structure functions are given, and
 along the coordinates otherwise.
@@ -8,18 +8,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 
 from ...formulas.expansion import TaylorExpansion
 from ...formulas.taylor import Numbers, Series
 from .distribution import Distribution
-from .exact_points import ConfigurationSpace, ExactPoint
+from .exact_points import ConfigurationSpace, ExactPoint, FieldElement
 
 __all__ = ["Bundle", "Section", "SingularError", "Span", "Values", "slopes", "values_at"]
 
 Section: TypeAlias = list[Series]
+#: Coefficients of a series of several components, by degree, component and exponents.
+Remainder: TypeAlias = dict[tuple[int, int, tuple[int, ...]], FieldElement]
 
 
 class SingularError(ArithmeticError):
@@ -29,22 +31,22 @@ class SingularError(ArithmeticError):
 class Bundle:
     """Sections by their components, with the bracket."""
 
-    def __init__(self, given: Distribution, germs: TaylorExpansion) -> None:
+    def __init__(self, distribution: Distribution, germs: TaylorExpansion) -> None:
         self.germs = germs
         self.zero = germs.constant(germs.numbers.number(0))
         self.one = germs.constant(germs.numbers.number(1))
-        number = {s: i for i, s in enumerate(given.coordinates)}
+        number = {s: i for i, s in enumerate(distribution.coordinates)}
         self.anchor = [
-            {number[s]: germs.series(v) for s, v in field.items()} for field in given.frame
+            {number[s]: germs.series(v) for s, v in field.items()} for field in distribution.frame
         ]
-        self.forms = [[germs.series(entry) for entry in row] for row in given.forms]
-        self.width = len(given.frame)
+        self.forms = [[germs.series(entry) for entry in row] for row in distribution.forms]
+        self.width = len(distribution.frame)
         self.constants: dict[tuple[int, int, int], Series] | None = None
-        if given.structure is not None:
-            self.constants = {ijk: germs.series(v) for ijk, v in given.structure.items()}
+        if distribution.structure is not None:
+            self.constants = {ijk: germs.series(v) for ijk, v in distribution.structure.items()}
         #: Numbers divided by when the constraints are solved.
-        self.leads: list[Any] = []
-        self.size = self.width if self.constants is not None else len(given.coordinates)
+        self.leads: list[FieldElement] = []
+        self.size = self.width if self.constants is not None else len(distribution.coordinates)
 
     def admissible(self) -> list[Section]:
         """The solutions of the constraints, by components of the frame."""
@@ -63,25 +65,25 @@ class Bundle:
             pivots = [(c, pivot_eliminated(other, chosen, place[1])) for c, other in pivots]
             rows = [pivot_eliminated(other, chosen, place[1]) for other in rows]
             pivots.append((place[1], chosen))
-        taken = dict(pivots)
-        found = []
-        for free in (c for c in range(self.width) if c not in taken):
+        pivot_rows = dict(pivots)
+        sections = []
+        for free in (c for c in range(self.width) if c not in pivot_rows):
             section = [self.zero] * self.width
             section[free] = self.one
             for c, row in pivots:
                 section[c] = -row[free]
-            found.append(section)
-        return found
+            sections.append(section)
+        return sections
 
     def moved(self, section: Section) -> dict[int, Series]:
         """The rates of the coordinates along a section by components of the frame."""
-        found: dict[int, Series] = {}
+        rates: dict[int, Series] = {}
         for entry, field in zip(section, self.anchor, strict=True):
             if not entry.is_zero:
                 for q, value in field.items():
                     step = entry * value
-                    found[q] = found[q] + step if q in found else step
-        return found
+                    rates[q] = rates[q] + step if q in rates else step
+        return rates
 
     def section(self, section: Section) -> Section:
         """Components of the frame as components in which brackets are taken."""
@@ -100,7 +102,7 @@ class Bundle:
         """[u, w] = uw − wu, known up to one order less."""
         by, back = self.rates(left), self.rates(right)
         order = min(left[0].order, right[0].order) - 1
-        found = []
+        components = []
         for u, w in zip(left, right, strict=True):
             total = self.zero.cut(order)
             for rates, entry, sign in ((by, w, 1), (back, u, -1)):
@@ -110,14 +112,14 @@ class Bundle:
                     slope = entry.derivative(q)
                     if not slope.is_zero:
                         total = total + rate * slope if sign > 0 else total - rate * slope
-            found.append(total)
+            components.append(total)
         for (i, j, k), c in (self.constants or {}).items():
-            found[k] = found[k] + c * (left[i] * right[j] - left[j] * right[i])
-        return found
+            components[k] = components[k] + c * (left[i] * right[j] - left[j] * right[i])
+        return components
 
 
 def leading(rows: Sequence[Section], width: int) -> tuple[int, int] | None:
-    """Where an entry is not zero at the point; constants are preferred."""
+    """The position of an entry that is not zero at the point, a constant if possible."""
     best: tuple[int, int] | None = None
     for r, row in enumerate(rows):
         for c in range(width):
@@ -142,12 +144,12 @@ class Span:
     def __init__(self, numbers: Numbers) -> None:
         self.numbers = numbers
         self.pivots: list[tuple[int, Section]] = []
-        self.remainders: list[dict[Any, Any]] = []
+        self.remainders: list[Remainder] = []
         #: The number at the point of each new direction.
-        self.leads: list[Any] = []
+        self.leads: list[FieldElement] = []
 
     def add(self, section: Section) -> tuple[Section, bool] | None:
-        """What a section adds, and whether that is a direction; None if nothing."""
+        """The new part of a section, and whether it is a direction; None if nothing."""
         for column, pivot in self.pivots:
             section = pivot_eliminated(section, pivot, column)
         place = leading([section], len(section))
@@ -163,7 +165,7 @@ class Span:
     def _dependent(self, section: Section) -> bool:
         """Whether a remainder is a combination of earlier ones with constant coefficients."""
         order = section[0].order
-        vector: dict[Any, Any] = {}
+        vector: Remainder = {}
         for c, entry in enumerate(section):
             for part in entry.parts:
                 for powers, value in part.to_dict().items():
@@ -200,20 +202,23 @@ class Values:
     """
 
     germs: TaylorExpansion
-    letters: list[Any]
-    along: list[list[Any]]
-    gradient: list[list[Any]]
-    normals: list[list[Any]]
+    letters: list[FieldElement]
+    along: list[list[FieldElement]]
+    gradient: list[list[FieldElement]]
+    normals: list[list[FieldElement]]
 
 
-def slopes(germs: TaylorExpansion, formula: sp.Expr) -> list[Any]:
+def slopes(germs: TaylorExpansion, formula: sp.Expr) -> list[FieldElement]:
     """Derivatives by the coordinates at the point."""
     series = germs.series(formula)
     return [series.derivative(q).value for q, _ in enumerate(germs.variables)]
 
 
 def values_at(
-    given: Distribution, place: ExactPoint, space: ConfigurationSpace, letters: Sequence[sp.Expr]
+    distribution: Distribution,
+    place: ExactPoint,
+    space: ConfigurationSpace,
+    letters: Sequence[sp.Expr],
 ) -> Values:
     """Formulas at a point, with their rates along the fields of a distribution.
 
@@ -223,7 +228,7 @@ def values_at(
         If the constraints are dependent there.
     """
     germs = place.germs(space, 1)
-    bundle = Bundle(given, germs)
+    bundle = Bundle(distribution, germs)
     zero = place.numbers.number(0)
     columns = [slopes(germs, letter) for letter in letters]
     moved = [{q: v.value for q, v in bundle.moved(u).items()} for u in bundle.admissible()]
@@ -231,6 +236,6 @@ def values_at(
         germs,
         [germs.series(letter).value for letter in letters],
         [[sum((v * c[q] for q, v in by.items()), zero) for c in columns] for by in moved],
-        [[c[q] for c in columns] for q, _ in enumerate(given.coordinates)],
-        [slopes(germs, relation) for relation in given.relations],
+        [[c[q] for c in columns] for q, _ in enumerate(distribution.coordinates)],
+        [slopes(germs, relation) for relation in distribution.relations],
     )

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from ...formulas.expansion import Angles, add_angle, angles, combination, expanded
+from ...core.named_formulas import expand
+from ...formulas.expansion import Angles, add_angle, angles, combination
 
 __all__ = ["vanishes"]
 
@@ -14,14 +15,13 @@ Steps = Sequence[tuple[sp.Symbol, sp.Expr]]
 
 
 def vanishes(formula: sp.Expr, relations: Sequence[sp.Expr], steps: Steps = ()) -> bool:
-    """Whether a formula is zero wherever the relations hold; False if that is not shown.
+    """Whether a formula is shown to vanish wherever the relations hold.
 
     Roots, sines and cosines become symbols with a relation of their own; the numerator is
     divided by a Gröbner basis of the relations that share symbols with it.
     """
-    table = dict(steps)
-    whole = expanded(formula, table)
-    conditions = [expanded(r, table) for r in relations]
+    whole = expand(formula, steps)
+    conditions = [expand(r, steps) for r in relations]
     kernels = _Kernels(angles([whole, *conditions], {}))
     total = kernels.plain(whole)
     numerator = sp.numer(sp.together(total))
@@ -41,14 +41,14 @@ def vanishes(formula: sp.Expr, relations: Sequence[sp.Expr], steps: Steps = ()) 
 
 def _touching(formula: sp.Expr, relations: Sequence[sp.Expr]) -> list[sp.Expr]:
     """The relations that a formula can be reduced by."""
-    found: list[sp.Expr] = []
+    chosen: list[sp.Expr] = []
     reached = set(formula.free_symbols)
     waiting = [r for r in relations if r != 0]
     while True:
         near = [r for r in waiting if r.free_symbols <= reached or _is_root(r, reached)]
         if not near:
-            return found
-        found += near
+            return chosen
+        chosen += near
         reached = reached.union(*(r.free_symbols for r in near))
         waiting = [r for r in waiting if r not in near]
 
@@ -73,9 +73,9 @@ class _Kernels:
 
     def plain(self, formula: sp.Expr) -> sp.Expr:
         """A formula with all kernels replaced."""
-        return self._replaced(formula.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x)))
+        return self._with_symbols(formula.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x)))
 
-    def _replaced(self, formula: sp.Expr) -> sp.Expr:
+    def _with_symbols(self, formula: sp.Expr) -> sp.Expr:
         if formula.is_Atom:
             return formula
         if formula.is_Pow and formula.exp.is_Rational and not formula.exp.is_Integer:
@@ -83,14 +83,14 @@ class _Kernels:
         if isinstance(formula, (sp.sin, sp.cos)):
             return self._circular(formula)
         if formula.is_Add or formula.is_Mul or formula.is_Pow:
-            return formula.func(*(self._replaced(arg) for arg in formula.args))
+            return formula.func(*(self._with_symbols(arg) for arg in formula.args))
         return self.table.setdefault(formula, sp.Dummy("f", real=True))
 
     def _root(self, base: sp.Expr, degree: int) -> sp.Symbol:
         key = sp.Pow(base, sp.Rational(1, degree))
         if key not in self.table:
             self.table[key] = sp.Dummy("s", real=True)
-            self.relations.append(self.table[key] ** degree - self._replaced(base))
+            self.relations.append(self.table[key] ** degree - self._with_symbols(base))
         return self.table[key]
 
     def _circular(self, formula: sp.Expr) -> sp.Expr:

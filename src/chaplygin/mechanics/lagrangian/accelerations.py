@@ -1,12 +1,12 @@
-"""Accelerations and multipliers: the linear equations in ẇ and λ solved by named steps."""
+"""Accelerations and multipliers: the linear equations in ẇ and λ, solved."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from graphlib import TopologicalSorter
-from typing import Any
 
+import mpmath
 import sympy as sp
 
 from ...errors import InputError
@@ -76,7 +76,7 @@ def accelerations(parts: Balance) -> Accelerations:
     ]
     b = [tape.name(tape.short(-tape.along(parts.time, parts.constraints[i]))) for i in left]
     rates, lambdas = _with_multipliers(parts, mass, force, C, b)
-    return _numbered(parts, rates, dict(zip(left, lambdas, strict=True)), AZ, h)
+    return _numbered_names(parts, rates, dict(zip(left, lambdas, strict=True)), AZ, h)
 
 
 def _with_multipliers(
@@ -125,8 +125,8 @@ def _with_multipliers(
     return total, lambdas
 
 
-def _numbers(parts: Balance, matrix: Sequence[Sequence[sp.Expr]]) -> list[list[Any]]:
-    """A matrix at a generic configuration of the mechanism with its default parameters."""
+def _numbers(parts: Balance, matrix: Sequence[Sequence[sp.Expr]]) -> list[list[mpmath.mpf]]:
+    """A matrix at a generic configuration, with the default parameters."""
     point = parts.typical([e for row in matrix for e in row])
     return [[point.value(e) for e in row] for row in matrix]
 
@@ -136,7 +136,7 @@ def _deficient(parts: Balance, mass: Sequence[Sequence[sp.Expr]]) -> bool:
 
 
 def _refuse_negative(parts: Balance, solver: Factorisation) -> None:
-    """Refuse a kinetic energy that is negative for some motion: a pivot is negative then."""
+    """Refuse a kinetic energy that is negative for some velocity."""
     point = parts.typical(solver.pivots)
     if any(point.value(pivot) < 0 for pivot in solver.pivots):
         raise InputError(
@@ -156,14 +156,14 @@ def _refuse_singular(parts: Balance, mass: Sequence[Sequence[sp.Expr]]) -> None:
         )
 
 
-def _numbered(
+def _numbered_names(
     parts: Balance,
     rates: Sequence[sp.Expr],
     known: Mapping[int, sp.Expr],
     inertia: Sequence[Sequence[sp.Expr]],
     force: Sequence[sp.Expr],
 ) -> Accelerations:
-    """The multipliers of all constraints, those of solved velocities from their equations."""
+    """The multipliers of all constraints, including those solved for a velocity."""
     tape, w = parts.tape, parts.mechanism.frame.w
     symbols = parts.multipliers
     values = dict(known)

@@ -1,4 +1,4 @@
-"""The parts of which equations of motion are made: momenta, mass matrix, forces, constraints."""
+"""Momenta, mass matrix, forces and constraints of a mechanism."""
 
 from __future__ import annotations
 
@@ -100,10 +100,10 @@ class Balance:
         return GenericPoint({s: v for s, v in point.items() if s not in self.solved}, steps)
 
     def at_any(self, formulas: Sequence[sp.Expr]) -> tuple[GenericPoint, ...]:
-        """The generic points with velocities that keep to no constraint."""
+        """The generic points with velocities that satisfy no constraint."""
         steps = self.tape.steps(formulas)
-        held = [(s, v) for s, v in steps if s not in self.solved]
-        return tuple(GenericPoint(point.point, held) for point in self.points)
+        definitions = [(s, v) for s, v in steps if s not in self.solved]
+        return tuple(GenericPoint(point.point, definitions) for point in self.points)
 
 
 @with_working_precision
@@ -180,18 +180,18 @@ def _only(w: Sequence[sp.Symbol], index: int) -> Derivation:
 def _along_field(mechanism: Mechanism, index: int) -> Derivation:
     """E_i, with the velocities held."""
     frame = mechanism.frame
-    held = tuple((s, sp.S.Zero) for s in frame.w)
-    return Derivation((*frame.field(index).items(), *held))
+    constant = tuple((s, sp.S.Zero) for s in frame.w)
+    return Derivation((*frame.field(index).items(), *constant))
 
 
 def _symmetric(tape: Tape, rows: list[list[sp.Expr]]) -> tuple[tuple[sp.Expr, ...], ...]:
     size = len(rows)
-    found = [[sp.S.Zero] * size for _ in rows]
+    matrix = [[sp.S.Zero] * size for _ in rows]
     for i in range(size):
         for j in range(i, size):
             label = f"A_{i + 1}{j + 1}" if size < 10 else f"A_{i + 1}_{j + 1}"
-            found[i][j] = found[j][i] = tape.name(tape.short(rows[i][j]), label)
-    return tuple(map(tuple, found))
+            matrix[i][j] = matrix[j][i] = tape.name(tape.short(rows[i][j]), label)
+    return tuple(map(tuple, matrix))
 
 
 def _turning(
@@ -213,18 +213,18 @@ def _solve_velocities(
     constraints: Sequence[sp.Expr],
     slopes: Sequence[Sequence[sp.Expr]],
 ) -> dict[sp.Symbol, int]:
-    """Velocities that constraints give, defined on the tape; each depends on free ones alone."""
+    """Velocities determined by constraints, as definitions in the free ones."""
     w = mechanism.frame.w
     solved: dict[sp.Symbol, int] = {}
     for index, f in enumerate(constraints):
         for s, slope in zip(w, slopes[index], strict=True):
             if s in solved or not slope.is_Number or slope == 0:
                 continue
-            rest = f.xreplace({s: sp.S.Zero})
+            remainder = f.xreplace({s: sp.S.Zero})
             # the velocity must enter openly, not through a definition, and define itself in no way
-            if sp.diff(f, s) != slope or s in _uses(tape, rest):
+            if sp.diff(f, s) != slope or s in _uses(tape, remainder):
                 continue
-            tape.define(s, tape.short(-rest / slope))
+            tape.define(s, tape.short(-remainder / slope))
             solved[s] = index
             break
     return solved
@@ -232,7 +232,7 @@ def _solve_velocities(
 
 def _uses(tape: Tape, value: sp.Expr) -> set[sp.Symbol]:
     """All symbols on which a formula depends, through definitions."""
-    found = set(value.free_symbols)
+    symbols = set(value.free_symbols)
     for symbol, inner in tape.steps([value]):
-        found |= {symbol} | inner.free_symbols
-    return found
+        symbols |= {symbol} | inner.free_symbols
+    return symbols

@@ -1,6 +1,6 @@
-"""A mechanism on its own distribution: admissible fields and what is left of the geometry there.
+"""A mechanism restricted to its distribution of admissible velocities.
 
-Where the constraints are linear and homogeneous, admissible velocities are w = Z(q) y, and the
+If the constraints are linear and homogeneous, admissible velocities are w = Z(q) y, and the
 fields η_s = Z_is E_i of (2.2) span the distribution.  With the kinetic form g = ZᵀAZ and momenta
 P = g y the equations of motion become
 
@@ -17,8 +17,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ...core.named_formulas import expand
 from ...errors import InputError
-from ...formulas.expansion import expanded
 from ...formulas.tape import Derivation, Step
 from .assembly import Balance, balance
 from .generic_points import is_numerically_zero, rank, with_working_precision
@@ -94,11 +94,11 @@ def constraint_distribution(mechanism: Mechanism) -> Restriction:
         value = row.pop(pivot)
         if not value.is_number:
             nonzero.append(value)
-        given = {s: tape.name(tape.short(-c / value)) for s, c in row.items()}
+        dependent = {s: tape.name(tape.short(-c / value)) for s, c in row.items()}
         for table in (*Z.values(), *rows[place + 1 :]):
             share = table.pop(pivot, sp.S.Zero)
             if share != 0:
-                for s, c in given.items():
+                for s, c in dependent.items():
                     table[s] = tape.name(tape.short(table[s] + share * c))
         del free[pivot]
     left = list(free)
@@ -180,11 +180,11 @@ def _pivot(parts: Balance, row: Mapping[int, sp.Expr]) -> int:
     entries = [c for c in row.values() if c != 0]
     points = parts.at(entries)
     regular = [s for s, c in row.items() if c != 0 and rank([[points[0].value(c)]])[0]]
-    steps = dict(parts.tape.steps(entries))
+    steps = parts.tape.steps(entries)
     parameters = {p.symbol for p in parts.mechanism.parameters}
 
     def effort(s: int) -> tuple[bool, bool, int, int]:
-        fixed = not expanded(row[s], steps).free_symbols & parameters
+        fixed = not expand(row[s], steps).free_symbols & parameters
         return (not row[s].is_number, not fixed, sp.count_ops(row[s]), -s)
 
     return min(regular, key=effort)

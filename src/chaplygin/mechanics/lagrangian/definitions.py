@@ -1,4 +1,4 @@
-"""Definitions as a reader wants them: few, numbered in order, vectors in one piece."""
+"""Definitions for a reader: few, numbered in order, vectors undivided."""
 
 from __future__ import annotations
 
@@ -6,15 +6,14 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
-from typing import Any
 
 import sympy as sp
 
-from ...core.system import flat
-from ...core.vectors import constant, real_symbol, to_components
+from ...core.named_formulas import Pairs
+from ...core.system import Name, flat
+from ...core.vectors import Vector, constant, real_symbol, to_components
 from ...formulas.tape import Step
 from .assembly import Balance
-from .mechanism import Name, Pairs
 
 __all__ = ["NamedDefinitions", "name_definitions"]
 
@@ -36,16 +35,16 @@ class NamedDefinitions:
     definitions: Pairs
     table: Mapping[sp.Symbol, sp.Expr]
 
-    def __call__(self, formula: Any) -> Any:
+    def __call__(self, formula: sp.Basic) -> sp.Basic:
         """A formula in the names that are left."""
         value = to_components(formula)
         return formula if not value.free_symbols & self.table.keys() else value.xreplace(self.table)
 
 
-def name_definitions(parts: Balance, formulas: Sequence[Any]) -> NamedDefinitions:
+def name_definitions(parts: Balance, formulas: Sequence[sp.Expr]) -> NamedDefinitions:
     """The definitions on which formulas depend.
 
-    What was named on the way and is used once and short is written where it is used; the rest is
+    Short intermediate results that are used once are put where they are used; the others are
     numbered in order.  Vectors keep the form in which they were written where possible.
     """
     wanted = [to_components(f) for f in formulas]
@@ -53,19 +52,19 @@ def name_definitions(parts: Balance, formulas: Sequence[Any]) -> NamedDefinition
     uses: Counter[sp.Symbol] = Counter()
     for value in (*wanted, *(v for _, v in steps)):
         uses.update(n for n in sp.preorder_traversal(value) if n.is_Symbol)
-    given = _own(parts)
+    own = _own(parts)
     table: dict[sp.Symbol, sp.Expr] = {}
-    kept: list[Step] = []
+    remaining: list[Step] = []
     for symbol, value in steps:
         written = value.xreplace(table)
-        if symbol not in given and uses[symbol] < 2 and sp.count_ops(written) <= SHORT:
+        if symbol not in own and uses[symbol] < 2 and sp.count_ops(written) <= SHORT:
             table[symbol] = written
         else:
-            kept.append((symbol, written))
-    numbered = _numbered(parts, [s for s, _ in kept if s not in given])
-    made = [(numbered.get(s, s), value.xreplace(numbered)) for s, value in kept]
+            remaining.append((symbol, written))
+    numbered = _numbered_names(parts, [s for s, _ in remaining if s not in own])
+    definitions = [(numbered.get(s, s), value.xreplace(numbered)) for s, value in remaining]
     gone = {s: value.xreplace(numbered) for s, value in table.items()}
-    return NamedDefinitions(_grouped(parts, made), {**gone, **numbered})
+    return NamedDefinitions(_vector_definitions(parts, definitions), {**gone, **numbered})
 
 
 def _own(parts: Balance) -> set[sp.Symbol]:
@@ -74,28 +73,28 @@ def _own(parts: Balance) -> set[sp.Symbol]:
     return defined | {*parts.solved} | {*parts.multipliers}
 
 
-def _numbered(parts: Balance, symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Symbol]:
+def _numbered_names(parts: Balance, symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Symbol]:
     """z_1, z_2, … in order, past the names of the mechanism's own."""
     own = {s for s in symbols if str(s).startswith("z_")}
     mechanism = parts.mechanism
     parameters = {p.symbol for p in mechanism.parameters}
-    taken = parameters | {*mechanism.symbols} | _own(parts)
-    found: dict[sp.Symbol, sp.Symbol] = {}
+    used = parameters | {*mechanism.symbols} | _own(parts)
+    names: dict[sp.Symbol, sp.Symbol] = {}
     number = 0
     for symbol in symbols:
         if symbol in own:
             number += 1
-            while real_symbol(f"z_{number}") in taken:
+            while real_symbol(f"z_{number}") in used:
                 number += 1
-            found[symbol] = real_symbol(f"z_{number}")
-    return found
+            names[symbol] = real_symbol(f"z_{number}")
+    return names
 
 
-def _grouped(parts: Balance, steps: Sequence[Step]) -> Pairs:
-    """Scalar steps with the components of a vector put together, where their order allows it."""
+def _vector_definitions(parts: Balance, steps: Sequence[Step]) -> Pairs:
+    """Scalar steps with components joined to vectors where their order allows it."""
     mechanism = parts.mechanism
     values = dict(steps)
-    groups: dict[Name, Any] = {
+    groups: dict[Name, sp.Basic] = {
         name: formula
         for name, formula in mechanism.definitions
         if not isinstance(name, sp.Symbol) and any(s in values for s in name.symbols)
@@ -105,7 +104,7 @@ def _grouped(parts: Balance, steps: Sequence[Step]) -> Pairs:
             components = constant([values[s] for s in name.symbols])
             groups[name] = _as_written(mechanism.constraints, name, components)
     home: dict[sp.Symbol, Name] = {s: name for name in groups for s in flat((name,))}
-    graph: dict[Any, list[Any]] = {}
+    graph: dict[Name, list[Name]] = {}
     for node in dict.fromkeys(home.get(s, s) for s, _ in steps):
         formula = to_components(groups[node]) if node in groups else values[node]
         needs = dict.fromkeys(
@@ -119,14 +118,14 @@ def _grouped(parts: Balance, steps: Sequence[Step]) -> Pairs:
     return tuple((node, groups[node] if node in groups else values[node]) for node in order)
 
 
-def _as_written(constraints: Sequence[Any], name: Any, components: Any) -> Any:
-    """The vector formula of a constraint u + … = 0 solved for u, if it gives these components."""
+def _as_written(constraints: Sequence[sp.Basic], name: Vector, components: sp.Matrix) -> sp.Basic:
+    """A vector constraint u + … = 0 solved for u, if it gives these components."""
     for formula in constraints:
         if not getattr(formula, "is_Matrix", False) or name not in formula.atoms(type(name)):
             continue
         for sign in (-1, 1):
-            rest = (sign * formula + name).doit()
-            same = to_components(rest) - components
+            solution = (sign * formula + name).doit()
+            same = to_components(solution) - components
             if all(sp.expand(e) == 0 for e in same):
-                return rest
+                return solution
     return components

@@ -38,7 +38,7 @@ class EnergyTheorem:
 
 @with_working_precision
 def energy_theorem(parts: Balance) -> EnergyTheorem:
-    """Check the hypotheses of Theorem 1: no time, homogeneous constraints, no working forces."""
+    """The energy, and which hypotheses of Theorem 1 fail."""
     mechanism, tape = parts.mechanism, parts.tape
     w = mechanism.frame.w
     energy = _energy(parts)

@@ -1,7 +1,7 @@
-"""Generic points of a configuration space, and formulas evaluated there with many digits.
+"""Generic points of a configuration space, and formulas evaluated there.
 
-What is decided at such points (ranks, whether a coefficient is a constant) only chooses the form
-in which equations are written; that they are right is for a proof to say.
+Decisions at such points (ranks, whether a coefficient is a constant) only select the form in which
+equations are written; the equations themselves are proven.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import mpmath
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from ...core.named_formulas import expand
 from ...errors import InputError
 from ...formulas.multiprecision import Multiprecision
 from .mechanism import TIME, Frame, Mechanism
@@ -42,7 +43,7 @@ T = TypeVar("T")
 
 
 def with_working_precision(function: Callable[P, T]) -> Callable[P, T]:
-    """Decorate a function that computes with the numbers of samples: with all their digits."""
+    """Decorate a function so that it computes with the working precision."""
 
     @wraps(function)
     def wrapped(*args: P.args, **kwargs: P.kwargs) -> T:
@@ -64,7 +65,7 @@ class GenericPoint:
         for symbol, value in steps:
             self._values[symbol] = value_at_generic_point(value, self._values)
 
-    def value(self, formula: sp.Expr) -> Any:
+    def value(self, formula: sp.Expr) -> mpmath.mpf:
         """A formula as a number.
 
         Raises
@@ -75,19 +76,19 @@ class GenericPoint:
         return value_at_generic_point(formula, self._values)
 
     def further(self, steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> GenericPoint:
-        """The same point with further definitions."""
-        made = GenericPoint(self.point)
-        made._values = dict(self._values)
+        """The point with further definitions."""
+        point = GenericPoint(self.point)
+        point._values = dict(self._values)
         for symbol, value in steps:
-            if symbol not in made._values:
-                made._values[symbol] = value_at_generic_point(value, made._values)
-        return made
+            if symbol not in point._values:
+                point._values[symbol] = value_at_generic_point(value, point._values)
+        return point
 
 
 @with_working_precision
-def value_at_generic_point(formula: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
+def value_at_generic_point(formula: sp.Expr, values: Mapping[sp.Symbol, mpmath.mpf]) -> mpmath.mpf:
     """A formula at numbers, unspecified functions being replaced by generic ones."""
-    number = Multiprecision(values)(_specified(formula))
+    number = Multiprecision(values)(_with_generic_functions(formula))
     if isinstance(number, mpmath.mpc):
         if abs(number.imag) > ZERO:
             raise ValueError(f"{formula} is not real here")
@@ -97,7 +98,7 @@ def value_at_generic_point(formula: sp.Expr, values: Mapping[sp.Symbol, Any]) ->
     return number
 
 
-def _specified(formula: sp.Expr) -> sp.Expr:
+def _with_generic_functions(formula: sp.Expr) -> sp.Expr:
     """Unspecified functions as generic polynomials of their arguments."""
     if not formula.has(AppliedUndef):
         return formula
@@ -116,7 +117,7 @@ def _specified(formula: sp.Expr) -> sp.Expr:
 
 
 @with_working_precision
-def generic(mechanism: Mechanism) -> dict[sp.Symbol, Any]:
+def generic(mechanism: Mechanism) -> dict[sp.Symbol, mpmath.mpf]:
     """Parameters near their defaults, but of no special value."""
     dice = random.Random(SEED)
     return {
@@ -126,7 +127,7 @@ def generic(mechanism: Mechanism) -> dict[sp.Symbol, Any]:
 
 
 @with_working_precision
-def defaults(mechanism: Mechanism) -> dict[sp.Symbol, Any]:
+def defaults(mechanism: Mechanism) -> dict[sp.Symbol, mpmath.mpf]:
     """Parameters at their defaults."""
     return {p.symbol: mpmath.mpf(repr(float(p.default))) for p in mechanism.parameters}
 
@@ -139,7 +140,7 @@ def samples(
     parameters: Point | None = None,
     many: int = POINTS,
 ) -> tuple[GenericPoint, ...]:
-    """Points on the relations and position constraints, at random, with random velocities.
+    """Random points on relations and position constraints, with random velocities.
 
     Parameters are generic unless given.
 
@@ -160,7 +161,7 @@ def samples(
     used = [*frame.qdot]
     if mechanism is not None:
         used += [mechanism.L, *mechanism.f, *mechanism.Q.values()]
-    found: list[GenericPoint] = []
+    points: list[GenericPoint] = []
     for _ in range(ATTEMPTS):
         try:
             point = _on_relations(dice, frame.coordinates, relations, steps, constants)
@@ -170,16 +171,16 @@ def samples(
                 sample.value(formula)
         except (ZeroDivisionError, ValueError):
             continue
-        found.append(sample)
-        if len(found) == many:
-            return tuple(found)
+        points.append(sample)
+        if len(points) == many:
+            return tuple(points)
     raise InputError(
         f"{owner}: no configuration was found where the relations and position constraints hold "
         "and every formula has a real value"
     )
 
 
-def _number(dice: random.Random) -> Any:
+def _number(dice: random.Random) -> mpmath.mpf:
     return mpmath.mpf(dice.randint(-999, 999)) / 1000 + mpmath.mpf(1) / 7001
 
 
@@ -189,10 +190,10 @@ def _on_relations(
     relations: Sequence[sp.Expr],
     steps: Sequence[tuple[sp.Symbol, sp.Expr]],
     constants: Point,
-) -> dict[sp.Symbol, Any]:
-    """A random point moved onto the relations by Newton's method (along the shortest way)."""
+) -> dict[sp.Symbol, mpmath.mpf]:
+    """A random point moved to the nearest solution of the relations by Newton."""
     point = {**constants, TIME: _number(dice), **{q: _number(dice) for q in coordinates}}
-    written = [_written(relation, steps) for relation in relations]
+    written = [expand(relation, steps) for relation in relations]
     slopes = [[sp.diff(f, q) for q in coordinates] for f in written]
     for _ in range(NEWTON_STEPS if relations else 0):
         values = mpmath.matrix([value_at_generic_point(f, point) for f in written])
@@ -214,12 +215,6 @@ def _on_relations(
     return point
 
 
-def _written(formula: sp.Expr, steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp.Expr:
-    for symbol, value in reversed(steps):
-        formula = formula.xreplace({symbol: value})
-    return formula
-
-
 @with_working_precision
 def is_numerically_zero(formula: sp.Expr, points: Iterable[GenericPoint]) -> bool:
     """Whether a formula vanishes at all points, to the digits carried."""
@@ -229,8 +224,8 @@ def is_numerically_zero(formula: sp.Expr, points: Iterable[GenericPoint]) -> boo
 
 
 @with_working_precision
-def rank(rows: Sequence[Sequence[Any]]) -> tuple[list[int], list[int]]:
-    """Rows and columns of a largest regular part of a matrix of numbers, the first rows first."""
+def rank(rows: Sequence[Sequence[mpmath.mpf]]) -> tuple[list[int], list[int]]:
+    """Rows and columns of a largest regular minor, the first rows preferred."""
     left = [list(row) for row in rows]
     chosen: list[int] = []
     columns: list[int] = []

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import mpmath
 import sympy as sp
@@ -66,7 +65,7 @@ def check_velocities(
     constraints: Sequence[sp.Expr],
     slopes: Sequence[Sequence[sp.Expr]],
 ) -> None:
-    """Refuse constraints that no velocity satisfies, or that are singular where they hold.
+    """Refuse constraints without solutions, or singular at their solutions.
 
     Linear ones have been checked before.
 
@@ -79,11 +78,11 @@ def check_velocities(
     if not any(set(w) & e.free_symbols for row in slopes for e in (*row, *(v for _, v in steps))):
         return
     for point in points:
-        found = _satisfied(point, w, steps, constraints, slopes)
-        if found is None:
+        state = _admissible_velocities(point, w, steps, constraints, slopes)
+        if state is None:
             continue
         for index, row in enumerate(slopes):
-            if all(abs(found.value(e)) < FLAT for e in row):
+            if all(abs(state.value(e)) < FLAT for e in row):
                 raise InputError(
                     f"{mechanism.name}: {_words(mechanism, index)} is singular where it holds: its "
                     "derivatives by the velocities vanish there; write it without the power"
@@ -95,14 +94,14 @@ def check_velocities(
     )
 
 
-def _satisfied(
+def _admissible_velocities(
     point: GenericPoint,
     w: Sequence[sp.Symbol],
     steps: Sequence[Step],
     constraints: Sequence[sp.Expr],
     slopes: Sequence[Sequence[sp.Expr]],
 ) -> GenericPoint | None:
-    """Velocities at a configuration that keep to the constraints, by Newton's method."""
+    """Velocities at a configuration that satisfy the constraints, by Newton."""
     place = dict(point.point)
     for _ in range(NEWTON_STEPS):
         here = GenericPoint(place, steps)
@@ -130,10 +129,10 @@ def _words(mechanism: Mechanism, index: int) -> str:
 def _contradicts(
     point: GenericPoint,
     constraints: Sequence[sp.Expr],
-    rows: Sequence[Sequence[Any]],
+    rows: Sequence[Sequence[mpmath.mpf]],
     mechanism: Mechanism,
 ) -> bool:
-    """Whether the equations C w = C w₀ − f(w₀), linear at the point w₀, have no solution."""
+    """Whether the equations linearised at w₀, C w = C w₀ − f(w₀), are inconsistent."""
     w0 = [point.point[s] for s in mechanism.frame.w]
     extended = [
         [*row, sum(c * x for c, x in zip(row, w0, strict=True)) - point.value(f)]

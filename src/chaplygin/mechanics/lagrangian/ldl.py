@@ -1,4 +1,4 @@
-"""Linear equations solved symbolically by named steps: A = L D Lᵀ without expansion."""
+"""Linear equations solved symbolically by A = L D Lᵀ, with named steps."""
 
 from __future__ import annotations
 
@@ -37,40 +37,44 @@ class Factorisation:
         size = len(matrix)
         self._tape = tape
         self._order = _sparse_first(matrix)
-        rest = [[matrix[i][j] for j in self._order] for i in self._order]
+        remainder = [[matrix[i][j] for j in self._order] for i in self._order]
         self.pivots: list[sp.Expr] = []
         self._lower = [[sp.S.Zero] * size for _ in range(size)]
         for k in range(size):
-            pivot = tape.name(tape.short(rest[k][k]))
+            pivot = tape.name(tape.short(remainder[k][k]))
             if pivot == 0:
                 raise ZeroDivisionError
             self.pivots.append(pivot)
             for i in range(k + 1, size):
-                if rest[i][k] != 0:
-                    self._lower[i][k] = tape.name(tape.short(rest[i][k] / pivot))
+                if remainder[i][k] != 0:
+                    self._lower[i][k] = tape.name(tape.short(remainder[i][k] / pivot))
             for i in range(k + 1, size):
                 for j in range(k + 1, i + 1):
-                    if self._lower[i][k] != 0 and rest[j][k] != 0:
-                        change = self._lower[i][k] * rest[j][k]
-                        rest[i][j] = rest[j][i] = tape.name(tape.short(rest[i][j] - change))
+                    if self._lower[i][k] != 0 and remainder[j][k] != 0:
+                        change = self._lower[i][k] * remainder[j][k]
+                        remainder[i][j] = remainder[j][i] = tape.name(
+                            tape.short(remainder[i][j] - change)
+                        )
 
     def solve(self, right: Sequence[sp.Expr]) -> list[sp.Expr]:
         """The solution x of A x = b."""
         size = len(right)
         lower, tape = self._lower, self._tape
-        found = [right[i] for i in self._order]
+        solution = [right[i] for i in self._order]
         for i in range(size):
-            found[i] = tape.name(tape.short(found[i] - product(lower[i][:i], found[:i])))
-        found = [tape.name(tape.short(x / d)) for x, d in zip(found, self.pivots, strict=True)]
+            solution[i] = tape.name(tape.short(solution[i] - product(lower[i][:i], solution[:i])))
+        solution = [
+            tape.name(tape.short(x / d)) for x, d in zip(solution, self.pivots, strict=True)
+        ]
         for i in reversed(range(size)):
             above = [lower[k][i] for k in range(i + 1, size)]
-            found[i] = tape.name(tape.short(found[i] - product(above, found[i + 1 :])))
-        back = dict(zip(self._order, found, strict=True))
+            solution[i] = tape.name(tape.short(solution[i] - product(above, solution[i + 1 :])))
+        back = dict(zip(self._order, solution, strict=True))
         return [back[i] for i in range(size)]
 
 
 def _sparse_first(matrix: Sequence[Sequence[sp.Expr]]) -> list[int]:
-    """An order of elimination that keeps zeros: the row with the fewest entries goes next."""
+    """An order of elimination that preserves zeros: the sparsest row goes next."""
     left = set(range(len(matrix)))
     links = {i: {j for j in left if j != i and matrix[i][j] != 0} for i in left}
     order = []

@@ -1,4 +1,4 @@
-"""Mechanical systems from first principles: coordinates, a frame, a Lagrangian, constraints (§1).
+"""Mechanisms: coordinates, a frame, a Lagrangian and constraints (§1).
 
 A frame of vector fields E_i on the configuration space, (1.7), gives every velocity by its
 components w_i, the quasi-velocities: q̇ = G(q) w.  A `Mechanism` adds the Lagrangian in q and w,
@@ -15,42 +15,39 @@ of no account.  The fields on the coordinates are then dependent, and the struct
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 
 from ...arguments import Declared, Formula, arguments_checked
 from ...core.laws import Law
-from ...core.system import Guard, Observable, Parameter, flat, flat_pairs, unknown_names
+from ...core.named_formulas import Pairs, as_pairs, expand
+from ...core.system import Guard, Name, Observable, Parameter, flat, flat_pairs, unknown_names
 from ...core.vectors import Vector, cross, real_symbol, to_components, unit_vector
 from ...errors import InputError
 
 __all__ = ["TIME", "Frame", "Mechanism", "Structure", "coordinates", "euclidean", "rotations"]
 
-Name: TypeAlias = Vector | sp.Symbol
-Pairs: TypeAlias = tuple[tuple[Any, Any], ...]
 #: c_ij^k by the velocities (w_i, w_j), then by w_k; what is not named is zero or follows by
 #: antisymmetry.
 Structure: TypeAlias = tuple[tuple[tuple[sp.Symbol, sp.Symbol], Pairs], ...]
+
+StructureConstants: TypeAlias = dict[tuple[sp.Symbol, sp.Symbol], dict[sp.Symbol, sp.Expr]]
 
 TIME = real_symbol("t")
 """The time, for Lagrangians and constraints that depend on it."""
 
 
-def components(formulas: Iterable[Any]) -> tuple[sp.Expr, ...]:
+def components(formulas: Iterable[sp.Basic]) -> tuple[sp.Expr, ...]:
     """Scalar and vector formulas as scalars, in order."""
-    found: list[sp.Expr] = []
+    scalars: list[sp.Expr] = []
     for formula in formulas:
         value = to_components(sp.sympify(formula))
-        found.extend(value if isinstance(value, sp.MatrixBase) else [value])
-    return tuple(found)
-
-
-def _pairs(mapping: Mapping[Any, Any] | Pairs) -> Pairs:
-    return tuple(mapping.items()) if isinstance(mapping, Mapping) else tuple(mapping)
+        scalars.extend(value if isinstance(value, sp.MatrixBase) else [value])
+    return tuple(scalars)
 
 
 @arguments_checked
@@ -95,12 +92,12 @@ class Frame:
     structure: Declared | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "rates", _pairs(self.rates))
+        object.__setattr__(self, "rates", as_pairs(self.rates))
         object.__setattr__(self, "velocities", tuple(self.velocities))
         object.__setattr__(self, "relations", components(self.relations))
         if self.structure is not None:
-            kept = tuple((pair, _pairs(row)) for pair, row in _pairs(self.structure))
-            object.__setattr__(self, "structure", kept)
+            structure = tuple((pair, as_pairs(row)) for pair, row in as_pairs(self.structure))
+            object.__setattr__(self, "structure", structure)
         self._check()
 
     @cached_property
@@ -141,9 +138,9 @@ class Frame:
             raise InputError(f"frame: {name} stands for two things; rename one of them")
         velocities = set(self.w)
         for q, rate in zip(self.coordinates, self.qdot, strict=True):
-            rest = rate.xreplace(dict.fromkeys(velocities, sp.S.Zero))
+            inhomogeneous = rate.xreplace(dict.fromkeys(velocities, sp.S.Zero))
             slopes = [sp.diff(rate, s) for s in self.w]
-            if rest != 0 or any(slope.free_symbols & velocities for slope in slopes):
+            if inhomogeneous != 0 or any(slope.free_symbols & velocities for slope in slopes):
                 raise InputError(
                     f"frame: the rate of {q}, {rate}, must be linear and homogeneous in the "
                     f"velocities {', '.join(map(str, self.w))}"
@@ -157,7 +154,7 @@ def _twice(names: Iterable[sp.Symbol]) -> list[str]:
 
 @arguments_checked
 def coordinates(*names: Name, dot: str = "dot") -> Frame:
-    """The frame of the coordinates themselves: w = q̇, named ``xdot`` for the coordinate ``x``.
+    """The coordinate frame w = q̇, with velocities named ``xdot`` for ``x``.
 
     Parameters
     ----------
@@ -187,15 +184,15 @@ def coordinates(*names: Name, dot: str = "dot") -> Frame:
     return Frame(dict(zip(symbols, speeds, strict=True)), speeds)
 
 
-def rotations(omega: Vector) -> dict[Any, Any]:
-    """Structure constants of the rotations in body axes, [ξ_i, ξ_j] = ε_ijk ξ_k of (1.12)."""
+def rotations(omega: Vector) -> StructureConstants:
+    """Structure constants of rotations in body axes, [ξ_i, ξ_j] = ε_ijk ξ_k (1.12)."""
     w = omega.symbols
     return {(w[i], w[(i + 1) % 3]): {w[(i + 2) % 3]: sp.S.One} for i in range(3)}
 
 
-def euclidean(omega: Vector, v: Vector) -> dict[Any, Any]:
+def euclidean(omega: Vector, v: Vector) -> StructureConstants:
     """Structure constants of the motions of space in body axes, (1.12)."""
-    mixed: dict[Any, Any] = {}
+    mixed: StructureConstants = {}
     for i in (1, 2, 3):
         for j in (1, 2, 3):
             product = to_components(cross(unit_vector(i), unit_vector(j)))
@@ -265,8 +262,8 @@ class Mechanism:
     summary: str = ""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "forces", _pairs(self.forces))
-        object.__setattr__(self, "definitions", _pairs(self.definitions))
+        object.__setattr__(self, "forces", as_pairs(self.forces))
+        object.__setattr__(self, "definitions", as_pairs(self.definitions))
         for kind in ("constraints", "positions"):
             object.__setattr__(self, kind, tuple(getattr(self, kind)))
         object.__setattr__(self, "title", self.title or self.name)
@@ -296,6 +293,10 @@ class Mechanism:
     def steps(self) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
         """The definitions as scalar assignments, in order."""
         return flat_pairs(self.definitions)
+
+    def expand(self, formula: sp.Expr) -> sp.Expr:
+        """A scalar formula without definitions."""
+        return expand(formula, self.steps)
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:

@@ -1,4 +1,4 @@
-"""What is drawn of a mechanism in the plane: its path, links, wheels and blades.
+"""The drawing of a mechanism in the plane: path, links, wheels and blades.
 
 Places are pairs of formulas (x, y); wheels, axles and blades have the angle of their heading with
 the axis x for a third.  All are formulas in the state lifted to space, definitions and parameters.
@@ -14,6 +14,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import sympy as sp
 
+from ...core.arrays import FloatArray
 from ...core.vectors import real_symbol
 from .mechanism import Mechanism
 
@@ -31,7 +32,7 @@ _SAME = 1e-9
 
 @dataclass(frozen=True)
 class Plan:
-    """What is drawn of a mechanism in the plane.
+    """The drawing of a mechanism in the plane.
 
     Attributes
     ----------
@@ -46,7 +47,7 @@ class Plan:
     """
 
     path: Place
-    links: tuple[tuple[Any, Any, Any, Any], ...] = ()
+    links: tuple[tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr], ...] = ()
     wheels: tuple[Pose, ...] = ()
     axles: tuple[Pose, ...] = ()
     blades: tuple[Pose, ...] = ()
@@ -54,7 +55,7 @@ class Plan:
 
 
 def plan_of(mechanism: Mechanism) -> Plan | None:
-    """What the constraints of a mechanism tell of its plan; None where it has no x and y.
+    """The plan that follows from the constraints; None without x and y.
 
     A constraint that forbids a place to move sideways is drawn as a wheel there, where the place
     lies at constant distances along headings from (x, y); rods lead to it.
@@ -64,7 +65,7 @@ def plan_of(mechanism: Mechanism) -> Plan | None:
     if x not in coordinates or y not in coordinates or real_symbol("z") in coordinates:
         return None
     wheels: list[Pose] = []
-    links: list[tuple[Any, Any, Any, Any]] = []
+    links: list[tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]] = []
     for form in _forms(mechanism):
         arms = _arms(mechanism, form)
         if arms is None:
@@ -80,29 +81,27 @@ def plan_of(mechanism: Mechanism) -> Plan | None:
 
 
 def _forms(mechanism: Mechanism) -> list[dict[sp.Symbol, sp.Expr]]:
-    """Constraints linear in the velocities, by their coefficients of the coordinates' rates."""
+    """Linear constraints as forms in the rates of the coordinates."""
     frame = mechanism.frame
     G = frame.matrix
     if G.rows != G.cols or G.rows > _MOST:
         return []
     inverse = G.inv()
-    found = []
+    forms = []
     for constraint in mechanism.f:
-        formula = constraint
-        for name, value in reversed(mechanism.steps):
-            formula = formula.xreplace({name: value})
+        formula = mechanism.expand(constraint)
         row = [sp.diff(formula, w) for w in frame.w]
         if any(entry.free_symbols & set(frame.w) for entry in row):
             continue
         covector = sp.Matrix([row]) * inverse
-        found.append(dict(zip(frame.coordinates, covector, strict=True)))
-    return found
+        forms.append(dict(zip(frame.coordinates, covector, strict=True)))
+    return forms
 
 
 def _arms(
     mechanism: Mechanism, form: dict[sp.Symbol, sp.Expr]
 ) -> list[tuple[sp.Symbol, float]] | None:
-    """Angles and lengths that lead from (x, y) to the place a constraint is about, in order.
+    """Angles and lengths from (x, y) to the point that a constraint concerns.
 
     With n the normal of the heading, the velocity of a place Σ a_θ (cos θ, sin θ) has the
     component Σ a_θ θ̇ (n_y cos θ − n_x sin θ) along n.  None where no constant lengths do.
@@ -125,14 +124,14 @@ def _arms(
 
 
 def _lengths(
-    angles: Sequence[sp.Symbol], places: Any, rows: Any
+    angles: Sequence[sp.Symbol], places: FloatArray, rows: FloatArray
 ) -> list[tuple[sp.Symbol, float]] | None:
     """The lengths by the coefficients at some places, where they are constant."""
     across = np.hypot(rows[:, 0], rows[:, 1])
     if not np.all(np.isfinite(rows)) or np.any(across < _SAME):
         return None
     n_x, n_y = rows[:, 0] / across, rows[:, 1] / across
-    found = []
+    lengths_by_angle = []
     for number, angle in enumerate(angles, 2):
         share = rows[:, number] / across
         if np.all(np.abs(share) < _SAME):
@@ -143,5 +142,5 @@ def _lengths(
         lengths = share / swing
         if np.ptp(lengths) > _SAME * np.max(np.abs(lengths)):
             return None
-        found.append((angle, float(lengths[0])))
-    return found
+        lengths_by_angle.append((angle, float(lengths[0])))
+    return lengths_by_angle

@@ -6,25 +6,25 @@ With p_i = ∂L/∂w_i and the constraints f_μ = 0, the equations
 
 (Chetaev's rule where a constraint is not linear) are linear in ẇ and λ.  Velocities that a
 constraint gives in terms of the others, with a number as coefficient, become definitions; the
-equations of the others follow by virtual displacements that keep to these constraints.  What is
-left of the multipliers follows from the rates of the remaining constraints.  In the frame of the
+equations of the others follow from virtual displacements that satisfy these constraints.  The
+remaining multipliers follow from the rates of the remaining constraints.  In the frame of the
 coordinates themselves these are the equations of Ferrers, (1.3)–(1.5).
 
-Coordinates on which nothing depends are cyclic: the System does without them, and its motion
-reconstructs them.
+Coordinates on which nothing depends are cyclic: they are not part of the System, and are
+reconstructed from its motion.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import sympy as sp
 
 from ...arguments import arguments_checked
 from ...core.laws import Integral, Law
-from ...core.system import Observable, Reconstruction, System, flat
+from ...core.named_formulas import Pairs
+from ...core.system import Name, Observable, Reconstruction, System, flat
 from ...core.vectors import constant, to_components
 from ...errors import InputError
 from ...printing.formula import text
@@ -32,7 +32,7 @@ from .accelerations import Accelerations, accelerations
 from .assembly import Balance, balance
 from .definitions import name_definitions
 from .energy import EnergyTheorem, energy_theorem
-from .mechanism import TIME, Mechanism, Name, Pairs
+from .mechanism import TIME, Mechanism
 
 __all__ = ["DerivedEquations", "derive", "equations"]
 
@@ -102,26 +102,31 @@ def equations(mechanism: Mechanism) -> System:
     >>> dict(ch.equations(particle).field)
     {y: ydot, xdot: -xdot*y*ydot/(y**2 + 1), ydot: 0}
     """
-    found = derive(mechanism)
-    parts = found.parts
-    kept = _kept(found)
-    lost = _lost(parts, kept)
-    laws = (*_energy_law(found), *_momenta(parts), *mechanism.laws)
+    derived = derive(mechanism)
+    parts = derived.parts
+    relevant = _state_coordinates(derived)
+    irrelevant = _irrelevant_coordinates(parts, relevant)
+    laws = (*_energy_law(derived), *_momenta(parts), *mechanism.laws)
     observables = tuple(
-        replace(o, value=_opened(parts, lost, o.value))
-        for o in (*_recorded(found), *mechanism.observables)
+        replace(o, value=_without_irrelevant(parts, irrelevant, o.value))
+        for o in (*_observables(derived), *mechanism.observables)
     )
-    relations = tuple(_opened(parts, lost, f) for f in (*mechanism.frame.relations, *mechanism.F))
+    relations = tuple(
+        _without_irrelevant(parts, irrelevant, f)
+        for f in (*mechanism.frame.relations, *mechanism.F)
+    )
     following = {
-        name: _opened(parts, lost, rate) for name, rate in mechanism.frame.rates if name not in kept
+        name: _without_irrelevant(parts, irrelevant, rate)
+        for name, rate in mechanism.frame.rates
+        if name not in relevant
     }
     unsolved = [f for i, f in enumerate(parts.constraints) if i not in parts.solved.values()]
-    rates = _velocity_rates(mechanism, found.solution)
+    rates = _velocity_rates(mechanism, derived.solution)
     names = name_definitions(
         parts,
         [
             *(f for _, f in rates),
-            *(rate for name, rate in mechanism.frame.rates if name in kept),
+            *(rate for name, rate in mechanism.frame.rates if name in relevant),
             *following.values(),
             *(o.value for o in observables),
             *(g.value for g in mechanism.guards),
@@ -131,9 +136,9 @@ def equations(mechanism: Mechanism) -> System:
         ],
     )
     observables = tuple(replace(o, value=names(o.value)) for o in observables)
-    here = tuple(o for o in observables if not _depends(parts, [o.value], lost))
-    timed = _depends(parts, _driving(found), (TIME,))
-    if not (kept or rates or timed):
+    here = tuple(o for o in observables if not _depends(parts, [o.value], irrelevant))
+    timed = _depends(parts, _driving(derived), (TIME,))
+    if not (relevant or rates or timed):
         raise InputError(
             f"{mechanism.name}: the constraints leave nothing free to move, and no place matters"
         )
@@ -141,14 +146,14 @@ def equations(mechanism: Mechanism) -> System:
         name=mechanism.name,
         title=mechanism.title,
         field=(
-            *((name, rate) for name, rate in mechanism.frame.rates if name in kept),
+            *((name, rate) for name, rate in mechanism.frame.rates if name in relevant),
             *((name, names(rate)) for name, rate in rates),
             *(((TIME, sp.S.One),) if timed else ()),
         ),
         parameters=mechanism.parameters,
         definitions=names.definitions,
         relations=(
-            *(f for f in relations if not _depends(parts, [f], lost)),
+            *(f for f in relations if not _depends(parts, [f], irrelevant)),
             *(names(f) for f in unsolved),
         ),
         laws=tuple(
@@ -159,27 +164,27 @@ def equations(mechanism: Mechanism) -> System:
         guards=mechanism.guards,
         motion=Reconstruction(
             field={name: names(rate) for name, rate in following.items()},
-            relations=tuple(f for f in relations if _depends(parts, [f], lost)),
+            relations=tuple(f for f in relations if _depends(parts, [f], irrelevant)),
             observables=tuple(o for o in observables if o not in here),
         )
         if following
         else None,
         source=mechanism.source or "(1.9)",
-        summary=" ".join(filter(None, (mechanism.summary, *_warned(found.energy)))),
+        summary=" ".join(filter(None, (mechanism.summary, *_energy_warning(derived.energy)))),
     )
 
 
 # --- what matters --------------------------------------------------------------------------
 
 
-def _driving(found: DerivedEquations) -> list[sp.Expr]:
+def _driving(derived: DerivedEquations) -> list[sp.Expr]:
     """Formulas that decide what belongs to the state."""
-    parts = found.parts
+    parts = derived.parts
     mechanism = parts.mechanism
-    values: list[Any] = [
-        *found.solution.rates.values(),
-        *(value for _, value in found.solution.multipliers),
-        to_components(found.energy.energy),
+    values: list[sp.Basic] = [
+        *derived.solution.rates.values(),
+        *(value for _, value in derived.solution.multipliers),
+        to_components(derived.energy.energy),
         *parts.constraints,
         *parts.solved,
         *(to_components(g.value) for g in mechanism.guards),
@@ -192,7 +197,7 @@ def _driving(found: DerivedEquations) -> list[sp.Expr]:
     return values
 
 
-def _uses(parts: Balance, formulas: Iterable[Any]) -> set[sp.Symbol]:
+def _uses(parts: Balance, formulas: Iterable[sp.Basic]) -> set[sp.Symbol]:
     values = [to_components(f) for f in formulas]
     symbols = {s for value in values for s in value.free_symbols}
     for symbol, value in parts.tape.steps(values):
@@ -200,32 +205,34 @@ def _uses(parts: Balance, formulas: Iterable[Any]) -> set[sp.Symbol]:
     return symbols
 
 
-def _depends(parts: Balance, formulas: Iterable[Any], symbols: Iterable[sp.Symbol]) -> bool:
+def _depends(parts: Balance, formulas: Iterable[sp.Basic], symbols: Iterable[sp.Symbol]) -> bool:
     return bool(_uses(parts, formulas) & set(symbols))
 
 
-def _kept(found: DerivedEquations) -> set[Name]:
+def _state_coordinates(derived: DerivedEquations) -> set[Name]:
     """Coordinates (whole vectors) on which the motion depends."""
-    parts = found.parts
+    parts = derived.parts
     frame = parts.mechanism.frame
-    used = _uses(parts, _driving(found))
-    kept: set[Name] = set()
+    used = _uses(parts, _driving(derived))
+    relevant: set[Name] = set()
     while True:
-        more = {n for n, _ in frame.rates if n not in kept and set(flat((n,))) & used}
+        more = {n for n, _ in frame.rates if n not in relevant and set(flat((n,))) & used}
         if not more:
-            return kept
-        kept |= more
+            return relevant
+        relevant |= more
         used |= _uses(parts, [rate for name, rate in frame.rates if name in more])
 
 
-def _lost(parts: Balance, kept: set[Name]) -> tuple[sp.Symbol, ...]:
-    return flat(name for name, _ in parts.mechanism.frame.rates if name not in kept)
+def _irrelevant_coordinates(parts: Balance, relevant: set[Name]) -> tuple[sp.Symbol, ...]:
+    return flat(name for name, _ in parts.mechanism.frame.rates if name not in relevant)
 
 
-def _opened(parts: Balance, lost: Sequence[sp.Symbol], formula: Any) -> Any:
-    """A formula with the definitions written out that depend on coordinates that matter not."""
+def _without_irrelevant(
+    parts: Balance, irrelevant: Sequence[sp.Symbol], formula: sp.Basic
+) -> sp.Basic:
+    """A formula without definitions that depend on irrelevant coordinates."""
     steps = parts.tape.steps([to_components(formula)])
-    far = {s: value for s, value in steps if _depends(parts, [value], lost)}
+    far = {s: value for s, value in steps if _depends(parts, [value], irrelevant)}
     if not far:
         return formula
     written = to_components(formula)
@@ -237,14 +244,16 @@ def _opened(parts: Balance, lost: Sequence[sp.Symbol], formula: Any) -> Any:
 # --- laws and observables ------------------------------------------------------------------
 
 
-def _energy_law(found: DerivedEquations) -> tuple[Law, ...]:
-    if found.energy.broken:
+def _energy_law(derived: DerivedEquations) -> tuple[Law, ...]:
+    if derived.energy.broken:
         return ()
-    return (Integral("energy", found.energy.energy, "energy", source="(3.3), Theorem 1", unit="J"),)
+    return (
+        Integral("energy", derived.energy.energy, "energy", source="(3.3), Theorem 1", unit="J"),
+    )
 
 
-def _warned(energy: EnergyTheorem) -> tuple[str, ...]:
-    """What the reader has to know of the energy."""
+def _energy_warning(energy: EnergyTheorem) -> tuple[str, ...]:
+    """The sentence on an energy that is not conserved."""
     if not energy.broken:
         return ()
     return (f"Theorem 1 does not give an energy integral: {'; '.join(energy.broken)}.",)
@@ -261,22 +270,22 @@ def _momenta(parts: Balance) -> tuple[Law, ...]:
     return tuple(laws)
 
 
-def _recorded(found: DerivedEquations) -> tuple[Observable, ...]:
-    mechanism = found.parts.mechanism
+def _observables(derived: DerivedEquations) -> tuple[Observable, ...]:
+    mechanism = derived.parts.mechanism
     constraints = (*mechanism.f, *mechanism.F)
     shown = tuple(
         Observable(str(symbol), symbol, f"multiplier of {text(f)} = 0", source="(1.9)")
-        for (symbol, _), f in zip(found.solution.multipliers, constraints, strict=True)
+        for (symbol, _), f in zip(derived.solution.multipliers, constraints, strict=True)
     )
-    if not found.energy.broken:
+    if not derived.energy.broken:
         return shown
-    symbols = [symbol for symbol, _ in found.solution.multipliers]
-    reactions = sp.Add(*(x * y for x, y in zip(symbols, found.energy.work, strict=True)))
+    symbols = [symbol for symbol, _ in derived.solution.multipliers]
+    reactions = sp.Add(*(x * y for x, y in zip(symbols, derived.energy.work, strict=True)))
     forces = sp.Add(*(force * s for s, force in mechanism.Q.items()))
     power = reactions + forces - sp.diff(mechanism.L, TIME)
     return (
         *shown,
-        Observable("energy", found.energy.energy, "energy, not conserved", "J", source="(3.3)"),
+        Observable("energy", derived.energy.energy, "energy, not conserved", "J", source="(3.3)"),
         Observable("power", power, "rate of the energy", "W", source="(3.3)"),
     )
 
@@ -286,7 +295,7 @@ def _recorded(found: DerivedEquations) -> tuple[Observable, ...]:
 
 def _velocity_rates(mechanism: Mechanism, solution: Accelerations) -> Pairs:
     """Rates of the free velocities; a vector stays one where all of it is free."""
-    pairs: list[tuple[Any, Any]] = []
+    pairs: list[tuple[sp.Basic, sp.Basic]] = []
     for name in mechanism.frame.velocities:
         parts = [s for s in flat((name,)) if s in solution.rates]
         if not isinstance(name, sp.Symbol) and len(parts) == len(name.symbols):

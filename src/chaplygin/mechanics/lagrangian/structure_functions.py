@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from itertools import combinations
-from typing import Any
 
 import mpmath
 import sympy as sp
@@ -21,27 +20,38 @@ from .generic_points import (
 )
 from .mechanism import Frame, Mechanism
 
-__all__ = ["Coefficients", "check_structure", "commutator", "structure", "written_frame"]
+__all__ = [
+    "Coefficients",
+    "VectorField",
+    "check_structure",
+    "commutator",
+    "lie_derivative",
+    "structure",
+    "written_frame",
+]
 
 #: c_ij^k by (i, j, k), for i < j; what is not named is zero.
 Coefficients = Mapping[tuple[int, int, int], sp.Expr]
-Field = Mapping[sp.Symbol, sp.Expr]
+VectorField = Mapping[sp.Symbol, sp.Expr]
 
 DENOMINATOR = 1000
 """Constants are recognised as fractions with denominators up to this."""
 
 
-def commutator(first: Field, second: Field) -> Field:
+def commutator(first: VectorField, second: VectorField) -> VectorField:
     """[u, w] = uw − wu, without the components that are zero."""
-    found = {}
+    components = {}
     for q in {**first, **second}:
-        value = _along(first, second.get(q, sp.S.Zero)) - _along(second, first.get(q, sp.S.Zero))
+        value = lie_derivative(first, second.get(q, sp.S.Zero)) - lie_derivative(
+            second, first.get(q, sp.S.Zero)
+        )
         if value != 0:
-            found[q] = value
-    return found
+            components[q] = value
+    return components
 
 
-def _along(field: Field, function: sp.Expr) -> sp.Expr:
+def lie_derivative(field: VectorField, function: sp.Expr) -> sp.Expr:
+    """A field applied to a function."""
     return sp.Add(*(rate * sp.diff(function, q) for q, rate in field.items()))
 
 
@@ -50,7 +60,7 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
     """The structure functions of a frame.
 
     Constants are recognised at generic points; others come from solving the equations of as
-    many coordinates as there are fields, and are tried on the rest at generic points.
+    many coordinates as there are fields, and are checked on the others at generic points.
 
     Raises
     ------
@@ -59,7 +69,7 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
         dimensions, or if `Frame.structure` names no pair of velocities.
     """
     if frame.structure is not None:
-        return _given(frame, owner)
+        return _prescribed(frame, owner)
     constant = all(entry.is_number for entry in frame.matrix) and frame.matrix.is_square
     if constant and not frame.relations:
         if frame.matrix.det() == 0:
@@ -68,7 +78,7 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
     points = samples(owner, frame)
     rows = _spanning(frame, points[0], owner)
     fields = [frame.field(i) for i in range(len(frame.w))]
-    found: dict[tuple[int, int, int], sp.Expr] = {}
+    coefficients: dict[tuple[int, int, int], sp.Expr] = {}
     for i, first in enumerate(fields):
         for j in range(i + 1, len(fields)):
             bracket = commutator(first, fields[j])
@@ -77,22 +87,20 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
             column = [bracket.get(q, sp.S.Zero) for q in frame.coordinates]
             solution = _constant(frame, points, rows, column)
             if solution is None:
-                solution = _solved(frame, rows, column)
+                solution = _solution_on_rows(frame, rows, column)
                 _check_span(frame, points, column, solution, owner)
             for k, value in enumerate(solution):
                 if value != 0:
-                    found[i, j, k] = value
-    return found
+                    coefficients[i, j, k] = value
+    return coefficients
 
 
 def written_frame(mechanism: Mechanism) -> Frame:
-    """The frame of a mechanism with its definitions written out, whose fields can be commuted."""
-    frame, steps = mechanism.frame, dict(mechanism.steps)
-    if frame.structure is not None or not any(r.free_symbols & steps.keys() for r in frame.qdot):
+    """The frame of a mechanism without definitions, ready for commutators."""
+    frame, defined = mechanism.frame, {s for s, _ in mechanism.steps}
+    if frame.structure is not None or not any(r.free_symbols & defined for r in frame.qdot):
         return frame
-    rates = dict(zip(frame.coordinates, frame.qdot, strict=True))
-    for symbol, value in reversed(mechanism.steps):
-        rates = {q: rate.xreplace({symbol: value}) for q, rate in rates.items()}
+    rates = dict(zip(frame.coordinates, map(mechanism.expand, frame.qdot), strict=True))
     return Frame(rates, frame.velocities, frame.relations)
 
 
@@ -105,13 +113,17 @@ def check_structure(frame: Frame, owner: str = "frame") -> None:
     InputError
         If they break the identity of Jacobi, or differ from the commutators on the coordinates.
     """
-    given = _given(frame, owner)
+    coefficients = _prescribed(frame, owner)
     points = samples(owner, frame)
     size = range(len(frame.w))
     fields = [frame.field(i) for i in size]
 
     def c(i: int, j: int, k: int) -> sp.Expr:
-        return given.get((i, j, k), sp.S.Zero) if i < j else -given.get((j, i, k), sp.S.Zero)
+        return (
+            coefficients.get((i, j, k), sp.S.Zero)
+            if i < j
+            else -coefficients.get((j, i, k), sp.S.Zero)
+        )
 
     for i, j in combinations(size, 2):
         bracket = commutator(fields[i], fields[j])
@@ -125,7 +137,8 @@ def check_structure(frame: Frame, owner: str = "frame") -> None:
     for i, j, k in combinations(size, 3):
         for n in size:
             terms = [
-                sp.Add(*(c(a, b, s) * c(s, d, n) for s in size)) - _along(fields[d], c(a, b, n))
+                sp.Add(*(c(a, b, s) * c(s, d, n) for s in size))
+                - lie_derivative(fields[d], c(a, b, n))
                 for a, b, d in ((i, j, k), (j, k, i), (k, i, j))
             ]
             if not is_numerically_zero(sp.Add(*terms), points):
@@ -136,9 +149,9 @@ def check_structure(frame: Frame, owner: str = "frame") -> None:
                 )
 
 
-def _given(frame: Frame, owner: str) -> Coefficients:
+def _prescribed(frame: Frame, owner: str) -> Coefficients:
     place = {s: i for i, s in enumerate(frame.w)}
-    found: dict[tuple[int, int, int], sp.Expr] = {}
+    coefficients: dict[tuple[int, int, int], sp.Expr] = {}
     for pair, row in frame.structure or ():
         for s in (*pair, *(name for name, _ in row)):
             if s not in place:
@@ -149,12 +162,12 @@ def _given(frame: Frame, owner: str) -> Coefficients:
         i, j = (place[s] for s in pair)
         sign = 1 if i < j else -1
         for s, value in row:
-            found[min(i, j), max(i, j), place[s]] = sign * sp.sympify(value)
-    return found
+            coefficients[min(i, j), max(i, j), place[s]] = sign * sp.sympify(value)
+    return coefficients
 
 
 def _spanning(frame: Frame, point: GenericPoint, owner: str) -> list[int]:
-    """Rows of G that are regular together; refused when the fields do not form a frame."""
+    """Rows of a regular minor of G; InputError if the fields form no frame."""
     numbers = [[point.value(e) for e in frame.matrix.row(i)] for i in range(len(frame.qdot))]
     rows, _ = rank(numbers)
     slopes = [[point.value(sp.diff(f, q)) for q in frame.coordinates] for f in frame.relations]
@@ -177,28 +190,30 @@ def _constant(
     frame: Frame, points: Sequence[GenericPoint], rows: Sequence[int], column: Sequence[sp.Expr]
 ) -> list[sp.Expr] | None:
     """The coefficients of a commutator if they are the same fractions at all points."""
-    found: list[sp.Expr] | None = None
+    coefficients: list[sp.Expr] | None = None
     for point in points:
         matrix = mpmath.matrix([[point.value(e) for e in frame.matrix.row(i)] for i in rows])
         right = mpmath.matrix([point.value(column[i]) for i in rows])
         solution = mpmath.lu_solve(matrix, right)
         fractions = [_fraction(x) for x in solution]
-        if found is None:
+        if coefficients is None:
             if None in fractions:
                 return None
-            found = [f for f in fractions if f is not None]
-        if fractions != found:
+            coefficients = [f for f in fractions if f is not None]
+        if fractions != coefficients:
             return None
-    return found
+    return coefficients
 
 
-def _fraction(number: Any) -> sp.Rational | None:
+def _fraction(number: mpmath.mpf) -> sp.Rational | None:
     near = sp.Rational(str(number)).limit_denominator(DENOMINATOR)
     close = abs(mpmath.mpf(near.p) / near.q - number) < mpmath.sqrt(ZERO)
     return near if close else None
 
 
-def _solved(frame: Frame, rows: Sequence[int], column: Sequence[sp.Expr]) -> list[sp.Expr]:
+def _solution_on_rows(
+    frame: Frame, rows: Sequence[int], column: Sequence[sp.Expr]
+) -> list[sp.Expr]:
     matrix = sp.Matrix([list(frame.matrix.row(i)) for i in rows])
     right = sp.Matrix([column[i] for i in rows])
     return [simplify_small(x) for x in matrix.LUsolve(right)]

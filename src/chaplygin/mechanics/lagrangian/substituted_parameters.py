@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
 from ...core.laws import Integral
+from ...core.named_formulas import Pairs
 from ...core.vectors import to_components
 from .mechanism import Frame, Mechanism, Structure
 
@@ -16,7 +16,7 @@ __all__ = ["with_parameters"]
 
 
 def with_parameters(mechanism: Mechanism, values: Mapping[sp.Symbol, sp.Expr]) -> Mechanism:
-    """The same mechanism with parameters replaced by numbers, or by formulas in the others.
+    """A mechanism with parameters replaced by numbers or by formulas in the others.
 
     Parameters
     ----------
@@ -26,13 +26,13 @@ def with_parameters(mechanism: Mechanism, values: Mapping[sp.Symbol, sp.Expr]) -
     """
     table = {s: sp.sympify(v) for s, v in values.items()}
 
-    def put_in(formula: Any) -> Any:
+    def put_in(formula: sp.Basic) -> sp.Basic:
         # a tensor hides its entries until it is written out
         written = to_components(sp.sympify(formula))
         return written.xreplace(table) if written.free_symbols & set(table) else formula
 
-    def pairs(given: Iterable[tuple[Any, Any]]) -> tuple[tuple[Any, Any], ...]:
-        return tuple((name, put_in(formula)) for name, formula in given)
+    def pairs(formulas: Pairs) -> Pairs:
+        return tuple((name, put_in(formula)) for name, formula in formulas)
 
     frame = mechanism.frame
     structure: Structure | None = frame.structure

@@ -27,7 +27,7 @@ from ...errors import InputError
 from .mechanism import Mechanism, coordinates
 from .poincare_suslov import equations
 from .sympy_kane import Kane, kane
-from .sympy_names import name_translation
+from .sympy_names import Defaults, Inputs, name_translation
 
 __all__ = ["from_sympy", "mechanism_from_sympy"]
 
@@ -48,7 +48,7 @@ def from_sympy(
     Parameters
     ----------
     model : KanesMethod, LagrangesMethod or System of sympy.physics.mechanics
-        It is left as it is.  A `System` goes by the method with which its equations were formed;
+        It is not changed.  For a `System` the method is the one that formed its equations;
         when they were not, by Lagrange's if its speeds are the rates of its coordinates, by
         Kane's otherwise.
     parameters : mapping of Symbol or name to number or Parameter
@@ -82,8 +82,8 @@ def from_sympy(
     >>> dict(pendulum.field)
     {theta: thetadot, thetadot: -g*sin(theta)/l}
     """
-    found = _opened(model, parameters, inputs, name, title or name)
-    return found.system() if isinstance(found, Kane) else equations(found)
+    translation = _translation(model, parameters, inputs, name, title or name)
+    return translation.system() if isinstance(translation, Kane) else equations(translation)
 
 
 @arguments_checked
@@ -127,18 +127,18 @@ def mechanism_from_sympy(
     >>> ch.prove(ch.equations(pendulum), "energy").decision
     'proven'
     """
-    found = _opened(model, parameters, inputs, name, title or name)
-    if not isinstance(found, Kane):
-        return found
-    mechanism = found.mechanism()
-    found.require_same_motion(mechanism)
+    translation = _translation(model, parameters, inputs, name, title or name)
+    if not isinstance(translation, Kane):
+        return translation
+    mechanism = translation.mechanism()
+    translation.require_same_motion(mechanism)
     return mechanism
 
 
-def _opened(
-    model: Any,
-    parameters: Mapping[Any, Any],
-    inputs: Mapping[Any, Any],
+def _translation(
+    model: object,
+    parameters: Defaults,
+    inputs: Inputs,
     name: str,
     title: str,
 ) -> Kane | Mechanism:
@@ -194,8 +194,8 @@ def _lagrange(
     model: LagrangesMethod,
     name: str,
     title: str,
-    parameters: Mapping[Any, Any],
-    inputs: Mapping[Any, Any],
+    parameters: Defaults,
+    inputs: Inputs,
 ) -> Mechanism:
     if model.forcelist and model.inertial is None:
         raise InputError(f"{name}: the LagrangesMethod object has loads but no inertial frame")

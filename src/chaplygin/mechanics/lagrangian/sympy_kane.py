@@ -1,4 +1,4 @@
-"""Kane's equations of a SymPy model as a System, with constraints kept apart from the masses.
+"""Kane's equations of a SymPy model as a System, constraints by multipliers.
 
 SymPy eliminates dependent speeds symbolically, which makes formulas swell and divides by a
 determinant that may vanish.  Here the equations of the unconstrained bodies are formed, and the
@@ -36,13 +36,13 @@ from .generic_points import (
 )
 from .ldl import Factorisation, product
 from .mechanism import TIME, Frame, Mechanism
-from .sympy_names import NameTranslation, name_translation
+from .sympy_names import Defaults, Inputs, NameTranslation, name_translation
 
 __all__ = ["Kane", "kane"]
 
 
 class _Plain(Tape):
-    """A tape that takes formulas as they come: those of SymPy are long, their parts are named."""
+    """A tape that does not simplify: SymPy's formulas are long, their parts named."""
 
     def short(self, value: sp.Expr, hold: Collection[sp.Symbol] = ()) -> sp.Expr:
         """The formula itself."""
@@ -76,7 +76,7 @@ class Kane:
     constraints : tuple of Expr
         B u + b.
     reactions : tuple of (Symbol, Expr)
-        Forces that auxiliary speeds bring out, in terms of `accelerations` besides the rest.
+        Forces that auxiliary speeds determine; they may contain `accelerations`.
     accelerations : tuple of Symbol
         Stand for u̇ in the reactions.
     """
@@ -106,19 +106,21 @@ class Kane:
             If the mass matrix is singular on the speeds that the constraints allow, or the
             constraints depend on each other.
         """
-        tape, shared = self._shared()
+        tape, shared = self._shared_formulas()
         mass, force, slopes, rates, constraints, kinetic = shared
         along = self._derivation(tape, rates)
         defect = [tape.name(-tape.along(along, f)) for f in constraints]
         if self._deficient(tape, mass):
-            mass, force = _stiffened(tape, mass, force, slopes, defect)
+            mass, force = _with_constraint_inertia(tape, mass, force, slopes, defect)
             if self._deficient(tape, mass):
                 raise InputError(
                     f"{self.name}: the mass matrix is singular on the speeds that the constraints "
                     "allow; a speed moves no mass"
                 )
-        accelerations, multipliers = self._solved(tape, mass, force, slopes, defect)
-        timed = TIME in self._used(tape, (*accelerations, *rates))
+        accelerations, multipliers = self._accelerations_and_multipliers(
+            tape, mass, force, slopes, defect
+        )
+        timed = TIME in self._used_symbols(tape, (*accelerations, *rates))
         labels = [real_symbol(f"lambda_{i + 1}") for i in range(len(multipliers))]
         observables = [
             Observable(str(s), value, f"multiplier of {_brief(f)} = 0")
@@ -173,12 +175,12 @@ class Kane:
             parameters=self.words.parameters,
             source="SymPy, Kane's method",
         )
-        return replace(free, constraints=self._beside_positions(free))
+        return replace(free, constraints=self._independent_of_positions(free))
 
     @with_working_precision
-    def _beside_positions(self, free: Mechanism) -> tuple[sp.Expr, ...]:
+    def _independent_of_positions(self, free: Mechanism) -> tuple[sp.Expr, ...]:
         """The velocity constraints that do not follow from those on positions."""
-        kept = [
+        rates = [
             [
                 sp.Add(
                     *(
@@ -191,9 +193,9 @@ class Kane:
             for f in self.positions
         ]
         point = samples(self.name, free.frame, free)[0]
-        rows = [[point.value(e) for e in row] for row in (*kept, *self.slopes)]
+        rows = [[point.value(e) for e in row] for row in (*rates, *self.slopes)]
         chosen = rank(rows)[0]
-        return tuple(f for i, f in enumerate(self.constraints, len(kept)) if i in chosen)
+        return tuple(f for i, f in enumerate(self.constraints, len(rates)) if i in chosen)
 
     @with_working_precision
     def require_same_motion(self, mechanism: Mechanism) -> None:
@@ -212,15 +214,15 @@ class Kane:
                     "model as a System, or write the constraint as a velocity constraint"
                 )
 
-    def _shared(self) -> tuple[Tape, tuple[Any, ...]]:
+    def _shared_formulas(self) -> tuple[Tape, tuple[Any, ...]]:
         """A tape with what the formulas have in common, and the formulas in its names."""
         groups: list[Sequence[sp.Expr]] = [
             *self.mass, self.force, *self.slopes, self.rates, self.constraints, (self.kinetic,)
         ]  # fmt: skip
-        taken = {*self.coordinates, *self.speeds, TIME, *(p.symbol for p in self.words.parameters)}
-        names = (s for s in sp.numbered_symbols("x_", real=True, start=1) if s not in taken)
+        used = {*self.coordinates, *self.speeds, TIME, *(p.symbol for p in self.words.parameters)}
+        names = (s for s in sp.numbered_symbols("x_", real=True, start=1) if s not in used)
         steps, short = sp.cse([e for group in groups for e in group], names, list=True)
-        tape = _Plain(steps, taken)
+        tape = _Plain(steps, used)
         left = iter(short)
         rows = [tuple(next(left) for _ in group) for group in groups]
         size = len(self.speeds)
@@ -239,7 +241,7 @@ class Kane:
         still = tuple((s, sp.S.Zero) for s in self.speeds)
         return Derivation((*zip(self.coordinates, rates, strict=True), *still, (TIME, sp.S.One)))
 
-    def _solved(
+    def _accelerations_and_multipliers(
         self,
         tape: Tape,
         mass: Sequence[Sequence[sp.Expr]],
@@ -268,7 +270,7 @@ class Kane:
         """Whether a matrix is singular at a generic point."""
         dice = random.Random(2007)
         with mpmath.workdps(DIGITS):
-            values: dict[sp.Symbol, Any] = {
+            values: dict[sp.Symbol, mpmath.mpf] = {
                 s: mpmath.mpf(dice.randint(-999, 999)) / 1000 + mpmath.mpf(1) / 7001
                 for s in (*self.coordinates, *self.speeds, TIME)
             }
@@ -277,7 +279,7 @@ class Kane:
             numbers = [[point.value(e) for e in row] for row in matrix]
             return len(rank(numbers)[0]) < len(numbers)
 
-    def _used(self, tape: Tape, formulas: Iterable[sp.Expr]) -> set[sp.Symbol]:
+    def _used_symbols(self, tape: Tape, formulas: Iterable[sp.Expr]) -> set[sp.Symbol]:
         listed = list(formulas)
         steps = tape.steps(listed)
         return {s for f in (*listed, *(v for _, v in steps)) for s in f.free_symbols}
@@ -287,8 +289,8 @@ def kane(
     model: KanesMethod,
     name: str,
     title: str,
-    parameters: Mapping[Any, Any],
-    inputs: Mapping[Any, Any],
+    parameters: Defaults,
+    inputs: Inputs,
 ) -> Kane:
     """A `KanesMethod` object in plain symbols.
 
@@ -356,15 +358,15 @@ def kane(
 
 
 def _reactions(
-    free: KanesMethod, absent: Mapping[Any, Any], moving: Sequence[Any], inputs: Mapping[Any, Any]
-) -> dict[Any, sp.Expr]:
+    free: KanesMethod, absent: Mapping[sp.Expr, int], moving: Sequence[sp.Expr], inputs: Inputs
+) -> dict[sp.Expr, sp.Expr]:
     """Unknown forces of the loads by the equations of the auxiliary speeds."""
     if not absent:
         return {}
     laws = free.auxiliary_eqs.xreplace(dict(absent))
-    given = {str(getattr(key, "func", key)) for key in inputs}
+    prescribed = {str(getattr(key, "func", key)) for key in inputs}
     unknown = sorted(
-        {f for f in laws.atoms(AppliedUndef) if f not in moving and str(f.func) not in given},
+        {f for f in laws.atoms(AppliedUndef) if f not in moving and str(f.func) not in prescribed},
         key=str,
     )
     if len(unknown) != len(laws):
@@ -373,7 +375,7 @@ def _reactions(
     return dict(zip(unknown, matrix.LUsolve(right), strict=True))
 
 
-def _stiffened(
+def _with_constraint_inertia(
     tape: Tape,
     mass: Sequence[Sequence[sp.Expr]],
     force: Sequence[sp.Expr],

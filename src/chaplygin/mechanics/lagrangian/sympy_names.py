@@ -1,10 +1,10 @@
-"""Names of a SymPy mechanics model as names of this package: plain symbols, parameters, inputs."""
+"""Symbols, parameters and inputs of a SymPy model in the names of this package."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TypeAlias
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
@@ -15,7 +15,12 @@ from ...core.vectors import real_symbol
 from ...errors import InputError
 from .mechanism import TIME
 
-__all__ = ["NameTranslation", "name_translation"]
+__all__ = ["Defaults", "Inputs", "NameTranslation", "name_translation"]
+
+#: Values of a model's constants, by symbol or name.
+Defaults: TypeAlias = Mapping[sp.Symbol | str, float | Parameter]
+#: Formulas for functions of time, by function or name.
+Inputs: TypeAlias = Mapping[sp.Expr | str, sp.Expr]
 
 
 @dataclass(frozen=True)
@@ -32,33 +37,33 @@ class NameTranslation:
     """
 
     name: str
-    table: Mapping[Any, sp.Expr]
+    table: Mapping[sp.Expr, sp.Expr]
     parameters: tuple[Parameter, ...]
 
-    def __call__(self, formula: Any) -> sp.Expr:
+    def __call__(self, formula: sp.Expr) -> sp.Expr:
         """A formula with plain symbols only."""
-        made = sp.sympify(formula).xreplace(dict(self.table))
-        left = sorted(map(str, made.atoms(AppliedUndef)))
-        if left:
+        translated = sp.sympify(formula).xreplace(dict(self.table))
+        unknown = sorted(map(str, translated.atoms(AppliedUndef)))
+        if unknown:
             raise InputError(
-                f"{self.name}: {', '.join(left)} depends on the time and is neither a coordinate "
-                "nor a speed; give its formula in 'inputs'"
+                f"{self.name}: {', '.join(unknown)} depends on the time and is neither a "
+                "coordinate nor a speed; give its formula in 'inputs'"
             )
         # the rate of an input
-        return made.doit() if made.has(sp.Derivative) else made
+        return translated.doit() if translated.has(sp.Derivative) else translated
 
-    def all(self, formulas: Iterable[Any]) -> list[sp.Expr]:
+    def all(self, formulas: Iterable[sp.Expr]) -> list[sp.Expr]:
         """Several formulas."""
         return [self(formula) for formula in formulas]
 
 
 def name_translation(
     name: str,
-    formulas: Sequence[Any],
-    moving: Sequence[Any],
-    rates: Mapping[Any, sp.Expr],
-    parameters: Mapping[Any, Any],
-    inputs: Mapping[Any, Any],
+    formulas: Sequence[sp.Expr],
+    moving: Sequence[sp.Expr],
+    rates: Mapping[sp.Expr, sp.Expr],
+    parameters: Defaults,
+    inputs: Inputs,
 ) -> NameTranslation:
     """The translation for a model.
 
@@ -82,62 +87,64 @@ def name_translation(
         If a constant has no default, or an input is not a function of the model.
     """
     time = dynamicsymbols._t
-    given = _inputs(name, formulas, moving, inputs)
-    used = {s for f in (*formulas, *given.values()) for s in sp.sympify(f).free_symbols} - {time}
+    input_formulas = _inputs(name, formulas, moving, inputs)
+    used = {
+        s for f in (*formulas, *input_formulas.values()) for s in sp.sympify(f).free_symbols
+    } - {time}
     constants = sorted(used, key=str)
     chosen = _parameters(name, constants, parameters)
-    plain: dict[Any, sp.Expr] = {f: real_symbol(str(f.func)) for f in moving}
+    plain: dict[sp.Expr, sp.Expr] = {f: real_symbol(str(f.func)) for f in moving}
     plain |= {s: p.symbol for s, p in zip(constants, chosen, strict=True)}
     plain[time] = TIME
     table = dict(plain)
     # what the user writes in an input is in plain symbols already, or in those of the model
-    table |= {f: formula.xreplace(plain) for f, formula in given.items()}
+    table |= {f: formula.xreplace(plain) for f, formula in input_formulas.items()}
     table |= {rate: value.xreplace(table) for rate, value in rates.items()}
     return NameTranslation(name, table, chosen)
 
 
 def _inputs(
-    name: str, formulas: Sequence[Any], moving: Sequence[Any], inputs: Mapping[Any, Any]
-) -> dict[Any, sp.Expr]:
+    name: str, formulas: Sequence[sp.Expr], moving: Sequence[sp.Expr], inputs: Inputs
+) -> dict[sp.Expr, sp.Expr]:
     functions = {f for formula in formulas for f in sp.sympify(formula).atoms(AppliedUndef)}
     by_name = {str(f.func): f for f in sorted(functions - set(moving), key=str)}
-    found = {}
+    formulas_by_function = {}
     for key, value in inputs.items():
         stem = str(getattr(key, "func", key))
         if stem not in by_name:
             known = ", ".join(by_name) or "none"
             raise InputError(f"{name}: inputs: the model has no input {stem}; it has {known}")
-        found[by_name[stem]] = sp.sympify(value)
-    return found
+        formulas_by_function[by_name[stem]] = sp.sympify(value)
+    return formulas_by_function
 
 
 def _parameters(
-    name: str, constants: Sequence[sp.Symbol], parameters: Mapping[Any, Any]
+    name: str, constants: Sequence[sp.Symbol], parameters: Defaults
 ) -> tuple[Parameter, ...]:
-    given = {str(key): value for key, value in parameters.items()}
-    unknown = sorted(given.keys() - {str(s) for s in constants})
+    values = {str(key): value for key, value in parameters.items()}
+    unknown = sorted(values.keys() - {str(s) for s in constants})
     if unknown:
         known = ", ".join(map(str, constants)) or "none"
         raise InputError(
             f"{name}: parameters: the model has no constant {', '.join(unknown)}; it has {known}"
         )
-    missing = [str(s) for s in constants if str(s) not in given]
+    missing = [str(s) for s in constants if str(s) not in values]
     if missing:
         raise InputError(
             f"{name}: give a default for every constant; {', '.join(missing)} has none"
         )
-    return tuple(_parameter(name, s, given[str(s)]) for s in constants)
+    return tuple(_parameter(name, s, values[str(s)]) for s in constants)
 
 
-def _parameter(name: str, symbol: sp.Symbol, given: Any) -> Parameter:
-    if isinstance(given, Parameter):
-        if str(given.symbol) != str(symbol):
-            raise InputError(f"{name}: parameters: {symbol} is given as {given.symbol}")
-        return given
+def _parameter(name: str, symbol: sp.Symbol, value: float | Parameter) -> Parameter:
+    if isinstance(value, Parameter):
+        if str(value.symbol) != str(symbol):
+            raise InputError(f"{name}: parameters: {symbol} is given as {value.symbol}")
+        return value
     plain = real_symbol(str(symbol))
     positive = (plain > 0,) if symbol.is_positive else ()
     try:
-        default = float(given)
+        default = float(value)
     except (TypeError, ValueError):
-        raise InputError(f"{name}: parameters: {symbol} = {given} is not a number") from None
+        raise InputError(f"{name}: parameters: {symbol} = {value} is not a number") from None
     return Parameter(plain, f"constant {symbol} of the model", default, admissible=positive)

@@ -1,7 +1,7 @@
 """The two coordinates in which a system with symmetry moves by itself.
 
-Coordinates that enter neither Lagrangian nor constraints are left out.  What remains must be two
-coordinates, or a unit vector: that has the angles θ, φ of
+Coordinates that enter neither Lagrangian nor constraints are left out.  There must remain two
+coordinates, or a unit vector, with the angles θ, φ of
 
     γ = (sin θ sin φ, sin θ cos φ, cos θ).
 """
@@ -69,12 +69,12 @@ def base(mechanism: Mechanism, motion: ReducedMomenta) -> Base:
     InputError
         If the equations need more than two coordinates, or these do not move freely.
     """
-    needed = _needed(mechanism, motion)
+    needed = _essential_coordinates(mechanism, motion)
     vector = _unit_vector(mechanism, motion)
     if vector is not None:
         others = [q for q in needed if q not in vector.symbols]
         if others:
-            raise _not_two(mechanism, f"the unit vector {vector.name} and {_listed(others)}")
+            raise _not_two(mechanism, f"the unit vector {vector.name} and {_list_text(others)}")
         return _sphere(mechanism, motion, vector)
     if motion.relations:
         raise InputError(
@@ -82,7 +82,7 @@ def base(mechanism: Mechanism, motion: ReducedMomenta) -> Base:
             "unit vector is understood"
         )
     if len(needed) > 2:
-        raise _not_two(mechanism, _listed(needed))
+        raise _not_two(mechanism, _list_text(needed))
     return _pair(mechanism, motion, needed)
 
 
@@ -93,7 +93,7 @@ def _not_two(mechanism: Mechanism, what: str) -> InputError:
     )
 
 
-def _listed(names: list[sp.Symbol]) -> str:
+def _list_text(names: list[sp.Symbol]) -> str:
     return ", ".join(map(str, names))
 
 
@@ -116,7 +116,7 @@ def _entries(motion: ReducedMomenta) -> list[sp.Expr]:
     ]
 
 
-def _needed(mechanism: Mechanism, motion: ReducedMomenta) -> list[sp.Symbol]:
+def _essential_coordinates(mechanism: Mechanism, motion: ReducedMomenta) -> list[sp.Symbol]:
     """The coordinates on which the equations really depend."""
     entries = _entries(motion)
     pulled = [q for q in motion.coordinates if sp.diff(motion.potential, q) != 0]
@@ -125,16 +125,16 @@ def _needed(mechanism: Mechanism, motion: ReducedMomenta) -> list[sp.Symbol]:
         return pulled
     formulas = Formulas(entries, mechanism.name)
     dice = random.Random(SEED)
-    found = pulled
+    essential = pulled
     for q in named:
         for _ in range(TRIES):
             first = point([*bare(formulas.symbols), *motion.coordinates], dice)
-            kept = {s: v for s, v in first.items() if s not in point([q], dice)}
-            second = point([q], dice, kept)
+            fixed = {s: v for s, v in first.items() if s not in point([q], dice)}
+            second = point([q], dice, fixed)
             if formulas.at(first, fmpq(1)) != formulas.at(second, fmpq(1)):
-                found.append(q)
+                essential.append(q)
                 break
-    return found
+    return essential
 
 
 def _free_names(mechanism: Mechanism) -> tuple[sp.Symbol, sp.Symbol]:
@@ -165,26 +165,26 @@ def _sphere(mechanism: Mechanism, motion: ReducedMomenta, vector: Vector) -> Bas
     return Base((theta, phi), place, fixed, rates, vector, moved)
 
 
-def _pair(mechanism: Mechanism, motion: ReducedMomenta, needed: list[sp.Symbol]) -> Base:
+def _pair(mechanism: Mechanism, motion: ReducedMomenta, essential: list[sp.Symbol]) -> Base:
     """Two of the coordinates, those that matter among them, that move freely."""
-    rest = [q for q in motion.coordinates if q not in needed]
-    place = dict.fromkeys(rest, sp.S.Zero)
+    inessential = [q for q in motion.coordinates if q not in essential]
+    place = dict.fromkeys(inessential, sp.S.Zero)
     for chosen in combinations(motion.coordinates, 2):
-        if not set(needed) <= set(chosen):
+        if not set(essential) <= set(chosen):
             continue
         others = {q: v for q, v in place.items() if q not in chosen}
         rows = motion.anchor.extract(
             [motion.coordinates.index(q) for q in chosen], range(motion.anchor.cols)
         )
         rates = rows.xreplace(others)
-        if rates.free_symbols & set(rest) - set(chosen):
+        if rates.free_symbols & set(inessential) - set(chosen):
             continue
         moved = on_base(motion, others)
         if _spans(mechanism, sp.Matrix.vstack(rates, moved.constraints)):
             names = (chosen[0], chosen[1])
             return Base(names, {q: q for q in names}, others, rates, None, moved)
     raise InputError(
-        f"{mechanism.name}: no two of its coordinates {_listed(list(motion.coordinates))} move "
+        f"{mechanism.name}: no two of its coordinates {_list_text(list(motion.coordinates))} move "
         "freely and by themselves under the constraints"
     )
 

@@ -1,4 +1,4 @@
-"""The Hamiltonian form in the time τ, with canonical momenta p = N P + w where S̄ = dw."""
+"""The Hamiltonian form in the time τ with momenta p = N P + w, S̄ = dw."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Generalised Chaplygin systems recognised, and the reducing multiplier (§4.3, Theorem 6).
+"""Generalised Chaplygin systems and the reducing multiplier (§4.3, Theorem 6).
 
 From a Lagrangian, a frame and constraints alone: the two coordinates in which the system moves by
 itself, on a level of its linear integrals where it needs them; the form (4.4) with S; whether the
@@ -73,26 +73,26 @@ def chaplygin_form(
     >>> ch.chaplygin_form(particle).multiplier.value
     1/sqrt(y**2 + 1)
     """
-    found = _reduced(mechanism, levels)
-    special = _special(mechanism, found)
+    form = _reduction(mechanism, levels)
+    special = _special(mechanism, form)
     if special is None:
-        return found
+        return form
     level, value = special
     inner = chaplygin_form(with_parameters(mechanism, value), levels)
     return replace(inner, on=(level, *inner.on))
 
 
 def _special(
-    mechanism: Mechanism, found: ChaplyginForm
+    mechanism: Mechanism, form: ChaplyginForm
 ) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]] | None:
-    """A level of the parameters that is a case of its own, and on which their numbers lie.
+    """The exceptional level of the parameters on which their numbers lie, if any.
 
     With the level comes the parameter that it gives.
     """
     numbers = {p.symbol: exact_number(p.default) for p in mechanism.parameters}
-    excepted = poles(found.multiplier) if found.multiplier is not None else ()
-    if found.obstruction is not None:
-        excepted = found.obstruction.vanishing
+    excepted = poles(form.multiplier) if form.multiplier is not None else ()
+    if form.obstruction is not None:
+        excepted = form.obstruction.vanishing
     for factor in excepted:
         if factor.xreplace(numbers) != 0:
             continue
@@ -105,12 +105,12 @@ def _special(
     return None
 
 
-def _reduced(mechanism: Mechanism, levels: Sequence[float | sp.Expr] | None) -> ChaplyginForm:
+def _reduction(mechanism: Mechanism, levels: Sequence[float | sp.Expr] | None) -> ChaplyginForm:
     """The reduction for parameters near their numbers."""
     moved = motion(mechanism)
     here = base(mechanism, moved)
-    found = _integrals(mechanism, moved, here)
-    up = lift(here, found, _levels(mechanism, len(found), levels))
+    integrals = _integrals(mechanism, moved, here)
+    up = lift(here, integrals, _levels(mechanism, len(integrals), levels))
     chosen = energy_like_integral(mechanism, moved, up)
     local = Local(up, chosen.integral, mechanism.name)
     chart = HalfAngleChart.of(here.coordinates, local.symbols)
@@ -120,49 +120,49 @@ def _reduced(mechanism: Mechanism, levels: Sequence[float | sp.Expr] | None) -> 
     factors = natural_factors(up, list(forms), chart, parameters, mechanism.name)
     N_found = multiplier(local, chart, factors, here.normal)
     parts = closed_forms(local, chart, parameters, here.normal)
-    return _assembled(mechanism, here, up, local, chart, parts, N_found, chosen.words)
+    return _form(mechanism, here, up, local, chart, parts, N_found, chosen.words)
 
 
-def _assembled(
+def _form(
     mechanism: Mechanism,
     here: Base,
     up: Lift,
     local: Local,
     chart: HalfAngleChart,
     parts: ClosedFormParts,
-    found: Multiplier | None,
+    multiplier: Multiplier | None,
     role: str,
 ) -> ChaplyginForm:
     potential = local.integral.potential
     original = _original(mechanism, here, up)
-    made = chaplygin_system(mechanism, here, up.constants, parts, potential, found)
-    extended = with_carried_coordinates(made, here, parts, original)
+    system = chaplygin_system(mechanism, here, up.constants, parts, potential, multiplier)
+    extended = with_carried_coordinates(system, here, parts, original)
     way_back = motion_law(here, parts, original, up.levelled)
     if extended is None:
-        made = made.with_laws(way_back)
+        system = system.with_laws(way_back)
     else:
         extended = replace(extended, laws=(way_back,))
     monopole = hamiltonian = gyroscopic = None
-    if found is not None:
-        gyroscopic = over_rational(found, parts.b)
-        monopole = flux(mechanism, here, up.constants, found, parts.b)
-        made = made.with_laws(*_shape(monopole))
+    if multiplier is not None:
+        gyroscopic = over_rational(multiplier, parts.b)
+        monopole = flux(mechanism, here, up.constants, multiplier, parts.b)
+        system = system.with_laws(*_shape(monopole))
         if monopole.potential is not None:
-            hamiltonian = canonical(made, here, parts, potential, found, monopole.potential)
-            made = made.with_laws(canonical_law(here, hamiltonian, monopole.potential))
-    obstruction = None if found else obstruction_point(local, chart, mechanism.parameters)
+            hamiltonian = canonical(system, here, parts, potential, multiplier, monopole.potential)
+            system = system.with_laws(canonical_law(here, hamiltonian, monopole.potential))
+    obstruction = None if multiplier else obstruction_point(local, chart, mechanism.parameters)
     return ChaplyginForm(
         original=original,
         base=here,
         integrals=tuple(zip(up.levels, up.integrals, strict=True)),
         role=role,
         closed=parts,
-        multiplier=found,
+        multiplier=multiplier,
         obstruction=obstruction,
-        closed_form=bool(found) or (obstruction is None and is_closed(local, chart)),
-        singular=() if found is None else indefinite(mechanism, here, found),
+        closed_form=bool(multiplier) or (obstruction is None and is_closed(local, chart)),
+        singular=() if multiplier is None else indefinite(mechanism, here, multiplier),
         flux=monopole,
-        system=made,
+        system=system,
         gyroscopic=gyroscopic,
         lifted=extended,
         hamiltonian=hamiltonian,
@@ -172,9 +172,9 @@ def _assembled(
 
 def _original(mechanism: Mechanism, here: Base, up: Lift) -> System:
     """The equations of motion with the linear integrals as laws."""
-    made = with_base(equations(mechanism), here)
+    system = with_base(equations(mechanism), here)
     names = [f"linear_{i + 1}" for i in range(len(up.integrals))]
-    return made.with_laws(
+    return system.with_laws(
         *(
             Integral(name, each.value, "integral linear in the velocities")
             for name, each in zip(names, up.integrals, strict=True)
@@ -183,7 +183,7 @@ def _original(mechanism: Mechanism, here: Base, up: Lift) -> System:
 
 
 def _shape(monopole: Flux) -> tuple[Law, ...]:
-    """What the integral of S̄ rests on."""
+    """The identity that the integral of S̄ depends on."""
     if monopole.residual == 0:
         return ()
     return (
@@ -197,16 +197,16 @@ def _shape(monopole: Flux) -> tuple[Law, ...]:
 
 
 def _levels(
-    mechanism: Mechanism, count: int, given: Sequence[float | sp.Expr] | None
+    mechanism: Mechanism, count: int, values: Sequence[float | sp.Expr] | None
 ) -> list[sp.Expr]:
     """The values of the linear integrals."""
-    if given is not None:
-        if len(given) != count:
+    if values is not None:
+        if len(values) != count:
             raise InputError(
-                f"{mechanism.name}: {len(given)} levels are given, but it is reduced on levels of "
+                f"{mechanism.name}: {len(values)} levels are given, but it is reduced on levels of "
                 f"{count} linear integrals"
             )
-        return [exactly(c) for c in given]
+        return [exactly(c) for c in values]
     used = {p.symbol for p in mechanism.parameters} | set(mechanism.symbols)
     used |= {s for s, _ in mechanism.steps}
     names = ["c"] if count == 1 else [f"c_{i + 1}" for i in range(count)]
@@ -226,12 +226,12 @@ def _integrals(mechanism: Mechanism, moved: ReducedMomenta, here: Base) -> list[
             "linear integrals that take the others are only sought where every constraint gives "
             "a velocity with a number as coefficient"
         )
-    found = linear_integrals(mechanism, moved, here)
-    if len(found) < needed:
+    integrals = linear_integrals(mechanism, moved, here)
+    if len(integrals) < needed:
         raise InputError(
             f"{mechanism.name}: its constraints allow {free} velocities for two coordinates, and "
-            f"{len(found) or 'no'} integral linear in the momenta, with coefficients up to degree "
-            "two in the coordinates, was found to take the others; it is not shown to be a "
+            f"{len(integrals) or 'no'} integral linear in the momenta, with coefficients up to "
+            "degree two in the coordinates, was found to take the others; it is not shown to be a "
             "generalised Chaplygin system"
             + (
                 " for general values of its parameters (put special values in as numbers)"
@@ -239,4 +239,4 @@ def _integrals(mechanism: Mechanism, moved: ReducedMomenta, here: Base) -> list[
                 else ""
             )
         )
-    return found[:needed]
+    return integrals[:needed]

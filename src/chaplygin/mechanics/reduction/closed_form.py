@@ -1,12 +1,12 @@
-"""Exact fractions in tangents of half angles, written in the angles or in a unit vector."""
+"""Fractions in tangents of half angles as formulas in angles or a unit vector."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
+from flint import fmpq_mpoly
 
 from ...core.vectors import Vector
 from .factors import HalfAngleChart, has_even_degrees, in_angles, on_sphere
@@ -32,7 +32,7 @@ class ClosedFormParts:
     rest : Expr
         E₀ without the given potential.
     lifted : tuple of (Expr, Expr, Expr)
-        For every velocity u its factors of q̇₁ and q̇₂, and what is left.
+        For every velocity u its coefficients of q̇₁ and q̇₂, and the remaining term.
     """
 
     metric: tuple[sp.Expr, sp.Expr, sp.Expr]
@@ -50,7 +50,7 @@ def closed_forms(
     lift, owner = local.lift, local.owner
     one, names = quotients([*chart.variables, *parameters, *lift.constants])
     place = {**names, **chart.point([names[t] for t in chart.variables])}
-    found = local.at(place, one)
+    values = local.at(place, one)
     u = lift.base.motion.velocities
     size = len(u)
     K = Formulas(list(lift.matrix), owner).at(place, one)
@@ -58,19 +58,19 @@ def closed_forms(
     solve = inverse([K[i : i + size] for i in range(0, len(K), size)], one)
     y = product(solve, known)
     at_rest = {**place, **dict(zip(u, y, strict=True))}
-    (rest,) = Formulas([local.integral.value], owner).at(at_rest, one)
+    (potential,) = Formulas([local.integral.value], owner).at(at_rest, one)
 
     def plain(value: Quotient) -> sp.Expr:
         return in_unit_vector(value, chart, vector)
 
-    (g11, g12), (_, g22) = found.metric
-    (h11, h12), (_, h22) = inverse(found.metric, one)
+    (g11, g12), (_, g22) = values.metric
+    (h11, h12), (_, h22) = inverse(values.metric, one)
     return ClosedFormParts(
         metric=(plain(g11), plain(g12), plain(g22)),
         inverse=(plain(h11), plain(h12), plain(h22)),
-        a=(plain(found.a[0]), plain(found.a[1])),
-        b=plain(found.b),
-        rest=plain(rest),
+        a=(plain(values.a[0]), plain(values.a[1])),
+        b=plain(values.b),
+        rest=plain(potential),
         lifted=tuple(
             (plain(row[0]), plain(row[1]), plain(x)) for row, x in zip(solve, y, strict=True)
         ),
@@ -78,7 +78,7 @@ def closed_forms(
 
 
 def in_unit_vector(value: Quotient, chart: HalfAngleChart, vector: Vector | None) -> sp.Expr:
-    """A fraction in the angles, its factors in the unit vector where they are functions of it."""
+    """A fraction in the angles; its factors in the unit vector where possible."""
     if value.above == 0:
         return sp.S.Zero
     circles = [0, 0]
@@ -86,10 +86,10 @@ def in_unit_vector(value: Quotient, chart: HalfAngleChart, vector: Vector | None
     for poly, sign in ((value.above, 1), (value.below, -1)):
         content, parts = poly.factor()
         total *= sp.Rational(int(content.p), int(content.q)) ** sign
-        odd: Any = None
+        odd: fmpq_mpoly | None = None
         for factor, power in parts:
             e = int(power)
-            circle, sine = (_is(factor, chart, form) for form in ("{}^2 + 1", "{}"))
+            circle, sine = (_angle_of_form(factor, chart, form) for form in ("{}^2 + 1", "{}"))
             if circle is not None:
                 circles[circle] += sign * e
             elif sine is not None:
@@ -97,28 +97,28 @@ def in_unit_vector(value: Quotient, chart: HalfAngleChart, vector: Vector | None
                 circles[sine] += sign * e
                 total *= (sp.sin(chart.coordinates[sine]) / 2) ** (sign * e)
             elif has_even_degrees(factor, chart):
-                total *= _one(factor, chart, vector, circles, sign * e)
+                total *= _power_of_factor(factor, chart, vector, circles, sign * e)
             else:
                 odd = factor**e if odd is None else odd * factor**e
         if odd is not None:
-            total *= _one(odd, chart, None, circles, sign)
+            total *= _power_of_factor(odd, chart, None, circles, sign)
     for x, power in zip(chart.coordinates, circles, strict=True):
         total *= (2 / (1 + sp.cos(x))) ** power
     return total
 
 
-def _one(
-    factor: Any, chart: HalfAngleChart, vector: Vector | None, circles: list[int], power: int
+def _power_of_factor(
+    factor: fmpq_mpoly, chart: HalfAngleChart, vector: Vector | None, circles: list[int], power: int
 ) -> sp.Expr:
     """A factor to a power, exactly; the powers of 1 + t² that it takes are recorded."""
     for i in (0, 1):
         if chart.angles[i]:
             circles[i] += power * ((int(factor.degrees()[i]) + 1) // 2)
-    made = on_sphere(factor, chart, vector) if vector is not None else None
-    return (in_angles(factor, chart) if made is None else made) ** power
+    on_unit_sphere = on_sphere(factor, chart, vector) if vector is not None else None
+    return (in_angles(factor, chart) if on_unit_sphere is None else on_unit_sphere) ** power
 
 
-def _is(factor: Any, chart: HalfAngleChart, form: str) -> int | None:
+def _angle_of_form(factor: fmpq_mpoly, chart: HalfAngleChart, form: str) -> int | None:
     """For which angle a factor has the given form in t."""
     names = factor.context().names()
     for i in (0, 1):

@@ -10,10 +10,9 @@ import random
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations_with_replacement
-from typing import Any
 
 import sympy as sp
-from flint import Ordering, fmpq, fmpq_mat, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mat, fmpq_mpoly, fmpq_mpoly_ctx
 
 from ...core.vectors import Vector, real_symbol
 from .horizontal_lift import Lift
@@ -72,15 +71,15 @@ class HalfAngleChart:
 
     def point(self, values: Sequence[Value]) -> dict[sp.Symbol, Value]:
         """Coordinates, sines and cosines by the values of the variables."""
-        found: dict[sp.Symbol, Value] = {}
+        point: dict[sp.Symbol, Value] = {}
         for q, angle, t in zip(self.coordinates, self.angles, values, strict=True):
             if angle:
                 sine, cosine = circle(q)
                 square = t * t + 1
-                found[sine], found[cosine] = 2 * t / square, (2 - square) / square
+                point[sine], point[cosine] = 2 * t / square, (2 - square) / square
             else:
-                found[q] = t
-        return found
+                point[q] = t
+        return point
 
     def speed(self, index: int, value: Value) -> Value:
         """Derivative of the variable by its coordinate."""
@@ -117,8 +116,8 @@ def natural_factors(
     chart: HalfAngleChart,
     parameters: Sequence[sp.Symbol],
     owner: str,
-) -> list[Any]:
-    """Irreducible polynomials in the variables of the chart that the system itself brings along.
+) -> list[fmpq_mpoly]:
+    """Irreducible factors, in the variables of the chart, of the determinants.
 
     They divide the determinants of K, of the quadratic forms Q given, and of Q on the velocities
     that integrals and constraints tie; 1 + t² is not among them.
@@ -130,18 +129,18 @@ def natural_factors(
         values = Formulas(list(formulas), owner).at(place, one)
         return [values[i : i + formulas.cols] for i in range(0, len(values), formulas.cols)]
 
-    found = [determinant(matrix(lift.matrix))]
+    determinants = [determinant(matrix(lift.matrix))]
     tied = matrix(lift.tied) if lift.tied.rows else []
     for form in forms:
         rows = matrix(form)
-        found.append(determinant(rows))
+        determinants.append(determinant(rows))
         if tied:
             turned = [product(_adjugate(rows), row) for row in tied]
-            found.append(determinant([product(tied, column) for column in turned]))
+            determinants.append(determinant([product(tied, column) for column in turned]))
     pairs = zip(chart.variables, chart.angles, strict=True)
     circles = {str(names[t].above ** 2 + 1) for t, angle in pairs if angle}
-    factors: dict[str, Any] = {}
-    for value in found:
+    factors: dict[str, fmpq_mpoly] = {}
+    for value in determinants:
         for poly in (value.above, value.below):
             for factor, _ in poly.factor()[1]:
                 lead = factor.leading_coefficient()
@@ -150,22 +149,22 @@ def natural_factors(
     return list(factors.values())
 
 
-def has_even_degrees(poly: Any, chart: HalfAngleChart) -> bool:
-    """Whether a polynomial is over (1 + t²)^(d/2) a function of the angles without half angles."""
+def has_even_degrees(poly: fmpq_mpoly, chart: HalfAngleChart) -> bool:
+    """Whether F/(1 + t²)^(d/2) is a function of the angles without half angles."""
     return not any(a and int(d) % 2 for d, a in zip(poly.degrees()[:2], chart.angles, strict=True))
 
 
-def in_angles(poly: Any, chart: HalfAngleChart) -> sp.Expr:
+def in_angles(poly: fmpq_mpoly, chart: HalfAngleChart) -> sp.Expr:
     """A polynomial as F/(1 + t²)^⌈d/2⌉ in sines and cosines, expanded."""
     names = poly.context().names()
     circles = [str(s) for q in chart.coordinates for s in circle(q)]
     ring = fmpq_mpoly_ctx.get([*circles, *names], Ordering.lex)
     gens = dict(zip(ring.names(), ring.gens(), strict=True))
     halves = [(int(d) + 1) // 2 for d in poly.degrees()[:2]]
-    parts: dict[tuple[int, int], dict[tuple[int, ...], Any]] = {}
+    parts: dict[tuple[int, int], dict[tuple[int, ...], fmpq]] = {}
     for exponents, coefficient in poly.to_dict().items():
-        first, second, *rest = (int(e) for e in exponents)
-        parts.setdefault((first, second), {})[0, 0, 0, 0, 0, 0, *rest] = coefficient
+        first, second, *parameters = (int(e) for e in exponents)
+        parts.setdefault((first, second), {})[0, 0, 0, 0, 0, 0, *parameters] = coefficient
     total = ring.constant(0)
     for powers, terms in parts.items():
         term = ring.from_dict(terms)
@@ -186,7 +185,7 @@ def in_angles(poly: Any, chart: HalfAngleChart) -> sp.Expr:
     return as_formula(total / scale).xreplace(functions)
 
 
-def on_sphere(poly: Any, chart: HalfAngleChart, vector: Vector) -> sp.Expr | None:
+def on_sphere(poly: fmpq_mpoly, chart: HalfAngleChart, vector: Vector) -> sp.Expr | None:
     """A polynomial of even degrees, over the powers of 1 + t², in the unit vector.
 
     A form where it is one; else with terms of two degrees that differ by one.  None if it is no
@@ -203,31 +202,35 @@ def on_sphere(poly: Any, chart: HalfAngleChart, vector: Vector) -> sp.Expr | Non
             for chosen in combinations_with_replacement(range(3), d)
         ]
         # with numbers first: most polynomials are no functions on the sphere
-        if _fitted(sample, powers) is not None:
-            found = _fitted(poly, powers)
-            return None if found is None else _as_form(found, powers, vector)
+        if _coefficients_in_unit_vector(sample, powers) is not None:
+            coefficients = _coefficients_in_unit_vector(poly, powers)
+            return None if coefficients is None else _as_form(coefficients, powers, vector)
     return None
 
 
-def _with_numbers(poly: Any) -> Any:
+def _with_numbers(poly: fmpq_mpoly) -> fmpq_mpoly:
     """The polynomial at random values of the parameters."""
     dice = random.Random(SEED)
     return poly.subs({name: number(dice) for name in poly.context().names()[2:]})
 
 
-def _at_pole(poly: Any) -> bool:
-    """Whether the value at θ = 0 is the same for all φ, as of a function on the sphere."""
+def _at_pole(poly: fmpq_mpoly) -> bool:
+    """Whether the value at θ = 0 does not depend on φ, as on a sphere."""
     values = [_over(poly, [fmpq(0), x]) for x in (fmpq(1, 3), fmpq(5, 2))]
     return bool(values[0] == values[1])
 
 
-def _as_form(found: Sequence[Any], powers: Sequence[tuple[int, ...]], vector: Vector) -> sp.Expr:
+def _as_form(
+    coefficients: Sequence[fmpq_mpoly], powers: Sequence[tuple[int, ...]], vector: Vector
+) -> sp.Expr:
     monomials = [sp.Mul(*(vector.symbols[i] for i in chosen)) for chosen in powers]
-    terms = [as_formula(f) * x for f, x in zip(found, monomials, strict=True)]
+    terms = [as_formula(f) * x for f, x in zip(coefficients, monomials, strict=True)]
     return sp.collect(sp.expand(sp.Add(*terms)), monomials, sp.factor)
 
 
-def _fitted(poly: Any, powers: Sequence[tuple[int, ...]]) -> list[Any] | None:
+def _coefficients_in_unit_vector(
+    poly: fmpq_mpoly, powers: Sequence[tuple[int, ...]]
+) -> list[fmpq_mpoly] | None:
     """Coefficients of the monomials that make the polynomial, if there are any."""
     ring, count = poly.context(), len(powers)
     rows, right = [], []
@@ -242,14 +245,14 @@ def _fitted(poly: Any, powers: Sequence[tuple[int, ...]]) -> list[Any] | None:
     if matrix.det() == 0:
         return None
     solve = matrix.inv()
-    found = [
+    coefficients = [
         sum((solve[i, j] * right[j] for j in range(count)), ring.constant(0)) for i in range(count)
     ]
     fits = all(
-        sum((x * f for x, f in zip(row, found, strict=True)), ring.constant(0)) == value
+        sum((x * f for x, f in zip(row, coefficients, strict=True)), ring.constant(0)) == value
         for row, value in zip(rows[count:], right[count:], strict=True)
     )
-    return found if fits else None
+    return coefficients if fits else None
 
 
 def _circles(t: Sequence[fmpq]) -> list[tuple[fmpq, fmpq]]:
@@ -263,7 +266,7 @@ def _power(unit: Sequence[fmpq], chosen: Sequence[int]) -> fmpq:
     return total
 
 
-def _over(poly: Any, t: Sequence[fmpq]) -> Any:
+def _over(poly: fmpq_mpoly, t: Sequence[fmpq]) -> fmpq_mpoly:
     """F/(1 + t²)^(d/2) at rational t, a polynomial in the parameters."""
     names = poly.context().names()
     value = poly.subs({names[0]: t[0], names[1]: t[1]})

@@ -1,4 +1,4 @@
-"""A generalised Chaplygin system in its reduced form, and as a page for a terminal."""
+"""A generalised Chaplygin system in its reduced form, and its text."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ OPEN = (
 
 @dataclass(frozen=True, repr=False)
 class ChaplyginForm(WithOverview):
-    """What Theorem 6 makes of a mechanism.
+    """A mechanism as a generalised Chaplygin system, by Theorem 6.
 
     Attributes
     ----------
@@ -47,7 +47,7 @@ class ChaplyginForm(WithOverview):
     integrals : tuple of (Expr, Linear)
         The linear integrals on whose levels the system is reduced, after their values.
     role : str
-        The integral that plays the part of the energy in L = E₂ − E₀.
+        The integral in place of the energy in L = E₂ − E₀.
     closed : Closed
         Metric, S and the lift, in closed form.
     multiplier : Multiplier or None
@@ -110,7 +110,7 @@ class ChaplyginForm(WithOverview):
 
 
 def page(form: ChaplyginForm) -> str:
-    """Coordinates, levels, multiplier, gyroscopic forces and what follows, 100 columns wide."""
+    """Coordinates, levels, multiplier and gyroscopic forces, 100 columns wide."""
     lines = [form.system.title]
     for head, words in _rows(form):
         lines += textwrap.wrap(
@@ -136,7 +136,7 @@ def _rows(form: ChaplyginForm) -> Iterator[tuple[str, str]]:
     if form.on:
         yield "where", f"{', '.join(f'{text(f)} = 0' for f in form.on)}, a case of its own"
     if form.multiplier is None:
-        yield from _refused(form)
+        yield from _refusal_rows(form)
         return
     yield "multiplier", f"N = {text(form.multiplier.value)}"
     for factor in poles(form.multiplier):
@@ -160,14 +160,17 @@ def _rows(form: ChaplyginForm) -> Iterator[tuple[str, str]]:
         yield "canonical", "no momenta on the whole sphere, as the integral of S̄ is not zero"
 
 
-def _refused(form: ChaplyginForm) -> Iterator[tuple[str, str]]:
-    found = form.obstruction
-    if found is None:
+def _refusal_rows(form: ChaplyginForm) -> Iterator[tuple[str, str]]:
+    obstruction = form.obstruction
+    if obstruction is None:
         yield "multiplier", BY_QUADRATURE if form.closed_form else OPEN
         return
-    at = ", ".join(f"{name} = {value}" for name, value in found.point.items())
-    exact = str(found.curl)
+    at = ", ".join(f"{name} = {value}" for name, value in obstruction.point.items())
+    exact = str(obstruction.curl)
     value = exact if len(exact) < LONG else f"{float(sp.Rational(exact)):.6g} (a fraction exactly)"
     yield "multiplier", f"none: d(A₂ dq₁ − A₁ dq₂) is {value} dq₂ ∧ dq₁ at {at}"
-    if found.vanishing:
-        yield "", f"it vanishes where {' or '.join(f'{text(f)} = 0' for f in found.vanishing)}"
+    if obstruction.vanishing:
+        yield (
+            "",
+            f"it vanishes where {' or '.join(f'{text(f)} = 0' for f in obstruction.vanishing)}",
+        )

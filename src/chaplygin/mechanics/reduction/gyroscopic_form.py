@@ -87,24 +87,28 @@ def flux(
         return Flux(None, "S̄ is not shown to be smooth on the sphere")
     parts = [(sp.diff(b, c), c) for c in constants]
     parts.append((b.xreplace(dict.fromkeys(constants, zero)), sp.S.One))
-    found = [
+    parts_of_flux = [
         (_of_part(mechanism, base, vector, multiplier, part), factor)
         for part, factor in parts
         if part != 0
     ]
-    if any(each.value is None for each, _ in found):
+    if any(each.value is None for each, _ in parts_of_flux):
         return Flux(None, "no closed form was found")
-    total = sp.Add(*(factor * each.value for each, factor in found if each.value is not None))
-    residual = sp.Add(*(factor * each.residual for each, factor in found))
-    potentials = [each.potential for each, _ in found if each.potential is not None]
+    total = sp.Add(
+        *(factor * each.value for each, factor in parts_of_flux if each.value is not None)
+    )
+    residual = sp.Add(*(factor * each.residual for each, factor in parts_of_flux))
+    potentials = [each.potential for each, _ in parts_of_flux if each.potential is not None]
     whole = None
-    if len(potentials) == len(found):
+    if len(potentials) == len(parts_of_flux):
         first, second = (
-            sp.Add(*(factor * w[i] for w, (_, factor) in zip(potentials, found, strict=True)))
+            sp.Add(
+                *(factor * w[i] for w, (_, factor) in zip(potentials, parts_of_flux, strict=True))
+            )
             for i in (0, 1)
         )
         whole = (first, second)
-    words = "; ".join(f"{each.words}" for each, _ in found)
+    words = "; ".join(f"{each.words}" for each, _ in parts_of_flux)
     return Flux(total, words, residual, whole)
 
 
@@ -136,12 +140,12 @@ def _constant_density(base: Base, vector: Vector, form: sp.Expr) -> sp.Expr | No
     return g if g.is_finite is not False and vanishes(density - g, [unit]) else None
 
 
-def indefinite(mechanism: Mechanism, base: Base, found: Multiplier) -> tuple[sp.Expr, ...]:
+def indefinite(mechanism: Mechanism, base: Base, multiplier: Multiplier) -> tuple[sp.Expr, ...]:
     """Factors of N that have both signs on the sphere, at the default parameters."""
     vector = base.normal
     if vector is None:
         return ()
-    forms = [f for f, _ in found.powers if f.has(*vector.symbols)]
+    forms = [f for f, _ in multiplier.powers if f.has(*vector.symbols)]
     return tuple(f for f in forms if _has_both_signs(mechanism, vector, f))
 
 
@@ -158,7 +162,7 @@ def _defaults(mechanism: Mechanism) -> dict[sp.Symbol, sp.Rational]:
 
 
 def _smooth(mechanism: Mechanism, vector: Vector, value: sp.Expr) -> bool:
-    """Whether all that is divided by, or has a root, is a definite form at the defaults."""
+    """Whether all denominators and radicands are definite forms at the defaults."""
     powers = value.as_powers_dict().items()
     delicate = [
         base
@@ -236,21 +240,21 @@ def _one_root(value: sp.Expr) -> sp.Expr:
 
 
 def _fields(base: Base, vector: Vector, part: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
-    """(Cγ, γ × dγ)/D for the matrices C with one entry, and the factors D of the denominator."""
+    """(Cγ, γ × dγ)/D for elementary matrices C and factors D of the denominator."""
     place = dict(base.place)
     unit = sp.Matrix([place[s] for s in vector.symbols])
     moved = [unit.diff(q) for q in base.coordinates]
     below = sp.fraction(sp.together(part))[1]
     divisors = [f for f, _ in sp.factor_list(below)[1] if f.has(*vector.symbols)]
-    found = []
+    forms = []
     for divisor in divisors or [sp.S.One]:
         # C = 1 gives nothing
         for i, j in list(combinations_with_replacement(range(3), 2))[:-1]:
             C = sp.zeros(3)
             C[i, j] = C[j, i] = 1
             turned = [(C * unit).dot(unit.cross(d)) / divisor.xreplace(place) for d in moved]
-            found.append((turned[0], turned[1]))
-    return found
+            forms.append((turned[0], turned[1]))
+    return forms
 
 
 def _curl(w: tuple[sp.Expr, sp.Expr], q: tuple[sp.Symbol, sp.Symbol], F: sp.Expr) -> sp.Expr:

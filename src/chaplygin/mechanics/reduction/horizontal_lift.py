@@ -1,8 +1,8 @@
-"""From the velocities of the base to all velocities, and the form (4.4) that follows.
+"""All velocities from those of the base, and the form (4.4).
 
 On a level c of the linear integrals the velocities u are given by q̇: the equations
 ρu = q̇, (ℓ, u) = c − ℓ₀, Cu = 0 have the solution u = q̇₁Y₁ + q̇₂Y₂ + y.  An integral Φ(q, u) that is
-quadratic in u becomes E₂ + E₁ + E₀ by degrees in q̇.  Where E₁ = 0 and E₂ is not degenerate, let
+quadratic in u becomes E₂ + E₁ + E₀ by degrees in q̇.  If E₁ = 0 and E₂ is not degenerate, let
 L = E₂ − E₀: along every motion 0 = Φ̇ = Σ q̇_i (d/dt ∂L/∂q̇_i − ∂L/∂q_i), and what stands in brackets
 is of degree two in q̇, so it is (q̇₂S, −q̇₁S) with S = a₁q̇₁ + a₂q̇₂ + b.  With μ = ∂Φ/∂u
 
@@ -74,7 +74,7 @@ def energy(motion: ReducedMomenta, base: Base) -> Quadratic:
     u = sp.Matrix(motion.velocities)
     moved = motion.metric * u
     rate = motion.force - motion.gyroscopic.applyfunc(motion.rate)
-    return _placed((u.T * moved)[0] / 2, motion.potential, moved, rate, base)
+    return _on_base((u.T * moved)[0] / 2, motion.potential, moved, rate, base)
 
 
 def in_momenta(motion: ReducedMomenta, base: Base, form: sp.Matrix) -> Quadratic:
@@ -82,10 +82,10 @@ def in_momenta(motion: ReducedMomenta, base: Base, form: sp.Matrix) -> Quadratic
     m = motion.momenta
     turned = motion.metric * form * m
     rate = motion.metric.applyfunc(motion.rate) * form * m + motion.metric * form * motion.force
-    return _placed((m.T * form * m)[0] / 2, sp.S.Zero, turned, rate, base)
+    return _on_base((m.T * form * m)[0] / 2, sp.S.Zero, turned, rate, base)
 
 
-def _placed(
+def _on_base(
     value: sp.Expr, potential: sp.Expr, slope: sp.Matrix, rate: sp.Matrix, base: Base
 ) -> Quadratic:
     place = base.inside
@@ -127,7 +127,7 @@ class Lift:
 
     @property
     def levelled(self) -> tuple[sp.Expr, ...]:
-        """What vanishes on the level, in the coordinates of the mechanism."""
+        """Expressions that vanish on the level, in the mechanism's coordinates."""
         pairs = zip(self.integrals, self.levels, strict=True)
         return tuple(integral.value - level for integral, level in pairs)
 
@@ -141,14 +141,14 @@ def lift(base: Base, integrals: Sequence[Linear], levels: Sequence[sp.Expr]) -> 
     """K and e for given linear integrals and their values."""
     u = base.motion.velocities
     placed = [f.value.xreplace(base.inside) for f in integrals]
-    rest = [f.xreplace(dict.fromkeys(u, sp.S.Zero)) for f in placed]
+    inhomogeneous = [f.xreplace(dict.fromkeys(u, sp.S.Zero)) for f in placed]
     rows = [[sp.diff(f, s) for s in u] for f in placed]
     matrix = sp.Matrix.vstack(
         base.rates,
         sp.Matrix(len(rows), len(u), [x for row in rows for x in row]),
         base.motion.constraints,
     )
-    level = [c - f for c, f in zip(levels, rest, strict=True)]
+    level = [c - f for c, f in zip(levels, inhomogeneous, strict=True)]
     known = sp.Matrix([0, 0, *level, *([0] * base.motion.constraints.rows)])
     return Lift(base, matrix, known, tuple(integrals), tuple(levels))
 
@@ -190,12 +190,12 @@ class Local:
     @cached_property
     def _place(self) -> Formulas:
         q, u = self.lift.base.coordinates, self.lift.base.motion.velocities
-        rest = dict.fromkeys(u, sp.S.Zero)
+        still = dict.fromkeys(u, sp.S.Zero)
         form = self.integral.slope.jacobian(u)
         parts: list[sp.Expr] = []
         for matrix in (self.lift.matrix, form):
             parts += [*matrix, *matrix.diff(q[0]), *matrix.diff(q[1])]
-        parts += [*self.lift.known, *self.integral.slope.xreplace(rest)]
+        parts += [*self.lift.known, *self.integral.slope.xreplace(still)]
         return Formulas(parts, self.owner)
 
     @cached_property
@@ -204,7 +204,7 @@ class Local:
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
-        """What needs a value."""
+        """The symbols that need a value."""
         u = self.lift.base.motion.velocities
         both = {*self._place.symbols, *self._moving.symbols} - set(u)
         return tuple(sorted(both, key=str))

@@ -1,8 +1,8 @@
 """Integrals linear and quadratic in the momenta, found by exact linear algebra.
 
 With m = ∂L/∂u and ṁ = f the condition that F(q, m) be constant is linear in the coefficients of F.
-It is solved at rational points first, which tells the terms that occur, and then for these terms
-with the parameters as symbols.
+It is solved at rational points first, which determines the terms that occur, and then for these
+terms with the parameters as symbols.
 """
 
 from __future__ import annotations
@@ -71,9 +71,9 @@ def linear_integrals(mechanism: Mechanism, motion: ReducedMomenta, base: Base) -
         written += [f for f in monomials if f != 1]
         momenta = dict(zip(names, motion.momenta, strict=True))
         terms = [term.xreplace(momenta) for term in written]
-        found = _constants(mechanism, motion, base, terms)
-        if found:
-            sums = [sp.Add(*(c * written[i] for i, c in each.items())) for each in found]
+        combinations = _constants(mechanism, motion, base, terms)
+        if combinations:
+            sums = [sp.Add(*(c * written[i] for i, c in each.items())) for each in combinations]
             return [Linear(each.xreplace(momenta), each) for each in sums]
     return []
 
@@ -81,7 +81,7 @@ def linear_integrals(mechanism: Mechanism, motion: ReducedMomenta, base: Base) -
 def quadratic_integrals(
     mechanism: Mechanism, motion: ReducedMomenta, base: Base
 ) -> list[sp.Matrix]:
-    """Symmetric matrices B, free of the coordinates, for which ½(m, Bm) is an integral."""
+    """Constant symmetric matrices B for which ½(m, Bm) is an integral."""
     size = len(motion.velocities)
     pairs = list(combinations_with_replacement(range(size), 2))
     m = motion.momenta
@@ -99,28 +99,28 @@ def quadratic_integrals(
 def _functions(motion: ReducedMomenta, base: Base) -> list[sp.Expr]:
     if base.normal is not None:
         return list(base.normal.symbols)
-    found: list[sp.Expr] = []
+    functions: list[sp.Expr] = []
     for q in base.coordinates:
         has_angle = any(e.has(sp.sin(q)) or e.has(sp.cos(q)) for e in motion.force)
-        found += [sp.sin(q), sp.cos(q)] if has_angle else [q]
-    return found
+        functions += [sp.sin(q), sp.cos(q)] if has_angle else [q]
+    return functions
 
 
 def _monomials(functions: Sequence[sp.Expr], degree: int) -> list[sp.Expr]:
-    found = [
+    monomials = [
         sp.Mul(*chosen)
         for height in range(degree + 1)
         for chosen in combinations_with_replacement(functions, height)
     ]
     # the square of the last one follows from the others on the sphere or circle
     square = functions[-1] ** 2 if functions else sp.S.Zero
-    return [f for f in found if sp.rem(f, square, *functions) != 0] if degree > 1 else found
+    return [f for f in monomials if sp.rem(f, square, *functions) != 0] if degree > 1 else monomials
 
 
 def _constants(
     mechanism: Mechanism, motion: ReducedMomenta, base: Base, terms: Sequence[sp.Expr]
 ) -> list[dict[int, sp.Expr]]:
-    """The combinations of terms with constant coefficients that are integrals, as coefficients."""
+    """Constant coefficients of the combinations of terms that are integrals."""
     rates = [_derivative(motion, term).xreplace(base.inside) for term in terms]
     return solutions(mechanism, base, Formulas(rates, mechanism.name), len(terms))
 
@@ -157,27 +157,27 @@ def solutions(
         except ZeroDivisionError:
             continue
         rows += [values[i : i + count] for i in range(0, len(values), count)]
-    found = []
+    combinations = []
     for solution in kernel(rows, one):
         chosen = [i for i, x in enumerate(solution) if x != 0]
-        found.append(_with_parameters(mechanism, base, formulas, count, chosen))
-    return found
+        combinations.append(_with_parameters(mechanism, base, formulas, count, chosen))
+    return combinations
 
 
 def _with_parameters(
     mechanism: Mechanism, base: Base, formulas: Evaluable, count: int, chosen: Sequence[int]
 ) -> dict[int, sp.Expr]:
-    """The same combination with the parameters as symbols."""
+    """A combination with the parameters as symbols."""
     parameters = [p.symbol for p in mechanism.parameters if p.symbol in formulas.symbols]
     if len(chosen) == 1:
         return {chosen[0]: sp.S.One}
-    one, given = quotients(parameters) if parameters else (fmpq(1), {})
+    one, symbols = quotients(parameters) if parameters else (fmpq(1), {})
     dice = random.Random(SEED + 1)
     names = bare(formulas.symbols)
     rows: list[list[Value]] = []
     while len(rows) < len(chosen) + 2:
-        place = point([n for n in names if n not in given] + list(base.coordinates), dice)
-        values = formulas.at({**{s: one * v for s, v in place.items()}, **given}, one)
+        place = point([n for n in names if n not in symbols] + list(base.coordinates), dice)
+        values = formulas.at({**{s: one * v for s, v in place.items()}, **symbols}, one)
         rows += [[values[i + j] for j in chosen] for i in range(0, len(values), count)]
     (row,) = kernel(rows, one)
     return dict(zip(chosen, primitive([as_expression(x) for x in row]), strict=True))

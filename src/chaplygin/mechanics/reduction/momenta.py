@@ -1,4 +1,4 @@
-"""Momenta and forces of a mechanism on its admissible velocities (§1.1), written out.
+"""Momenta and forces of a mechanism on its admissible velocities (§1.1).
 
 Velocities that a constraint gives with a number as coefficient are eliminated, w = Z u; what is
 left of the constraints is C u = 0.  With T = ½(u, Gu) + (l, u) and m = ∂L/∂u the equations are
@@ -8,7 +8,6 @@ left of the constraints is C u = 0.  With T = ½(u, Gu) + (l, u) and m = ∂L/�
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import sympy as sp
@@ -46,8 +45,6 @@ class ReducedMomenta:
         f without the forces of the potential, quadratic in u.
     pull : Matrix
         The forces of the potential; derivatives that are not rational are symbols of their own.
-    given : mapping of Symbol to Expr
-        The eliminated velocities by the free ones.
     """
 
     coordinates: tuple[sp.Symbol, ...]
@@ -60,7 +57,6 @@ class ReducedMomenta:
     potential: sp.Expr
     force: sp.Matrix
     pull: sp.Matrix
-    given: Mapping[sp.Symbol, sp.Expr]
 
     @property
     def momenta(self) -> sp.Matrix:
@@ -81,7 +77,7 @@ def gradient_by(value: sp.Expr, names: tuple[sp.Symbol, ...]) -> sp.Matrix:
 
 
 def motion(mechanism: Mechanism) -> ReducedMomenta:
-    """The equations of motion of a mechanism with constraints linear in the velocities.
+    """The equations of motion of a mechanism with linear constraints.
 
     Raises
     ------
@@ -91,20 +87,20 @@ def motion(mechanism: Mechanism) -> ReducedMomenta:
     """
     frame, name = mechanism.frame, mechanism.name
     w, q = frame.w, frame.coordinates
-    lagrangian = _written(mechanism, mechanism.L)
-    constraints = [_written(mechanism, f) for f in mechanism.f]
+    lagrangian = mechanism.expand(mechanism.L)
+    constraints = [mechanism.expand(f) for f in mechanism.f]
     _check(mechanism, lagrangian, constraints)
-    given, left = _eliminated(constraints, w)
-    free = tuple(s for s in w if s not in given)
+    dependent, remaining = _explicit_velocities(constraints, w)
+    free = tuple(s for s in w if s not in dependent)
     at_rest = dict.fromkeys(w, sp.S.Zero)
     potential = -lagrangian.xreplace(at_rest)
     kinetic = lagrangian + potential
-    Z = sp.Matrix([[sp.diff(given.get(s, s), u) for u in free] for s in w])
+    Z = sp.Matrix([[sp.diff(dependent.get(s, s), u) for u in free] for s in w])
     mass = sp.hessian(lagrangian, w)
     carried = gradient_by(lagrangian, w).xreplace(at_rest)
     velocities = Z * sp.Matrix(free)
     momenta = mass * velocities + carried
-    G = sp.Matrix(frame.matrix).applyfunc(lambda entry: _written(mechanism, entry))
+    G = sp.Matrix(frame.matrix).applyfunc(mechanism.expand)
     anchor = G * Z
     rates = anchor * sp.Matrix(free)
     place = dict(zip(w, velocities, strict=True))
@@ -132,13 +128,14 @@ def motion(mechanism: Mechanism) -> ReducedMomenta:
         velocities=free,
         relations=(*frame.relations, *mechanism.F),
         anchor=anchor,
-        constraints=sp.Matrix(len(left), len(free), [sp.diff(f, u) for f in left for u in free]),
+        constraints=sp.Matrix(
+            len(remaining), len(free), [sp.diff(f, u) for f in remaining for u in free]
+        ),
         metric=Z.T * mass * Z,
         gyroscopic=Z.T * carried,
         potential=potential,
         force=Z.T * sp.Matrix(push) + turned,
         pull=-anchor.T * sp.Matrix([_slope(potential, x) for x in q]),
-        given=given,
     )
 
 
@@ -146,13 +143,6 @@ def _slope(potential: sp.Expr, coordinate: sp.Symbol) -> sp.Expr:
     """∂U/∂q, or a symbol for it where it is not rational."""
     slope = sp.diff(potential, coordinate)
     return slope if is_rational(slope) else real_symbol(f"[dU/d{coordinate}]")
-
-
-def _written(mechanism: Mechanism, value: sp.Expr) -> sp.Expr:
-    """A formula with its definitions written out."""
-    for symbol, formula in reversed(mechanism.steps):
-        value = value.xreplace({symbol: formula})
-    return value
 
 
 def _check(mechanism: Mechanism, lagrangian: sp.Expr, constraints: list[sp.Expr]) -> None:
@@ -177,22 +167,22 @@ def _check(mechanism: Mechanism, lagrangian: sp.Expr, constraints: list[sp.Expr]
             )
 
 
-def _eliminated(
+def _explicit_velocities(
     constraints: list[sp.Expr], w: tuple[sp.Symbol, ...]
 ) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
-    """Velocities given with a number as coefficient, by the free ones; what else is required."""
-    given: dict[sp.Symbol, sp.Expr] = {}
-    left = []
+    """Velocities with a number as coefficient, in the free ones; other constraints."""
+    dependent: dict[sp.Symbol, sp.Expr] = {}
+    remaining = []
     for constraint in constraints:
-        f = constraint.xreplace(given)
+        f = constraint.xreplace(dependent)
         # the last velocities first: translations follow from rotations
         for s in reversed(w):
             slope = sp.diff(f, s)
-            if s not in given and slope.is_Number and slope != 0:
+            if s not in dependent and slope.is_Number and slope != 0:
                 value = -f.xreplace({s: sp.S.Zero}) / slope
-                given = {known: v.xreplace({s: value}) for known, v in given.items()}
-                given[s] = value
+                dependent = {known: v.xreplace({s: value}) for known, v in dependent.items()}
+                dependent[s] = value
                 break
         else:
-            left.append(f)
-    return given, [f.xreplace(given) for f in left]
+            remaining.append(f)
+    return dependent, [f.xreplace(dependent) for f in remaining]

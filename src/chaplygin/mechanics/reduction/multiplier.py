@@ -1,4 +1,4 @@
-"""The reducing multiplier: d ln N = A₂ dq₁ − A₁ dq₂ of Theorem 6, decided and integrated.
+"""The reducing multiplier N: d ln N = A₂ dq₁ − A₁ dq₂ (Theorem 6).
 
 ln N is sought among Σ e_j ln F_j for the natural factors F_j; the exponents e_j solve linear
 equations, one pair at each rational point.  Whether the 1-form is closed at all is seen from its
@@ -10,16 +10,23 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
-from flint import fmpq
+from flint import fmpq, fmpq_mpoly
 
 from ...core.system import Parameter
 from ...core.vectors import Vector
 from .factors import HalfAngleChart, has_even_degrees, in_angles, on_sphere
 from .horizontal_lift import Local
-from .rational_evaluation import Quotient, Value, near, number, quotients, reduced_echelon_form
+from .rational_evaluation import (
+    Point,
+    Quotient,
+    Value,
+    near,
+    number,
+    quotients,
+    reduced_echelon_form,
+)
 
 __all__ = [
     "Multiplier",
@@ -71,7 +78,7 @@ class Obstruction:
     """
 
     point: dict[str, str]
-    curl: Any
+    curl: fmpq
     vanishing: tuple[sp.Expr, ...]
 
 
@@ -84,11 +91,11 @@ def as_positive(parameters: Sequence[Parameter]) -> dict[sp.Symbol, sp.Symbol]:
     }
 
 
-def _at(
-    local: Local, chart: HalfAngleChart, values: Sequence[Value], given: Any, like: Value
-) -> Any:
+def _form_at(
+    local: Local, chart: HalfAngleChart, values: Sequence[Value], numbers: Point, like: Value
+) -> tuple[Value, Value]:
     """The 1-form at a point of the chart."""
-    place = {**given, **chart.point([like * v for v in values])}
+    place = {**numbers, **chart.point([like * v for v in values])}
     return local.at(place, like).form(like)
 
 
@@ -104,22 +111,22 @@ def curl(
     local: Local,
     chart: HalfAngleChart,
     values: Sequence[fmpq],
-    given: dict[sp.Symbol, Any],
-    others: Any,
-) -> Any:
+    numbers: Point,
+    others: Sequence[sp.Symbol],
+) -> Value:
     """∂A₂/∂q₂ + ∂A₁/∂q₁ at a point; `others` are parameters to be kept as symbols."""
-    total: Any = None
+    total: Value = None
     for moved in (0, 1):
         one, names = quotients([chart.variables[moved], *others])
-        place = {s: one * v for s, v in given.items()} | {s: names[s] for s in others}
+        place = {s: one * v for s, v in numbers.items()} | {s: names[s] for s in others}
         at = [one * v for v in values]
         at[moved] = names[chart.variables[moved]]
         # the component of the other coordinate
-        component = _at(local, chart, at, place, one)[1 - moved]
+        component = _form_at(local, chart, at, place, one)[1 - moved]
         rate = _derivative(component, 0) * chart.speed(moved, at[moved])
         rate = _put(rate, str(chart.variables[moved]), values[moved])
         term = rate if moved else -rate
-        total = term if total is None else _joined(total, term)
+        total = term if total is None else _sum_as_formula(total, term)
     return total
 
 
@@ -133,16 +140,16 @@ def _put(value: Quotient, name: str, at: fmpq) -> Quotient:
     return Quotient(value.above.subs({name: at}), value.below.subs({name: at}))
 
 
-def _joined(first: Quotient, second: Quotient) -> sp.Expr:
+def _sum_as_formula(first: Quotient, second: Quotient) -> sp.Expr:
     """A sum of fractions from rings that differ in a variable neither uses any more."""
     return sp.cancel(sp.together(first.formula() + second.formula()))
 
 
-def poles(found: Multiplier) -> tuple[sp.Expr, ...]:
-    """Factors in the parameters below the exponents of N: where one vanishes there is no such N."""
+def poles(multiplier: Multiplier) -> tuple[sp.Expr, ...]:
+    """Denominators of the exponents of N: no such N exists where one vanishes."""
     below = {
         factor
-        for _, exponent in found.powers
+        for _, exponent in multiplier.powers
         for factor, _ in sp.factor_list(sp.denom(sp.together(exponent)))[1]
     }
     return tuple(sorted(below, key=str))
@@ -151,7 +158,7 @@ def poles(found: Multiplier) -> tuple[sp.Expr, ...]:
 def obstruction_point(
     local: Local, chart: HalfAngleChart, parameters: Sequence[Parameter]
 ) -> Obstruction | None:
-    """None if the form is closed at some rational points, else a point where it is not.
+    """A point at which the form is not closed, or None.
 
     Parameters
     ----------
@@ -164,16 +171,16 @@ def obstruction_point(
     defaults = {p.symbol: p.default for p in parameters}
     for _ in range(2):
         while True:
-            given = {s: near(defaults.get(s, 0.0), dice) for s in _parameters(local, chart)}
+            numbers = {s: near(defaults.get(s, 0.0), dice) for s in _parameters(local, chart)}
             values = [number(dice), number(dice)]
             try:
-                found = curl(local, chart, values, given, [])
+                value = curl(local, chart, values, numbers, [])
             except ZeroDivisionError:
                 continue
             break
-        if found != 0:
-            exact = fmpq(int(found.p), int(found.q))
-            at = {**given, **dict(zip(chart.variables, values, strict=True))}
+        if value != 0:
+            exact = fmpq(int(value.p), int(value.q))
+            at = {**numbers, **dict(zip(chart.variables, values, strict=True))}
             shown = {str(s): str(v) for s, v in at.items()}
             return Obstruction(shown, exact, open_unless(local, chart, parameters))
     return None
@@ -183,7 +190,7 @@ def is_closed(local: Local, chart: HalfAngleChart) -> bool:
     """Whether the form is closed, with everything as symbols."""
     one, names = quotients([*chart.variables, *_parameters(local, chart)])
     at = [names[t] for t in chart.variables]
-    first, second = _at(local, chart, at, names, one)
+    first, second = _form_at(local, chart, at, names, one)
     change = _derivative(first, 1) * chart.speed(1, at[1])
     return bool(change == _derivative(second, 0) * chart.speed(0, at[0]))
 
@@ -194,11 +201,11 @@ def open_unless(
     """Factors in the parameters that the curl has at every point, and that may vanish."""
     dice = random.Random(SEED + 1)
     parameters = _parameters(local, chart)
-    shared: Any = None
+    shared: sp.Expr | None = None
     for _ in range(2):
         values = [number(dice), number(dice)]
-        found = curl(local, chart, values, {}, parameters)
-        above = sp.fraction(sp.together(found))[0]
+        form = curl(local, chart, values, {}, parameters)
+        above = sp.fraction(sp.together(form))[0]
         shared = above if shared is None else sp.gcd(shared, above)
     factors = [base for base, _ in sp.factor_list(shared)[1]]
     signs = as_positive(known)
@@ -213,7 +220,7 @@ def open_unless(
 
 
 def multiplier(
-    local: Local, chart: HalfAngleChart, factors: Sequence[Any], vector: Vector | None
+    local: Local, chart: HalfAngleChart, factors: Sequence[fmpq_mpoly], vector: Vector | None
 ) -> Multiplier | None:
     """N as a product of powers of the factors; None if it is none.
 
@@ -221,60 +228,64 @@ def multiplier(
     """
     parameters = _parameters(local, chart)
     dice = random.Random(SEED)
-    given = {s: number(dice) for s in parameters}
-    found = _exponents(local, chart, factors, given, ())
-    if found is None:
+    numbers = {s: number(dice) for s in parameters}
+    values = _exponents(local, chart, factors, numbers, ())
+    if values is None:
         return None
     moving = []
     for s in parameters:
-        other = _exponents(local, chart, factors, {**given, s: number(dice)}, ())
-        if other != found:
+        other = _exponents(local, chart, factors, {**numbers, s: number(dice)}, ())
+        if other != values:
             moving.append(s)
     if moving:
-        rest = {s: v for s, v in given.items() if s not in moving}
-        symbolic = _exponents(local, chart, factors, rest, tuple(moving))
+        fixed = {s: v for s, v in numbers.items() if s not in moving}
+        symbolic = _exponents(local, chart, factors, fixed, tuple(moving))
         if symbolic is None:
             return None
         exponents = [sp.factor(x.formula()) for x in symbolic]
     else:
-        exponents = [sp.Rational(int(x.p), int(x.q)) for x in found]
+        exponents = [sp.Rational(int(x.p), int(x.q)) for x in values]
     return Multiplier(_powers(chart, factors, exponents, vector))
 
 
 def _exponents(
     local: Local,
     chart: HalfAngleChart,
-    factors: Sequence[Any],
-    given: dict[sp.Symbol, Any],
+    factors: Sequence[fmpq_mpoly],
+    numbers: Point,
     symbols: tuple[sp.Symbol, ...],
-) -> list[Any] | None:
+) -> list[Value] | None:
     """Exponents of the factors, then of 1 + t² for each angle."""
     dice = random.Random(SEED + 2)
-    like: Any = fmpq(1)
-    place = dict(given)
+    like: Value = fmpq(1)
+    place = dict(numbers)
     if symbols:
         like, names = quotients(symbols)
-        place = {s: like * v for s, v in given.items()} | dict(names)
+        place = {s: like * v for s, v in numbers.items()} | dict(names)
     count = len(factors) + sum(chart.angles)
     rows: list[list[Value]] = []
     right: list[Value] = []
     while len(rows) < count + SPARE:
         values = [number(dice), number(dice)]
         try:
-            pair = _at(local, chart, values, place, like)
+            pair = _form_at(local, chart, values, place, like)
             slopes = _slopes(chart, factors, values, place, like)
         except ZeroDivisionError:
             continue
         rows += slopes
         right += pair
-    return _solved(rows, right)
+    return _overdetermined_solution(rows, right)
 
 
 def _slopes(
-    chart: HalfAngleChart, factors: Sequence[Any], values: Sequence[fmpq], given: Any, like: Value
+    chart: HalfAngleChart,
+    factors: Sequence[fmpq_mpoly],
+    values: Sequence[fmpq],
+    numbers: Point,
+    like: Value,
 ) -> list[list[Value]]:
     """Derivatives of ln F_j and ln(1 + t²) by both coordinates."""
-    at = {**given, **dict(zip(chart.variables, (like * v for v in values), strict=True))}
+    at = {**numbers, **dict(zip(chart.variables, (like * v for v in values), strict=True))}
     rows = []
     for i in (0, 1):
         speed = chart.speed(i, like * values[i])
@@ -290,7 +301,7 @@ def _slopes(
     return rows
 
 
-def _value(poly: Any, at: Any, like: Value) -> Value:
+def _value(poly: fmpq_mpoly, at: Point, like: Value) -> Value:
     names = poly.context().names()
     by_name = {str(s): v for s, v in at.items()}
     total = like * 0
@@ -303,8 +314,8 @@ def _value(poly: Any, at: Any, like: Value) -> Value:
     return total
 
 
-def _solved(rows: list[list[Value]], right: list[Value]) -> list[Value] | None:
-    """The solution of an overdetermined system, None if there is none or more than one."""
+def _overdetermined_solution(rows: list[list[Value]], right: list[Value]) -> list[Value] | None:
+    """The unique solution of an overdetermined linear system, or None."""
     left, pivots = reduced_echelon_form([[*row, x] for row, x in zip(rows, right, strict=True)])
     if pivots != list(range(len(rows[0]))):
         return None
@@ -313,38 +324,38 @@ def _solved(rows: list[list[Value]], right: list[Value]) -> list[Value] | None:
 
 def _powers(
     chart: HalfAngleChart,
-    factors: Sequence[Any],
+    factors: Sequence[fmpq_mpoly],
     exponents: Sequence[sp.Expr],
     vector: Vector | None,
 ) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
     """The product with every factor back in the angles, or in the unit vector."""
-    found: list[tuple[sp.Expr, sp.Expr]] = []
+    powers: list[tuple[sp.Expr, sp.Expr]] = []
     own = list(exponents[: len(factors)])
     circles = iter(exponents[len(factors) :])
-    rest = [next(circles) if angle else sp.S.Zero for angle in chart.angles]
-    groups: dict[sp.Expr, Any] = {}
+    circle_powers = [next(circles) if angle else sp.S.Zero for angle in chart.angles]
+    groups: dict[sp.Expr, fmpq_mpoly] = {}
     for poly, exponent in zip(factors, own, strict=True):
         if exponent == 0:
             continue
         for i in (0, 1):
             if chart.angles[i]:
-                rest[i] += exponent * int(poly.degrees()[i]) / sp.Integer(2)
+                circle_powers[i] += exponent * int(poly.degrees()[i]) / sp.Integer(2)
         if has_even_degrees(poly, chart):
-            found.append((_base(poly, chart, vector), exponent))
+            powers.append((_base(poly, chart, vector), exponent))
         else:
             groups[exponent] = groups[exponent] * poly if exponent in groups else poly
     for exponent, poly in groups.items():
         if has_even_degrees(poly, chart):
-            found.append((_monic(in_angles(poly, chart)), exponent))
+            powers.append((_monic(in_angles(poly, chart)), exponent))
         else:
-            found.append((_monic(in_angles(poly**2, chart)), exponent / 2))
-    for x, exponent in zip(chart.coordinates, rest, strict=True):
+            powers.append((_monic(in_angles(poly**2, chart)), exponent / 2))
+    for x, exponent in zip(chart.coordinates, circle_powers, strict=True):
         if sp.cancel(exponent) != 0:
-            found.append((1 + sp.cos(x), -sp.cancel(exponent)))
-    return tuple(found)
+            powers.append((1 + sp.cos(x), -sp.cancel(exponent)))
+    return tuple(powers)
 
 
-def _base(poly: Any, chart: HalfAngleChart, vector: Vector | None) -> sp.Expr:
+def _base(poly: fmpq_mpoly, chart: HalfAngleChart, vector: Vector | None) -> sp.Expr:
     known = on_sphere(poly, chart, vector) if vector is not None else None
     return _monic(in_angles(poly, chart) if known is None else known)
 
@@ -359,17 +370,17 @@ def _monic(base: sp.Expr) -> sp.Expr:
     return sp.expand(sign * whole)
 
 
-def over_rational(found: Multiplier, b: sp.Expr) -> sp.Expr:
+def over_rational(multiplier: Multiplier, b: sp.Expr) -> sp.Expr:
     """N b with the factors that both share taken together."""
     powers = dict(b.as_powers_dict())
-    rest = sp.S.One
-    for base, exponent in found.powers:
+    remainder = sp.S.One
+    for base, exponent in multiplier.powers:
         for other in [k for k in powers if not k.is_Symbol and k.free_symbols == base.free_symbols]:
             ratio = sp.cancel(other / base)
             if ratio.is_number:
-                rest *= ratio ** powers[other]
+                remainder *= ratio ** powers[other]
                 powers[base] = powers.pop(other) + exponent
                 break
         else:
-            rest *= base**exponent
-    return rest * sp.Mul(*(base**power for base, power in powers.items()))
+            remainder *= base**exponent
+    return remainder * sp.Mul(*(base**power for base, power in powers.items()))

@@ -31,7 +31,7 @@ def log_multiplier(
 ) -> tuple[float, float]:
     """∫ (A₂ dq₁ − A₁ dq₂) along the straight line from one place to another.
 
-    Where the 1-form is closed this is ln N(end) − ln N(start), with or without a closed form.
+    If the 1-form is closed this is ln N(end) − ln N(start), with or without a closed form.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ def log_multiplier(
     """
     from scipy.integrate import quad
 
-    known = _known(form, values)
+    known = _parameter_values(form, values)
     q = form.base.coordinates
     step = [b - a for a, b in zip(start, end, strict=True)]
 
@@ -68,7 +68,7 @@ def log_multiplier(
 def integral_of_gyroscopic(
     form: ChaplyginForm, values: Mapping[sp.Symbol, float] | None = None
 ) -> tuple[float, float]:
-    """∫ S̄ dθ dφ over the sphere, with the change from the last refinement as its error.
+    """∫ S̄ dθ dφ over the sphere, and the change by the last refinement as error.
 
     Raises
     ------
@@ -82,7 +82,7 @@ def integral_of_gyroscopic(
         )
     theta, phi = form.base.coordinates
     formula = form.gyroscopic.xreplace(dict(form.base.place)) / sp.sin(theta)
-    known = _known(form, values)
+    known = _parameter_values(form, values)
     density = sp.lambdify([theta, phi], formula.subs(known), "numpy")
 
     def total(nodes: int) -> float:
@@ -100,10 +100,12 @@ def integral_of_gyroscopic(
     return value, error
 
 
-def _known(form: ChaplyginForm, values: Mapping[sp.Symbol, float] | None) -> dict[sp.Symbol, float]:
+def _parameter_values(
+    form: ChaplyginForm, values: Mapping[sp.Symbol, float] | None
+) -> dict[sp.Symbol, float]:
     known = {s: float(v) for s, v in form.system.defaults.items()}
-    given = {} if values is None else dict(values)
-    for symbol, value in given.items():
+    numbers = {} if values is None else dict(values)
+    for symbol, value in numbers.items():
         if symbol not in known:
             raise InputError(
                 f"{form.system.name}: {symbol} is no parameter; its parameters are "

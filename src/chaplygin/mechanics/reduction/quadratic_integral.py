@@ -1,4 +1,4 @@
-"""An integral quadratic in the velocities without a part linear in those of the base.
+"""A quadratic integral without terms linear in the velocities of the base.
 
 On a level of the linear integrals the energy may have such a part, and is then no E₂ + E₀ as the
 form (4.4) needs it.  Another integral, or a combination with it, may do instead.
@@ -30,7 +30,7 @@ SEED = 2008
 
 @dataclass(frozen=True)
 class EnergyLikeIntegral:
-    """The integral that plays the part of the energy.
+    """The integral used in place of the energy.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class _LinearParts:
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
-        """What needs a value."""
+        """The symbols that need a value."""
         return tuple(sorted({s for local in self.locals for s in local.symbols}, key=str))
 
     def at(self, point: Point, like: Value) -> list[Value]:
@@ -63,7 +63,7 @@ class _LinearParts:
 def energy_like_integral(
     mechanism: Mechanism, motion: ReducedMomenta, lift: Lift
 ) -> EnergyLikeIntegral:
-    """The energy where it has no linear part, else a combination with another integral.
+    """The energy if it has no linear part, else a combination with an integral.
 
     Raises
     ------

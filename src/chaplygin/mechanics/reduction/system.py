@@ -1,4 +1,4 @@
-"""The equations (4.7) as a System, with what Theorem 6 says of them and the way back."""
+"""The equations (4.7) as a System, with its laws and the map to the original."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def chaplygin_system(
     potential: sp.Expr,
     multiplier: Multiplier | None,
 ) -> System:
-    """(4.7) in the coordinates of the base, with the laws of Theorem 6 where it applies.
+    """(4.7) in the coordinates of the base, with the laws of Theorem 6.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def chaplygin_system(
     level = closed.rest + potential
     hamiltonian = HALF * (h_11 * P[0] ** 2 + 2 * h_12 * P[0] * P[1] + h_22 * P[1] ** 2) + V
     place = {} if base.normal is None else {base.normal: sp.Matrix(list(base.place.values()))}
-    kept = () if multiplier is None else multiplier.powers
+    powers = () if multiplier is None else multiplier.powers
     definitions = {
         **place,
         **dict(zip((h_11, h_12, h_22), closed.inverse, strict=True)),
@@ -103,7 +103,7 @@ def chaplygin_system(
         },
         laws=(
             Integral("energy", hamiltonian, "energy of (4.4)", source="Theorem 1"),
-            *(_theorem_6(hamiltonian, kept) if multiplier is not None else ()),
+            *(_theorem_6(hamiltonian, powers) if multiplier is not None else ()),
         ),
         observables=(Observable("gyroscopic", S, "coefficient S of the gyroscopic forces"),),
     )
@@ -177,14 +177,14 @@ def _theorem_6(hamiltonian: sp.Expr, powers: Iterable[tuple[sp.Expr, sp.Expr]]) 
 
 
 def with_base(original: System, base: Base) -> System:
-    """The original system with those coordinates of the base that its velocities do not need."""
+    """The original system with the coordinates of the base that it lacks."""
     if original.motion is None:
         return original
     missing = [(x, rate) for x, rate in original.motion.field if x in base.coordinates]
     return replace(original, field=(*missing, *original.field), motion=None)
 
 
-def _known(base: Base, closed: ClosedFormParts) -> dict[sp.Symbol, sp.Expr]:
+def _velocities_on_base(base: Base, closed: ClosedFormParts) -> dict[sp.Symbol, sp.Expr]:
     """Coordinates and velocities of the mechanism on the base."""
     v = speeds(base)
     known = dict(base.place)
@@ -196,8 +196,8 @@ def _known(base: Base, closed: ClosedFormParts) -> dict[sp.Symbol, sp.Expr]:
 def with_carried_coordinates(
     form: System, base: Base, closed: ClosedFormParts, original: System
 ) -> System | None:
-    """(4.7) with further coordinates that the original system carries along; None without any."""
-    known = _known(base, closed)
+    """(4.7) with the further coordinates of the original system, or None."""
+    known = _velocities_on_base(base, closed)
     missing = [s for s in original.symbols if s not in known]
     if not missing:
         return None
@@ -223,7 +223,7 @@ def motion_law(
     level : tuple of Expr
         What vanishes on the level, in the same coordinates and velocities.
     """
-    known = _known(base, closed)
+    known = _velocities_on_base(base, closed)
     return Isomorphism(
         "motion",
         original,

@@ -30,7 +30,7 @@ def quaternion_rate(omega: MatrixExpr) -> MatrixExpr:
 
 
 def rotation() -> sp.ImmutableDenseMatrix:
-    """The matrix that takes body components to space components, for a unit quaternion.
+    """The matrix from body to space components, of a unit quaternion.
 
     Its rows are α, β, γ of (1.10).
     """

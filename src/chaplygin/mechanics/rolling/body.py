@@ -10,10 +10,14 @@ import numpy as np
 import sympy as sp
 
 from ...arguments import arguments_checked
+from ...core.system import Parameter
+from ...core.vectors import Diagonal, Symmetric, Vector, real_symbol, to_components
 from ...errors import InputError
 from .shapes import Shape
 
-__all__ = ["Body", "check_inertia", "check_mass", "triangle_inequalities"]
+__all__ = ["Body", "body_parameters", "check_inertia", "check_mass", "triangle_inequalities"]
+
+m, k = real_symbol("m"), Vector("k")
 
 
 @arguments_checked
@@ -87,7 +91,7 @@ def _numbers(inertia: Sequence[float] | Sequence[Sequence[float]]) -> np.ndarray
 
 
 def triangle_inequalities(moments: Sequence[sp.Symbol]) -> dict[sp.Symbol, tuple[sp.Basic, ...]]:
-    """What three moments of inertia about orthogonal axes must satisfy, for each of them.
+    """Conditions on three moments of inertia about orthogonal axes, by moment.
 
     They are positive, and none is greater than the sum of the others.
     """
@@ -124,3 +128,21 @@ def check_inertia(inertia: Sequence[float] | Sequence[Sequence[float]]) -> None:
             f"({moments[2]:.12g} > {moments[0]:.12g} + {moments[1]:.12g}); each moment must be at "
             "most the sum of the other two"
         )
+
+
+def body_parameters(body: Body, inertia: Diagonal | Symmetric) -> tuple[Parameter, ...]:
+    """Mass, inertia and gyrostatic momentum of a body, with their numbers."""
+    entries = inertia.independent(body.tensor)
+    axis = "moment of inertia about body axis" if body.principal else "entry of the inertia tensor"
+    parameters = [Parameter(m, "mass", body.mass, "kg", (m > 0,))]
+    inequalities = triangle_inequalities(tuple(to_components(inertia).diagonal()))
+    for symbol, value in zip(inertia.symbols, entries, strict=True):
+        label = str(symbol).removeprefix("I_")
+        conditions = inequalities.get(symbol, ())
+        parameters.append(Parameter(symbol, f"{axis} {label}", float(value), "kg m^2", conditions))
+    if any(body.gyrostat):
+        parameters += [
+            Parameter(s, f"gyrostatic momentum, body axis {i}", x, "kg m^2/s")
+            for i, (s, x) in enumerate(zip(k.symbols, body.gyrostat, strict=True), 1)
+        ]
+    return tuple(parameters)

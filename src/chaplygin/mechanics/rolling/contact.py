@@ -1,4 +1,4 @@
-"""Kinematics of the contact: how the contact point and the normal move when a body rolls.
+"""Kinematics of the contact: the rates of contact point and normal.
 
 Without slip the material point at the contact is at rest, so that the contact point wanders over
 the body (rate ṙ, body axes) as fast as over the surface.  On a sphere of signed radius a this
@@ -9,13 +9,22 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.system import Guard, Parameter
-from ...core.vectors import Symmetric, Vector, constant, cross, dot, norm_squared, real_symbol
+from ...core.named_formulas import Pairs
+from ...core.system import Guard, Name, Parameter
+from ...core.vectors import (
+    Symmetric,
+    Vector,
+    constant,
+    cross,
+    dot,
+    norm_squared,
+    real_symbol,
+    to_components,
+)
 from ...errors import InputError
 from .shapes import (
     IMPLICIT_GRADIENT,
@@ -29,9 +38,8 @@ from .shapes import (
 )
 from .surfaces import Plane, Sphere, Surface
 
-__all__ = ["Contact", "contact"]
+__all__ = ["Contact", "contact", "definitions_by_velocity"]
 
-Pairs = tuple[tuple[Any, Any], ...]
 
 omega = Vector("omega")
 gamma = Vector("gamma")
@@ -82,8 +90,8 @@ def contact(shape: Shape, surface: Surface) -> Contact:
     Raises
     ------
     InputError
-        If a ball does not fit into the sphere, or a hollow one not around it.  Where another
-        shape fits depends on the point of contact; there a guard watches.
+        If a ball does not fit into the sphere, or a hollow one not around it.  For other
+        shapes this depends on the point of contact, and a guard checks it.
     """
     if isinstance(shape, Implicit):
         return _through_surface(shape, surface)
@@ -100,7 +108,7 @@ def _sphere_parameters(surface: Surface) -> tuple[Parameter, ...]:
 
 
 def _fits(product: sp.Expr, total: sp.Expr) -> tuple[Guard, Guard]:
-    """Product and sum of 1 + R₁/a and 1 + R₂/a, up to positive factors: both are positive."""
+    """Product and sum of 1 + R₁/a and 1 + R₂/a, up to positive factors."""
     message = "the body does not fit into the sphere at the contact"
     return Guard("fits", product, message), Guard("fits", total, message)
 
@@ -121,7 +129,7 @@ def _check_ball(shape: Ball, surface: Surface) -> None:
 
 
 def _of_ball(shape: Ball, surface: Surface) -> Contact:
-    """A ball: γ̇ = k γ×ω with k = a/(a + R); ṙ stays a multiple of it, so that products shorten."""
+    """A ball: γ̇ = k γ×ω with k = a/(a + R), and ṙ a multiple of it."""
     _check_ball(shape, surface)
     ball = shape.gauss()
     c = shape.offset
@@ -151,7 +159,7 @@ def _of_ball(shape: Ball, surface: Surface) -> Contact:
 
 
 def _through_gauss_map(shape: Shape, body: GaussMap, surface: Surface) -> Contact:
-    """A shape with r(γ): γ̇ (E + W/a) = γ×ω on the tangent plane, where W has known invariants."""
+    """A shape with r(γ): γ̇ (E + W/a) = γ×ω on the tangent plane."""
     swing = cross(gamma, omega)
     definitions = (*body.definitions, (r, shape.offset + body.reach))
     guards = body.guards
@@ -188,7 +196,7 @@ def _through_gauss_map(shape: Shape, body: GaussMap, surface: Surface) -> Contac
 
 
 def _through_surface(shape: Implicit, surface: Surface) -> Contact:
-    """A shape f(r − c) = 0 with r as state: (S + E/a) ṙ = −γ×ω, S the shape operator of f."""
+    """A shape f(r − c) = 0 with the state r: (S + E/a) ṙ = −γ×ω, S of f."""
     x = IMPLICIT_POINT
     coordinates = dict(zip(shape.coordinates, x.symbols, strict=True))
     f = shape.surface.xreplace(coordinates)
@@ -250,3 +258,18 @@ def _on_surface(f: sp.Expr, x: Vector, shape: Implicit) -> sp.Expr:
     offset = shape.offset
     shift = (0, 0, 0) if not isinstance(offset, Vector) else offset.symbols
     return f.xreplace({s: t - d for s, t, d in zip(x.symbols, r.symbols, shift, strict=True)})
+
+
+def definitions_by_velocity(definitions: Pairs) -> tuple[Pairs, Pairs]:
+    """Definitions in the position alone, and those in the angular velocity."""
+    moving = set(omega.symbols)
+    before: list[tuple[Name, sp.Basic]] = []
+    after: list[tuple[Name, sp.Basic]] = []
+    for name, formula in definitions:
+        symbols = to_components(formula).free_symbols
+        if symbols & moving:
+            moving |= {name} if isinstance(name, sp.Symbol) else set(name.symbols)
+            after.append((name, formula))
+        else:
+            before.append((name, formula))
+    return tuple(before), tuple(after)

@@ -1,4 +1,4 @@
-"""A rigid body rolling on a plane or a sphere: from body, surface and contact to a System.
+"""Equations of motion of a rigid body rolling on a plane or a sphere.
 
 Newton's and Euler's equations with the contact force N at the contact point r and, for a rubber
 body, the torque λ₀γ about the normal (§1.3),
@@ -10,14 +10,14 @@ the contact point,
 
     Ṁ = (M + k)×ω + m ṙ×(ω×r) − r×F + τ + λ₀ γ.
 
-What depends on shape and surface is kinematics, kept in :mod:`chaplygin.mechanics.rolling.contact`.
+The kinematics depends on shape and surface; see :mod:`chaplygin.mechanics.rolling.contact`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 import sympy as sp
@@ -25,40 +25,31 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...arguments import arguments_checked
 from ...core.laws import Integral
-from ...core.system import Guard, Observable, Parameter, Reconstruction, System
+from ...core.named_formulas import Pairs
+from ...core.system import Guard, Observable, Parameter, System
 from ...core.vectors import (
     Diagonal,
     Symmetric,
     Vector,
     by_name,
-    constant,
     cross,
     dot,
     gradient,
     identity,
     norm_squared,
     real_symbol,
-    to_components,
     zero,
 )
 from ...errors import InputError
-from .attitude import (
-    attitude,
-    attitude_observable,
-    attitude_relations,
-    quaternion_rate,
-    rotation,
-    unit_length,
-)
-from .body import Body, triangle_inequalities
-from .contact import Contact, contact as contact_of
+from .body import Body, body_parameters
+from .contact import Contact, contact as contact_of, definitions_by_velocity
+from .motion_in_space import motion_in_space
 from .shapes import check_values, real_values
 from .surfaces import Plane, Surface
 
 __all__ = ["ContactModel", "Forces", "Rolling", "roll"]
 
 ContactModel = Literal["marble", "rubber"]
-Pairs = tuple[tuple[Any, Any], ...]
 
 M, omega, gamma, zeta = (Vector(name) for name in ("M", "omega", "gamma", "zeta"))
 k, X, omegadot, N, F = (Vector(name) for name in ("k", "X", "omegadot", "N", "F"))
@@ -106,7 +97,7 @@ class Forces:
 @arguments_checked
 @dataclass(frozen=True)
 class Rolling:
-    """What rolls on what: a body, a surface, a contact model and a field, with their numbers.
+    """A body, a surface, a contact model and a field, with their numbers.
 
     Examples
     --------
@@ -129,7 +120,7 @@ class Rolling:
 
 @dataclass(frozen=True)
 class _Balance:
-    """What both contact models share: tensors, forces and their definitions."""
+    """Tensors, forces and definitions, which both contact models share."""
 
     touch: Contact
     definitions: Pairs
@@ -158,7 +149,7 @@ def roll(
     ----------
     body : Body
         Mass, inertia, shape and gyrostat; its numbers become the defaults of the parameters.
-        What is exactly zero (centre offset, gyrostat) is left out of the equations.
+        A centre offset or gyrostat that is exactly zero is left out of the equations.
     surface : Plane or Sphere
         What it rolls on.
     contact : ``"marble"`` or ``"rubber"``
@@ -198,27 +189,10 @@ def roll(
 # --- forces and tensors --------------------------------------------------------------------
 
 
-def _body_parameters(body: Body, inertia: Diagonal | Symmetric) -> tuple[Parameter, ...]:
-    entries = inertia.independent(body.tensor)
-    axis = "moment of inertia about body axis" if body.principal else "entry of the inertia tensor"
-    parameters = [Parameter(m, "mass", body.mass, "kg", (m > 0,))]
-    asked = triangle_inequalities(tuple(to_components(inertia).diagonal()))
-    for symbol, value in zip(inertia.symbols, entries, strict=True):
-        label = str(symbol).removeprefix("I_")
-        conditions = asked.get(symbol, ())
-        parameters.append(Parameter(symbol, f"{axis} {label}", float(value), "kg m^2", conditions))
-    if any(body.gyrostat):
-        parameters += [
-            Parameter(s, f"gyrostatic momentum, body axis {i}", x, "kg m^2/s")
-            for i, (s, x) in enumerate(zip(k.symbols, body.gyrostat, strict=True), 1)
-        ]
-    return tuple(parameters)
-
-
 def _balance(body: Body, surface: Surface, field: Forces) -> _Balance:
     touch = contact_of(body.shape, surface)
     inertia = Diagonal("I") if body.principal else Symmetric("I")
-    parameters = _body_parameters(body, inertia) + touch.parameters
+    parameters = body_parameters(body, inertia) + touch.parameters
     r, rotors = touch.r, k if any(body.gyrostat) else zero
 
     # the inverse of I + m r² − m r⊗r, by Sherman and Morrison from the one of J = I + m r²
@@ -294,7 +268,7 @@ def _marble(balance: _Balance, surface: Surface, name: str, title: str) -> Syste
         + balance.torque
     )
     # definitions of the position that use ω come after it
-    before, after = _split(touch.definitions)
+    before, after = definitions_by_velocity(touch.definitions)
     tensors = tuple(pair for pair in balance.definitions if pair not in touch.definitions)
     body_tensors = tuple(pair for pair in tensors if pair[0] != U)
     definitions = (
@@ -306,7 +280,7 @@ def _marble(balance: _Balance, surface: Surface, name: str, title: str) -> Syste
         (X, _free_torque(balance)),
         (omegadot, balance.solve(X)),
     )
-    return _finish(
+    return _system(
         balance,
         surface,
         name,
@@ -334,7 +308,7 @@ def _rubber(balance: _Balance, surface: Surface, name: str, title: str) -> Syste
         (lambda_0, -(dot(B, X) + spin_rate) / dot(B, gamma)),
         (omegadot, acceleration + lambda_0 * B),
     )
-    return _finish(
+    return _system(
         balance,
         surface,
         name,
@@ -353,21 +327,6 @@ def _rubber(balance: _Balance, surface: Surface, name: str, title: str) -> Syste
     )
 
 
-def _split(definitions: Pairs) -> tuple[Pairs, Pairs]:
-    """Definitions of the position alone, and those that need the angular velocity."""
-    moving = set(omega.symbols)
-    before: list[Any] = []
-    after: list[Any] = []
-    for name, formula in definitions:
-        symbols = to_components(formula).free_symbols
-        if symbols & moving:
-            moving |= {name} if isinstance(name, sp.Symbol) else set(name.symbols)
-            after.append((name, formula))
-        else:
-            before.append((name, formula))
-    return tuple(before), tuple(after)
-
-
 def _free_torque(balance: _Balance) -> MatrixExpr:
     """Right-hand side of Ĩ ω̇ without the torque λ₀γ, (1.18)."""
     touch = balance.touch
@@ -383,7 +342,7 @@ def _free_torque(balance: _Balance) -> MatrixExpr:
 # --- energy, contact force, motion in space ------------------------------------------------
 
 
-def _finish(
+def _system(
     balance: _Balance,
     surface: Surface,
     name: str,
@@ -431,48 +390,8 @@ def _finish(
             ),
         ),
         guards=guards,
-        motion=_motion(balance, surface),
+        motion=motion_in_space(touch, surface, tilting=balance.force != zero),
         source=source,
-        summary=f"A rigid body rolls {contact_law} on {_surface_words(surface)}.",
+        summary=f"A rigid body rolls {contact_law} on {surface.words}.",
         start=start,
-    )
-
-
-def _surface_words(surface: Surface) -> str:
-    if isinstance(surface, Plane):
-        return "a horizontal plane"
-    side = "outside" if surface.radius > 0 else "inside"
-    return f"the {side} of a fixed sphere"
-
-
-def _motion(balance: _Balance, surface: Surface) -> Reconstruction:
-    touch = balance.touch
-    turn = rotation()
-    reach = turn * to_components(touch.r)
-    if isinstance(surface, Plane):
-        # the centre's velocity is r×ω in body axes; its height follows from the position
-        velocity = turn * to_components(cross(touch.r, omega))
-        x, y = place.symbols
-        centre = constant([x, y, touch.height])
-        point = constant([x + reach[0], y + reach[1], 0])
-        field: Pairs = (
-            (attitude, quaternion_rate(omega)),
-            (place, constant(velocity[:2])),
-        )
-        relations = (unit_length(), *attitude_relations(gamma))
-    else:
-        point = a * turn * to_components(gamma)
-        centre = point - reach
-        field = ((attitude, quaternion_rate(omega)),)
-        relations = (unit_length(),)
-        if balance.force != zero:
-            relations += attitude_relations(zeta)
-    return Reconstruction(
-        field=field,
-        relations=relations,
-        observables=(
-            attitude_observable(),
-            Observable("centre", centre, "centre of mass", "m", "space", "(1.17)"),
-            Observable("contact", point, "contact point", "m", "space", "(1.14)"),
-        ),
     )

@@ -50,14 +50,14 @@ def contact_points(shape: Shape) -> Callable[[FloatArray], FloatArray]:
 
     def points(gamma: FloatArray) -> FloatArray:
         columns = reach(*np.asarray(gamma, dtype=float).T, *values.values())
-        found: FloatArray = centre + np.stack(np.broadcast_arrays(*columns), axis=1)
-        return found
+        points: FloatArray = centre + np.stack(np.broadcast_arrays(*columns), axis=1)
+        return points
 
     return points
 
 
 def centre_outside(shape: Shape) -> bool:
-    """Whether the centre of mass lies outside a shape, as far as many tangent planes show.
+    """Whether the centre of mass lies outside a shape, by many tangent planes.
 
     A hollow ball has nothing inside; there it is whether the centre lies outside its sphere.
     """

@@ -15,6 +15,7 @@ import sympy as sp
 
 from ...arguments import Parameters, arguments_checked
 from ...core.admissible import parameters_by_symbol
+from ...core.named_formulas import Pairs
 from ...core.system import System
 from ...core.vectors import Vector, to_components
 from ...errors import InputError
@@ -107,11 +108,11 @@ def initial_state(
 _OMEGA, _GAMMA = omega.symbols, gamma.symbols
 
 
-def _number(value: Any) -> Any:
+def _number(value: object) -> mpmath.mpf:
     return mpmath.mpf(repr(float(value))) if isinstance(value, (int, float)) else mpmath.mpf(value)
 
 
-def _vector(values: Sequence[float], name: str) -> list[Any]:
+def _vector(values: Sequence[float], name: str) -> list[mpmath.mpf]:
     if len(values) != 3:
         raise InputError(f"{name}: three numbers are needed, not {len(values)}")
     numbers = [_number(x) for x in values]
@@ -120,7 +121,7 @@ def _vector(values: Sequence[float], name: str) -> list[Any]:
     return numbers
 
 
-def _direction(values: Sequence[float], name: str) -> list[Any]:
+def _direction(values: Sequence[float], name: str) -> list[mpmath.mpf]:
     numbers = _vector(values, name)
     length = mpmath.sqrt(sum(x * x for x in numbers))
     if length == 0:
@@ -128,7 +129,7 @@ def _direction(values: Sequence[float], name: str) -> list[Any]:
     return [x / length for x in numbers]
 
 
-def _check_spin(system: System, spin: list[Any], up: list[Any]) -> None:
+def _check_spin(system: System, spin: list[mpmath.mpf], up: list[mpmath.mpf]) -> None:
     """Remove a spin at rounding level; refuse a larger one."""
     if not any(_is_no_spin(relation) for relation in system.relations):
         return
@@ -151,7 +152,7 @@ def _is_no_spin(relation: sp.Expr) -> bool:
     return bool(to_components(relation) == product)
 
 
-def _check_domain(system: System, known: Mapping[sp.Symbol, Any]) -> None:
+def _check_domain(system: System, known: Mapping[sp.Symbol, mpmath.mpf]) -> None:
     """Refuse a position outside the domain of the equations."""
     for guard in system.guards:
         if guard.lift_off:
@@ -164,8 +165,10 @@ def _check_domain(system: System, known: Mapping[sp.Symbol, Any]) -> None:
             raise InputError(f"gamma: this start is outside the domain; {guard.message}")
 
 
-def _attitude(up: list[Any], normal: list[Any], heading: Any) -> list[Any]:
-    """The quaternion that takes `up` (body) to `normal` (space), turned by `heading` about it."""
+def _attitude(
+    up: list[mpmath.mpf], normal: list[mpmath.mpf], heading: mpmath.mpf
+) -> list[mpmath.mpf]:
+    """The quaternion from `up` (body) to `normal` (space), turned by `heading`."""
     cosine = sum(x * y for x, y in zip(up, normal, strict=True))
     axis = _cross(up, normal)
     if cosine < -1 + mpmath.mpf(10) ** -20:
@@ -182,7 +185,7 @@ def _attitude(up: list[Any], normal: list[Any], heading: Any) -> list[Any]:
     return [x / length for x in product]
 
 
-def _cross(u: list[Any], v: list[Any]) -> list[Any]:
+def _cross(u: list[mpmath.mpf], v: list[mpmath.mpf]) -> list[mpmath.mpf]:
     return [
         u[1] * v[2] - u[2] * v[1],
         u[2] * v[0] - u[0] * v[2],
@@ -190,7 +193,7 @@ def _cross(u: list[Any], v: list[Any]) -> list[Any]:
     ]
 
 
-def _times(p: list[Any], q: list[Any]) -> list[Any]:
+def _times(p: list[mpmath.mpf], q: list[mpmath.mpf]) -> list[mpmath.mpf]:
     scalar = p[0] * q[0] - sum(x * y for x, y in zip(p[1:], q[1:], strict=True))
     vector = _cross(p[1:], q[1:])
     return [
@@ -199,13 +202,15 @@ def _times(p: list[Any], q: list[Any]) -> list[Any]:
     ]
 
 
-def _third_row(turn: list[Any]) -> list[Any]:
+def _third_row(turn: list[mpmath.mpf]) -> list[mpmath.mpf]:
     """The vertical of space seen from the body."""
     w, x, y, z = turn
     return [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]
 
 
-def _evaluate(system: System, pairs: Any, known: Mapping[sp.Symbol, Any]) -> dict[Any, Any]:
+def _evaluate(
+    system: System, pairs: Pairs, known: Mapping[sp.Symbol, mpmath.mpf]
+) -> dict[sp.Symbol, mpmath.mpf]:
     """Values of named formulas at known symbols."""
     symbols = [s for name, _ in pairs for s in name.symbols]
     formulas = [e for _, formula in pairs for e in to_components(formula)]
@@ -221,7 +226,9 @@ def evaluate(
     return [numbers(formula) for formula in formulas]
 
 
-def _contact_point(system: System, up: list[Any], known: Mapping[sp.Symbol, Any]) -> list[Any]:
+def _contact_point(
+    system: System, up: list[mpmath.mpf], known: Mapping[sp.Symbol, mpmath.mpf]
+) -> list[mpmath.mpf]:
     """The point r of an implicit surface f(r − c) = 0 whose outward normal is −γ.
 
     A point good to double precision is polished by Newton's method for ∇f + ℓγ = 0, f = 0, with
@@ -259,7 +266,7 @@ def _contact_point(system: System, up: list[Any], known: Mapping[sp.Symbol, Any]
     )
 
 
-def _place(system: System, known: Mapping[sp.Symbol, Any]) -> list[Any]:
+def _place(system: System, known: Mapping[sp.Symbol, mpmath.mpf]) -> list[mpmath.mpf]:
     """The centre of mass that puts the contact point at the origin of the plane."""
     zero = mpmath.mpf(0)
     if system.motion is None or all(name != place for name, _ in system.motion.field):

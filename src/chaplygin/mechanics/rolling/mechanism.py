@@ -1,4 +1,4 @@
-"""A rolling body from first principles: the free body's Lagrangian with the contact's constraints.
+"""A rolling body as a mechanism: the free body's Lagrangian and constraints.
 
 The quasi-velocities are ω and the velocity v of the centre of mass, both in body axes, with the
 brackets (1.12); the constraints are v + ω×r = 0 (1.14) and, for a rubber body, (ω, γ) = 0 (1.15).
@@ -9,11 +9,10 @@ X (body axes, from the centre of the sphere) does the same.
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
 
 from ...arguments import arguments_checked
+from ...core.named_formulas import expand
 from ...core.system import Guard, Parameter, flat_pairs
 from ...core.vectors import (
     Diagonal,
@@ -25,8 +24,8 @@ from ...core.vectors import (
     real_symbol,
     to_components,
 )
-from ..lagrangian.mechanism import Frame, Mechanism, Pairs, euclidean
-from .contact import contact as contact_of
+from ..lagrangian.mechanism import Frame, Mechanism, euclidean
+from .contact import contact as contact_of, definitions_by_velocity
 from .equations import Rolling
 from .surfaces import Plane
 
@@ -67,13 +66,16 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
     """
     body, field = rolling.body, rolling.field
     touch = contact_of(body.shape, rolling.surface)
-    place, swinging = _positions(touch.definitions)
+    place, moving = definitions_by_velocity(touch.definitions)
+    swinging = dict(flat_pairs(moving))
     inertia = Diagonal("I") if body.principal else Symmetric("I")
     spin = inertia * omega
     kinetic = HALF * m * norm_squared(v) + HALF * dot(omega, spin)
     if any(body.gyrostat):
         kinetic = kinetic + dot(k, omega)
-    rates = {n: _written(rate, swinging) if swinging else rate for n, rate in touch.state}
+    rates = {
+        n: expand(to_components(rate), swinging) if swinging else rate for n, rate in touch.state
+    }
     potential: sp.Expr = sp.S.Zero
     relations = touch.relations
     if field.gravity and isinstance(rolling.surface, Plane):
@@ -84,7 +86,7 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
         rates[zeta] = cross(zeta, omega)
         relations = (*relations, norm_squared(zeta) - 1)
         potential = m * g * dot(X, zeta)
-    constraints: tuple[Any, ...] = (v + cross(omega, touch.r),)
+    constraints: tuple[sp.Basic, ...] = (v + cross(omega, touch.r),)
     if rolling.contact == "rubber":
         constraints += (dot(omega, gamma),)
     return Mechanism(
@@ -100,45 +102,25 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
     )
 
 
-def _positions(definitions: Pairs) -> tuple[Pairs, dict[sp.Symbol, sp.Expr]]:
-    """Definitions in the position alone, and the steps of those in the angular velocity."""
-    moving = set(omega.symbols)
-    place: list[tuple[Any, Any]] = []
-    swinging: dict[sp.Symbol, sp.Expr] = {}
-    for name, formula in definitions:
-        steps = flat_pairs(((name, formula),))
-        if any(value.free_symbols & moving for _, value in steps):
-            moving |= {s for s, _ in steps}
-            swinging |= dict(steps)
-        else:
-            place.append((name, formula))
-    return tuple(place), swinging
-
-
-def _written(formula: Any, swinging: dict[sp.Symbol, sp.Expr]) -> Any:
-    value = to_components(formula)
-    while value.free_symbols & swinging.keys():
-        value = value.xreplace(swinging)
-    return value
-
-
 def _guard(guard: Guard, swinging: dict[sp.Symbol, sp.Expr]) -> Guard:
-    return Guard(guard.name, _written(guard.value, swinging), guard.message, guard.lift_off)
+    return Guard(
+        guard.name, expand(to_components(guard.value), swinging), guard.message, guard.lift_off
+    )
 
 
 def _parameters(
     rolling: Rolling, inertia: Diagonal | Symmetric, touch: tuple[Parameter, ...]
 ) -> tuple[Parameter, ...]:
     body, field = rolling.body, rolling.field
-    found = [Parameter(m, "mass", body.mass, "kg", (m > 0,))]
+    parameters = [Parameter(m, "mass", body.mass, "kg", (m > 0,))]
     for s, value in zip(inertia.symbols, inertia.independent(body.tensor), strict=True):
-        found.append(Parameter(s, "entry of the inertia tensor", float(value), "kg m^2"))
+        parameters.append(Parameter(s, "entry of the inertia tensor", float(value), "kg m^2"))
     if any(body.gyrostat):
-        found += [
+        parameters += [
             Parameter(s, "gyrostatic momentum, body axes", x, "kg m^2/s")
             for s, x in zip(k.symbols, body.gyrostat, strict=True)
         ]
     if field.gravity:
-        found.append(Parameter(g, "acceleration of gravity", field.gravity, "m/s^2"))
-    found += [Parameter(s, "parameter of the potential", x, "SI") for s, x in field.values]
-    return (*found, *touch)
+        parameters.append(Parameter(g, "acceleration of gravity", field.gravity, "m/s^2"))
+    parameters += [Parameter(s, "parameter of the potential", x, "SI") for s, x in field.values]
+    return (*parameters, *touch)

@@ -18,7 +18,7 @@ RAYS, FARTHEST = 1000, 80
 
 
 def directions(count: int) -> FloatArray:
-    """Unit vectors spread evenly over the sphere, (count, 3): along a spiral of golden angles."""
+    """Unit vectors spread evenly over the sphere, (count, 3), by golden angles."""
     heights = 1 - (2 * np.arange(count) + 1) / count
     turns = np.pi * (3 - math.sqrt(5)) * np.arange(count)
     widths = np.sqrt(1 - heights**2)

@@ -18,6 +18,7 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ...arguments import arguments_checked
+from ...core.named_formulas import Pairs
 from ...core.system import Guard, Parameter
 from ...core.vectors import (
     Diagonal,
@@ -48,7 +49,6 @@ __all__ = [
     "Torus",
 ]
 
-Pairs = tuple[tuple[Any, Any], ...]
 
 #: A flat face is reached when the symmetry axis leans from the normal by less than this (radians).
 FLAT = 1e-6

@@ -1,4 +1,4 @@
-"""What a body rolls on."""
+"""Surfaces on which a body rolls."""
 
 from __future__ import annotations
 
@@ -22,6 +22,8 @@ class Plane:
     >>> ch.roll(ball, ch.Plane(), field=ch.Forces(gravity=9.81)).state  # gamma is the vertical
     (M, gamma)
     """
+
+    words = "a horizontal plane"
 
 
 @arguments_checked
@@ -57,6 +59,11 @@ class Sphere:
                 f"radius {self.radius} of the supporting sphere: it must be a finite number, "
                 "positive for rolling outside, negative for rolling inside"
             )
+
+    @property
+    def words(self) -> str:
+        """The surface as a sentence names it."""
+        return f"the {'outside' if self.radius > 0 else 'inside'} of a fixed sphere"
 
 
 Surface = Plane | Sphere

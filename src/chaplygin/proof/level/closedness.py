@@ -14,13 +14,13 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ...core.laws import Rate, Reduction
+from ...core.named_formulas import expand
 from ...core.vectors import to_components
 from ...errors import InputError
 from ..fields.field import Field, FieldElement
 from .level_set import LevelSet
 from .named_formulas import quantities_in_order
 from .time_derivatives import without_second_rates
-from .trigonometric import expanded
 
 __all__ = ["closing", "up_to_time"]
 
@@ -157,7 +157,7 @@ def _identity_rows(
     for symbol, formula in quantities.items():
         if symbol in own:
             others = {s: f for s, f in quantities.items() if s not in own}
-            with_symbols = level.expanded(expanded(formula, others))
+            with_symbols = level.expanded(expand(formula, others))
             if _within(with_symbols, own, quantities, level):
                 yield _derivatives(symbol - with_symbols, rates)
     for condition in level.moving:

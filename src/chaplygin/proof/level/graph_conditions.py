@@ -16,6 +16,7 @@ from sympy.core.function import AppliedUndef
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law, Measure, Rate, Reduction
+from ...core.named_formulas import expand
 from ...core.system import System
 from ...core.vectors import to_components
 from ...formulas.errors import NeedMoreGeneratorsError, OutOfReachError
@@ -24,7 +25,6 @@ from ..fields.function_field import FunctionField
 from ..fields.signs import Signs
 from .components import Decomposition
 from .triangular_set import numerator
-from .trigonometric import expanded
 
 __all__ = ["Graph", "graph"]
 
@@ -68,7 +68,7 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
     for condition in (*system.relations, *law.on):
         formula = to_components(condition)
         choice = None
-        if not _polynomial(expanded(formula, steps), tame):
+        if not _polynomial(expand(formula, steps), tame):
             choice = _linear(formula, [s for s in system.symbols if s not in gone], steps, gone)
         if choice is None:
             left.append(formula)
@@ -156,11 +156,8 @@ def _linear(
             continue
         factor = sp.diff(formula, symbol)
         remainder = formula.xreplace({symbol: sp.S.Zero})
-        slope = expanded(factor, known)
-        if (
-            slope != 0
-            and symbol not in slope.free_symbols | expanded(remainder, known).free_symbols
-        ):
+        slope = expand(factor, known)
+        if slope != 0 and symbol not in slope.free_symbols | expand(remainder, known).free_symbols:
             return symbol, -remainder / factor, factor
     return None
 

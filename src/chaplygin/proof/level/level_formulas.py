@@ -10,13 +10,13 @@ import sympy as sp
 from flint import arb, fmpq
 from sympy.core.function import AppliedUndef
 
+from ...core.named_formulas import expand
 from ...core.system import System
 from ...core.vectors import Symmetric, to_components
 from ...errors import InputError
 from ...formulas.jets import Evaluator, GeneratorSwap, Inversion, Jet
 from ...formulas.number_fields import Balls, Rationals
 from ..fields.field import Field, FieldElement
-from .trigonometric import expanded
 
 __all__ = ["EmptyLevelSetError", "LevelFormulas", "assumed_relations", "conditions_text"]
 
@@ -176,7 +176,7 @@ class LevelFormulas:
 
     def expanded(self, formula: sp.Expr) -> sp.Expr:
         """A formula in which the definitions are written out."""
-        return expanded(formula, self.steps)
+        return expand(formula, self.steps)
 
     def _check_symbols(self, condition: sp.Expr) -> None:
         unknown = condition.free_symbols - set(self.symbols) - set(self._definitions)

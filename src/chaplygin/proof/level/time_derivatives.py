@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import sympy as sp
 
 from ...core.laws import Rate
+from ...core.named_formulas import expand
 from .level_set import LevelSet
 
 __all__ = ["without_rates", "without_second_rates"]
@@ -44,8 +45,6 @@ def without_second_rates(
 
 
 def _written(formula: sp.Expr, level: LevelSet, quantities: Quantities) -> sp.Expr:
-    while formula.free_symbols & set(quantities):
-        formula = formula.xreplace(dict(quantities))
-    formula = level.expanded(formula)
+    formula = level.expanded(expand(formula, quantities))
     rates = zip(level.system.symbols, level.system.rates, strict=True)
     return sp.Add(*(sp.diff(formula, s) * rate for s, rate in rates))

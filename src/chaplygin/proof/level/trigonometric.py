@@ -16,12 +16,13 @@ import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from ...core.laws import ConformallyHamiltonian, Law, PoissonStructure, Symmetry
+from ...core.named_formulas import expand
 from ...core.system import Parameter, System, flat_pairs
 from ...core.vectors import real_symbol, to_components
 from ...formulas.errors import OutOfReachError
 from ...formulas.jets import MOST_MULTIPLES
 
-__all__ = ["Circles", "circles", "expanded", "formulas_of", "without_angles"]
+__all__ = ["Circles", "circles", "formulas_of", "without_angles"]
 
 
 @dataclass(frozen=True)
@@ -145,7 +146,7 @@ def circles(
         If an angle occurs otherwise than in sines and cosines, or beside something else.
     """
     steps = dict(system.steps)
-    conditions = [expanded(to_components(c), steps) for c in (*system.relations, *on)]
+    conditions = [expand(to_components(c), steps) for c in (*system.relations, *on)]
     nodes = {n for c in conditions for n in c.atoms(TrigonometricFunction)}
     angles = _angles(system, nodes)
     if not angles:
@@ -210,13 +211,6 @@ def formulas_of(value: object) -> list[sp.Expr]:
         parts = [getattr(value, f.name) for f in fields(value) if f.name not in skip]
         return [*pushed, *(f for part in parts for f in formulas_of(part))]
     return []
-
-
-def expanded(formula: sp.Expr, steps: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """A formula with its definitions put in, and theirs."""
-    while formula.free_symbols & steps.keys():
-        formula = formula.xreplace(dict(steps))
-    return formula
 
 
 def _rates_on_circle(
