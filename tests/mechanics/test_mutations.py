@@ -24,9 +24,9 @@ import sympy as sp
 
 import chaplygin
 import chaplygin.arguments
-import chaplygin.core.admissible
 import chaplygin.core.arrays
 import chaplygin.core.laws
+import chaplygin.core.parameters
 import chaplygin.core.system
 import chaplygin.core.vectors
 import chaplygin.errors
@@ -60,7 +60,7 @@ LOADED = (
 SHARED = (
     "arguments",
     "errors",
-    "core.admissible",
+    "core.parameters",
     "core.arrays",
     "core.laws",
     "core.system",
