@@ -24,8 +24,6 @@ LONGER = {
     "check/identities/substitution.py",
     "catalogue/fixed_point/veselova.py",
     "core/laws.py",
-    "experiment/file/models.py",
-    "experiment/study.py",
     "flow/batch.py",
     "flow/integrator.py",
     "flow/kernel/gauss_legendre.py",

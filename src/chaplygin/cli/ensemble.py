@@ -117,7 +117,7 @@ def _members(study: Study, starts: int, level: str | None, seed: int, over: list
 
 def given_start(study: Study) -> dict[str, Any]:
     """The start of the experiment: ω and γ, from which the state follows, or the state."""
-    if set(study.given) == {"omega", "gamma"}:
-        return dict(study.given)
+    if set(study.start_values) == {"omega", "gamma"}:
+        return dict(study.start_values)
     size = len(study.system.symbols)
     return {"state": [float(value) for value in study.start[:size]]}

@@ -196,7 +196,9 @@ def _one_period(study: Study, orbit: Orbit) -> Any:
 
     size = len(study.system.symbols)
     times = np.linspace(0.0, orbit.duration, study.experiment.run.samples).tolist()
-    return dataset_of(study, integrate(study.watched, orbit.points[0, :size].tolist(), times))
+    return dataset_of(
+        study, integrate(study.system_on_level, orbit.points[0, :size].tolist(), times)
+    )
 
 
 def _record(study: Study, orbit: Orbit, branch: Branch | None) -> dict[str, Any]:

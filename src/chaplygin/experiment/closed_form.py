@@ -102,7 +102,7 @@ def evaluated(study: Study, solution: Solution, times: Any) -> Trajectory:
     moments = checked(np.asarray(times, dtype=float), solution.pace)
     states = solution.states(moments)
     seconds = clock.perf_counter() - began
-    system = study.watched.lifted() if in_space(study, solution) else study.watched
+    system = study.system_on_level.lifted() if in_space(study, solution) else study.system_on_level
     return Trajectory(
         system,
         system.defaults,

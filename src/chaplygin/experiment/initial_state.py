@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Mapping, Sequence
-from typing import Any
+from typing import Any, TypeAlias
 
 import mpmath
 import numpy as np
@@ -24,7 +24,14 @@ from ..parsing import nearest
 from ..printing.formula import text
 from .file.validation import value_text
 
-__all__ = ["initial_state_from_values", "lift_of", "normalised", "on_level", "unit_vectors"]
+__all__ = [
+    "StartValues",
+    "initial_state_from_values",
+    "lift_of",
+    "normalised",
+    "on_level",
+    "unit_vectors",
+]
 
 #: Components that a vector may have.
 SIZES = (2, 3, 4)
@@ -38,10 +45,12 @@ ROUNDING = 4e-16
 
 #: By how much a variable is moved to find a slope.
 _DIFFERENCE = mpmath.mpf(10) ** -20
-Values = Mapping[str, float | Sequence[float]]
+
+#: A start as given: numbers, or the components of vectors, by name.
+StartValues: TypeAlias = Mapping[str, float | Sequence[float]]
 
 
-def initial_state_from_values(system: System, values: Values) -> tuple[Any, ...]:
+def initial_state_from_values(system: System, values: StartValues) -> tuple[Any, ...]:
     """The state of a system, lifted to space where it has a motion, from values by name.
 
     Parameters
@@ -75,7 +84,7 @@ def initial_state_from_values(system: System, values: Values) -> tuple[Any, ...]
         return tuple(found)
 
 
-def lift_of(system: System, values: Values) -> dict[str, float | tuple[float, ...]]:
+def lift_of(system: System, values: StartValues) -> dict[str, float | tuple[float, ...]]:
     """What a start leaves out of the lift to space, as :func:`given_state` completes it."""
     if system.motion is None:
         return {}
@@ -92,7 +101,7 @@ def lift_of(system: System, values: Values) -> dict[str, float | tuple[float, ..
     return found
 
 
-def normalised(values: Values, names: Collection[str]) -> dict[str, tuple[float, list[float]]]:
+def normalised(values: StartValues, names: Collection[str]) -> dict[str, tuple[float, list[float]]]:
     """The vectors of these names that had not the length one: their length and their direction."""
     found = {}
     for name in names & values.keys():
@@ -112,8 +121,8 @@ def on_level(system: System, level: Sequence[sp.Expr], state: Sequence[Any]) -> 
         return all(abs(x) <= SLACK * size**2 for x in found)
 
 
-def _sorted(lifted: System, values: Values) -> tuple[Values, dict[sp.Symbol, float]]:
-    """Values of the state by its names, and of definitions by their symbols."""
+def _sorted(lifted: System, values: StartValues) -> tuple[StartValues, dict[sp.Symbol, float]]:
+    """StartValues of the state by its names, and of definitions by their symbols."""
     state = set(map(str, lifted.state))
     defined = {str(s): s for s, _ in lifted.steps}
     words: dict[str, float | Sequence[float]] = {}
@@ -151,7 +160,7 @@ def _check_claims(lifted: System, state: list[Any], claims: Mapping[sp.Symbol, f
             )
 
 
-def _read(system: System, values: Values) -> dict[str, list[Any]]:
+def _read(system: System, values: StartValues) -> dict[str, list[Any]]:
     """The given values as numbers, names and shapes checked, unit vectors normalised."""
     lifted = system.lifted() if system.motion else system
     sizes = {str(name): _size(name) for name in lifted.state}

@@ -20,7 +20,7 @@ from .file.mechanism_tables import NumberTable
 from .file.models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from .file.names import Names, components
 
-__all__ = ["claimed", "identifier", "mechanism_of", "system_of"]
+__all__ = ["identifier", "mechanism_of", "system_of", "with_claims"]
 
 UNTITLED = "Untitled system"
 _GROUP = re.compile(r"\s*(\w+)\s*\(\s*(\w+)\s*(?:,\s*(\w+)\s*)?\)\s*")
@@ -119,10 +119,10 @@ def system_of(experiment: EquationsExperiment) -> System:
         guards=guards,
         summary=experiment.summary,
     )
-    return claimed(experiment, made)
+    return with_claims(experiment, made)
 
 
-def claimed(experiment: OwnExperiment, system: System) -> System:
+def with_claims(experiment: OwnExperiment, system: System) -> System:
     """A system with the measures and symmetries that its file claims of it besides integrals.
 
     Raises

@@ -26,12 +26,13 @@ from ..mechanics.lagrangian.mechanism import Mechanism
 from ..mechanics.lagrangian.plan import Plan, plan_of
 from ..mechanics.lagrangian.poincare_suslov import equations
 from ..parsing import nearest
+from .described_system import described_subject
 from .file.models import EquationsExperiment
 from .file.source import Source
 from .file.toml import Key
 from .file.validation import validation_messages, value_text
 from .initial_state import lift_of
-from .study import Study, described_study
+from .study import Study
 from .write_equations import plan_table_of, tables_of
 
 __all__ = ["load_python"]
@@ -91,7 +92,7 @@ def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
     experiment = _validated(tables, source)
     parameters = tuple(_changed(experiment, parameter) for parameter in system.parameters)
     system = replace(system, title=experiment.title or system.title, parameters=parameters)
-    return described_study(experiment, system, mechanism)
+    return Study(experiment, described_subject(experiment, system, mechanism))
 
 
 def _changed(experiment: EquationsExperiment, parameter: Parameter) -> Parameter:

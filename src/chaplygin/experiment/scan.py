@@ -83,8 +83,8 @@ def plane_of(
 
 def _start(study: Study, system: System) -> dict[str, Any]:
     """The start by ω and γ where the state follows from these, else by the state."""
-    follow = {str(name) for name, _ in system.start} | study.given.keys()
-    if not study.by_state and all(str(name) in follow for name in system.state):
-        return {name: study.given[name] for name in ("omega", "gamma")}
+    follow = {str(name) for name, _ in system.start} | study.start_values.keys()
+    if study.subject.starts_by_velocity and all(str(name) in follow for name in system.state):
+        return {name: study.start_values[name] for name in ("omega", "gamma")}
     numbers = iter([float(value) for value in study.start])
     return {str(name): [next(numbers) for _ in flat([name])] for name in system.state}

@@ -18,9 +18,8 @@ from ..experiment.study import Study, dataset_of
 from ..explicit.base.solution import Solution
 from ..flow.integrator import Trajectory
 from . import figures, page
-from .derivation import recorded_of, variables_of
-from .scenes.scene import ball_scene_of, scene_of, weight_of
 from .study_folder import begin, end
+from .subject_figures import subject_figures
 
 __all__ = ["write_study"]
 
@@ -77,7 +76,7 @@ def write_study(
             raise
         trajectory, failure = error.partial, error
     smooth = dataset_of(study, trajectory, complete=failure is None)
-    plan = None if study.plan is None else plan_motion(study.plan, trajectory)
+    plan = None if study.subject.plan is None else plan_motion(study.subject.plan, trajectory)
     trajectory = trajectory.thinned(pieces)
     dataset = dataset_of(study, trajectory, complete=failure is None)
     # what is there is of this study, or may be replaced
@@ -102,15 +101,7 @@ def _drawn(
     study: Study, smooth: xr.Dataset, plan: PlanMotion | None, solution: Solution | None
 ) -> dict[str, Figure]:
     """The figures of a study, by name."""
-    names = variables_of(study)
-    if study.ball is not None:
-        scene = ball_scene_of(study.ball)
-        pictures = figures.ball_figures(smooth, *scene, names, weight_of(study))
-    elif study.by_state:
-        drawn = {} if plan is None else {"plan_view": figures.plan_view(smooth, plan)}
-        pictures = drawn | figures.state_figures(smooth, names, recorded_of(study))
-    else:
-        pictures = figures.all_figures(smooth, scene_of(study), weight_of(study))
+    pictures = subject_figures(study.subject, smooth, plan)
     if solution is not None and solution.form.ovals:
         pictures["closed_form"] = figures.closed_form(study.system.title, solution.form)
         placed = diagram_if_known(study)

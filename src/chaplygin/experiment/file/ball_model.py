@@ -9,7 +9,8 @@ from pydantic import Field, ValidationInfo, field_validator
 
 from .ball_tables import BallFieldTable, BallStartTable, FlatTable, SmoothTable
 from .base import ExperimentBase
-from .tables import BallTable, BodyTable, ContactTable, RunTable
+from .shape_tables import BallTable
+from .tables import BodyTable, ContactTable, RunTable
 
 __all__ = ["BallExperiment", "is_ball_experiment", "moment"]
 

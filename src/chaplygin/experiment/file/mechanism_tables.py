@@ -19,7 +19,7 @@ from pydantic import (
 )
 
 from .number_lists import given_numbers
-from .tables import FORMULA, THREE, Table, Vector
+from .table import FORMULA, THREE, Table, Vector
 from .validation import value_text
 
 __all__ = [

@@ -1,4 +1,4 @@
-"""What is to be drawn of a study: the body's outline and what it rolls on."""
+"""The drawn body and the surface that it rolls on."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ import sympy as sp
 
 from ...core.arrays import FloatArray
 from ...core.vectors import Vector
-from ...experiment.study import Study
 from ...mechanics.ball.ball import RollingBall
+from ...mechanics.rolling.equations import Rolling
 from ...mechanics.rolling.gauss_map import contact_points
 from ...mechanics.rolling.surfaces import Plane
 from ..drawing.geometry import BodyMesh, Ground, PlaneGround, SphereGround, outline_from_contact
 from .implicit_surface import SurfaceGround
 
-__all__ = ["BallScene", "Scene", "ball_scene_of", "scene_of", "weight_of"]
+__all__ = ["BallScene", "Scene", "ball_scene_of", "scene_of"]
 
 
 class Scene(NamedTuple):
@@ -33,22 +33,11 @@ class BallScene(NamedTuple):
     surface: SurfaceGround
 
 
-def scene_of(study: Study) -> Scene | None:
-    """The scene of a study; None where nothing rolls."""
-    if study.rolling is None:
-        return None
-    surface = study.rolling.surface
+def scene_of(rolling: Rolling) -> Scene:
+    """The scene of a body that rolls on a plane or a sphere."""
+    surface = rolling.surface
     ground = PlaneGround() if isinstance(surface, Plane) else SphereGround(surface.radius)
-    return Scene(outline_from_contact(contact_points(study.rolling.body.shape)), ground)
-
-
-def weight_of(study: Study) -> float | None:
-    """m g, with which the normal force is compared; None without gravity."""
-    if study.ball is not None:
-        return study.ball.mass * study.ball.gravity or None
-    if study.rolling is None or not study.rolling.field.gravity:
-        return None
-    return study.rolling.body.mass * study.rolling.field.gravity
+    return Scene(outline_from_contact(contact_points(rolling.body.shape)), ground)
 
 
 def ball_scene_of(ball: RollingBall) -> BallScene:
