@@ -22,7 +22,6 @@ LINES = 400
 LONGER = {
     "check/identities/generators.py",
     "check/identities/substitution.py",
-    "catalogue/fixed_point/veselova.py",
     "core/laws.py",
     "flow/batch.py",
     "flow/integrator.py",
@@ -35,8 +34,6 @@ LONGER = {
     "proof/certificates/identities.py",
     "proof/level/level_set.py",
     "proof/prover.py",
-    "report/drawing/geometry.py",
-    "report/figures/time_series.py",
 }
 #: Files of a folder at most.
 FILES = 22

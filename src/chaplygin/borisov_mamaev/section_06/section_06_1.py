@@ -7,7 +7,7 @@ from functools import cache
 import sympy as sp
 
 from ...catalogue.angles import theta
-from ...catalogue.fixed_point import veselova as catalogue
+from ...catalogue.fixed_point import veselova as catalogue, veselova_spinning
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Integral, Measure, Rate
 from ...core.system import System
@@ -144,10 +144,10 @@ def separated() -> Case:
 
 def generalised() -> Case:
     """Three integrals and a measure for any (ω, γ) = d."""
-    made = catalogue.spinning(catalogue.NUMBERS)
+    made = veselova_spinning.spinning(catalogue.NUMBERS)
     return (
-        (made, catalogue.spin()),
-        (made, catalogue.energy_of_spinning(catalogue.FREE)),
+        (made, veselova_spinning.spin()),
+        (made, veselova_spinning.energy_of_spinning(catalogue.FREE)),
         (made, catalogue.momentum()),
         (made, catalogue.measure()),
     )

@@ -10,9 +10,11 @@ from matplotlib.figure import Figure
 
 from ...core.arrays import BoolArray, FloatArray
 from ..drawing.canvas import Canvas, blank_axes, fit_height, time_bar
+from ..drawing.curves import runs, smooth_curve
 from ..drawing.dataset_access import CURVE_POINTS, time_shares, title_of
-from ..drawing.geometry import BodyMesh, View, runs, smooth_curve
+from ..drawing.mesh import BodyMesh
 from ..drawing.style import GROUND_DARK, GROUND_LIGHT, INK, LINES, QUIET, STYLE, WIDTH
+from ..drawing.view import View
 from .implicit_surface import Crossings, SurfaceGround, crossings, frame_of
 from .rolling_body import Track, across, draw_body, track_of
 

@@ -1,6 +1,6 @@
 """A surface f = 0 as the pictures need it: where lines of sight meet it, and how it bends there.
 
-As in :mod:`chaplygin.report.drawing.geometry` everything is plain geometry in arrays; all lengths
+As in :mod:`chaplygin.report.drawing.view` everything is plain geometry in arrays; all lengths
 are in the units of the trajectory.
 """
 
@@ -14,7 +14,7 @@ import numpy as np
 from scipy.ndimage import map_coordinates
 
 from ...core.arrays import BoolArray, FloatArray
-from ..drawing.geometry import View, unit
+from ..drawing.view import View, unit
 
 __all__ = ["Crossings", "SurfaceGround", "crossings", "frame_of"]
 

@@ -15,6 +15,7 @@ from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...experiment.plan import PlanMotion
 from ..drawing.canvas import Canvas, time_bar
+from ..drawing.curves import smooth_curve
 from ..drawing.dataset_access import (
     CURVE_POINTS,
     NOTHING,
@@ -24,8 +25,8 @@ from ..drawing.dataset_access import (
     unit_of,
     with_unit,
 )
-from ..drawing.geometry import View, smooth_curve
 from ..drawing.style import FAINT, INK, STYLE, TIME_COLOURS, WIDTH
+from ..drawing.view import View
 
 __all__ = ["plan_view"]
 

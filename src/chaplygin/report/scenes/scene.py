@@ -13,7 +13,8 @@ from ...mechanics.ball.ball import RollingBall
 from ...mechanics.rolling.equations import Rolling
 from ...mechanics.rolling.gauss_map import contact_points
 from ...mechanics.rolling.surfaces import Plane
-from ..drawing.geometry import BodyMesh, Ground, PlaneGround, SphereGround, outline_from_contact
+from ..drawing.mesh import BodyMesh, outline_from_contact
+from ..drawing.shading import Ground, PlaneGround, SphereGround
 from .implicit_surface import SurfaceGround
 
 __all__ = ["BallScene", "Scene", "ball_scene_of", "scene_of"]
