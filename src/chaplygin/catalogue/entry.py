@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 
@@ -55,9 +55,11 @@ class Start:
             raise InputError("a start is given either by both omega and gamma or by a state")
 
     @property
-    def values(self) -> dict[str, Any]:
-        """What is given, by name: ω and γ, or the variables of the state."""
-        return {"omega": self.omega, "gamma": self.gamma} if self.state is None else {**self.state}
+    def values(self) -> dict[str, float | tuple[float, ...]]:
+        """The start by name: ω and γ, or the variables of the state."""
+        if self.omega is not None and self.gamma is not None:
+            return {"omega": self.omega, "gamma": self.gamma}
+        return {**(self.state or {})}
 
 
 def _no_laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
@@ -169,7 +171,7 @@ def known_laws(entries: Iterable[Entry], rolling: Rolling, system: System) -> tu
     return tuple(found.values())
 
 
-def bruns_factor(potential: sp.Expr) -> Any:
+def bruns_factor(potential: sp.Expr) -> sp.Expr | None:
     """k of the Bruns field U = ½k(γ, Iγ) for a diagonal tensor I; None for another potential."""
     gamma = sp.symbols("gamma_1:4", real=True)
     inertia = sp.symbols("I_1:4", real=True)

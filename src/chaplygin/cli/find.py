@@ -12,6 +12,10 @@ from .common import Effort, Json, Override, What, inform, operations, print_json
 from .progress import progress
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    import sympy as sp
+
     from ..core.system import Parameter, System
     from ..search import Question, SearchResult
 
@@ -165,13 +169,13 @@ def _collected(kind: str, question: Question) -> tuple[list[SearchResult], bool]
     return found, True
 
 
-def _names(symbols: Any) -> list[str]:
+def _names(symbols: Iterable[object]) -> list[str]:
     from ..printing.formula import text
 
     return [text(s) for s in symbols]
 
 
-def _equation(vanishing: Any) -> str:
+def _equation(vanishing: sp.Expr) -> str:
     """A vanishing formula as an equation without minus signs, its number on the right."""
     from sympy import Add
 
@@ -250,7 +254,7 @@ def _as_text(kind: str, question: Question, found: list[SearchResult], complete:
 
 def _as_json(
     kind: str, question: Question, found: list[SearchResult], complete: bool, elapsed: float
-) -> dict[str, Any]:
+) -> dict[str, object]:
     from ..printing.formula import latex, text
 
     ansatz = question.ansatz
@@ -269,7 +273,7 @@ def _as_json(
     }
 
 
-def _finding_json(finding: SearchResult, text: Any, latex: Any) -> dict[str, Any]:
+def _finding_json(finding: SearchResult, text: Any, latex: Any) -> dict[str, object]:
     law, verdict = finding.law, finding.verdict
     if law is None or verdict is None:
         return {"formula": None, "verdict": "observed", "remark": finding.remark}

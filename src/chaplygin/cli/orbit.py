@@ -201,7 +201,7 @@ def _one_period(study: Study, orbit: Orbit) -> Any:
     )
 
 
-def _record(study: Study, orbit: Orbit, branch: Branch | None) -> dict[str, Any]:
+def _record(study: Study, orbit: Orbit, branch: Branch | None) -> dict[str, object]:
     return {
         "system": study.system.name,
         **_facts(orbit),
@@ -219,7 +219,7 @@ def _record(study: Study, orbit: Orbit, branch: Branch | None) -> dict[str, Any]
     }
 
 
-def _facts(orbit: Orbit) -> dict[str, Any]:
+def _facts(orbit: Orbit) -> dict[str, object]:
     found = orbit.multipliers
     return {
         "period": orbit.duration,

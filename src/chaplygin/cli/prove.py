@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
@@ -135,7 +135,7 @@ def _chosen(
     return [pair for pair in claims if not only or pair[1].name in only]
 
 
-def _record(tried: _Tried, effort: int) -> dict[str, Any]:
+def _record(tried: _Tried, effort: int) -> dict[str, object]:
     from ..printing.laws import condition_text
     from ..printing.system import latex, law_latex
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -230,7 +230,7 @@ def _balls(
 
 def _record(
     study: Study, solution: Solution, moments: list[Fraction], digits: int | None
-) -> dict[str, Any]:
+) -> dict[str, object]:
     from ..experiment.closed_form import ball, equation
 
     form = solution.form
@@ -260,7 +260,7 @@ def _record(
 
 def _states(
     study: Study, solution: Solution, moments: list[Fraction], digits: int | None
-) -> Iterator[dict[str, Any]]:
+) -> Iterator[dict[str, object]]:
     """One object for each time: the variables by name."""
     if digits is not None:
         from ..experiment.closed_form import ball

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from ..interruption import NOTHING, ending
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from ..flow.ensemble.task import Progress
 
 __all__ = [
@@ -160,7 +162,7 @@ def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
         raise
 
 
-def outcomes(variable: Any) -> dict[str, int]:
+def outcomes(variable: xr.DataArray) -> dict[str, int]:
     """How many members had which outcome, in words.
 
     Parameters

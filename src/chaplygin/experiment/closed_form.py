@@ -5,14 +5,16 @@ from __future__ import annotations
 import contextlib
 import re
 import time as clock
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import sympy as sp
 import xarray as xr
+from flint import arb
 from markupsafe import Markup
 
+from ..core.arrays import FloatArray
 from ..core.system import System
 from ..core.vectors import real_symbol, to_components
 from ..errors import InputError, RunError
@@ -22,6 +24,7 @@ from ..explicit.bifurcation import Diagram
 from ..explicit.bifurcation.diagram_of import diagram_of
 from ..explicit.recognise import solution_of
 from ..flow.trajectory import Statistics, Trajectory
+from ..parsing import Formula
 from ..printing import numerals
 from ..printing.formula import text
 from ..printing.numerals import signed, unit
@@ -83,7 +86,7 @@ def in_space(study: Study, solution: Solution) -> bool:
     return moves and len(solution.system.symbols) > len(study.system.symbols)
 
 
-def evaluated(study: Study, solution: Solution, times: Any) -> Trajectory:
+def evaluated(study: Study, solution: Solution, times: Sequence[float] | FloatArray) -> Trajectory:
     """A motion at chosen times, with all that a run records.
 
     Parameters
@@ -122,7 +125,7 @@ def evaluated(study: Study, solution: Solution, times: Any) -> Trajectory:
     )
 
 
-def _recorded(system: System, states: Any) -> dict[str, Any]:
+def _recorded(system: System, states: FloatArray) -> dict[str, FloatArray]:
     """Observables and integrals of a lifted system along states (n, size)."""
     wanted = {item.name: to_components(item.value) for item in system.observables}
     wanted |= {f"law_{law.name}": to_components(law.value) for law in system.integrals}
@@ -132,7 +135,7 @@ def _recorded(system: System, states: Any) -> dict[str, Any]:
         [*system.symbols, *system.defaults], scalars, "numpy", cse=lambda e: (steps, e)
     )
     columns = (np.broadcast_to(x, len(states)) for x in function(*states.T, *_doubles(system)))
-    recorded: dict[str, Any] = {}
+    recorded: dict[str, FloatArray] = {}
     for name, value in wanted.items():
         parts = [next(columns) for _ in _scalars(value)]
         recorded[name] = np.stack(parts, axis=1) if _is_vector(value) else np.array(parts[0])
@@ -143,11 +146,11 @@ def _doubles(system: System) -> list[float]:
     return [float(value) for value in system.defaults.values()]
 
 
-def _is_vector(value: Any) -> bool:
+def _is_vector(value: Formula) -> bool:
     return isinstance(value, sp.MatrixBase)
 
 
-def _scalars(value: Any) -> list[sp.Expr]:
+def _scalars(value: Formula) -> list[sp.Expr]:
     return list(value) if _is_vector(value) else [value]
 
 
@@ -247,7 +250,7 @@ _AFTER = re.compile(
 )
 
 
-def equation(left: Any, right: Any) -> str:
+def equation(left: sp.Expr, right: sp.Expr) -> str:
     """An equation in LaTeX, symbols such as dz and dtau as differentials, varphi as a letter."""
 
     def differential(found: re.Match[str]) -> str:
@@ -284,7 +287,7 @@ def number(figure: NamedConstant, digits: int = 20) -> str:
     return f"{middle}{unit}" if radius == "0" else f"{middle} ± {radius}{unit}"
 
 
-def ball(value: Any, digits: int) -> tuple[str, str]:
+def ball(value: arb, digits: int) -> tuple[str, str]:
     """Midpoint and radius of a ball, in so many digits; the printed ball contains the given one."""
     middle, _, radius = value.str(digits).strip("[]").partition("+/-")
     return middle.strip() or "0", radius.strip() or "0"

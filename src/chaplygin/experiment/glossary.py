@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import sympy as sp
 from sympy.matrices.expressions import Inverse, MatPow
 
 from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric, Vector
+from ..parsing import Formula, Named
 from ..printing.formula import text
 
 __all__ = ["glossary"]
@@ -74,12 +74,12 @@ def glossary(system: System, touching: bool, besides: Mapping[str, str] | None =
     return f"In body axes: {', '.join(sentence.values())}; E is the unit tensor."
 
 
-def _letters(system: System) -> tuple[Any, ...]:
+def _letters(system: System) -> tuple[Named, ...]:
     """The names in the equations of motion, and in the definitions that these need."""
     written = dict(system.definitions)
     # a component stands for its vector
     whole = {s: v for v in (*system.state, *written) if isinstance(v, Vector) for s in v.symbols}
-    found: dict[Any, None] = {}
+    found: dict[Named, None] = {}
     waiting = [part for pair in reversed(system.field) for part in reversed(pair)]
     while waiting:
         formula = waiting.pop()
@@ -91,12 +91,12 @@ def _letters(system: System) -> tuple[Any, ...]:
     return tuple(found)
 
 
-def _named(value: Any) -> bool:
+def _named(value: object) -> bool:
     return isinstance(value, (sp.Symbol, Vector))
 
 
 def _meaning(
-    letter: Any, system: System, known: Mapping[str, str], observed: Mapping[Any, str]
+    letter: Named, system: System, known: Mapping[str, str], observed: Mapping[Formula, str]
 ) -> str:
     """Meaning of one letter; nothing of a parameter or a rate, which tell it themselves."""
     label = str(letter)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Mapping, Sequence
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import mpmath
 import numpy as np
@@ -20,7 +20,7 @@ from ..errors import InputError
 from ..flow.initial_states import upright
 from ..mechanics.rolling.attitude import attitude
 from ..mechanics.rolling.initial_state import DIGITS, SLACK
-from ..parsing import nearest
+from ..parsing import Named, nearest
 from ..printing.formula import text
 from .file.validation import value_text
 
@@ -50,7 +50,7 @@ _DIFFERENCE = mpmath.mpf(10) ** -20
 StartValues: TypeAlias = Mapping[str, float | Sequence[float]]
 
 
-def initial_state_from_values(system: System, values: StartValues) -> tuple[Any, ...]:
+def initial_state_from_values(system: System, values: StartValues) -> tuple[mpmath.mpf, ...]:
     """The state of a system, lifted to space where it has a motion, from values by name.
 
     Parameters
@@ -89,7 +89,7 @@ def lift_of(system: System, values: StartValues) -> dict[str, float | tuple[floa
     if system.motion is None:
         return {}
     gamma = values.get("gamma")
-    known: dict[str, list[Any]] = {}
+    known: dict[str, list[mpmath.mpf]] = {}
     if isinstance(gamma, Sequence) and len(gamma) == SPACE:
         known["gamma"] = [mpmath.mpf(x) for x in gamma]
     _complete(system.lifted(), known)
@@ -113,7 +113,7 @@ def normalised(values: StartValues, names: Collection[str]) -> dict[str, tuple[f
     return found
 
 
-def on_level(system: System, level: Sequence[sp.Expr], state: Sequence[Any]) -> bool:
+def on_level(system: System, level: Sequence[sp.Expr], state: Sequence[mpmath.mpf]) -> bool:
     """Whether all expressions of a level vanish at a state, but for rounding."""
     with mpmath.workdps(DIGITS):
         size = 1 + max((abs(x) for x in state), default=0)
@@ -148,7 +148,9 @@ def _parts(
     return list(zip(symbols, given, strict=True))
 
 
-def _check_claims(lifted: System, state: list[Any], claims: Mapping[sp.Symbol, float]) -> None:
+def _check_claims(
+    lifted: System, state: list[mpmath.mpf], claims: Mapping[sp.Symbol, float]
+) -> None:
     """Refuse values of definitions that the state does not give them."""
     found = _function(lifted, list(claims))(state) if claims else []
     for symbol, value in zip(claims, found, strict=True):
@@ -160,7 +162,7 @@ def _check_claims(lifted: System, state: list[Any], claims: Mapping[sp.Symbol, f
             )
 
 
-def _read(system: System, values: StartValues) -> dict[str, list[Any]]:
+def _read(system: System, values: StartValues) -> dict[str, list[mpmath.mpf]]:
     """The given values as numbers, names and shapes checked, unit vectors normalised."""
     lifted = system.lifted() if system.motion else system
     sizes = {str(name): _size(name) for name in lifted.state}
@@ -182,12 +184,12 @@ def _read(system: System, values: StartValues) -> dict[str, list[Any]]:
     return known
 
 
-def _size(name: Any) -> int:
+def _size(name: Named) -> int:
     """Number of components; 0 for a scalar."""
     return 0 if isinstance(name, sp.Symbol) else len(name.symbols)
 
 
-def _numbers(name: str, given: float | Sequence[float], size: int) -> list[Any]:
+def _numbers(name: str, given: float | Sequence[float], size: int) -> list[mpmath.mpf]:
     listed = list(given) if isinstance(given, Sequence) else [given]
     fits = isinstance(given, Sequence) == (size > 0) and len(listed) == max(size, 1)
     if not fits or not all(mpmath.isfinite(x) for x in listed):
@@ -206,7 +208,7 @@ def unit_vectors(system: System) -> set[str]:
     }
 
 
-def _complete(lifted: System, known: dict[str, list[Any]]) -> None:
+def _complete(lifted: System, known: dict[str, list[mpmath.mpf]]) -> None:
     """What is not given of the lift to space."""
     zero, one = mpmath.mpf(0), mpmath.mpf(1)
     for name in lifted.state:
@@ -219,7 +221,9 @@ def _complete(lifted: System, known: dict[str, list[Any]]) -> None:
         known[str(attitude)] = upright(known.get("gamma", [zero, zero, mpmath.mpf(1)]))
 
 
-def _function(system: System, formulas: Sequence[sp.Expr]) -> Callable[[Sequence[Any]], list[Any]]:
+def _function(
+    system: System, formulas: Sequence[sp.Expr]
+) -> Callable[[Sequence[mpmath.mpf]], list[mpmath.mpf]]:
     """Scalar formulas of a system as a function of its flat state, for numbers of mpmath."""
     constants = {s: mpmath.mpf(repr(float(v))) for s, v in system.defaults.items()}
     steps = list(system.needed(formulas))
@@ -227,7 +231,7 @@ def _function(system: System, formulas: Sequence[sp.Expr]) -> Callable[[Sequence
         [*system.symbols, *constants], list(formulas), "mpmath", cse=lambda e: (steps, e)
     )
 
-    def values(state: Sequence[Any]) -> list[Any]:
+    def values(state: Sequence[mpmath.mpf]) -> list[mpmath.mpf]:
         try:
             found = list(function(*state, *constants.values()))
         except ZeroDivisionError:
@@ -239,7 +243,7 @@ def _function(system: System, formulas: Sequence[sp.Expr]) -> Callable[[Sequence
     return values
 
 
-def _on_relations(lifted: System, state: list[Any]) -> list[Any]:
+def _on_relations(lifted: System, state: list[mpmath.mpf]) -> list[mpmath.mpf]:
     """The state moved onto the relations along the shortest way; refused if that is far."""
     if not lifted.relations:
         return state
@@ -259,8 +263,8 @@ def _on_relations(lifted: System, state: list[Any]) -> list[Any]:
 
 
 def _newton(
-    residual: Callable[[Sequence[Any]], list[Any]], state: Sequence[Any]
-) -> list[Any] | None:
+    residual: Callable[[Sequence[mpmath.mpf]], list[mpmath.mpf]], state: Sequence[mpmath.mpf]
+) -> list[mpmath.mpf] | None:
     """The point near `state` where all residuals vanish, if Newton's method finds one."""
     point = list(state)
     for _ in range(_STEPS):
@@ -282,11 +286,11 @@ def _newton(
     return None
 
 
-def _distance(one: Sequence[Any], other: Sequence[Any]) -> Any:
+def _distance(one: Sequence[mpmath.mpf], other: Sequence[mpmath.mpf]) -> mpmath.mpf:
     return max(abs(x - y) for x, y in zip(one, other, strict=True))
 
 
-def _listed(system: System, state: Sequence[Any]) -> str:
+def _listed(system: System, state: Sequence[mpmath.mpf]) -> str:
     """A state by names, as it would be given."""
     parts = []
     rest = [repr(float(x)) for x in state]

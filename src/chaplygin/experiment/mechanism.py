@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TypeAlias
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
@@ -15,7 +15,7 @@ from ..core.vectors import Diagonal, Vector, to_components
 from ..errors import InputError
 from ..mechanics.lagrangian.mechanism import TIME, Frame, Mechanism, euclidean, rotations
 from ..mechanics.lagrangian.structure_functions import check_structure
-from ..parsing import Named, nearest
+from ..parsing import Formula, Named, nearest
 from .file.mechanism_tables import NumberTable
 from .file.models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from .file.names import Names, components
@@ -23,6 +23,10 @@ from .file.names import Names, components
 __all__ = ["identifier", "mechanism_of", "system_of", "with_claims"]
 
 UNTITLED = "Untitled system"
+
+#: The commutators of pairs of fields of a frame, by coefficients of the fields.
+Commutators: TypeAlias = dict[tuple[sp.Symbol, sp.Symbol], dict[sp.Symbol, sp.Expr]]
+
 _GROUP = re.compile(r"\s*(\w+)\s*\(\s*(\w+)\s*(?:,\s*(\w+)\s*)?\)\s*")
 
 
@@ -180,8 +184,8 @@ def _described(named: Named, table: NumberTable) -> list[Parameter]:
     ]
 
 
-def _definitions(names: Names) -> tuple[tuple[Named, Any], ...]:
-    found: list[tuple[Named, Any]] = []
+def _definitions(names: Names) -> tuple[tuple[Named, Formula], ...]:
+    found: list[tuple[Named, Formula]] = []
     for name, text in names.experiment.definitions.items():
         key = ("definitions", name)
         value = names.formula(text, *key)
@@ -210,7 +214,7 @@ def _frame(names: Names, experiment: MechanismExperiment) -> Frame:
     relations = names.formulas(table.relations, "frame", "relations")
     if not table.velocities:
         velocities = [_rate_of(names, q) for q in coordinates]
-        rates: Any = tuple(zip(coordinates, velocities, strict=True))
+        rates = tuple(zip(coordinates, velocities, strict=True))
     else:
         velocities = [names.declare(text, "frame", "velocities") for text in table.velocities]
         rates = _rates(names, coordinates, table.rates, "frame", "rates")
@@ -231,8 +235,8 @@ def _frame(names: Names, experiment: MechanismExperiment) -> Frame:
 
 
 def _positions(
-    names: Names, texts: Sequence[str], frame: Frame, definitions: Iterable[tuple[Named, Any]]
-) -> tuple[Any, ...]:
+    names: Names, texts: Sequence[str], frame: Frame, definitions: Iterable[tuple[Named, Formula]]
+) -> tuple[Formula, ...]:
     """Position constraints, which no velocity enters, not by way of a definition either."""
     key = ("constraints", "position")
     moving = set(frame.w)
@@ -258,7 +262,7 @@ def _rate_of(names: Names, coordinate: Named) -> Named:
 
 def _rates(
     names: Names, variables: Sequence[Named], texts: dict[str, str], *key: str
-) -> tuple[tuple[Named, Any], ...]:
+) -> tuple[tuple[Named, Formula], ...]:
     """The rate of each variable, in the order of the variables."""
     by_name = {str(named): named for named in variables}
     for name in texts:
@@ -274,14 +278,14 @@ def _rates(
 
 def _structure(
     names: Names, experiment: MechanismExperiment, velocities: Sequence[Named]
-) -> dict[Any, Any] | None:
+) -> Commutators | None:
     """What the file says of the commutators of the frame's fields."""
     table = experiment.frame
     if table.structure is not None:
         return _group(names, table.structure, velocities)
     if not table.commutators:
         return None
-    found: dict[Any, Any] = {}
+    found: Commutators = {}
     key = ("frame", "commutators")
     flat = [s for named in velocities for s in components(named)]
     for pair, text in table.commutators.items():
@@ -297,28 +301,26 @@ def _structure(
     return found
 
 
-def _group(names: Names, text: str, velocities: Sequence[Named]) -> dict[Any, Any]:
+def _group(names: Names, text: str, velocities: Sequence[Named]) -> Commutators:
     key = ("frame", "structure")
     match = _GROUP.fullmatch(text)
-    wanted = {"rotations": (rotations, 1), "euclidean": (euclidean, 2)}
-    word = match[1] if match else ""
-    given = [name for name in match.groups()[1:] if name] if match else []
-    if word not in wanted or len(given) != wanted[word][1]:
+    group = match[1] if match else ""
+    arguments = [name for name in match.groups()[1:] if name] if match else []
+    if len(arguments) != {"rotations": 1, "euclidean": 2}.get(group):
         raise names.error(
             f'must be "rotations(omega)" or "euclidean(omega, v)", not "{text}"', *key
         )
     vectors = [n for n in velocities if isinstance(n, Vector) and len(n.symbols) == 3]
-    chosen = [names.get(name, vectors, *key) for name in given]
+    chosen = [names.get(name, vectors, *key) for name in arguments]
     if not all(isinstance(named, Vector) for named in chosen):
         raise names.error("needs whole vectors of velocities", *key)
-    make: Any = wanted[word][0]
-    made: dict[Any, Any] = make(*chosen)
-    return made
+    structure: Commutators = (rotations if group == "rotations" else euclidean)(*chosen)
+    return structure
 
 
 def _forces(
     names: Names, experiment: MechanismExperiment, frame: Frame
-) -> tuple[tuple[Named, Any], ...]:
+) -> tuple[tuple[Named, Formula], ...]:
     found = []
     for name, text in experiment.forces.items():
         named = names.get(name, frame.velocities, "forces", name)
@@ -367,5 +369,5 @@ def _powers(
     return powers
 
 
-def _depend_on_time(*formulas: Any) -> bool:
+def _depend_on_time(*formulas: Formula) -> bool:
     return any(to_components(formula).has(TIME) for formula in formulas)

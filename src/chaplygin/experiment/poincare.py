@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import sympy as sp
 
 from ..analysis.scans.state_coordinates import chart
 from ..analysis.scans.system_quantities import meaning
+from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
 from ..flow.batch import poincare_section
@@ -146,7 +146,7 @@ def section_of(
     return task, names
 
 
-def _starts(study: Study, system: System, starts: Starts) -> tuple[Any, str]:
+def _starts(study: Study, system: System, starts: Starts) -> tuple[FloatArray, str]:
     """States at time 0, and how they were chosen."""
     if starts.count < 1:
         raise InputError(f"--starts {starts.count}: there must be one at least")
@@ -160,7 +160,7 @@ def _starts(study: Study, system: System, starts: Starts) -> tuple[Any, str]:
     return chosen.draw(starts.count, seed=starts.seed), sentence
 
 
-def _level(system: System, start: Any) -> dict[str, float]:
+def _level(system: System, start: FloatArray) -> dict[str, float]:
     """The integrals of a start that hold without condition."""
     laws = [law for law in system.integrals if not law.on]
     (numbers,) = values(system, [law.value for law in laws], start)
@@ -217,10 +217,11 @@ class Reduced:
             for name in self.names
         )
 
-    def __call__(self, states: Any) -> Any:
+    def __call__(self, states: FloatArray) -> FloatArray:
         """The coordinates (n, names) of states (n, size)."""
         made = chart(self.system, self.chart)
-        return made.point(states)[:, [made.names.index(name) for name in self.names]]
+        points: FloatArray = made.point(states)
+        return points[:, [made.names.index(name) for name in self.names]]
 
 
 def coordinates_of(

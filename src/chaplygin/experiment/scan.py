@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
 
 from ..analysis.scans.grid import Axis, ScanGrid, scan_grid
 from ..analysis.scans.quantity_names import quantity_from_text
@@ -81,7 +80,7 @@ def plane_of(
     return scan_grid(system, described(x), described(y), start, formulas=formulas, held=held)
 
 
-def _start(study: Study, system: System) -> dict[str, Any]:
+def _start(study: Study, system: System) -> dict[str, float | Sequence[float]]:
     """The start by ω and γ where the state follows from these, else by the state."""
     follow = {str(name) for name, _ in system.start} | study.start_values.keys()
     if study.subject.starts_by_velocity and all(str(name) in follow for name in system.state):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import fields
-from typing import Any
 
 import sympy as sp
 
@@ -13,8 +12,9 @@ from ..core.system import System
 from ..core.vectors import Vector, to_components
 from ..errors import InputError
 from ..mechanics.lagrangian.plan import Plan
-from ..parsing import FUNCTIONS
+from ..parsing import FUNCTIONS, Formula, Named
 from ..parsing.exact_decimals import exactly
+from .file.toml import Tables
 
 __all__ = ["plan_table_of", "tables_of"]
 
@@ -25,7 +25,7 @@ _WRITABLE = (
 _CONSTANTS = (sp.pi,)
 
 
-def tables_of(system: System) -> dict[str, Any]:
+def tables_of(system: System) -> Tables:
     """The tables of a file that brings the same equations, lifted to space.
 
     Of the laws it has integrals, measures and symmetries; others have no form in a file.
@@ -36,7 +36,7 @@ def tables_of(system: System) -> dict[str, Any]:
         If a formula uses what no file can say, such as a function that it does not know.
     """
     whole = system.lifted() if system.motion else system
-    tables: dict[str, Any] = {"title": whole.title, "summary": whole.summary}
+    tables: Tables = {"title": whole.title, "summary": whole.summary}
     tables["parameters"] = {
         str(p.symbol): {"value": float(p.default), "unit": p.unit, "meaning": p.meaning}
         for p in whole.parameters
@@ -60,7 +60,7 @@ def tables_of(system: System) -> dict[str, Any]:
     return tables
 
 
-def plan_table_of(plan: Plan) -> dict[str, Any]:
+def plan_table_of(plan: Plan) -> Tables:
     """The table [plan] of a file that draws the same."""
     tables = {
         field.name: [_all(part) for part in getattr(plan, field.name)]
@@ -70,7 +70,7 @@ def plan_table_of(plan: Plan) -> dict[str, Any]:
     return {"path": _all(plan.path), **tables}
 
 
-def _laws(system: System) -> dict[str, Any]:
+def _laws(system: System) -> Tables:
     integrals, measures, symmetries = {}, {}, {}
     for law in system.laws:
         on = _all(law.on)
@@ -84,15 +84,15 @@ def _laws(system: System) -> dict[str, Any]:
     return {"integrals": integrals, "measures": measures, "symmetries": symmetries}
 
 
-def _declared(name: Any) -> str:
+def _declared(name: Named) -> str:
     return f"{name}[{len(name.symbols)}]" if isinstance(name, Vector) else str(name)
 
 
-def _all(formulas: Iterable[Any]) -> list[str]:
+def _all(formulas: Iterable[Formula]) -> list[str]:
     return [_written(formula) for formula in formulas]
 
 
-def _written(formula: Any) -> str:
+def _written(formula: Formula) -> str:
     """A formula as a user would type it, its numbers exact."""
     value = to_components(sp.sympify(formula))
     if isinstance(value, sp.MatrixBase):

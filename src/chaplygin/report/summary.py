@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, SupportsFloat
 
 import numpy as np
 
 from ..core.system import System
+from ..experiment.dataset import Samples
 from ..flow.integrator import Trajectory
 
 __all__ = ["drift", "summary", "summary_text"]
 
 
-def drift(values: Any) -> float:
+def drift(values: Samples) -> float:
     """Largest |F(t) − F(0)|, relative to |F(0)|; absolute when F(0) = 0."""
     change = max(abs(float(v - values[0])) for v in values)
     size = abs(float(values[0]))
@@ -41,7 +42,7 @@ def summary(trajectory: Trajectory) -> dict[str, Any]:
     }
 
 
-def _plain(number: Any) -> float | str:
+def _plain(number: SupportsFloat) -> float | str:
     return float(number) if isinstance(number, (float, np.floating)) else str(number)
 
 

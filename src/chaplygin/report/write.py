@@ -18,7 +18,8 @@ from ..experiment.study import Study, dataset_of
 from ..explicit.base.solution import Solution
 from ..flow.integrator import Trajectory
 from . import figures, page
-from .study_folder import begin, end
+from .stored_trajectory import read_trajectory, store_trajectory, trajectory_digest
+from .study_folder import TRAJECTORY, begin, end
 from .subject_figures import subject_figures
 
 __all__ = ["write_study"]
@@ -70,7 +71,7 @@ def write_study(
     # curves are drawn through more points than the file is to have
     pieces = -(-SMOOTH // (study.experiment.run.samples - 1))
     try:
-        trajectory = study.trajectory(report, pieces)
+        trajectory = _trajectory(study, folder / TRAJECTORY, pieces, report)
     except RunError as error:
         if isinstance(error, InterruptionError) or not isinstance(error.partial, Trajectory):
             raise
@@ -95,6 +96,18 @@ def write_study(
         temporary.write_text(text, encoding="utf-8")
     end(folder)
     return trajectory, failure
+
+
+def _trajectory(study: Study, path: Path, pieces: int, report: Report) -> Trajectory:
+    """The trajectory that an interrupted study has left, or else the motion integrated."""
+    key = trajectory_digest(study, pieces)
+    stored = read_trajectory(path, key, study)
+    if stored is not None:
+        report.say("resuming after the integration")
+        return stored
+    trajectory = study.trajectory(report, pieces)
+    store_trajectory(path, key, trajectory)
+    return trajectory
 
 
 def _drawn(

@@ -10,9 +10,9 @@ axes; J and d as in (8.1).
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral
@@ -49,7 +49,7 @@ SUMMARY = (
 SOURCE = "§8.2, (8.7)"
 
 
-def _doubled() -> Any:
+def _doubled() -> MatrixExpr:
     """Ā = 2A = tr J − 2J."""
     return sp.Add(*J.symbols) * identity - 2 * J
 
@@ -131,7 +131,7 @@ def reduced(hamiltonian: sp.Expr, integral: sp.Expr, p: Numbers) -> System:
     )
 
 
-def _tensors() -> tuple[Any, Any, sp.Expr]:
+def _tensors() -> tuple[MatrixExpr, MatrixExpr, sp.Expr]:
     """AΓ, BΓ and det I_Q at n = Γ."""
     lever = sp.Rational(1, 2) * _doubled() * Gamma
     drawn = J * lever - d * dot(Gamma, lever) * Gamma
@@ -145,14 +145,14 @@ def slowness() -> sp.Expr:
     return 2 * dot(lever, drawn) / dot(Gamma, drawn) * sp.sqrt(det)
 
 
-def momentum() -> Any:
+def momentum() -> MatrixExpr:
     """The ball's momentum about the contact point, in the variables of e(3)."""
     lever, drawn, _ = _tensors()
     turning = -slowness() * M
     return turning - dot(turning, lever) / dot(lever, drawn) * drawn
 
 
-def velocity() -> Any:
+def velocity() -> MatrixExpr:
     """The ball's angular velocity, in the variables of e(3)."""
     total = momentum()
     square = 1 - d * dot(Gamma, J**-1 * Gamma)

@@ -8,9 +8,8 @@ sphere (negative inside) k = a/(a + R) for a ball, and k = a/(a − R) for a hol
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import Integral, Measure
 from ...core.system import Parameter, System
@@ -47,12 +46,12 @@ _SOURCE = "§8.1, (8.1)"
 _SUMMARY = "A balanced, dynamically asymmetric ball rolls without slipping on a fixed sphere."
 
 
-def drawn(vector: Any) -> Any:
+def drawn(vector: MatrixExpr) -> MatrixExpr:
     """I_Q u = J u − d n (n, u) for a vector u: from angular velocity to momentum."""
     return J * vector - d * dot(n, vector) * n
 
 
-def _solved(vector: Any) -> Any:
+def _solved(vector: MatrixExpr) -> MatrixExpr:
     """The inverse of I_Q applied to a vector, on |n| = 1."""
     return J**-1 * vector + (d / rho_2) * dot(n, J**-1 * vector) * J**-1 * n
 

@@ -8,8 +8,6 @@ force, m̃ v̇ = F + λn + (μ/b) σ n×ṅ, which does no work and leaves (v, A
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
 
 from ...core.laws import Identity, Integral, Law, Rate, Reduction
@@ -257,6 +255,6 @@ def _rubber_revolution(ball: RollingBall) -> tuple[Law, ...]:
     level = _round(ball)
     if level is None:
         return ()
-    value: Any = dot(cross(R, v), unit_vector(_third(ball) + 1))
+    value: sp.Expr = dot(cross(R, v), unit_vector(_third(ball) + 1))
     meaning = "areal velocity about the axis"
     return (Integral("area", value, meaning, on=level, source="Clairaut 1733", unit="m^2/s"),)

@@ -11,7 +11,6 @@ On a plane, where ṅ = 0, this is Proposition 2.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
@@ -74,7 +73,7 @@ def _particle_on(
     surface: sp.Expr,
     force: MatrixExpr,
     push: MatrixExpr,
-    further: dict[Any, Any],
+    further: dict[sp.Expr, sp.Expr],
     parameters: tuple[Parameter, ...],
 ) -> System:
     bent = constant(sp.hessian(surface, R.symbols)) * v
@@ -138,7 +137,7 @@ def _turning() -> Identity:
     )
 
 
-def _common(kinematics: Kinematics, density: dict[Any, Any]) -> tuple[Law, ...]:
+def _common(kinematics: Kinematics, density: dict[sp.Expr, sp.Expr]) -> tuple[Law, ...]:
     energy = half * m * norm_squared(v) + half * mu * norm_squared(omega) + POTENTIAL
     volume = "area of the surface times volume of ω, on every surface and in every potential"
     stays = "the ball stays on its surface"

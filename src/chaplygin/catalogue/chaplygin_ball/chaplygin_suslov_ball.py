@@ -8,8 +8,6 @@ With J = I + mR²E, s = (ω, γ) and the unit vector e fixed in the ball, M = J�
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
 
 from ...core.laws import Identity, Integral, Law, Measure, Rate
@@ -52,7 +50,7 @@ SUMMARY = (
 SOURCE = "§2.5"
 
 
-def equations(numbers: Numbers, potential: Any = sp.S.Zero) -> System:
+def equations(numbers: Numbers, potential: sp.Expr = sp.S.Zero) -> System:
     """The equations with both multipliers eliminated, in ω and γ (body axes)."""
     check_mass(numbers["m"])
     check_inertia((numbers["I_1"], numbers["I_2"], numbers["I_3"]))
@@ -103,7 +101,7 @@ def equations(numbers: Numbers, potential: Any = sp.S.Zero) -> System:
     )
 
 
-def _always(potential: Any = sp.S.Zero) -> tuple[Law, ...]:
+def _always(potential: sp.Expr = sp.S.Zero) -> tuple[Law, ...]:
     """What holds for every axis."""
     half = sp.Rational(1, 2)
     kinetic = half * dot(J * omega, omega) - half * D * s**2

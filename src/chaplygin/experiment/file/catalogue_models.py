@@ -20,9 +20,9 @@ class CatalogueExperiment(ExperimentBase):
 
     def complete_tables(self) -> dict[str, Any]:
         """All tables, with every parameter of the system."""
-        tables = super().complete_tables()
         parameters = entry(self.system.name).numbers(self.system.parameters)
-        return tables | {"system": tables["system"] | {"parameters": parameters}}
+        system = {"name": self.system.name, "parameters": parameters}
+        return super().complete_tables() | {"system": system}
 
 
 class SystemExperiment(CatalogueExperiment):

@@ -7,7 +7,7 @@ names are known.  The description of a field completes the sentence "… must be
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Annotated, Any, Self
+from typing import Annotated, Self
 
 from pydantic import (
     Field,
@@ -20,6 +20,7 @@ from pydantic import (
 
 from .number_lists import given_numbers
 from .table import FORMULA, THREE, Table, Vector
+from .toml import Tables
 from .validation import value_text
 
 __all__ = [
@@ -67,11 +68,11 @@ class _Noted(Table):
 
     @model_validator(mode="before")
     @classmethod
-    def _value_alone(cls, given: Any) -> Any:
+    def _value_alone(cls, given: object) -> object:
         return given if isinstance(given, dict | cls) else {"value": given}
 
     @model_serializer(mode="wrap")
-    def _as_given(self, serialised: Callable[[Self], dict[str, Any]]) -> Any:
+    def _as_given(self, serialised: Callable[[Self], Tables]) -> object:
         text = {
             key: value for key, value in serialised(self).items() if value not in (None, "", (), [])
         }

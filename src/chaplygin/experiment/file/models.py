@@ -16,7 +16,6 @@ import math
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from pydantic import ValidationError
 
@@ -30,7 +29,7 @@ from .described_models import EquationsExperiment, MechanismExperiment, OwnExper
 from .rolling_model import RollingExperiment
 from .source import Source
 from .table import Table
-from .toml import Key
+from .toml import Key, Tables
 from .validation import validation_messages
 
 __all__ = [
@@ -208,7 +207,7 @@ def _short(source: Source) -> dict[str, Key]:
     tables = replace(source, overrides=with_tables).tables()
     found: dict[str, Key] = {}
     for place in _PARAMETERS:
-        table: Any = tables
+        table: object = tables
         for part in place:
             table = table.get(part) if isinstance(table, dict) else None
         if isinstance(table, dict):
@@ -218,7 +217,7 @@ def _short(source: Source) -> dict[str, Key]:
     return found
 
 
-def _no_keys(tables: dict[str, Any], model: type[Experiment], source: Source) -> dict[Key, str]:
+def _no_keys(tables: Tables, model: type[Experiment], source: Source) -> dict[Key, str]:
     """What options without a table name that is neither a key nor a parameter."""
     wrong: dict[Key, str] = {}
     for option in source.overrides:
@@ -240,14 +239,14 @@ def _no_keys(tables: dict[str, Any], model: type[Experiment], source: Source) ->
     return wrong
 
 
-def _item(tables: dict[str, Any]) -> Entry | None:
+def _item(tables: Tables) -> Entry | None:
     """The entry of the catalogue that tables name, if there is one of that name."""
     table = tables.get("system")
     name = table.get("name") if isinstance(table, dict) else None
     return CATALOGUE.get(name) if isinstance(name, str) else None
 
 
-def _model(tables: dict[str, Any]) -> type[Experiment]:
+def _model(tables: Tables) -> type[Experiment]:
     """The kind of experiment that these tables mean to be."""
     if "system" not in tables:
         return _own_model(tables)
@@ -255,7 +254,7 @@ def _model(tables: dict[str, Any]) -> type[Experiment]:
     return StateExperiment if item and item.start.state is not None else SystemExperiment
 
 
-def _check_one_description(tables: dict[str, Any], source: Source) -> None:
+def _check_one_description(tables: Tables, source: Source) -> None:
     """Refuse a Lagrangian or equations beside another description of what moves."""
     first, *others = [n for n in (*DESCRIBED, "system", "body") if n in tables] or [""]
     if first in DESCRIBED and others:
@@ -263,7 +262,7 @@ def _check_one_description(tables: dict[str, Any], source: Source) -> None:
         raise InputError(f"must be absent, as [{first}] says already what moves", where)
 
 
-def _own_model(tables: dict[str, Any]) -> type[Experiment]:
+def _own_model(tables: Tables) -> type[Experiment]:
     """What is described without the catalogue."""
     if "equations" in tables:
         return EquationsExperiment
@@ -272,7 +271,7 @@ def _own_model(tables: dict[str, Any]) -> type[Experiment]:
     return BallExperiment if is_ball_experiment(tables) else RollingExperiment
 
 
-def _decided_by_system(tables: dict[str, Any]) -> dict[Key, str]:
+def _decided_by_system(tables: Tables) -> dict[Key, str]:
     """The tables that have no place beside [system]."""
     decided = [name for name in RollingExperiment.model_fields if name in tables]
     return {

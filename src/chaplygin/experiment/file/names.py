@@ -6,7 +6,6 @@ import keyword
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Any
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
@@ -101,7 +100,7 @@ class Names:
             raise self.error(f"must be {kind}", *key)
         return value
 
-    def formulas(self, texts: Iterable[str], *key: str) -> tuple[Any, ...]:
+    def formulas(self, texts: Iterable[str], *key: str) -> tuple[Formula, ...]:
         """The formulas of an array."""
         return tuple(self.formula(text, *key) for text in texts)
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from pydantic import Field, ValidationInfo, field_validator
 
 from .base import ExperimentBase
@@ -45,7 +43,7 @@ class RollingExperiment(ExperimentBase):
 
     @field_validator("surface", mode="before")
     @classmethod
-    def _plane_by_default(cls, surface: Any) -> Any:
+    def _plane_by_default(cls, surface: object) -> object:
         return {"kind": "plane"} if surface == {} else surface
 
     @field_validator("surface")

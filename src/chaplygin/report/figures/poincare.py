@@ -16,7 +16,7 @@ from matplotlib.colors import Normalize, to_rgba_array
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from ...core.arrays import FloatArray
+from ...core.arrays import FloatArray, IntArray
 from ...errors import InputError
 from ..drawing.dataset_access import readable, title_of, typeset, unit_of, with_unit
 from ..drawing.style import FAINT, QUIET, SERIES, STYLE, WIDTH
@@ -101,7 +101,7 @@ def draw_section(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     return figure
 
 
-def _thinned(runs: int, count: int) -> Any:
+def _thinned(runs: int, count: int) -> IntArray:
     """Which returns are drawn: all, or some by chance (every so manieth could miss a cycle)."""
     kept = max(1, min(count, MOST // runs))
     if kept == count:
@@ -159,7 +159,7 @@ def _space(
     points: Sequence[FloatArray],
     labels: Sequence[str],
     look: dict[str, Any],
-    layers: Sequence[Any],
+    layers: Sequence[IntArray | slice],
 ) -> None:
     """Two views above three projections; within a layer, near points hide far ones."""
     for i, (height, turn) in enumerate(VIEWS):

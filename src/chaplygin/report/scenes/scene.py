@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 import sympy as sp
@@ -55,12 +56,12 @@ def _ground(ball: RollingBall) -> SurfaceGround:
     below = ball.surface.equation(symbols, -sp.Float(shift)) if shift else ball.carrying
     f = (ball.carrying if below is None else below).subs(numbers)
 
-    def values(formula: sp.Expr) -> Any:
+    def values(formula: sp.Expr) -> Callable[[FloatArray], FloatArray]:
         function = sp.lambdify(symbols, formula, "numpy")
 
         def at(points: FloatArray) -> FloatArray:
-            found = np.asarray(function(*points.T), dtype=np.float64)
-            return np.broadcast_to(found, points.shape[:1])
+            heights = np.asarray(function(*points.T), dtype=np.float64)
+            return np.broadcast_to(heights, points.shape[:1])
 
         return at
 
