@@ -220,7 +220,7 @@ def _kind(annotation: Any) -> _Kind | None:
         )
     if isinstance(origin, type):
         return _collection(origin, inner)
-    if annotation is Any:
+    if annotation is Any or annotation is object:
         return None
     if annotation in _SIMPLE:
         return _SIMPLE[annotation]

@@ -117,19 +117,19 @@ class Entry:
         InputError
             If a parameter is not one of this system's.
         """
-        given = dict(parameters or {})
-        for name in given:
+        replacements = dict(parameters or {})
+        for name in replacements:
             if name not in self.defaults:
                 raise InputError(
                     f"no parameter {name!r} in {self.name}{_nearest(name, self.defaults)}; it has "
                     f"{', '.join(self.defaults)}"
                 )
-        return {**self.defaults, **given}
+        return {**self.defaults, **replacements}
 
     def rolling(self, parameters: Numbers | None = None) -> Rolling | None:
         """What rolls on what; None for a body about a fixed point."""
-        made = self.build(self.numbers(parameters))
-        return made if isinstance(made, Rolling) else None
+        model = self.build(self.numbers(parameters))
+        return model if isinstance(model, Rolling) else None
 
     def rolling_ball(self, parameters: Numbers | None = None) -> RollingBall | None:
         """The homogeneous ball and its surface; None where there is none."""
@@ -139,12 +139,12 @@ class Entry:
         """The System, with the laws that the paper names."""
         from dataclasses import replace
 
-        made = self.build(self.numbers(parameters))
-        if isinstance(made, System):
-            return made
-        system = made.system(self.name, self.title)
+        model = self.build(self.numbers(parameters))
+        if isinstance(model, System):
+            return model
+        system = model.system(self.name, self.title)
         system = replace(system, source=self.source, summary=self.summary)
-        return system.with_laws(*self.laws(made, system))
+        return system.with_laws(*self.laws(model, system))
 
 
 def lookup(catalogue: Mapping[str, Entry], name: str) -> Entry:
@@ -164,11 +164,11 @@ def _nearest(name: str, known: Iterable[str]) -> str:
 
 def known_laws(entries: Iterable[Entry], rolling: Rolling, system: System) -> tuple[Law, ...]:
     """The integrals that some entries know of a rolling body, each once."""
-    found: dict[str, Law] = {}
+    laws: dict[str, Law] = {}
     for item in entries:
         for law in item.laws(rolling, system):
-            found.setdefault(law.name, law)
-    return tuple(found.values())
+            laws.setdefault(law.name, law)
+    return tuple(laws.values())
 
 
 def bruns_factor(potential: sp.Expr) -> sp.Expr | None:

@@ -72,14 +72,14 @@ def command(
     vacate(output, force)
     title = study.system.title
     with progress(title) as report, resumable(output, report, force) as update:
-        found = compute(task, output, client=client, progress=update)
+        dataset = compute(task, output, client=client, progress=update)
     result = {
         "file": str(output),
-        "members": found.attrs["members"],
-        "measure": found.attrs.get("measure", ""),
-        "motions": found.sizes["run"],
-        "times": found.sizes["time"],
-        "outcomes": outcomes(found["outcome"]),
+        "members": dataset.attrs["members"],
+        "measure": dataset.attrs.get("measure", ""),
+        "motions": dataset.sizes["run"],
+        "times": dataset.sizes["time"],
+        "outcomes": outcomes(dataset["outcome"]),
     }
     if json:
         print_json(result)

@@ -45,18 +45,18 @@ def level_of(text: str) -> dict[str, float]:
     """
     from ..errors import InputError
 
-    found = {}
+    level = {}
     for part in text.split(","):
         name, equals, number = (piece.strip() for piece in part.partition("="))
         try:
             if not (name and equals):
                 raise ValueError
-            found[name] = float(number)
+            level[name] = float(number)
         except ValueError:
             raise InputError(
                 f"--level {text}: it is written NAME=VALUE,NAME=VALUE, such as energy=1,area=0.3"
             ) from None
-    return found
+    return level
 
 
 def check_store(output: Path) -> None:

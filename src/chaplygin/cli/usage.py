@@ -51,7 +51,7 @@ def sentence(error: TyperException) -> str:
         wrong = error.message
         for words, allowed in _ALLOWED.items():
             wrong = f"it must be {allowed}" if words in wrong else wrong
-        return f"{_written(parameter)}: {wrong}"
+        return f"{_option_text(parameter)}: {wrong}"
     if match := re.match(r"No such command '(.*)'\.", error.message, re.DOTALL):
         known = list(context.command.commands)
         return f"{match[1]}: there is no such command{nearest(match[1], known)}"
@@ -73,7 +73,7 @@ def _meaning(parameter: CommandParameter) -> str:
     return f" ({words})" if words else ""
 
 
-def _written(parameter: CommandParameter) -> str:
+def _option_text(parameter: CommandParameter) -> str:
     """The option with the value that it has on the command line."""
     for name in parameter.opts:
         for place, word in enumerate(sys.argv):

@@ -29,7 +29,7 @@ def body_of_catalogue(experiment: SystemExperiment) -> BodySubject:
     start = experiment.start
     values = {"omega": start.omega, "gamma": start.gamma}
     return BodySubject(
-        system=_titled(system, experiment),
+        system=_with_title(system, experiment),
         start_values=item.start.values | {n: v for n, v in values.items() if v is not None},
         until=experiment.run.until or item.start.until,
         variables=item.variables,
@@ -54,7 +54,7 @@ def system_of_catalogue(experiment: StateExperiment) -> Subject:
     with experiment.placing_errors("system", "parameters"):
         system = item.system(experiment.system.parameters)
         ball = item.rolling_ball(experiment.system.parameters)
-    system, until = _titled(system, experiment), experiment.run.until or item.start.until
+    system, until = _with_title(system, experiment), experiment.run.until or item.start.until
     values: StartValues = item.start.values | experiment.start
     if ball is None:
         return Subject(
@@ -74,5 +74,5 @@ def _entry(experiment: CatalogueExperiment) -> Entry:
         return entry(experiment.system.name)
 
 
-def _titled(system: System, experiment: CatalogueExperiment) -> System:
+def _with_title(system: System, experiment: CatalogueExperiment) -> System:
     return replace(system, title=experiment.title) if experiment.title else system

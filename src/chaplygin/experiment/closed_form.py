@@ -56,10 +56,10 @@ def solution_of_study(study: Study) -> Solution:
         If no closed form of this motion is known.
     """
     system = study.system
-    found = solution_of(Problem(system, system.defaults, study.start, study.rolling))
+    solution = solution_of(Problem(system, system.defaults, study.start, study.rolling))
     # the set-up is done here, so that what it cannot do is told before anything is printed
-    found.states(np.zeros(1))
-    return found
+    solution.states(np.zeros(1))
+    return solution
 
 
 def solved_if_known(study: Study) -> Solution | None:
@@ -111,7 +111,7 @@ def evaluated(study: Study, solution: Solution, times: Sequence[float] | FloatAr
         system.defaults,
         moments,
         states,
-        _recorded(system, states),
+        _recorded_quantities(system, states),
         (),
         Statistics(
             steps=0,
@@ -125,7 +125,7 @@ def evaluated(study: Study, solution: Solution, times: Sequence[float] | FloatAr
     )
 
 
-def _recorded(system: System, states: FloatArray) -> dict[str, FloatArray]:
+def _recorded_quantities(system: System, states: FloatArray) -> dict[str, FloatArray]:
     """Observables and integrals of a lifted system along states (n, size)."""
     wanted = {item.name: to_components(item.value) for item in system.observables}
     wanted |= {f"law_{law.name}": to_components(law.value) for law in system.integrals}
@@ -156,9 +156,9 @@ def _scalars(value: Formula) -> list[sp.Expr]:
 
 def dataset(study: Study, trajectory: Trajectory, solution: Solution) -> xr.Dataset:
     """States of a closed form as a dataset, with the names of an integrated trajectory."""
-    made = dataset_of(study, trajectory)
+    closed = dataset_of(study, trajectory)
     start = zip(trajectory.system.symbols, study.start, strict=False)
-    return made.assign_attrs(
+    return closed.assign_attrs(
         start="; ".join(f"{symbol} = {float(value)!r}" for symbol, value in start),
         integrator=f"none: closed form, {solution.form.title}",
         motion=solution.form.motion,
@@ -167,13 +167,13 @@ def dataset(study: Study, trajectory: Trajectory, solution: Solution) -> xr.Data
 
 def units(study: Study, solution: Solution) -> dict[sp.Symbol, str]:
     """The unit of every component of the lifted state, where it is known."""
-    made = dataset(study, evaluated(study, solution, [0.0]), solution)
-    found: dict[sp.Symbol, str] = {}
+    variables = dataset(study, evaluated(study, solution, [0.0]), solution)
+    by_symbol: dict[sp.Symbol, str] = {}
     for name in solution.system.state:
-        unit = str(made[str(name)].units) if str(name) in made else "m"
+        unit = str(variables[str(name)].units) if str(name) in variables else "m"
         for symbol in (name,) if isinstance(name, sp.Symbol) else name.symbols:
-            found[symbol] = "" if unit in ("1", "unknown") else unit
-    return found
+            by_symbol[symbol] = "" if unit in ("1", "unknown") else unit
+    return by_symbol
 
 
 # --- the section of a report ---------------------------------------------------------------
@@ -253,8 +253,8 @@ _AFTER = re.compile(
 def equation(left: sp.Expr, right: sp.Expr) -> str:
     """An equation in LaTeX, symbols such as dz and dtau as differentials, varphi as a letter."""
 
-    def differential(found: re.Match[str]) -> str:
-        return rf"\mathrm{{d}}{latex(sp.Symbol(found[1]))}"
+    def differential(match: re.Match[str]) -> str:
+        return rf"\mathrm{{d}}{latex(sp.Symbol(match[1]))}"
 
     written = f"{latex(left)} = {latex(right)}".replace(r"\text{varphi}", r"\varphi")
     # a differential stands after the factors before it: z₁ dz₁, not dz₁ z₁
@@ -277,7 +277,7 @@ def _symbol(written: str) -> str:
 def letters(words: str) -> str:
     """Words with z_1, dtau and Omega in them as z₁, dτ and Ω."""
     named = r"(?<=\bd)tau\b|\b(?:tau|theta|phi|psi|rho|omega|Omega|lambda|Lambda)\b|[A-Za-z]+_\w+"
-    return re.sub(named, lambda found: text(real_symbol(found[0])), words)
+    return re.sub(named, lambda match: text(real_symbol(match[0])), words)
 
 
 def number(figure: NamedConstant, digits: int = 20) -> str:

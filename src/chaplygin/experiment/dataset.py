@@ -88,7 +88,7 @@ def to_dataset(
         **{
             dim: (dim, list(labels), {"long_name": LABELS[dim], "units": "1", "source": ""})
             for dim, labels in FRAMES.values()
-            if _used(variables, dim)
+            if _is_dimension(variables, dim)
         },
     }
     if low is not None:
@@ -101,9 +101,9 @@ def to_dataset(
         "system_name": system.name,
         "summary": system.summary,
         "source": system.source,
-        "parameters": "; ".join(f"{s} = {_shown(v)}" for s, v in trajectory.parameters.items()),
+        "parameters": "; ".join(f"{s} = {_text(v)}" for s, v in trajectory.parameters.items()),
         "start": "; ".join(
-            f"{s} = {_shown(v)}" for s, v in zip(system.symbols, trajectory.states[0], strict=True)
+            f"{s} = {_text(v)}" for s, v in zip(system.symbols, trajectory.states[0], strict=True)
         ),
         "events": "\n".join(map(str, trajectory.events)),
         "tolerance": statistics.tolerance,
@@ -116,11 +116,11 @@ def to_dataset(
     return xr.Dataset(variables, coordinates, {**facts, **(attributes or {})})
 
 
-def _shown(value: object) -> str:
+def _text(value: object) -> str:
     return repr(float(value)) if isinstance(value, (int, float, np.floating)) else str(value)
 
 
-def _used(variables: Mapping[str, Variable], dim: str) -> bool:
+def _is_dimension(variables: Mapping[str, Variable], dim: str) -> bool:
     return any(dim in dims for dims, _, _ in variables.values())
 
 
@@ -162,8 +162,8 @@ def _split(values: Samples) -> tuple[FloatArray, FloatArray | None]:
     if array.dtype == np.float64:
         return array, None
     high = np.vectorize(float, otypes=[float])(array)
-    rest = array - high.astype(array.dtype)
-    return high, np.vectorize(float, otypes=[float])(rest)
+    low = array - high.astype(array.dtype)
+    return high, np.vectorize(float, otypes=[float])(low)
 
 
 @arguments_checked

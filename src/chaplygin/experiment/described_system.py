@@ -47,7 +47,7 @@ def mechanism_subject(experiment: MechanismExperiment) -> DescribedSubject:
     with _placing_errors(experiment):
         mechanism = mechanism_of(experiment)
         system = with_claims(experiment, equations(mechanism))
-    return _checked(experiment, system, mechanism)
+    return _checked_subject(experiment, system, mechanism)
 
 
 def equations_subject(experiment: EquationsExperiment) -> DescribedSubject:
@@ -60,7 +60,7 @@ def equations_subject(experiment: EquationsExperiment) -> DescribedSubject:
     """
     with _placing_errors(experiment):
         system = system_of(experiment)
-    return _checked(experiment, system, None)
+    return _checked_subject(experiment, system, None)
 
 
 def described_subject(
@@ -79,7 +79,7 @@ def described_subject(
     )
 
 
-def _checked(
+def _checked_subject(
     experiment: OwnExperiment, system: System, mechanism: Mechanism | None
 ) -> DescribedSubject:
     _check_variables(experiment, mechanism, system)
@@ -121,14 +121,14 @@ def _check_variables(
 def _check_names(experiment: OwnExperiment, system: System) -> None:
     """Refuse names under which two things would be recorded."""
     whole = system.lifted() if system.motion else system
-    taken = Counter(law.name for law in whole.laws)
+    law_names = Counter(law.name for law in whole.laws)
     for name in experiment.laws.integrals:
-        if taken[name] > 1:
+        if law_names[name] > 1:
             where = experiment.where("laws", "integrals", name)
             raise InputError(f"another law has the name '{name}'; choose another", where)
     recorded = Counter(item.name for item in whole.observables)
     recorded += Counter([*map(str, whole.state), "time"])
-    recorded += Counter(name for name in taken if name == "energy")
+    recorded += Counter(name for name in law_names if name == "energy")
     for name in experiment.observables:
         if recorded[name] > 1:
             where = experiment.where("observables", name)

@@ -66,7 +66,7 @@ def glossary(system: System, touching: bool, besides: Mapping[str, str] | None =
         Meanings that this system alone has.
     """
     known = (_TOUCHING if touching else _BODY) | dict(besides or {})
-    observed = {item.value: item.meaning for item in system.observables if _named(item.value)}
+    observed = {item.value: item.meaning for item in system.observables if _is_name(item.value)}
     sentence: dict[str, str] = {}
     for letter in _letters(system):
         if words := _meaning(letter, system, known, observed):
@@ -79,19 +79,19 @@ def _letters(system: System) -> tuple[Named, ...]:
     written = dict(system.definitions)
     # a component stands for its vector
     whole = {s: v for v in (*system.state, *written) if isinstance(v, Vector) for s in v.symbols}
-    found: dict[Named, None] = {}
+    letters: dict[Named, None] = {}
     waiting = [part for pair in reversed(system.field) for part in reversed(pair)]
     while waiting:
         formula = waiting.pop()
         for name in sorted(formula.atoms(Vector, Diagonal, Symmetric, sp.Symbol), key=str):
             letter = whole.get(name, name)
-            if letter not in found:
-                found[letter] = None
+            if letter not in letters:
+                letters[letter] = None
                 waiting += [written[letter]] if letter in written else []
-    return tuple(found)
+    return tuple(letters)
 
 
-def _named(value: object) -> bool:
+def _is_name(value: object) -> bool:
     return isinstance(value, (sp.Symbol, Vector))
 
 

@@ -50,7 +50,7 @@ def mechanism_of(experiment: MechanismExperiment) -> Mechanism:
         lagrangian = names.scalar(table.kinetic or "0", "lagrangian", "kinetic")
         lagrangian -= names.scalar(table.potential or "0", "lagrangian", "potential")
     constraints = experiment.constraints
-    made = Mechanism(
+    mechanism = Mechanism(
         name=identifier(experiment.title),
         frame=frame,
         lagrangian=lagrangian,
@@ -65,23 +65,29 @@ def mechanism_of(experiment: MechanismExperiment) -> Mechanism:
         title=experiment.title or UNTITLED,
         summary=experiment.summary,
     )
-    _check_overrides(experiment, made)
-    return made
+    _check_overrides(experiment, mechanism)
+    return mechanism
 
 
-def _check_overrides(experiment: MechanismExperiment, made: Mechanism) -> None:
+def _check_overrides(experiment: MechanismExperiment, mechanism: Mechanism) -> None:
     """Refuse an option that sets a parameter which no formula uses: a slip of the keyboard."""
-    formulas = [made.L, *made.f, *made.F, *made.Q.values(), *made.frame.qdot]
-    formulas += [*made.frame.relations, *(value for _, value in made.steps)]
-    formulas += [to_components(o.value) for o in made.observables]
-    formulas += [to_components(law.value) for law in made.laws if isinstance(law, Integral)]
+    formulas = [
+        mechanism.L,
+        *mechanism.f,
+        *mechanism.F,
+        *mechanism.Q.values(),
+        *mechanism.frame.qdot,
+    ]
+    formulas += [*mechanism.frame.relations, *(value for _, value in mechanism.steps)]
+    formulas += [to_components(o.value) for o in mechanism.observables]
+    formulas += [to_components(law.value) for law in mechanism.laws if isinstance(law, Integral)]
     used = {str(s) for formula in formulas for s in formula.free_symbols}
     for option in experiment.overrides:
         path = experiment.path(option)
         if path[0] == "parameters" and len(path) > 1:
             name = path[1]
             if not any(s == name or s.startswith(f"{name}_") for s in used):
-                known = sorted({str(p.symbol) for p in made.parameters} & used)
+                known = sorted({str(p.symbol) for p in mechanism.parameters} & used)
                 raise InputError(
                     f"no formula uses the parameter {name}; the file's are {', '.join(known)}",
                     experiment.where(*path),
@@ -111,7 +117,7 @@ def system_of(experiment: EquationsExperiment) -> System:
         *(item.value for item in guards),
         *(item.value for item in laws),
     )
-    made = System(
+    system = System(
         name=identifier(experiment.title),
         title=experiment.title or UNTITLED,
         field=field + (((TIME, sp.S.One),) if timed else ()),
@@ -123,7 +129,7 @@ def system_of(experiment: EquationsExperiment) -> System:
         guards=guards,
         summary=experiment.summary,
     )
-    return with_claims(experiment, made)
+    return with_claims(experiment, system)
 
 
 def with_claims(experiment: OwnExperiment, system: System) -> System:
@@ -134,7 +140,7 @@ def with_claims(experiment: OwnExperiment, system: System) -> System:
     InputError
         If a formula cannot be read, or a symmetry moves what does not belong to the state.
     """
-    names = Names(experiment, _known(system))
+    names = Names(experiment, _names_of(system))
     table = experiment.laws
     laws: list[Law] = []
     for name, law in table.measures.items():
@@ -163,7 +169,7 @@ def identifier(title: str | None) -> str:
 
 
 def _parameters(names: Names) -> tuple[Parameter, ...]:
-    found: list[Parameter] = []
+    parameters: list[Parameter] = []
     for name, table in names.experiment.parameters.items():
         key = ("parameters", name)
         if table.diagonal is not None:
@@ -171,11 +177,11 @@ def _parameters(names: Names) -> tuple[Parameter, ...]:
         else:
             size = f"[{len(table.value)}]" if isinstance(table.value, tuple) else ""
             named = names.declare(f"{name}{size}", *key)
-        found += _described(named, table)
-    return tuple(found)
+        parameters += _components(named, table)
+    return tuple(parameters)
 
 
-def _described(named: Named, table: NumberTable) -> list[Parameter]:
+def _components(named: Named, table: NumberTable) -> list[Parameter]:
     values = table.value if table.diagonal is None else table.diagonal
     listed = values if isinstance(values, tuple) else (values,)
     return [
@@ -185,16 +191,16 @@ def _described(named: Named, table: NumberTable) -> list[Parameter]:
 
 
 def _definitions(names: Names) -> tuple[tuple[Named, Formula], ...]:
-    found: list[tuple[Named, Formula]] = []
+    definitions: list[tuple[Named, Formula]] = []
     for name, text in names.experiment.definitions.items():
         key = ("definitions", name)
         value = names.formula(text, *key)
         size = f"[{value.shape[0]}]" if isinstance(value, MatrixExpr | sp.MatrixBase) else ""
-        found.append((names.declare(f"{name}{size}", *key), value))
-    return tuple(found)
+        definitions.append((names.declare(f"{name}{size}", *key), value))
+    return tuple(definitions)
 
 
-def _known(system: System) -> dict[str, Named]:
+def _names_of(system: System) -> dict[str, Named]:
     """Every name of a finished system."""
     everything = [
         TIME,
@@ -243,15 +249,15 @@ def _positions(
     for named, value in definitions:
         if to_components(value).free_symbols & moving:
             moving |= set(components(named))
-    found = names.formulas(texts, *key)
-    for text, value in zip(texts, found, strict=True):
+    positions = names.formulas(texts, *key)
+    for text, value in zip(texts, positions, strict=True):
         wrong = sorted(map(str, to_components(value).free_symbols & moving))
         if wrong:
             raise names.error(
                 f"'{text}' contains the velocity {wrong[0]}; it belongs to constraints.velocity",
                 *key,
             )
-    return found
+    return positions
 
 
 def _rate_of(names: Names, coordinate: Named) -> Named:
@@ -285,7 +291,7 @@ def _structure(
         return _group(names, table.structure, velocities)
     if not table.commutators:
         return None
-    found: Commutators = {}
+    commutators: Commutators = {}
     key = ("frame", "commutators")
     flat = [s for named in velocities for s in components(named)]
     for pair, text in table.commutators.items():
@@ -297,8 +303,8 @@ def _structure(
         row = {w: sp.diff(value, w) for w in flat if value.has(w)}
         if sp.expand(value - sp.Add(*(w * c for w, c in row.items()))) != 0:
             raise names.error("must be linear and homogeneous in the velocities", *key, pair)
-        found[u, v] = row
-    return found
+        commutators[u, v] = row
+    return commutators
 
 
 def _group(names: Names, text: str, velocities: Sequence[Named]) -> Commutators:
@@ -321,34 +327,34 @@ def _group(names: Names, text: str, velocities: Sequence[Named]) -> Commutators:
 def _forces(
     names: Names, experiment: MechanismExperiment, frame: Frame
 ) -> tuple[tuple[Named, Formula], ...]:
-    found = []
+    forces = []
     for name, text in experiment.forces.items():
         named = names.get(name, frame.velocities, "forces", name)
-        found.append((named, names.like(named, text, "forces", name)))
-    return tuple(found)
+        forces.append((named, names.like(named, text, "forces", name)))
+    return tuple(forces)
 
 
 # --- laws and what is recorded -------------------------------------------------------------
 
 
 def _integrals(names: Names) -> tuple[Integral, ...]:
-    found = []
+    integrals = []
     for name, law in names.experiment.laws.integrals.items():
         key = ("laws", "integrals", name)
         value = names.scalar(law.value, *key)
         on = names.formulas(law.on, *key, "on")
-        found.append(Integral(name, value, law.meaning or name, law.unit, on=on))
-    return tuple(found)
+        integrals.append(Integral(name, value, law.meaning or name, law.unit, on=on))
+    return tuple(integrals)
 
 
 def _observables(names: Names) -> tuple[Observable, ...]:
-    found = []
+    observables = []
     for name, table in names.experiment.observables.items():
         value = names.formula(table.value, "observables", name)
         vector = isinstance(value, MatrixExpr | sp.MatrixBase)
         frame = f"{name}_component" if vector else ""
-        found.append(Observable(name, value, table.meaning or name, table.unit, frame))
-    return tuple(found)
+        observables.append(Observable(name, value, table.meaning or name, table.unit, frame))
+    return tuple(observables)
 
 
 def _guards(names: Names) -> tuple[Guard, ...]:

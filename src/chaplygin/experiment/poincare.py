@@ -127,11 +127,11 @@ def section_of(
     names, quantities, columns = coordinates_of(
         system, coordinates, study.variables, place.quantity
     )
-    given, sentence = _starts(study, system, starts)
+    states, sentence = _starts(study, system, starts)
     returns = PoincareMap(system, where, {}, tolerance, until=until)
     task = section_task(
         returns,
-        given,
+        states,
         points,
         quantities,
         columns,
@@ -155,8 +155,8 @@ def _starts(study: Study, system: System, starts: Starts) -> tuple[FloatArray, s
         return own, "the start of the experiment"
     level = dict(starts.level or _level(system, own))
     chosen = level_sampler(system, level)
-    held = ", ".join(f"{name} = {value:.6g}" for name, value in level.items())
-    sentence = f"{starts.count} drawn on {held} by the {chosen.measure} (seed {starts.seed})"
+    constants = ", ".join(f"{name} = {value:.6g}" for name, value in level.items())
+    sentence = f"{starts.count} drawn on {constants} by the {chosen.measure} (seed {starts.seed})"
     return chosen.draw(starts.count, seed=starts.seed), sentence
 
 
@@ -201,10 +201,10 @@ class Reduced:
     @property
     def quantities(self) -> tuple[Quantity, ...]:
         """What they are called where a slash cannot be part of a name."""
-        made = chart(self.system, self.chart)
+        coordinates = chart(self.system, self.chart)
         unit = {
             name: "rad" if period else ""
-            for name, period in zip(made.names, made.periods, strict=True)
+            for name, period in zip(coordinates.names, coordinates.periods, strict=True)
         }
         return tuple(
             Quantity(
@@ -219,9 +219,9 @@ class Reduced:
 
     def __call__(self, states: FloatArray) -> FloatArray:
         """The coordinates (n, names) of states (n, size)."""
-        made = chart(self.system, self.chart)
-        points: FloatArray = made.point(states)
-        return points[:, [made.names.index(name) for name in self.names]]
+        coordinates = chart(self.system, self.chart)
+        points: FloatArray = coordinates.point(states)
+        return points[:, [coordinates.names.index(name) for name in self.names]]
 
 
 def coordinates_of(
@@ -252,11 +252,11 @@ def coordinates_of(
         If there are not two or three, or one of them cannot be read.
     """
     text = text.strip() or usual(system, passed)
-    name, colon, rest = text.partition(":")
+    name, colon, listed = text.partition(":")
     if colon:
-        reduced = Reduced(system, name.strip(), tuple(part.strip() for part in rest.split(",")))
+        reduced = Reduced(system, name.strip(), tuple(part.strip() for part in listed.split(",")))
         return tuple(item.name for item in reduced.quantities), (), reduced
-    parts = _parted(text)
+    parts = _at_commas(text)
     if len(parts) not in (2, 3):
         raise InputError(f"--coordinates {text}: two or three are needed, separated by commas")
     names, quantities = [], []
@@ -282,7 +282,7 @@ def coordinates_of(
     return tuple(names), tuple(quantities), None
 
 
-def _parted(text: str) -> list[str]:
+def _at_commas(text: str) -> list[str]:
     """A text at its commas, but not those within brackets."""
     parts, depth = [""], 0
     for letter in text:

@@ -69,7 +69,7 @@ def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
         study: Study = definitions["study"]
         return study
     mechanism: Mechanism | None = definitions.get("mechanism")
-    with _Placed(path):
+    with _PlacingErrors(path):
         system: System = definitions.get("system") or equations(definitions["mechanism"])
         tables: dict[str, Any] = tables_of(system)
         plan = definitions.get("plan") or (plan_of(mechanism) if mechanism else None)
@@ -83,19 +83,19 @@ def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
             allowed = nearest(name, (*_CHANGEABLE, *short))
             raise InputError(f"a Python file decides this itself{allowed}", source.where((name,)))
     for name in ("start", "run"):
-        with _Placed(path):
+        with _PlacingErrors(path):
             values = _plain(definitions.get(name, {}), name)
         tables[name] = values | text.get(name, {})
     tables["start"] = lift_of(system, tables["start"]) | tables["start"]
     _change_parameters(tables, text.get("parameters", {}), source)
     tables |= {key: value for key, value in text.items() if key == "title"}
-    experiment = _validated(tables, source)
-    parameters = tuple(_changed(experiment, parameter) for parameter in system.parameters)
+    experiment = _experiment(tables, source)
+    parameters = tuple(_with_value(experiment, parameter) for parameter in system.parameters)
     system = replace(system, title=experiment.title or system.title, parameters=parameters)
     return Study(experiment, described_subject(experiment, system, mechanism))
 
 
-def _changed(experiment: EquationsExperiment, parameter: Parameter) -> Parameter:
+def _with_value(experiment: EquationsExperiment, parameter: Parameter) -> Parameter:
     """A parameter with the value that the experiment gives it."""
     name = str(parameter.symbol)
     value = experiment.parameters[name].value
@@ -105,7 +105,7 @@ def _changed(experiment: EquationsExperiment, parameter: Parameter) -> Parameter
     return replace(parameter, default=value)
 
 
-class _Placed:
+class _PlacingErrors:
     """Tells what goes wrong in foreign code by file and line, in one sentence."""
 
     def __init__(self, path: Path) -> None:
@@ -150,19 +150,20 @@ def _definitions(path: Path) -> dict[str, Any]:
     folder = str(path.parent)
     sys.path.insert(0, folder)
     try:
-        with _Placed(path):
+        with _PlacingErrors(path):
             names = runpy.run_path(str(path), run_name="<chaplygin>")
     finally:
         sys.path.remove(folder)
-    found = {name: names[name] for name in (*_KINDS, "start", "run") if name in names}
+    definitions = {name: names[name] for name in (*_KINDS, "start", "run") if name in names}
     for name, kind in _KINDS.items():
-        if name in found and not isinstance(found[name], kind):
+        if name in definitions and not isinstance(definitions[name], kind):
             raise InputError(
-                f"{name} must be a {kind.__name__}, not {type(found[name]).__name__}", str(path)
+                f"{name} must be a {kind.__name__}, not {type(definitions[name]).__name__}",
+                str(path),
             )
-    if not found.keys() & _SYSTEMS.keys():
+    if not definitions.keys() & _SYSTEMS.keys():
         raise InputError("it must define mechanism, system or study", str(path))
-    return found
+    return definitions
 
 
 def _plain(table: object, name: str) -> Tables:
@@ -194,7 +195,7 @@ def _change_parameters(tables: dict[str, Any], text: object, source: Source) -> 
         tables["parameters"][name]["value"] = value
 
 
-def _validated(tables: Tables, source: Source) -> EquationsExperiment:
+def _experiment(tables: Tables, source: Source) -> EquationsExperiment:
     try:
         experiment = EquationsExperiment.model_validate(tables)
     except ValidationError as error:

@@ -52,12 +52,12 @@ def chart_of(
     InputError
         If the number, an axis or a formula cannot be used.
     """
-    made = plane_of(study, x, y, formulas=formulas, held=held)
+    plane = plane_of(study, x, y, formulas=formulas, held=held)
     span = study.until if until is None else until
-    point = [float(value) for value in study.start[: len(made.system.symbols)]]
-    batch_integrator(made.system, backward=span < 0).require_reach(point, span)
-    number = quantity_from_text(made.system, of, span, variables={**VECTORS, **study.variables})
-    return Scan(made, number.rule, number.name, number.title, number.unit)
+    point = [float(value) for value in study.start[: len(plane.system.symbols)]]
+    batch_integrator(plane.system, backward=span < 0).require_reach(point, span)
+    number = quantity_from_text(plane.system, of, span, variables={**VECTORS, **study.variables})
+    return Scan(plane, number.rule, number.name, number.title, number.unit)
 
 
 def plane_of(
@@ -72,12 +72,12 @@ def plane_of(
     system = without_reconstruction(study)
     text = {**VECTORS, **study.variables}
 
-    def described(item: Axis) -> Axis:
+    def with_meaning(item: Axis) -> Axis:
         words, unit = meaning(system, item.name, text)
         return replace(item, meaning=words, unit=unit)
 
     start = _start(study, system)
-    return scan_grid(system, described(x), described(y), start, formulas=formulas, held=held)
+    return scan_grid(system, with_meaning(x), with_meaning(y), start, formulas=formulas, held=held)
 
 
 def _start(study: Study, system: System) -> dict[str, float | Sequence[float]]:

@@ -171,7 +171,7 @@ class Study(WithOverview):
                 trajectory = integrate(
                     self.system_on_level,
                     start,
-                    _refined(self.times, pieces),
+                    _subdivided(self.times, pieces),
                     # collocation always computes with all digits
                     tolerance=run.tolerance if run.method == "taylor" else None,
                     precision=run.precision,
@@ -194,7 +194,7 @@ class Study(WithOverview):
         return trajectory
 
 
-def _refined(times: FloatArray, pieces: int) -> FloatArray:
+def _subdivided(times: FloatArray, pieces: int) -> FloatArray:
     """Times with each interval divided, the given ones unchanged to the bit."""
     indices = np.arange((len(times) - 1) * pieces + 1) / pieces
     return np.interp(indices, np.arange(len(times)), times)

@@ -42,19 +42,19 @@ def tables_of(system: System) -> Tables:
         for p in whole.parameters
     }
     tables["equations"] = {
-        "state": [_declared(name) for name in whole.state],
-        "rates": {str(name): _written(rate) for name, rate in whole.field},
+        "state": [_declaration(name) for name in whole.state],
+        "rates": {str(name): _formula_text(rate) for name, rate in whole.field},
         "relations": _all(whole.relations),
     }
-    tables["definitions"] = {str(symbol): _written(value) for symbol, value in whole.steps}
+    tables["definitions"] = {str(symbol): _formula_text(value) for symbol, value in whole.steps}
     tables["laws"] = _laws(whole)
     tables["observables"] = {
-        item.name: {"value": _written(item.value), "meaning": item.meaning, "unit": item.unit}
+        item.name: {"value": _formula_text(item.value), "meaning": item.meaning, "unit": item.unit}
         for item in whole.observables
         if item.name not in map(str, whole.state)
     }
     tables["guards"] = {
-        guard.name: {"value": _written(guard.value), "message": guard.message}
+        guard.name: {"value": _formula_text(guard.value), "message": guard.message}
         for guard in whole.guards
     }
     return tables
@@ -76,27 +76,31 @@ def _laws(system: System) -> Tables:
         on = _all(law.on)
         if isinstance(law, Integral):
             notes = {"meaning": law.meaning, "unit": law.unit, "on": on}
-            integrals[law.name] = {"value": _written(law.value), **notes}
+            integrals[law.name] = {"value": _formula_text(law.value), **notes}
         elif isinstance(law, Measure):
-            measures[law.name] = {"value": _written(law.value), "meaning": law.meaning, "on": on}
+            measures[law.name] = {
+                "value": _formula_text(law.value),
+                "meaning": law.meaning,
+                "on": on,
+            }
         elif isinstance(law, Symmetry) and not on:
-            symmetries[law.name] = {str(name): _written(value) for name, value in law.field}
+            symmetries[law.name] = {str(name): _formula_text(value) for name, value in law.field}
     return {"integrals": integrals, "measures": measures, "symmetries": symmetries}
 
 
-def _declared(name: Named) -> str:
+def _declaration(name: Named) -> str:
     return f"{name}[{len(name.symbols)}]" if isinstance(name, Vector) else str(name)
 
 
 def _all(formulas: Iterable[Formula]) -> list[str]:
-    return [_written(formula) for formula in formulas]
+    return [_formula_text(formula) for formula in formulas]
 
 
-def _written(formula: Formula) -> str:
+def _formula_text(formula: Formula) -> str:
     """A formula as a user would type it, its numbers exact."""
     value = to_components(sp.sympify(formula))
     if isinstance(value, sp.MatrixBase):
-        return f"[{', '.join(map(_written, value))}]"
+        return f"[{', '.join(map(_formula_text, value))}]"
     for part in sp.preorder_traversal(value):
         if not isinstance(part, _WRITABLE) and part not in _CONSTANTS:
             raise InputError(f"{type(part).__name__} in {formula} cannot be written to a file")

@@ -121,7 +121,7 @@ def render(
     system = trajectory.system
     verdicts = patience.verdicts(study.system)
     stands = classify(study.system, verdicts, patience, study.subject.model)
-    drawn = {name: _drawn(name, figure) for name, figure in pictures.items()}
+    drawn = {name: _figure_html(name, figure) for name, figure in pictures.items()}
     return environment.get_template("report.html").render(
         signed=signed,
         title=study.system.title,
@@ -163,9 +163,10 @@ def render(
         closed=None if solution is None else closed_form_section(solution, trajectory),
         closed_figure=drawn.get("closed_form"),
         diagram=drawn.get("bifurcation"),
-        claims=Markup(claims_html(replace(study.system, laws=_unobserved(study)))),
+        claims=Markup(claims_html(replace(study.system, laws=_unobserved_laws(study)))),
         proofs=[
-            (law.name, _named(law), law.source, verdicts[law.name]) for law in _unobserved(study)
+            (law.name, _law_text(law), law.source, verdicts[law.name])
+            for law in _unobserved_laws(study)
         ],
         places=[_section(part) for part in (stands, *stands.levels)],
         uncounted=stands.uncounted_by_reason,
@@ -185,7 +186,7 @@ def render(
     )
 
 
-def _drawn(name: str, figure: Figure) -> Markup:
+def _figure_html(name: str, figure: Figure) -> Markup:
     """A figure for wide and for narrow screens."""
     kind = "picture" if name in PICTURES else "chart"
     wide, narrow = figures.page_svg(figure), figures.page_svg(figure, narrow=True)
@@ -221,13 +222,13 @@ def _section(part: Classification) -> dict[str, object]:
     return {"level": part.level, "rows": [row for row in rows(part) if row[1]]}
 
 
-def _named(law: Law) -> str:
+def _law_text(law: Law) -> str:
     """Kind and meaning of a law."""
     meaning = str(getattr(law, "meaning", ""))
     return f"{heading(law)}: {meaning}" if meaning else heading(law)
 
 
-def _unobserved(study: Study) -> tuple[Law, ...]:
+def _unobserved_laws(study: Study) -> tuple[Law, ...]:
     """The laws that are no integrals observed along this motion."""
     return tuple(law for law in study.system.laws if law not in study.system_on_level.laws)
 

@@ -87,7 +87,7 @@ def write_study(
     report.say("looking for a closed form")
     solution = solved_if_known(study)
     report.say("drawing")
-    pictures = _drawn(study, smooth, plan, solution)
+    pictures = _figures(study, smooth, plan, solution)
     for name, figure in pictures.items():
         for suffix in ("svg", "png"):
             figures.save(figure, folder / "figures" / f"{name}.{suffix}")
@@ -110,7 +110,7 @@ def _trajectory(study: Study, path: Path, pieces: int, report: Report) -> Trajec
     return trajectory
 
 
-def _drawn(
+def _figures(
     study: Study, smooth: xr.Dataset, plan: PlanMotion | None, solution: Solution | None
 ) -> dict[str, Figure]:
     """The figures of a study, by name."""

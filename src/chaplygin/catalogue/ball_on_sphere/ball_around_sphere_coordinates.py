@@ -253,14 +253,14 @@ def of_ball() -> Identity:
         a**2 * (j - d) * x**2 for a, j, x in zip(A.symbols, J.symbols, ball.n.symbols, strict=True)
     ]
     root = real_symbol("D")
-    found = [
+    solutions = [
         names[2] * (u[0] - a) * (u[1] - a) - w * sp.Mul(*(a - b for b in A.symbols if b != a))
         for a, w in zip(A.symbols, weights, strict=True)
     ]
     area = sp.Mul(*J.symbols) * ball.rho_2
     return Identity(
         "coordinates",
-        (*found, names[2] * scale(u[0]) * scale(u[1]) - E_3**2 * area),
+        (*solutions, names[2] * scale(u[0]) * scale(u[1]) - E_3**2 * area),
         "n in the coordinates, and det I_Q",
         {
             names[2]: sp.Add(*weights),

@@ -51,7 +51,7 @@ def drawn(vector: MatrixExpr) -> MatrixExpr:
     return J * vector - d * dot(n, vector) * n
 
 
-def _solved(vector: MatrixExpr) -> MatrixExpr:
+def _velocity(vector: MatrixExpr) -> MatrixExpr:
     """The inverse of I_Q applied to a vector, on |n| = 1."""
     return J**-1 * vector + (d / rho_2) * dot(n, J**-1 * vector) * J**-1 * n
 
@@ -67,7 +67,7 @@ def equations_on_sphere() -> System:
         summary=_SUMMARY,
         source=_SOURCE,
         parameters=(*_inertia, _d, _k),
-        definitions=(*_TENSORS, (omega, _solved(M))),
+        definitions=(*_TENSORS, (omega, _velocity(M))),
         field={M: cross(M, omega), n: k * cross(n, omega)},
         relations=(norm_squared(n) - 1,),
         laws=(
@@ -110,7 +110,7 @@ def equations_in_omega() -> System:
             (M, drawn(omega)),
             (ndot, k * cross(n, omega)),
             # the rate of I_Q is −d (ṅ⊗n + n⊗ṅ), and (ṅ, ω) = 0
-            (omegadot, _solved(cross(M, omega) + d * dot(n, omega) * ndot)),
+            (omegadot, _velocity(cross(M, omega) + d * dot(n, omega) * ndot)),
         ),
         field={omega: omegadot, n: ndot},
         relations=(norm_squared(n) - 1,),
@@ -136,7 +136,7 @@ def vanishing_area() -> System:
         definitions=(
             (J, sp.Add(*A.symbols) * identity - A),
             (rho_2, 1 - d * dot(n, J**-1 * n)),
-            (omega, _solved(M)),
+            (omega, _velocity(M)),
         ),
         field={M: cross(M, omega), n: cross(omega, n)},
         relations=(norm_squared(n) - 1, dot(A * M, n)),

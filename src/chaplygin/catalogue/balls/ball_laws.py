@@ -58,7 +58,7 @@ def _upright(ball: RollingBall) -> bool:
     return not ball.gravity or not any(across)
 
 
-def _round(ball: RollingBall) -> tuple[sp.Expr, ...] | None:
+def _axis_of_revolution(ball: RollingBall) -> tuple[sp.Expr, ...] | None:
     """What must vanish for nothing to change by turns about the axis; None if it does change."""
     if not _upright(ball):
         return None
@@ -84,7 +84,7 @@ def _marble(ball: RollingBall) -> tuple[Law, ...]:
             return (_rotation(ball),)
         case Cone() if _upright(ball):
             return (_rotation(ball), _ray(ball))
-        case Paraboloid() if _round(ball) and ball.carrier == "centre":
+        case Paraboloid() if _axis_of_revolution(ball) and ball.carrier == "centre":
             return (*_revolution(ball), *_paraboloid_of_revolution(ball))
         case Ring() | EllipsoidSurface() | Paraboloid():
             return _revolution(ball)
@@ -164,7 +164,7 @@ def _ray(ball: RollingBall) -> Integral:
 
 def _revolution(ball: RollingBall) -> tuple[Law, ...]:
     """The linear equations of ω₃ and σ along the meridian."""
-    level = _round(ball)
+    level = _axis_of_revolution(ball)
     return () if level is None else (meridian_law(ball.surface.axis, level),)
 
 
@@ -252,7 +252,7 @@ def _quadrics(ball: RollingBall) -> tuple[Law, ...]:
 
 def _rubber_revolution(ball: RollingBall) -> tuple[Law, ...]:
     """The areal velocity of a particle on a surface of revolution."""
-    level = _round(ball)
+    level = _axis_of_revolution(ball)
     if level is None:
         return ()
     value: sp.Expr = dot(cross(R, v), unit_vector(_third(ball) + 1))

@@ -78,7 +78,7 @@ def any_quadric() -> System:
     """A marble ball whose centre moves on any quadric (R, AR) = const, with A of any signs."""
     form = to_components(dot(R, A * R)) / 2
     entries = tuple(Parameter(s, f"coefficient {s}", 1.0) for s in A.symbols)
-    made = equations_of_motion(
+    system = equations_of_motion(
         "marble",
         centre_surface(form),
         -gradient(SPRING, R),
@@ -86,7 +86,7 @@ def any_quadric() -> System:
         name="marble-ball-on-any-quadric",
         title="Marble ball on any quadric",
     )
-    return replace(made, motion=None).with_laws(
+    return replace(system, motion=None).with_laws(
         Integral(
             "quadratic",
             ell**2 * (dot(v, A * v) - 2 * kappa / mtilde * form),

@@ -72,8 +72,8 @@ def laws() -> tuple[Law, ...]:
 def any_graph(force: MatrixExpr = FORCE) -> System:
     """The ball over any surface z = f(x, y), with ω₃ = (∂f/∂x) ω₁ + (∂f/∂y) ω₂ as a definition."""
     numbers = ball_parameters(1.0, 0.4, 1.0)
-    made = equations_of_motion("rubber", centre_surface(GRAPH), force, numbers, NAME, TITLE)
-    return tangential(replace(made, motion=None))
+    system = equations_of_motion("rubber", centre_surface(GRAPH), force, numbers, NAME, TITLE)
+    return tangential(replace(system, motion=None))
 
 
 def general() -> System:

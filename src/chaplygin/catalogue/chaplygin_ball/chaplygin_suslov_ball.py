@@ -141,7 +141,7 @@ def _swerving() -> tuple[Law, ...]:
 def _uniform() -> tuple[Law, ...]:
     """A free ball whose axis e is a principal axis of inertia turns uniformly."""
     omega_1, omega_2, _ = omega.symbols
-    kept = {
+    parameters = {
         "omega_1": (omega_1, "body axis 1"),
         "omega_2": (omega_2, "body axis 2"),
         "spin": (s, "the vertical"),
@@ -155,7 +155,7 @@ def _uniform() -> tuple[Law, ...]:
             source=SOURCE,
             unit="rad/s",
         )
-        for name, (value, where) in kept.items()
+        for name, (value, where) in parameters.items()
     )
 
 
@@ -164,12 +164,12 @@ def build(numbers: Numbers) -> System:
 
     Which laws are claimed depends on whether the axis is a principal axis of inertia.
     """
-    made = equations(numbers).with_laws(*_always())
+    system = equations(numbers).with_laws(*_always())
     axis = [numbers[f"e_{i}"] for i in (1, 2, 3)]
     if axis == [0, 0, 1]:
-        return made.with_laws(_volume(), *_uniform())
+        return system.with_laws(_volume(), *_uniform())
     moments = {numbers[f"I_{i}"] for i, x in enumerate(axis, 1) if x != 0}
-    return made if len(moments) == 1 else made.with_laws(*_swerving())
+    return system if len(moments) == 1 else system.with_laws(*_swerving())
 
 
 def general() -> System:

@@ -61,7 +61,7 @@ def _parameters(p: Numbers) -> tuple[Parameter, ...]:
     )
 
 
-def _solved(vector: MatrixExpr) -> MatrixExpr:
+def _velocity(vector: MatrixExpr) -> MatrixExpr:
     """(I + m R² β⊗β)⁻¹ applied to a vector, by Sherman and Morrison."""
     lever = A * beta
     return A * vector - m * R**2 * dot(lever, vector) / (1 + m * R**2 * dot(beta, lever)) * lever
@@ -80,11 +80,11 @@ def build(p: Numbers) -> System:
             **space_axes(),
             M: I * omega + m * R**2 * dot(omega, beta) * beta,
             X: cross(I * omega, omega),
-            q: _solved(alpha),
+            q: _velocity(alpha),
             lambda_0: -dot(q, X) / dot(q, alpha),
         },
         field={
-            omega: _solved(X) + lambda_0 * q,
+            omega: _velocity(X) + lambda_0 * q,
             attitude: quaternion_rate(omega),
             x: R * dot(omega, beta),
         },

@@ -42,11 +42,11 @@ UNIT = (gamma.T * gamma)[0] - 1
 
 def skew(name: str) -> sp.Matrix:
     """A skew matrix with the entries name_12, …, name_34 above its diagonal."""
-    made = sp.zeros(4)
+    matrix = sp.zeros(4)
     for i, j in PAIRS:
         entry = real_symbol(f"{name}_{i + 1}{j + 1}")
-        made[i, j], made[j, i] = entry, -entry
-    return made
+        matrix[i, j], matrix[j, i] = entry, -entry
+    return matrix
 
 
 def above(matrix: sp.Matrix) -> dict[tuple[int, int], sp.Expr]:
@@ -76,7 +76,7 @@ def _inertia(numbers: Numbers) -> tuple[Parameter, ...]:
     )
 
 
-def _solved(matrix: sp.Matrix, right: sp.Matrix) -> dict[sp.Symbol, sp.Expr]:
+def _solution(matrix: sp.Matrix, right: sp.Matrix) -> dict[sp.Symbol, sp.Expr]:
     """B and its determinant, f, and u with B u = f, as definitions."""
     entries = {(i, j): matrix[i, j] for i in range(4) for j in range(i, 4)}
     names = {(i, j): real_symbol(f"B_{i + 1}{j + 1}") for i, j in entries}
@@ -125,7 +125,7 @@ def ball(numbers: Numbers) -> System:
             Parameter(m, "mass", numbers["m"], "kg", (m > 0,)),
             Parameter(R, "radius of the ball", numbers["R"], "m", (R > 0,)),
         ),
-        definitions={**_solved(matrix, free * gamma), **spin},
+        definitions={**_solution(matrix, free * gamma), **spin},
         field={
             **{k[i, j]: rates[i, j] for i, j in PAIRS},
             **dict(zip(gamma, -omega * gamma, strict=True)),
@@ -189,7 +189,7 @@ def veselova(numbers: Numbers) -> System:
         summary=VESELOVA_SUMMARY,
         source=SOURCE,
         parameters=_inertia(numbers),
-        definitions=_solved(matrix, p),
+        definitions=_solution(matrix, p),
         field={
             **dict(zip(p, power * gamma, strict=True)),
             **dict(zip(gamma, -u, strict=True)),

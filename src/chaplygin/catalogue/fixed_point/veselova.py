@@ -115,9 +115,9 @@ def turning(
 
 def moments(p: Numbers) -> tuple[float, float, float]:
     """The principal moments, refused unless a rigid body can have them."""
-    found = (p["I_1"], p["I_2"], p["I_3"])
-    check_inertia(found)
-    return found
+    values = (p["I_1"], p["I_2"], p["I_3"])
+    check_inertia(values)
+    return values
 
 
 # --- laws ----------------------------------------------------------------------------------

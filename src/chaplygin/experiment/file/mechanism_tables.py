@@ -63,13 +63,13 @@ Formulas = dict[str, FormulaValue]
 NumberValue = Annotated[float | tuple[float, ...], PlainValidator(_number)]
 
 
-class _Noted(Table):
+class _ValueWithNotes(Table):
     """A value with notes; without notes the value alone stands for the table, as in ``m = 1.0``."""
 
     @model_validator(mode="before")
     @classmethod
-    def _value_alone(cls, given: object) -> object:
-        return given if isinstance(given, dict | cls) else {"value": given}
+    def _value_alone(cls, value: object) -> object:
+        return value if isinstance(value, dict | cls) else {"value": value}
 
     @model_serializer(mode="wrap")
     def _as_given(self, serialised: Callable[[Self], Tables]) -> object:
@@ -79,7 +79,7 @@ class _Noted(Table):
         return text.get("value") if set(text) == {"value"} else text
 
 
-class NumberTable(_Noted):
+class NumberTable(_ValueWithNotes):
     """A parameter: a number, a vector of three, or a diagonal tensor."""
 
     value: NumberValue | None = Field(default=None, description=NUMBER)
@@ -104,7 +104,7 @@ class MeaningTable(Table):
     unit: Text = Field(default="", description="a text in quotes")
 
 
-class LawTable(_Noted):
+class LawTable(_ValueWithNotes):
     """A law by its formula."""
 
     value: FormulaValue = Field(description=FORMULA)
@@ -123,7 +123,7 @@ class LawsTable(Table):
     """Fields by name; what is not named of the state has component zero."""
 
 
-class ObservableTable(_Noted):
+class ObservableTable(_ValueWithNotes):
     """A quantity to record."""
 
     value: FormulaValue = Field(description=FORMULA)

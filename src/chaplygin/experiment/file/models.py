@@ -168,8 +168,8 @@ def catalogue_experiment(name: str, overrides: Iterable[str] = ()) -> Experiment
     InputError
         If there is no such system, or for all that is wrong in the overrides.
     """
-    given = {"system": {"name": entry(name).name}}
-    return _read(Source(name, "", tuple(overrides), given))
+    tables = {"system": {"name": entry(name).name}}
+    return _read(Source(name, "", tuple(overrides), tables))
 
 
 def _read(source: Source) -> Experiment:
@@ -180,11 +180,11 @@ def _read(source: Source) -> Experiment:
     model = _model(tables)
     wrong = _decided_by_system(tables) if "system" in tables else {}
     wrong |= _no_keys(tables, model, source)
-    rest = {key: table for key, table in tables.items() if (key,) not in wrong}
+    accepted = {key: table for key, table in tables.items() if (key,) not in wrong}
     try:
-        experiment = model.model_validate(rest)
+        experiment = model.model_validate(accepted)
     except ValidationError as error:
-        wrong |= validation_messages(error, model, rest)
+        wrong |= validation_messages(error, model, accepted)
     if wrong:
         in_order = sorted(wrong, key=lambda key: source.line(key) or math.inf)
         raise InputError("\n".join(f"{source.where(key)}: {wrong[key]}" for key in in_order))
@@ -205,24 +205,24 @@ def _short(source: Source) -> dict[str, Key]:
     """The paths of the parameters by their names, which an option may write alone."""
     with_tables = tuple(option for option in source.overrides if "." in option.partition("=")[0])
     tables = replace(source, overrides=with_tables).tables()
-    found: dict[str, Key] = {}
+    paths: dict[str, Key] = {}
     for place in _PARAMETERS:
         table: object = tables
         for part in place:
             table = table.get(part) if isinstance(table, dict) else None
         if isinstance(table, dict):
-            found |= {name: (*place, name) for name in table}
+            paths |= {name: (*place, name) for name in table}
     if (item := _item(tables)) is not None:
-        found |= {name: ("system", "parameters", name) for name in item.defaults}
-    return found
+        paths |= {name: ("system", "parameters", name) for name in item.defaults}
+    return paths
 
 
 def _no_keys(tables: Tables, model: type[Experiment], source: Source) -> dict[Key, str]:
     """What options without a table name that is neither a key nor a parameter."""
     wrong: dict[Key, str] = {}
     for option in source.overrides:
-        (name, *rest), value = source.path(option), option.partition("=")[2].strip()
-        if rest or name in model.model_fields or name not in tables:
+        (name, *below), value = source.path(option), option.partition("=")[2].strip()
+        if below or name in model.model_fields or name not in tables:
             continue
         tables_with = [
             table

@@ -75,11 +75,11 @@ class Source:
                 for inner in value:
                     self._require_print(key, inner)
             case str():
-                found = _CONTROL.search(value)
-                if found:
+                control = _CONTROL.search(value)
+                if control:
                     raise InputError(
-                        f"the control character U+{ord(found[0]):04X} stands in it; of these only "
-                        "line breaks and tabs are allowed",
+                        f"the control character U+{ord(control[0]):04X} stands in it; of these "
+                        "only line breaks and tabs are allowed",
                         self.where(key),
                     )
 
@@ -102,7 +102,7 @@ class Source:
             itself is not in the file; the option where an override has set or made it, and all
             of them where several have made a table.
         """
-        made = []
+        makers = []
         for option in reversed(self.overrides):
             setting = option.partition("=")[0].strip()
             path = self.path(option)
@@ -111,9 +111,9 @@ class Source:
             if key[: len(path)] == path:
                 return f"--set {setting}, {dotted(key)}"
             if key and path[: len(key)] == key and key not in self._lines:
-                made.append(f"--set {setting}")
-        if made:
-            return " ".join(dict.fromkeys(reversed(made)))
+                makers.append(f"--set {setting}")
+        if makers:
+            return " ".join(dict.fromkeys(reversed(makers)))
         number = self.line(key)
         parts = [self.name, f"line {number}" if number else "", dotted(key)]
         return ", ".join(part for part in parts if part)

@@ -53,7 +53,7 @@ class FormulaTable(Table):
 
     def expression(self, text: str) -> sp.Expr:
         """A formula of this table as an expression in the symbols of its names."""
-        return _parsed(text, self.names)
+        return _expression(text, self.names)
 
     @field_validator("parameters")
     @classmethod
@@ -74,7 +74,7 @@ class FormulaTable(Table):
         """Read a formula; None where wrong parameters leave its names unknown."""
         if "parameters" not in info.data:
             return None
-        return _parsed(text, (*cls.variables, *info.data["parameters"]))
+        return _expression(text, (*cls.variables, *info.data["parameters"]))
 
 
 _MEANT = frozenset(
@@ -82,5 +82,5 @@ _MEANT = frozenset(
 )
 
 
-def _parsed(text: str, names: tuple[str, ...]) -> sp.Expr:
+def _expression(text: str, names: tuple[str, ...]) -> sp.Expr:
     return parse(text, {name: real_symbol(name) for name in names})

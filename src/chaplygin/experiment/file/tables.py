@@ -222,7 +222,7 @@ class _RunTable(Table):
 
     @field_validator("time_limit")
     @classmethod
-    def _limited(cls, limit: float | None, info: ValidationInfo) -> float | None:
+    def _taylor_alone(cls, limit: float | None, info: ValidationInfo) -> float | None:
         if limit is not None and info.data.get("method") == "gauss":
             raise ValueError('there is none with run.method = "gauss"; leave it out')
         return limit

@@ -146,9 +146,9 @@ class Canvas:
             bottom + rows[0] * high,
             bottom + (rows[-1] + 1) * high,
         )
-        kept = colours[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+        cut = colours[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
         self.axes.imshow(
-            np.clip(kept, 0.0, 1.0),
+            np.clip(cut, 0.0, 1.0),
             extent=part,
             origin="lower",
             interpolation="bilinear",

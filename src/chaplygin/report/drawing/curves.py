@@ -21,15 +21,15 @@ def convex_hull(points: FloatArray) -> FloatArray:
         return np.array(ordered)
 
     def chain(sequence: list[tuple[float, float]]) -> list[tuple[float, float]]:
-        kept: list[tuple[float, float]] = []
+        corners: list[tuple[float, float]] = []
         for x, y in sequence:
-            while len(kept) > 1:
-                (x0, y0), (x1, y1) = kept[-2:]
+            while len(corners) > 1:
+                (x0, y0), (x1, y1) = corners[-2:]
                 if (x1 - x0) * (y - y0) - (y1 - y0) * (x - x0) > 0.0:
                     break
-                kept.pop()
-            kept.append((x, y))
-        return kept[:-1]
+                corners.pop()
+            corners.append((x, y))
+        return corners[:-1]
 
     return np.array(chain(ordered) + chain(ordered[::-1]))
 
@@ -37,15 +37,15 @@ def convex_hull(points: FloatArray) -> FloatArray:
 def cut_by_plane(polygon: FloatArray, normal: FloatArray) -> FloatArray:
     """The part of a polygon (k, 3) on the side of `normal` of a plane through the origin."""
     side = polygon @ normal
-    kept: list[FloatArray] = []
+    corners: list[FloatArray] = []
     for index in range(len(polygon)):
         before, after = side[index - 1], side[index]
         if (before > 0.0) != (after > 0.0):
             step = before / (before - after)
-            kept.append(polygon[index - 1] + step * (polygon[index] - polygon[index - 1]))
+            corners.append(polygon[index - 1] + step * (polygon[index] - polygon[index - 1]))
         if after > 0.0:
-            kept.append(polygon[index])
-    return np.array(kept) if kept else np.empty((0, 3))
+            corners.append(polygon[index])
+    return np.array(corners) if corners else np.empty((0, 3))
 
 
 def runs(marked: BoolArray) -> Iterator[slice]:

@@ -157,12 +157,12 @@ def outline_from_contact(
         return np.asarray(contact_of_gamma(gamma.reshape(-1, 3)), np.float64).reshape(gamma.shape)
 
     around = np.linspace(0.0, 2 * np.pi, 17)
-    theta = _refined(
+    theta = _even_steps(
         np.array([_POLE_OFFSET, np.pi / 2, np.pi - _POLE_OFFSET]),
         lambda angle: contact(np.full_like(around, angle), around),
         rows,
     )
-    phi = _refined(
+    phi = _even_steps(
         np.linspace(0.0, 2 * np.pi, 5),
         lambda angle: contact(theta, np.full_like(theta, angle)),
         columns,
@@ -172,7 +172,7 @@ def outline_from_contact(
     points = contact(grid_theta, grid_phi)
     hollow = bool(np.mean(np.sum((points - points.mean(axis=(0, 1))) * gamma, axis=-1)) > 0.0)
     outward = gamma if hollow else -gamma
-    points = _thickened(points, outward)
+    points = _with_thickness(points, outward)
     return _closed_mesh(points, outward, theta, phi, hollow)
 
 
@@ -183,7 +183,7 @@ def _direction(theta: FloatArray, phi: FloatArray) -> FloatArray:
     )
 
 
-def _refined(nodes: FloatArray, sample: Callable[[float], FloatArray], count: int) -> FloatArray:
+def _even_steps(nodes: FloatArray, sample: Callable[[float], FloatArray], count: int) -> FloatArray:
     """About `count` steps over the given nodes, kept, along which the surface changes evenly.
 
     A step is as wide as the largest distance between the points `sample` gives at its ends. The
@@ -216,7 +216,7 @@ def _refined(nodes: FloatArray, sample: Callable[[float], FloatArray], count: in
     return np.concatenate(even)
 
 
-def _thickened(points: FloatArray, outward: FloatArray) -> FloatArray:
+def _with_thickness(points: FloatArray, outward: FloatArray) -> FloatArray:
     """Move the two sides of a body with no thickness along axis 3 apart; leave others alone."""
     across = float(np.max(np.ptp(points[..., :2], axis=(0, 1))))
     if float(np.ptp(points[..., 2])) >= _FLAT_THICKNESS * across / 2:

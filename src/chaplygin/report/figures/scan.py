@@ -119,12 +119,12 @@ def _mark(bar: Colorbar, value: float, meaning: str) -> None:
     bar.ax.axhline(value, color="white", linewidth=2.4)
     bar.ax.axhline(value, color=INK, linewidth=1.2)
     low, high = bar.ax.get_ylim()
-    kept = [tick for tick in bar.get_ticks() if low <= tick <= high]
+    ticks = [tick for tick in bar.get_ticks() if low <= tick <= high]
     # ticks so near that their numbers would print over this one give way
     near = 0.05 * (high - low)
-    kept = [tick for tick in kept if abs(tick - value) > near]
-    shown = [f"{tick:g}".replace("-", "\N{MINUS SIGN}") for tick in kept]
-    bar.set_ticks([*kept, value], labels=[*shown, f"{value:g} {meaning}"])
+    ticks = [tick for tick in ticks if abs(tick - value) > near]
+    shown = [f"{tick:g}".replace("-", "\N{MINUS SIGN}") for tick in ticks]
+    bar.set_ticks([*ticks, value], labels=[*shown, f"{value:g} {meaning}"])
 
 
 def _title(number: xr.DataArray) -> str:

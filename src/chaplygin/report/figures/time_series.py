@@ -238,12 +238,12 @@ def turning_angles(quaternions: FloatArray) -> tuple[tuple[str, str, str], list[
         names = ("yaw", "pitch", "roll")
         first, last = np.arctan2(R[:, 1, 0], R[:, 0, 0]), np.arctan2(R[:, 2, 1], R[:, 2, 2])
         middle = pitch
-    return names, [_unwound(first), middle, _unwound(last)]
+    return names, [_continued(first), middle, _continued(last)]
 
 
-def _unwound(angle: FloatArray) -> FloatArray:
+def _continued(angle: FloatArray) -> FloatArray:
     """An angle that does not jump by whole turns, not-a-number where it was."""
     good = np.isfinite(angle)
-    found = angle.copy()
-    found[good] = np.unwrap(angle[good])
-    return found
+    angles = angle.copy()
+    angles[good] = np.unwrap(angle[good])
+    return angles

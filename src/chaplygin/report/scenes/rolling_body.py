@@ -134,13 +134,13 @@ class Track:
         extent = np.max(high - low, axis=1)
         if extent[-1] <= _WHOLE * diameter:
             return self
-        kept = slice(-int(np.sum(extent <= _REACH * diameter)), None)
+        last = slice(-int(np.sum(extent <= _REACH * diameter)), None)
         return Track(
-            self.times[kept],
-            self.contact[kept],
-            self.centre[kept],
-            self.rotation[kept],
-            self.normal[kept],
+            self.times[last],
+            self.contact[last],
+            self.centre[last],
+            self.rotation[last],
+            self.normal[last],
         )
 
     def path(self, ground: Ground) -> tuple[FloatArray, SurfaceCurve]:

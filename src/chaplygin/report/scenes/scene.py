@@ -59,22 +59,22 @@ def _ground(ball: RollingBall) -> SurfaceGround:
     def values(formula: sp.Expr) -> Callable[[FloatArray], FloatArray]:
         function = sp.lambdify(symbols, formula, "numpy")
 
-        def at(points: FloatArray) -> FloatArray:
+        def values_at(points: FloatArray) -> FloatArray:
             heights = np.asarray(function(*points.T), dtype=np.float64)
             return np.broadcast_to(heights, points.shape[:1])
 
-        return at
+        return values_at
 
     slopes = [values(f.diff(s)) for s in symbols]
     level, guards = values(f), [values(g.value) for g in ball.surface.domain(symbols)]
 
-    def bounded(points: FloatArray) -> FloatArray:
+    def values_on_domain(points: FloatArray) -> FloatArray:
         """f, where there is any surface."""
         valid = np.all([guard(points) > 0.0 for guard in guards], axis=0)
         return np.where(valid, level(points), np.nan)
 
     return SurfaceGround(
-        bounded,
+        values_on_domain,
         lambda points: np.stack([slope(points) for slope in slopes], axis=-1),
         shift if below is None else 0.0,
     )
