@@ -80,6 +80,11 @@ class Subject:
         return self.rolling
 
     @property
+    def summary(self) -> str:
+        """One or two sentences on what moves, where somebody has written them."""
+        return self.system.summary
+
+    @property
     def remarks(self) -> tuple[str, ...]:
         """Sentences on what is unusual about it."""
         return ()
@@ -185,6 +190,11 @@ class BodySubject(Subject):
         return self.support
 
     @property
+    def summary(self) -> str:
+        """That of the catalogue."""
+        return self.system.summary if self.from_catalogue else ""
+
+    @property
     def remarks(self) -> tuple[str, ...]:
         """Whether the centre of mass lies outside the body that the user describes."""
         if self.from_catalogue or self.rolling is None:
@@ -267,6 +277,11 @@ class BallSubject(Subject):
 @dataclass(frozen=True, kw_only=True)
 class PlacedBallSubject(BallSubject):
     """A homogeneous ball whose start gives its contact point or its centre, and ω."""
+
+    @property
+    def summary(self) -> str:
+        """Empty, as the setting says what moves."""
+        return ""
 
     @property
     def directions(self) -> set[str]:

@@ -125,8 +125,8 @@ def render(
     return environment.get_template("report.html").render(
         signed=signed,
         title=study.system.title,
-        lead=study.system.summary or study.subject.setting,
-        setting=study.subject.setting if study.system.summary else "",
+        lead=study.subject.summary or study.subject.setting,
+        setting=study.subject.setting if study.subject.summary else "",
         start=_start(study, dataset),
         scene=drawn.get("scene"),
         plates=[

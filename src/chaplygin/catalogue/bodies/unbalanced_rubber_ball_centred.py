@@ -50,8 +50,9 @@ xidot, etadot = real_symbol("xidot"), real_symbol("etadot")
 
 NAME, TITLE = "unbalanced-rubber-ball-centred", "Unbalanced rubber ball from its centre"
 SUMMARY = (
-    "The unbalanced rubber ball on a plane in the principal axes of its geometric centre; for "
-    "these parameters some of its motions, with F/2H from 0.88 to 1.0, approach limit cycles."
+    "The unbalanced rubber ball on a plane in the principal axes of inertia at its geometric "
+    "centre; for these parameters some of its motions, with F/2H from 0.88 to 1.0, approach limit "
+    "cycles."
 )
 SOURCE = "§10.2, (10.4), (10.5)"
 DEFAULTS = {

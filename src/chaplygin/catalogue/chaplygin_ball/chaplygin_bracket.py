@@ -52,8 +52,8 @@ SOURCE = "§7.2, (7.5)–(7.7)"
 
 ROTORS_TITLE = "Chaplygin ball with rotors as a Hamiltonian system"
 ROTORS_SUMMARY = (
-    "The Chaplygin ball with rotors in the time dτ = ρ dt and the momentum L = ρ(M + k), on its "
-    "own nonlinear Poisson bracket."
+    "The Chaplygin ball with rotors in the time dτ = ρ dt and the momentum L = ρ(M + k): a "
+    "Hamiltonian system with a nonlinear Poisson bracket."
 )
 
 PARAMETERS = (

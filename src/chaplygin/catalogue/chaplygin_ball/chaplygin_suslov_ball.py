@@ -44,8 +44,8 @@ PRINCIPAL = (*e.symbols[:2], e.symbols[2] - 1)
 NAME = "chaplygin-suslov-ball"
 TITLE = "Chaplygin ball under Suslov's constraint"
 SUMMARY = (
-    "A balanced, dynamically asymmetric ball rolls on a horizontal plane without slipping and "
-    "does not turn about an axis fixed in the ball."
+    "A balanced, dynamically asymmetric ball rolls on a horizontal plane without slipping, and its "
+    "angular velocity has no component along an axis fixed in the ball."
 )
 SOURCE = "§2.5"
 

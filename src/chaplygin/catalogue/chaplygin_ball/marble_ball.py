@@ -26,8 +26,8 @@ m, mu, b, kappa, mtilde = (real_symbol(name) for name in ("m", "mu", "b", "kappa
 NAME = "marble-ball"
 TITLE = "Homogeneous marble ball"
 SUMMARY = (
-    "A homogeneous ball rolls on a horizontal plane without slipping, drawn to a point by a "
-    "spring; its centre moves like a particle of a larger mass."
+    "A homogeneous ball rolls on a horizontal plane without slipping, pulled towards a point by a "
+    "spring; its centre moves like a particle of larger mass."
 )
 SOURCE = "§2.2, (2.5), (2.6)"
 

@@ -93,9 +93,9 @@ def _solution(matrix: sp.Matrix, right: sp.Matrix) -> dict[sp.Symbol, sp.Expr]:
 
 BALL = "Chaplygin ball in four dimensions"
 BALL_SUMMARY = (
-    "A balanced, dynamically asymmetric ball of four-dimensional space rolls on a hyperplane "
-    "without slipping; it has an invariant measure, and its integrals do not suffice for the "
-    "theorem of Euler and Jacobi."
+    "A balanced, dynamically asymmetric ball in four-dimensional space rolls on a hyperplane "
+    "without slipping; it has an invariant measure, but too few integrals for the Euler–Jacobi "
+    "theorem."
 )
 
 
@@ -169,8 +169,9 @@ def ball(numbers: Numbers) -> System:
 
 VESELOVA = "Veselova system in four dimensions"
 VESELOVA_SUMMARY = (
-    "A body of four-dimensional space about a fixed point turns in planes through a direction "
-    "fixed in space alone; it has an invariant measure and the square of a momentum as integral."
+    "A rigid body in four-dimensional space turns about a fixed point, only in planes that contain "
+    "a direction fixed in space; it has an invariant measure, and the square of a momentum is an "
+    "integral."
 )
 
 

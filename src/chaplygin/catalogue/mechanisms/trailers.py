@@ -31,8 +31,8 @@ HALF = sp.Rational(1, 2)
 SOURCE = "§2.1"
 TITLE = "Car with trailers"
 SUMMARY = (
-    "A car pulls two trailers, each hitched at the axle before it; it turns uniformly, and its "
-    "speed alone responds to the trailers."
+    "A car pulls two trailers, each hitched to the axle in front of it; the car turns at a "
+    "constant rate, and the trailers affect only its speed."
 )
 
 

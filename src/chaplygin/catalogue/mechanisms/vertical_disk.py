@@ -31,8 +31,8 @@ HALF = sp.Rational(1, 2)
 SOURCE = "§2.1; A. M. Bloch 2003, §1.4"
 TITLE = "Vertical rolling disk"
 SUMMARY = (
-    "A disk rolls upright on an inclined plane; turning uniformly it drifts along the "
-    "horizontal, and on the average not downhill."
+    "A disk rolls upright on an inclined plane; its heading turns uniformly, and on average it "
+    "drifts horizontally, not downhill."
 )
 
 
