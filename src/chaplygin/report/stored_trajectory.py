@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import zipfile
 from dataclasses import asdict
@@ -87,7 +88,8 @@ def read_trajectory(path: Path, key: str | None, study: Study) -> Trajectory | N
     study : Study
     """
     try:
-        with np.load(path, allow_pickle=False) as stored:
+        # read whole: NumPy leaves a damaged file open
+        with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as stored:
             facts = json.loads(str(stored[""]))
             if key is None or facts["key"] != key:
                 return None
