@@ -1,4 +1,4 @@
-"""What the public functions and classes take: arguments checked against their annotations.
+"""Arguments of public functions, checked against their annotations.
 
 An argument of the wrong type is a mistake of whoever wrote the call; `arguments_checked` answers it
 at once with a sentence that names the function, the argument and what is allowed.  Where an
@@ -59,21 +59,21 @@ _TEXT = (str, bytes)
 
 @dataclass(frozen=True)
 class _Kind:
-    """What is allowed, in words, and whether a value is of it."""
+    """Allowed values in words, and a test for them."""
 
     words: str
     fits: Callable[[Any], bool]
 
 
 def _is_number(value: Any) -> bool:
-    """Whether it is one real number that a float can hold; a truth value or a text is none."""
+    """Whether it is one real number that a float can hold."""
     if isinstance(value, (bool, *_TEXT)) or _is_array(value) or _name(value) == "bool":
         return False
     return _is_readable(value)
 
 
 def _is_written(value: Any) -> bool:
-    """Whether it is a number, or one in quotes, which keeps digits that a float has not."""
+    """Whether it is a number, or a text with a number."""
     return _is_readable(value) if isinstance(value, str) else _is_number(value)
 
 
@@ -119,7 +119,7 @@ def _is_start(value: Any) -> bool:
 
 
 def _are_parameters(value: Any) -> bool:
-    """Whether these are names with numbers, or with one number for each of several motions."""
+    """Whether it maps names to numbers, or to one number for each motion."""
     if value is None:
         return True
     return isinstance(value, Mapping) and all(
@@ -207,7 +207,7 @@ _SIMPLE: dict[Any, _Kind] = {
 
 
 def _kind(annotation: Any) -> _Kind | None:
-    """What an annotation allows; None where it allows anything."""
+    """The values that an annotation allows; None if it allows any."""
     origin, inner = get_origin(annotation), get_args(annotation)
     if origin is Annotated:
         return next((note for note in inner[1:] if isinstance(note, _Kind)), _kind(inner[0]))

@@ -27,7 +27,7 @@ __all__ = ["CATALOGUE", "Entry", "Start", "entry", "from_catalogue", "known_laws
 
 
 def _place(item: Entry) -> tuple[int, ...]:
-    """Where the paper speaks of a system first: section and subsection."""
+    """Section and subsection of the paper in which a system occurs first."""
     match = re.search(r"§(\d+)(?:\.(\d+))?", item.source)
     return tuple(int(number or 0) for number in match.groups()) if match else (99,)
 

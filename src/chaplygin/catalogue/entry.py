@@ -1,4 +1,4 @@
-"""What the catalogue says of one system; `list`, `show` and the documentation read it here."""
+"""Entries of the catalogue, read by `list`, `show` and the documentation."""
 
 from __future__ import annotations
 
@@ -127,7 +127,7 @@ class Entry:
         return {**self.defaults, **replacements}
 
     def rolling(self, parameters: Numbers | None = None) -> Rolling | None:
-        """What rolls on what; None for a body about a fixed point."""
+        """The rolling body and its surface; None for a body about a fixed point."""
         model = self.build(self.numbers(parameters))
         return model if isinstance(model, Rolling) else None
 

@@ -92,7 +92,7 @@ def _print(judgements: Sequence[Judgement]) -> None:
 
 
 def _claim(judgement: Judgement, wide: bool) -> RenderableType:
-    """Where a claim stands, what came of it, and below that what there is to say.
+    """The place of a claim, its judgement, and remarks below it.
 
     With `wide`, verdicts stand at the right edge of the terminal.
     """
@@ -123,7 +123,7 @@ def _claim(judgement: Judgement, wide: bool) -> RenderableType:
 
 
 def _lines(judgement: Judgement) -> Iterator[tuple[str, str]]:
-    """What is said of a claim, each with its label: both forms where the printed one fails."""
+    """Remarks on a claim with their labels; both forms if the printed one fails."""
     from ..printing.plain_text import plain_words
 
     claim = judgement.claim

@@ -60,7 +60,7 @@ def command(
 
 
 def _diagram(what: str, overrides: list[str] | None) -> tuple[Diagram, tuple[float, float] | None]:
-    """The diagram of an experiment with the place of its motion, or that of a plane alone."""
+    """The diagram of an experiment with its motion in it, or that of a plane."""
     from ..errors import InputError
     from ..explicit.base.problem import Problem
     from ..explicit.bifurcation import bifurcation_diagram

@@ -97,7 +97,7 @@ def _assignment(text: str) -> tuple[str, str]:
 
 
 def _summary(dataset: xr.Dataset) -> dict[str, Any]:
-    """What a reader wants to know of a chart before looking at it."""
+    """The facts of a chart: file, number, range and outcomes."""
     import numpy as np
 
     name = str(dataset.attrs["number"])

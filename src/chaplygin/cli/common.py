@@ -1,4 +1,4 @@
-"""What several commands share: options, reading the argument, progress, tables."""
+"""Options and arguments that several commands share, and their output."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def inform(text: str) -> None:
 
 
 def console() -> Console:
-    """Where tables are printed: as wide as the terminal, unlimited in a file or a pipe."""
+    """The console for tables, as wide as the terminal, unlimited in a file."""
     from rich.console import Console
 
     limited = sys.stdout.isatty() or "COLUMNS" in os.environ

@@ -116,7 +116,7 @@ def _members(study: Study, starts: int, level: str | None, seed: int, over: list
 
 
 def given_start(study: Study) -> dict[str, Any]:
-    """The start of the experiment: ω and γ, from which the state follows, or the state."""
+    """The start of the experiment: ω and γ, or the whole state."""
     if set(study.start_values) == {"omega", "gamma"}:
         return dict(study.start_values)
     size = len(study.system.symbols)

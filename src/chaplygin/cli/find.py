@@ -137,7 +137,7 @@ def command(
 
 
 def special(system: System) -> tuple[str, ...]:
-    """What is special in the parameters: equal moments of inertia or semi-axes, and zeros."""
+    """Special values of the parameters: equal moments or semi-axes, and zeros."""
     values = {p: p.default for p in system.parameters}
     factors = []
     for words in ("moment of inertia", "semi-axis"):
@@ -150,7 +150,7 @@ def special(system: System) -> tuple[str, ...]:
 
 
 def _results(kind: str, question: Question) -> tuple[list[SearchResult], bool]:
-    """What is found, and whether the search came to its end; Ctrl-C keeps what there is."""
+    """The results, and whether the search was completed."""
     from ..search import integrals, measures, symmetries
 
     search = {"integrals": integrals, "measure": measures, "symmetries": symmetries}[kind]
@@ -226,7 +226,7 @@ def _result_lines(finding: SearchResult) -> list[str]:
 
 
 def _factors(kind: str, question: Question) -> tuple[Any, ...]:
-    """What may divide an integral, or what a density is made of."""
+    """The divisors of integrals, or the factors of densities, that are tried."""
     return {"integrals": question.divisors, "measure": question.bases}.get(kind, ())
 
 

@@ -151,7 +151,7 @@ def _print(spectrum: Spectrum, turned: Any) -> None:
 
 
 def word_of_sum(total: Average) -> str:
-    """What the sum of the exponents says."""
+    """The meaning of the sum of the exponents."""
     if not total.settled:
         return "not converged"
     if total.zero:

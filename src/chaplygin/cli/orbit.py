@@ -113,7 +113,7 @@ def command(
 
 
 def _varied_quantity(text: str) -> tuple[str, float]:
-    """What changes along a branch, and to which value."""
+    """The quantity that varies along a branch, and its last value."""
     from ..errors import InputError
 
     name, equals, number = (part.strip() for part in text.partition("="))

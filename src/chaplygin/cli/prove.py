@@ -79,7 +79,7 @@ def command(
 
 
 class _Attempt(NamedTuple):
-    """A law with its verdict, and that on its printed form where the paper has another one."""
+    """A law with its verdict, and the verdict on its printed form if it differs."""
 
     system: System
     law: Law
@@ -110,7 +110,7 @@ def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool)
 
 
 def _claims(what: str, overrides: list[str] | None) -> list[tuple[System, Law]]:
-    """The laws of the system, and those of its general form where the catalogue has one."""
+    """The laws of the system, and of its general form if it has one."""
     from ..catalogue import CATALOGUE
 
     system = study_of(what, overrides).system
@@ -228,7 +228,7 @@ def _print(done: list[_Attempt]) -> None:
 
 
 def _count_text(verdicts: list[Verdict]) -> str:
-    """How many laws there are of each verdict."""
+    """The number of laws with each verdict."""
     decisions = [verdict.decision for verdict in verdicts]
     counts = (f"{decisions.count(d)} {d}" for d in COLOURS if d in decisions)
     return f"{len(verdicts)} laws: {', '.join(counts).replace('where', 'where a condition holds')}"

@@ -167,7 +167,7 @@ def _slab(text: str) -> tuple[str, float]:
 
 
 def _summary(dataset: xr.Dataset) -> dict[str, Any]:
-    """What a reader wants to know of a section before looking at it."""
+    """The facts of a section: file, points, drift and outcomes."""
     drifts = {
         str(name).removeprefix("law_"): _drift(dataset[name])
         for name in dataset.data_vars
@@ -186,7 +186,7 @@ def _summary(dataset: xr.Dataset) -> dict[str, Any]:
 
 
 def _drift(values: xr.DataArray) -> float:
-    """The largest change of an integral from the first point of a run, relative to its size."""
+    """The largest change of an integral along a run, relative to its size."""
     import numpy as np
 
     change = size = 0.0

@@ -178,7 +178,7 @@ def _plain(time: Fraction) -> str:
 def _rows(
     study: Study, solution: Solution, moments: Sequence[Fraction], digits: int | None
 ) -> Iterator[Row]:
-    """What is known at the times, one row for each component."""
+    """The quantities at the given times, one row for each component."""
     if digits is not None:
         yield from _balls(study, solution, moments, digits)
         return

@@ -1,4 +1,4 @@
-"""What commands share that fill a store: room for it, who computes, what became of its members."""
+"""Helpers of commands that fill a store."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def level_of(text: str) -> dict[str, float]:
 
 
 def check_store(output: Path) -> None:
-    """Raise InputError where a store can in no case be written, before anything is computed."""
+    """Raise InputError if a store cannot be written."""
     from ..errors import InputError
 
     if output.suffix != ".zarr":
@@ -103,7 +103,7 @@ def check_picture(output: Path, picture: Path, force: bool, named: bool = False)
 
 
 def check_workers(workers: str | None) -> str | int | None:
-    """Who computes: None for this process, so many processes, or the address of a scheduler.
+    """The workers: None, a number of processes, or the address of a scheduler.
 
     Raises
     ------
@@ -163,7 +163,7 @@ def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
 
 
 def outcomes(variable: xr.DataArray) -> dict[str, int]:
-    """How many members had which outcome, in words.
+    """The number of members with each outcome.
 
     Parameters
     ----------

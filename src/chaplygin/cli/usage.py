@@ -1,4 +1,4 @@
-"""Mistakes in the words of a command line, each as one sentence like all other mistakes."""
+"""Mistakes on a command line, as one sentence each."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ class CommandParameter(Protocol):
     opts: list[str]
 
 
-#: What pydantic says of a value, and what is allowed there.
+#: Descriptions by pydantic, and the values that are allowed.
 _ALLOWED = {"valid integer": "a whole number", "valid number": "a number"}
 
 
 def sentence(error: TyperException) -> str:
-    """What is wrong, where, and what is allowed.
+    """A sentence with the mistake, its place, and what is allowed.
 
     Parameters
     ----------

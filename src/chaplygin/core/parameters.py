@@ -1,4 +1,4 @@
-"""The parameters of a system: their values by symbol or name, and the conditions on them."""
+"""Parameters of a system: values by symbol or name, and conditions on them."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def parameters_by_symbol(
 def parameter_values(
     system: System, parameters: Parameters | None
 ) -> dict[sp.Symbol, ParameterValue]:
-    """Values of all parameters by symbol: those that are given, and the defaults of the others.
+    """Values of all parameters by symbol, given or by default.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""A study solved in closed form: its motion at any times, and what a report says of it."""
+"""A study in closed form: its motion at any times and its section of a report."""
 
 from __future__ import annotations
 
@@ -63,14 +63,14 @@ def solution_of_study(study: Study) -> Solution:
 
 
 def solved_if_known(study: Study) -> Solution | None:
-    """The motion of a study in closed form, None where it has none or none can be evaluated."""
+    """The motion of a study in closed form; None if no closed form can be evaluated."""
     with contextlib.suppress(InputError, RunError, ArithmeticError):
         return solution_of_study(study)
     return None
 
 
 def diagram_if_known(study: Study) -> tuple[Diagram, tuple[float, float]] | None:
-    """The bifurcation diagram of a study's integrals and its place there; None where none is known.
+    """The bifurcation diagram of a study and its point in it; None if none is known.
 
     A body with two equal moments, for one, has none on a plane of two integrals.
     """
@@ -155,7 +155,7 @@ def _scalars(value: Formula) -> list[sp.Expr]:
 
 
 def dataset(study: Study, trajectory: Trajectory, solution: Solution) -> xr.Dataset:
-    """States of a closed form as a dataset, with the names of an integrated trajectory."""
+    """The dataset of a closed form, with the names of an integrated trajectory."""
     closed = dataset_of(study, trajectory)
     start = zip(trajectory.system.symbols, study.start, strict=False)
     return closed.assign_attrs(
@@ -181,7 +181,7 @@ def units(study: Study, solution: Solution) -> dict[sp.Symbol, str]:
 
 @dataclass(frozen=True)
 class ClosedFormSection:
-    """What a report says of a closed form, ready for the page.
+    """The section of a report on a closed form.
 
     Attributes
     ----------
@@ -251,7 +251,7 @@ _AFTER = re.compile(
 
 
 def equation(left: sp.Expr, right: sp.Expr) -> str:
-    """An equation in LaTeX, symbols such as dz and dtau as differentials, varphi as a letter."""
+    """An equation in LaTeX, with names such as dz and dtau as differentials."""
 
     def differential(match: re.Match[str]) -> str:
         return rf"\mathrm{{d}}{latex(sp.Symbol(match[1]))}"
@@ -288,6 +288,6 @@ def number(figure: NamedConstant, digits: int = 20) -> str:
 
 
 def ball(value: arb, digits: int) -> tuple[str, str]:
-    """Midpoint and radius of a ball, in so many digits; the printed ball contains the given one."""
+    """Midpoint and radius of a ball in decimals; rounding enlarges the radius."""
     middle, _, radius = value.str(digits).strip("[]").partition("+/-")
     return middle.strip() or "0", radius.strip() or "0"

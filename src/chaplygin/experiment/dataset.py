@@ -130,7 +130,7 @@ def _add_state(
     name: str,
     description: tuple[str, str] | None,
 ) -> None:
-    """A variable of the state; what its system does not tell of it follows from its name."""
+    """A variable of the state, its meaning given or inferred from its name."""
     values = trajectory[name]
     size = values.shape[1] if values.ndim > 1 else 1
     meaning, units, source, frame = variable_metadata(trajectory.system, name, size, description)

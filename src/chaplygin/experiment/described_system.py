@@ -21,7 +21,7 @@ from .subject import DescribedSubject
 
 __all__ = ["described_subject", "equations_subject", "mechanism_subject"]
 
-#: What a refusal speaks of, and where that stands in the file.
+#: Subjects of error messages, and the keys of the file that they concern.
 _PLACES: tuple[tuple[str, Key], ...] = (
     (r"(the )?(constraint|velocity constraint)\b", ("constraints", "velocity")),
     (r"(the )?position constraint\b", ("constraints", "position")),
@@ -66,7 +66,7 @@ def equations_subject(experiment: EquationsExperiment) -> DescribedSubject:
 def described_subject(
     experiment: OwnExperiment, system: System, mechanism: Mechanism | None = None
 ) -> DescribedSubject:
-    """A system of the user's own, with the start, the variables and the plan of an experiment."""
+    """A system of the user with the start, variables and plan of an experiment."""
     variables = experiment.variables.items()
     instant: StartValues = {str(TIME): 0.0} if TIME in system.symbols else {}
     return DescribedSubject(

@@ -13,7 +13,7 @@ from ..errors import InputError
 
 __all__ = ["check_target", "completed"]
 
-#: What a name may stand for besides a regular file, by the test that tells.
+#: Kinds of files that are no regular files, with the tests for them.
 _OTHERS = (
     (stat.S_ISDIR, "a folder"),
     (stat.S_ISCHR, "a device"),
@@ -24,7 +24,7 @@ _OTHERS = (
 
 
 def check_target(target: Path, force: bool = False) -> None:
-    """Raise InputError unless a file may be written to `target`, itself or through a link."""
+    """Raise InputError unless a file may be written to `target`."""
     try:
         status: os.stat_result | None = target.stat()
     except FileNotFoundError:
@@ -43,7 +43,7 @@ def check_target(target: Path, force: bool = False) -> None:
 
 
 def _check_replaced(target: Path, status: os.stat_result, force: bool) -> None:
-    """Raise InputError unless what is there may be replaced: a regular file, and that is wished."""
+    """Raise InputError unless a file that exists may be replaced."""
     for holds, what in _OTHERS:
         if holds(status.st_mode):
             raise InputError(f"{target} is {what}: the name of a regular file is needed")
@@ -61,7 +61,7 @@ def _check_replaced(target: Path, status: os.stat_result, force: bool) -> None:
 
 @contextmanager
 def completed(target: Path) -> Iterator[Path]:
-    """A temporary file that becomes `target` when the block ends well, and else disappears.
+    """A temporary file that becomes `target` only when the block ends well.
 
     Where `target` is a link, the file to which it points is replaced; a file that is replaced
     hands on its permissions.

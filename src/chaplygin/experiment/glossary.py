@@ -1,4 +1,4 @@
-"""What the letters of the equations of a body mean, in words."""
+"""The meaning of the letters in the equations of a body."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ _RATIO = "ratio of the radii"
 
 
 def glossary(system: System, touching: bool, besides: Mapping[str, str] | None = None) -> str:
-    """What the letters of the equations mean, in the order in which they are met.
+    """The meaning of the letters, in the order in which the equations use them.
 
     Parameters
     ----------
@@ -98,7 +98,7 @@ def _is_name(value: object) -> bool:
 def _meaning(
     letter: Named, system: System, known: Mapping[str, str], observed: Mapping[Formula, str]
 ) -> str:
-    """Meaning of one letter; nothing of a parameter or a rate, which tell it themselves."""
+    """The meaning of one letter; empty for parameters and rates."""
     label = str(letter)
     if letter in {parameter.symbol for parameter in system.parameters}:
         return ""

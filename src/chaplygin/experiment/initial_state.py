@@ -1,4 +1,4 @@
-"""From named values to a state on the phase space, for systems that ω and γ do not describe.
+"""Initial states from values of the state by name.
 
 As in :mod:`chaplygin.mechanics.rolling.initial_state`, numbers are carried with 50 digits and
 rounded once.
@@ -51,7 +51,7 @@ StartValues: TypeAlias = Mapping[str, float | Sequence[float]]
 
 
 def initial_state_from_values(system: System, values: StartValues) -> tuple[mpmath.mpf, ...]:
-    """The state of a system, lifted to space where it has a motion, from values by name.
+    """The state of a system, lifted to space if it has a motion, by named values.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def initial_state_from_values(system: System, values: StartValues) -> tuple[mpma
 
 
 def lift_of(system: System, values: StartValues) -> dict[str, float | tuple[float, ...]]:
-    """What a start leaves out of the lift to space, as :func:`given_state` completes it."""
+    """The variables of the lift that a start leaves out, as they are completed."""
     if system.motion is None:
         return {}
     gamma = values.get("gamma")
@@ -102,7 +102,7 @@ def lift_of(system: System, values: StartValues) -> dict[str, float | tuple[floa
 
 
 def normalised(values: StartValues, names: Collection[str]) -> dict[str, tuple[float, list[float]]]:
-    """The vectors of these names that had not the length one: their length and their direction."""
+    """Length and direction of those vectors whose length is not one."""
     lengths = {}
     for name in names & values.keys():
         words = values[name]
@@ -211,7 +211,7 @@ def unit_vectors(system: System) -> set[str]:
 
 
 def _complete(lifted: System, known: dict[str, list[mpmath.mpf]]) -> None:
-    """What is not given of the lift to space."""
+    """Complete the variables of the lift to space."""
     zero, one = mpmath.mpf(0), mpmath.mpf(1)
     for name in lifted.state:
         if str(name) in unit_vectors(lifted) - {str(attitude)}:
@@ -228,7 +228,7 @@ def _complete(lifted: System, known: dict[str, list[mpmath.mpf]]) -> None:
 def _function(
     system: System, formulas: Sequence[sp.Expr]
 ) -> Callable[[Sequence[mpmath.mpf]], list[mpmath.mpf]]:
-    """Scalar formulas of a system as a function of its flat state, for numbers of mpmath."""
+    """Scalar formulas of a system as a function of its flat state, in mpmath."""
     constants = {s: mpmath.mpf(repr(float(v))) for s, v in system.defaults.items()}
     steps = list(system.needed(formulas))
     function = sp.lambdify(
@@ -248,7 +248,7 @@ def _function(
 
 
 def _on_relations(lifted: System, state: list[mpmath.mpf]) -> list[mpmath.mpf]:
-    """The state moved onto the relations along the shortest way; refused if that is far."""
+    """The nearest state on the relations; an InputError if it is far away."""
     if not lifted.relations:
         return state
     residual = _function(lifted, [to_components(relation) for relation in lifted.relations])

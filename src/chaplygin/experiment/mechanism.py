@@ -70,7 +70,7 @@ def mechanism_of(experiment: MechanismExperiment) -> Mechanism:
 
 
 def _check_overrides(experiment: MechanismExperiment, mechanism: Mechanism) -> None:
-    """Refuse an option that sets a parameter which no formula uses: a slip of the keyboard."""
+    """Refuse an option that sets a parameter which no formula uses."""
     formulas = [
         mechanism.L,
         *mechanism.f,
@@ -133,7 +133,7 @@ def system_of(experiment: EquationsExperiment) -> System:
 
 
 def with_claims(experiment: OwnExperiment, system: System) -> System:
-    """A system with the measures and symmetries that its file claims of it besides integrals.
+    """A system with the measures and symmetries that its file claims.
 
     Raises
     ------
@@ -243,7 +243,7 @@ def _frame(names: Names, experiment: MechanismExperiment) -> Frame:
 def _positions(
     names: Names, texts: Sequence[str], frame: Frame, definitions: Iterable[tuple[Named, Formula]]
 ) -> tuple[Formula, ...]:
-    """Position constraints, which no velocity enters, not by way of a definition either."""
+    """Position constraints, into which no velocity enters, even by a definition."""
     key = ("constraints", "position")
     moving = set(frame.w)
     for named, value in definitions:
@@ -285,7 +285,7 @@ def _rates(
 def _structure(
     names: Names, experiment: MechanismExperiment, velocities: Sequence[Named]
 ) -> Commutators | None:
-    """What the file says of the commutators of the frame's fields."""
+    """The commutators of the frame's fields that the file gives."""
     table = experiment.frame
     if table.structure is not None:
         return _group(names, table.structure, velocities)

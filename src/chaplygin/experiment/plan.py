@@ -1,4 +1,4 @@
-"""The plan of a mechanism: read from its file or told by its constraints, and followed in time."""
+"""The drawing of a mechanism in the plane, and its motion."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ __all__ = ["PlanMotion", "described_plan", "plan_motion"]
 
 @dataclass(frozen=True, eq=False)
 class PlanMotion:
-    """What a plan shows at each of n instants.
+    """The parts of a drawing at each of n instants.
 
     Attributes
     ----------
@@ -46,7 +46,7 @@ class PlanMotion:
 def described_plan(
     experiment: OwnExperiment, system: System, mechanism: Mechanism | None
 ) -> Plan | None:
-    """What a file's table [plan] says is to be drawn; without one, what the constraints tell.
+    """The drawing of the table [plan], or else the one that the constraints suggest.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The section of an experiment: where it is, who starts, what is recorded and drawn."""
+"""The Poincaré section of an experiment: surface, starts and coordinates."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ DIRECTIONS: Mapping[str, int] = {"rising": 1, "falling": -1, "both": 0}
 
 @dataclass(frozen=True)
 class Place:
-    """Where a motion is looked at.
+    """The surface of section.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ class Place:
 
 @dataclass(frozen=True)
 class Starts:
-    """Who starts.
+    """The starts whose motions are followed.
 
     Attributes
     ----------
@@ -169,7 +169,7 @@ def _level(system: System, start: FloatArray) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class Reduced:
-    """Some coordinates of a chart; see :func:`~chaplygin.analysis.scans.state_coordinates.chart`.
+    """Two or three coordinates of a chart of the reduced system.
 
     Attributes
     ----------
@@ -200,7 +200,7 @@ class Reduced:
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
-        """What they are called where a slash cannot be part of a name."""
+        """The coordinates as quantities, under names without a slash."""
         coordinates = chart(self.system, self.chart)
         unit = {
             name: "rad" if period else ""
@@ -230,7 +230,7 @@ def coordinates_of(
     variables: Mapping[str, tuple[str, str]] | None = None,
     passed: str = "",
 ) -> tuple[tuple[str, ...], tuple[Quantity, ...], Reduced | None]:
-    """The coordinates by which a section is drawn, and those of them that are to be recorded.
+    """The coordinates in which a section is drawn, and those to be recorded.
 
     Parameters
     ----------

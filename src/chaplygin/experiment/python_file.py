@@ -144,7 +144,7 @@ def _said(error: BaseException) -> str:
 
 
 def _definitions(path: Path) -> dict[str, Any]:
-    """What the file defines of interest, its kind checked."""
+    """The mechanism, system, study, plan, start and run that the file defines."""
     if not path.is_file():
         raise InputError("there is no such file", str(path))
     folder = str(path.parent)

@@ -19,7 +19,7 @@ __all__ = ["rolling_setting", "rolling_subject"]
 
 
 def rolling_subject(experiment: RollingExperiment) -> BodySubject:
-    """The rolling body of an experiment, with every integral that the catalogue knows of it.
+    """The rolling body of an experiment, with all integrals that are known of it.
 
     Raises
     ------

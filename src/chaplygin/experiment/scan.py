@@ -68,7 +68,7 @@ def plane_of(
     formulas: Mapping[str, str] | None = None,
     held: Collection[str] = (),
 ) -> ScanGrid:
-    """A plane through the start of an experiment; its axes know their meaning and unit."""
+    """A plane through the start of an experiment, with meaning and unit of its axes."""
     system = without_reconstruction(study)
     text = {**VECTORS, **study.variables}
 

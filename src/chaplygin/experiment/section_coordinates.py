@@ -58,7 +58,7 @@ def _has_andoyer(system: System) -> bool:
 
 
 def is_angle(system: System, symbol: sp.Symbol) -> bool:
-    """Whether the equations of motion depend on a variable, but not on its whole turns."""
+    """Whether a variable enters the equations of motion as an angle alone."""
     rates = [entry for _, rate in system.field for entry in _entries(rate)]
     place = system.symbols.index(symbol)
     states = np.random.default_rng(0).uniform(0.2, 1.1, (_TRIED, len(system.symbols)))

@@ -1,4 +1,4 @@
-"""From an experiment to everything a run needs: the System, its parameters and its start."""
+"""A study: an experiment with its system, start and trajectory."""
 
 from __future__ import annotations
 
@@ -201,7 +201,7 @@ def _subdivided(times: FloatArray, pieces: int) -> FloatArray:
 
 
 def dataset_of(study: Study, trajectory: Trajectory, complete: bool = True) -> xr.Dataset:
-    """The trajectory of a study as a dataset that also holds the experiment file's text."""
+    """The dataset of a trajectory, together with the text of the experiment."""
     return to_dataset(
         trajectory,
         {

@@ -76,7 +76,7 @@ class Subject:
 
     @property
     def model(self) -> Rolling | Mechanism | None:
-        """The body or mechanism from which the equations were derived, where that is known."""
+        """The body or mechanism from which the equations were derived, if known."""
         return self.rolling
 
     @property

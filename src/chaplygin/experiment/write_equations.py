@@ -1,4 +1,4 @@
-"""A System as the tables of an experiment file, so that what was made in Python can be kept."""
+"""The tables of an experiment file that describe a given System."""
 
 from __future__ import annotations
 

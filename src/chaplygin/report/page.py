@@ -1,4 +1,4 @@
-"""The report of a study: one HTML page that needs no network, made to be read and printed."""
+"""The report of a study as one HTML page that needs no network."""
 
 from __future__ import annotations
 
@@ -234,14 +234,14 @@ def _unobserved_laws(study: Study) -> tuple[Law, ...]:
 
 
 def _caption(study: Study, name: str, caption: str) -> str:
-    """What a figure shows; without a surface γ is another vector."""
+    """The caption of a figure; without a surface γ is another vector."""
     if name == "normal_on_sphere" and not study.subject.gamma_is_normal:
         return "In body axes: the components of a unit vector fixed in space."
     return caption
 
 
 def _remark(study: Study, name: str) -> str:
-    """What a figure needs to be said besides, for this study."""
+    """A remark on a figure that this study needs."""
     if name == "drift" and study.experiment.run.precision == "double":
         return "The unit roundoff of double precision is 1.1 × 10⁻¹⁶."
     if name == "normal_force" and study.subject.two_sided:
@@ -249,7 +249,7 @@ def _remark(study: Study, name: str) -> str:
     return ""
 
 
-#: What computed a motion, by the word that chooses it.
+#: Names of the integration methods, by the words of the file.
 METHODS = {"taylor": "Taylor series", "gauss": "Gauss–Legendre collocation"}
 
 

@@ -1,4 +1,4 @@
-"""The trajectory of an unfinished study, kept in its folder so that it is integrated only once."""
+"""The trajectory of an unfinished study, stored so that it can be resumed."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _DIGITS = 50
 
 
 def trajectory_digest(study: Study, pieces: int) -> str | None:
-    """A digest of everything on which a trajectory depends; None where something has no digest.
+    """A digest of all that determines a trajectory; None if a part has no digest.
 
     Parameters
     ----------
@@ -78,7 +78,7 @@ def store_trajectory(path: Path, key: str | None, trajectory: Trajectory) -> Non
 
 
 def read_trajectory(path: Path, key: str | None, study: Study) -> Trajectory | None:
-    """The trajectory of a study that was stored with this digest; None if there is none.
+    """The trajectory that was stored with a digest; None if there is none.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Whether a study may be written to a folder: a new one, or its own where it was interrupted."""
+"""The folder of a study: new, or that of an interrupted study."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ def _plain(number: SupportsFloat) -> float | str:
 
 
 def summary_text(system: System, trajectory: Trajectory, facts: dict[str, Any]) -> str:
-    """The same for a reader."""
+    """The facts of a run as lines of text."""
     lines = [
         f"{system.title}: t = {trajectory.times[0]} … {facts['time']}, {facts['steps']} "
         f"steps of order {facts['order']} in {facts['seconds']:.3g} s"

@@ -99,7 +99,7 @@ def write_study(
 
 
 def _trajectory(study: Study, path: Path, pieces: int, report: Report) -> Trajectory:
-    """The trajectory that an interrupted study has left, or else the motion integrated."""
+    """The trajectory of the interrupted study, or else the motion integrated."""
     key = trajectory_digest(study, pieces)
     stored = read_trajectory(path, key, study)
     if stored is not None:

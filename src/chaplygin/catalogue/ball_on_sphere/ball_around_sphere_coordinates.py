@@ -145,7 +145,7 @@ def _energy(first: int, second: int) -> sp.Expr:
 
 
 def _momentum(first: int, second: int) -> sp.Expr:
-    """The same of M², M = Jω − d n (n, ω)."""
+    """The momentum integral M², M = Jω − d n (n, ω)."""
 
     def component(which: int, i: int) -> sp.Expr:
         a = A.symbols[i]

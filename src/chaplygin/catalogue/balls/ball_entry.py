@@ -1,4 +1,4 @@
-"""How a homogeneous ball on a surface enters the catalogue."""
+"""Entries of homogeneous balls on surfaces in the catalogue."""
 
 from __future__ import annotations
 

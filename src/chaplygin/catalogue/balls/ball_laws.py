@@ -1,4 +1,4 @@
-"""What is known of a homogeneous ball on a given surface, besides energy and measure.
+"""Laws of a homogeneous ball on a given surface, besides energy and measure.
 
 In the integrals n is the normal towards the ball, σ = (ω, n), and ℓ = |∇f| of the surface on which
 the centre moves.  A marble ball is a particle of mass m̃ = m + μ/b² with a further gyroscopic
@@ -59,7 +59,7 @@ def _upright(ball: RollingBall) -> bool:
 
 
 def _axis_of_revolution(ball: RollingBall) -> tuple[sp.Expr, ...] | None:
-    """What must vanish for nothing to change by turns about the axis; None if it does change."""
+    """Conditions for symmetry about the axis; None if there is no such symmetry."""
     if not _upright(ball):
         return None
     match ball.surface:

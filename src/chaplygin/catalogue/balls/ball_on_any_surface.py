@@ -1,4 +1,4 @@
-"""What holds for a homogeneous ball on every surface: laws with f and the forces unspecified.
+"""Laws of a homogeneous ball on every surface, with f and forces unspecified.
 
 A rubber ball moves like a particle of mass m̃ = m + μ/b² on the surface of its centre
 (Proposition 3), a marble ball like one on which its spin σ = (ω, n) acts besides,

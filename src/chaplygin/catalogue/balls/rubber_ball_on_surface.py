@@ -45,7 +45,7 @@ FORCE = constant([sp.Function(f"F_{i}")(*R.symbols, *omega.symbols) for i in (1,
 
 
 def laws() -> tuple[Law, ...]:
-    """What holds on every surface and under every force."""
+    """The laws that hold on every surface and under every force."""
     heavier = m + mu / b**2
     push = -dot(F, n) - heavier * dot(v, rate(n))
     return (

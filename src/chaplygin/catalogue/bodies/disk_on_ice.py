@@ -143,7 +143,7 @@ ENERGY = HALF * m * (V**2 + R**2 * omega_xi**2) + HALF * dot(L, omega) + m * g *
 
 
 def _gain(area: sp.Expr, spin: sp.Expr) -> sp.Expr:
-    """How much V falls short of its constant, for given (Iω, γ) and ω₃."""
+    """The difference of V from its constant, for given (Iω, γ) and ω₃."""
     across = sp.log((1 - gamma_3) / (1 + gamma_3))
     return R / (2 * I_1) * (area * across - I_3 * spin * sp.log(1 - gamma_3**2))
 

@@ -185,7 +185,7 @@ def _with_all_laws(chi: tuple[sp.Expr, sp.Expr], potential: sp.Expr = POTENTIAL)
 
 
 def rolled(gravity: float = 0.0) -> System:
-    """The same, as the mechanics of any rolling body gives it; its I_2 is a symbol of its own."""
+    """The body from the equations of any rolling body, with I_2 as a symbol."""
     body = Body(1.0, (0.3, 0.3, 0.2), Revolution(1 + g_3**2 / 4))
     field = Forces(gravity, POTENTIAL)
     system = Rolling(body, contact="rubber", field=field).system("rubber-body-of-revolution")

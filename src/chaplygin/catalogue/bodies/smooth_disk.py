@@ -73,7 +73,7 @@ def _derivative_along(vector: MatrixExpr, velocity: MatrixExpr) -> MatrixExpr:
 
 
 def _hamiltonian_laws() -> tuple[Law, ...]:
-    """What holds for every body: energy, area, volume, bracket and Hamiltonian form."""
+    """The laws of every body: energy, area, volume, bracket, Hamiltonian form."""
     structure = PoissonStructure(
         "bracket",
         lie_poisson(M, gamma),

@@ -24,7 +24,7 @@ def build(p: Numbers) -> Rolling:
 
 
 def build_on_sphere(p: Numbers) -> Rolling:
-    """The same ball on a sphere of signed radius a."""
+    """The ball on a sphere of signed radius a."""
     return replace(build(p), surface=Sphere(p["a"]))
 
 

@@ -55,7 +55,7 @@ def in_bruns_field(p: Numbers) -> Rolling:
 
 
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
-    """What holds in every potential; and the square of the momentum without one or with Bruns'."""
+    """The laws in every potential, and M² without one or in Bruns' field."""
     body = rolling.body
     balanced = isinstance(body.shape, Ball) and not any(body.shape.centre)
     if not (balanced and rolling.surface == Plane() and rolling.contact == "marble"):

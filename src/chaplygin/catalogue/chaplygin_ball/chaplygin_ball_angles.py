@@ -118,7 +118,7 @@ def ball_in_angles(rotors: MatrixExpr = zero) -> System:
 
 
 def in_space(system: System) -> System:
-    """The same with ψ and the place x, y of the centre, rolling without slipping.
+    """A system with ψ and the position x, y of the centre, rolling without slipping.
 
     The axes of space are definitions ``alpha``, ``beta`` besides ``gamma``, body axes.
     """

@@ -102,7 +102,7 @@ def equations(numbers: Numbers, potential: sp.Expr = sp.S.Zero) -> System:
 
 
 def _always(potential: sp.Expr = sp.S.Zero) -> tuple[Law, ...]:
-    """What holds for every axis."""
+    """The laws that hold for every axis."""
     half = sp.Rational(1, 2)
     kinetic = half * dot(J * omega, omega) - half * D * s**2
     return (

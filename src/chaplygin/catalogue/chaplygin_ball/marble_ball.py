@@ -67,7 +67,7 @@ def ball(numbers: Numbers, force: MatrixExpr, *further: Parameter) -> System:
 
 
 def laws() -> tuple[Law, ...]:
-    """What holds under every force."""
+    """The laws that hold under every force."""
     heavier = m + mu / b**2
     return (
         Integral("height", R.symbols[2], "height of the centre", source="§2.2", unit="m"),

@@ -25,7 +25,7 @@ MOMENTUM_UNIT = chaplygin_ball.MOMENTUM_UNIT
 
 
 def build(p: Numbers) -> Rolling:
-    """The same ball, kept from spinning."""
+    """The Chaplygin ball with rubber contact."""
     return replace(chaplygin_ball.build(p), contact="rubber")
 
 

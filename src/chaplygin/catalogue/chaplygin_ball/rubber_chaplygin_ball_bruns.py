@@ -22,7 +22,7 @@ def build(p: Numbers) -> Rolling:
 
 
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
-    """What is known of the ball in a potential, and the isomorphism onto the Veselova system."""
+    """Laws of the ball in a potential, and the isomorphism to the Veselova system."""
     known = rubber_chaplygin_ball.laws(rolling, system)
     if not known or bruns_factor(rolling.field.potential) != veselova.K:
         return known

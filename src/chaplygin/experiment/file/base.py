@@ -1,4 +1,4 @@
-"""What all kinds of experiment have: a title, the text they were read from, places in it."""
+"""The base of all experiments: a title, the source text and places in it."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ __all__ = ["ExperimentBase"]
 
 
 class ExperimentBase(Table):
-    """What all kinds of experiment have.
+    """The base of all experiments.
 
     Two experiments are equal when their tables are, wherever they were read from.
     """
 
     title: str | None = Field(default=None, description="a text in quotes", min_length=1)
-    """What reports and figures call it."""
+    """The title in reports and figures."""
 
     _source: Source = PrivateAttr(Source("<experiment>", ""))
 
@@ -37,7 +37,7 @@ class ExperimentBase(Table):
 
     @property
     def text(self) -> str:
-        """The text it was read from, before overrides; its own TOML if it was made in Python."""
+        """The text of its file before overrides, or its own TOML if it has no file."""
         return self._source.text or self.toml()
 
     @property
@@ -46,7 +46,7 @@ class ExperimentBase(Table):
         return self._source.overrides
 
     def has(self, *key: str) -> bool:
-        """Whether there is such a key, such as ``has("body", "mass")``, given or by default."""
+        """Whether a key such as ``has("body", "mass")`` is given or has a default."""
         table: object = self.model_dump()
         for part in key:
             if not isinstance(table, Mapping) or part not in table:
@@ -59,7 +59,7 @@ class ExperimentBase(Table):
         return self._source.path(option)
 
     def where(self, *key: str) -> str:
-        """The place of a key, such as ``where("body", "mass")``, for the message of an error."""
+        """The place of a key in the file, such as ``where("body", "mass")``."""
         return self._source.where(key)
 
     @contextmanager

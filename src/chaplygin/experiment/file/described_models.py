@@ -1,4 +1,4 @@
-"""The experiments whose file describes the mechanics itself: a Lagrangian, or equations."""
+"""Experiments whose file describes the mechanics: a Lagrangian, or equations."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ __all__ = ["EquationsExperiment", "MechanismExperiment", "OwnExperiment"]
 
 
 class OwnExperiment(ExperimentBase):
-    """What all systems of the user's own have; the start is given by the names of the state."""
+    """The base of systems of the user's own, whose start is given by their state."""
 
     summary: str = Field(default="", description="a text in quotes")
     """One or two sentences on what moves, for reports."""

@@ -1,4 +1,4 @@
-"""The tables of a file that brings a system of the user's own: a Lagrangian, or equations.
+"""The tables of a file with a Lagrangian or with equations of motion.
 
 Formulas are kept as they are typed; :mod:`chaplygin.experiment.mechanism` reads them, once all
 names are known.  The description of a field completes the sentence "… must be".
@@ -64,7 +64,7 @@ NumberValue = Annotated[float | tuple[float, ...], PlainValidator(_number)]
 
 
 class _ValueWithNotes(Table):
-    """A value with notes; without notes the value alone stands for the table, as in ``m = 1.0``."""
+    """A value with meaning and unit, or the value alone, as in ``m = 1.0``."""
 
     @model_validator(mode="before")
     @classmethod
@@ -98,7 +98,7 @@ class NumberTable(_ValueWithNotes):
 
 
 class MeaningTable(Table):
-    """What a variable of the state means."""
+    """Meaning and unit of a variable of the state."""
 
     meaning: Text = Field(description="a text in quotes")
     unit: Text = Field(default="", description="a text in quotes")
@@ -115,7 +115,7 @@ class LawTable(_ValueWithNotes):
 
 
 class LawsTable(Table):
-    """What is claimed of the system, to be proved or refuted."""
+    """The laws that are claimed of the system, to be proved or refuted."""
 
     integrals: dict[str, LawTable] = Field(default={}, description="a table of named formulas")
     measures: dict[str, LawTable] = Field(default={}, description="a table of named formulas")
@@ -150,7 +150,7 @@ _Pose = tuple[Text, Text, Text]
 
 
 class PlanTable(Table):
-    """What is drawn of the mechanism in the plane; lengths in the unit of x and y."""
+    """The drawing of the mechanism in the plane; lengths in the unit of x and y."""
 
     path: _Place = Field(default=("x", "y"), description=PLACE)
     """The place whose path is drawn."""
@@ -180,7 +180,7 @@ class FrameTable(Table):
     )
     """The group by which a frame moves fewer coordinates than it has velocities."""
     commutators: Formulas = Field(default={}, description="a table of named formulas")
-    """The same by itself: ``"u, v" = "2*w"`` where [E_u, E_v] = 2 E_w."""
+    """The structure by commutators: ``"u, v" = "2*w"`` where [E_u, E_v] = 2 E_w."""
 
     @model_validator(mode="after")
     def _rates_and_velocities(self) -> Self:
@@ -211,7 +211,7 @@ class LagrangianTable(Table):
 
 
 class ConstraintsTable(Table):
-    """What vanishes: formulas with velocities, and formulas without."""
+    """The formulas that vanish, with velocities and without."""
 
     velocity: Texts = Field(default=(), description=FORMULAS)
     position: Texts = Field(default=(), description=FORMULAS)

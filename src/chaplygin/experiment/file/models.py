@@ -192,7 +192,7 @@ def _read(source: Source) -> Experiment:
     return experiment
 
 
-#: Where the parameters of a system stand, besides those of the catalogue.
+#: The tables with parameters of a system, besides those of the catalogue.
 _PARAMETERS: tuple[Key, ...] = (
     ("parameters",),
     ("body", "shape", "parameters"),
@@ -218,7 +218,7 @@ def _short(source: Source) -> dict[str, Key]:
 
 
 def _no_keys(tables: Tables, model: type[Experiment], source: Source) -> dict[Key, str]:
-    """What options without a table name that is neither a key nor a parameter."""
+    """Mistakes in options without a table that name neither a key nor a parameter."""
     wrong: dict[Key, str] = {}
     for option in source.overrides:
         (name, *below), value = source.path(option), option.partition("=")[2].strip()
@@ -263,7 +263,7 @@ def _check_one_description(tables: Tables, source: Source) -> None:
 
 
 def _own_model(tables: Tables) -> type[Experiment]:
-    """What is described without the catalogue."""
+    """The kind of experiment that tables without a system of the catalogue describe."""
     if "equations" in tables:
         return EquationsExperiment
     if "body" not in tables and tables.keys() & {"frame", "lagrangian", "constraints"}:

@@ -1,4 +1,4 @@
-"""The names of a file that brings a system of its own, and the formulas written in them."""
+"""The names that a user's file declares, and the formulas written in them."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def components(named: Named) -> tuple[sp.Symbol, ...]:
 
 @dataclass(frozen=True)
 class Names:
-    """What a file has named so far; formulas know these names, and ``t``.
+    """The names that a file has declared so far; formulas know these, and ``t``.
 
     Parameters
     ----------

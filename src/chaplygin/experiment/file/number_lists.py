@@ -45,7 +45,7 @@ def _finite(value: object) -> float | None:
 
 
 def _decimal(value: object) -> str:
-    """What to write instead of a formula such as ``pi/2``."""
+    """The decimals to be written instead of a formula such as ``pi/2``."""
     if not isinstance(value, str):
         return ""
     try:

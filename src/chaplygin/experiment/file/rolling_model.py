@@ -19,7 +19,7 @@ from .tables import (
 
 __all__ = ["RollingExperiment"]
 
-#: What a file without any description is asked for.
+#: The description that a file needs.
 BODY = "a table [body], or [system], [lagrangian] or [equations] instead of it"
 
 
@@ -75,7 +75,7 @@ class RollingExperiment(ExperimentBase):
 
 
 def _misfit(shape: ShapeTable, surface: SurfaceTable) -> str | None:
-    """Why a body certainly cannot roll on a surface, if so."""
+    """The reason why a body certainly cannot roll on a surface, if there is one."""
     radius = surface.radius if isinstance(surface, SphereTable) else None
     if isinstance(shape, BallTable) and shape.hollow:
         if radius is None or radius < 0:

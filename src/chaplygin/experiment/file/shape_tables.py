@@ -34,11 +34,11 @@ __all__ = [
 
 
 class _ShapeTable(FormulaTable):
-    """What all shapes have: where the geometric centre lies."""
+    """The keys that all shapes have: the position of the geometric centre."""
 
     shape_class: ClassVar[type[Shape]]
     shape_name: ClassVar[str]
-    """What titles call it."""
+    """The name of the shape in titles."""
 
     kind: str
     centre: Vector = Field(default=(0.0, 0.0, 0.0), description=THREE)
@@ -111,7 +111,7 @@ class DiskTable(_ShapeTable):
 
 
 class TorusTable(_ShapeTable):
-    """A ring about body axis 3: tubes of radius `tube` around a circle of radius `radius`."""
+    """A ring about body axis 3: tubes around a circle of radius `radius`."""
 
     shape_class = Torus
     shape_name = "Disk with a rounded edge"
@@ -163,7 +163,7 @@ class RevolutionTable(_ShapeTable):
 
 
 class ImplicitTable(_ShapeTable):
-    """A smooth convex body f(x, y, z) = 0, negative inside; coordinates from its centre."""
+    """A smooth convex body f(x, y, z) < 0, in coordinates from its centre."""
 
     shape_class = Implicit
     shape_name = "Convex body"

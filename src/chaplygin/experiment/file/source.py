@@ -1,4 +1,4 @@
-"""The text of an experiment file, the options that override it, and places in both."""
+"""The text of an experiment file, its overriding options, and places in both."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]")
 
 @dataclass(frozen=True)
 class Source:
-    """Where an experiment was read from.
+    """The file and the options from which an experiment was read.
 
     Attributes
     ----------
@@ -65,7 +65,7 @@ class Source:
         return tables
 
     def _require_print(self, key: Key, value: object) -> None:
-        """Refuse keys and texts with characters that would command a terminal or end a text."""
+        """Refuse keys and texts with control characters."""
         match value:
             case dict():
                 for part, inner in value.items():
@@ -119,7 +119,7 @@ class Source:
         return ", ".join(part for part in parts if part)
 
     def line(self, key: Key) -> int:
-        """The line of a key in the text, or of the table it belongs to; 0 if neither is there."""
+        """The line of a key in the text, or else of its table; 0 if there is neither."""
         lines = (self._lines.get(key[:length], 0) for length in range(len(key), 0, -1))
         return next((line for line in lines if line), 0)
 

@@ -1,4 +1,4 @@
-"""Tables of an experiment file: immutable, and without unknown keys; those with formulas.
+"""Tables of an experiment file, immutable and without unknown keys.
 
 The description of a field completes the sentence "… must be", in errors and in documentation.
 Units are SI, angles in radians.
@@ -29,7 +29,7 @@ FORMULA = "a formula in quotes"
 
 
 class Table(BaseModel):
-    """A table of the file: immutable, without unknown keys and without infinite numbers."""
+    """A table of the file: immutable, without unknown keys or infinite numbers."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 

@@ -1,4 +1,4 @@
-"""The tables of an experiment file: which keys each has, what they mean and what they allow.
+"""The tables of an experiment file: their keys, meanings and allowed values.
 
 The description of a field completes the sentence "… must be", in errors and in documentation.
 Units are SI, angles in radians.
@@ -79,7 +79,7 @@ class PlaneTable(Table):
 
 
 class SphereTable(Table):
-    """A sphere about the origin of space; the body rolls on its outside, or inside a bowl."""
+    """A sphere about the origin of space, with the body outside or inside."""
 
     kind: Literal["sphere"] = "sphere"
     radius: Number = Field(description="a finite number, positive outside and negative inside")
@@ -96,7 +96,7 @@ SurfaceTable = PlaneTable | SphereTable
 
 
 class ContactTable(Table):
-    """The contact: ``marble`` does not slip, ``rubber`` does not spin about the normal either."""
+    """The contact: ``marble`` does not slip, ``rubber`` does not spin either."""
 
     model: Literal["marble", "rubber"] = Field(default="marble", description='"marble" or "rubber"')
 
@@ -123,14 +123,14 @@ class FieldTable(FormulaTable):
 
 
 class SystemTable(Table):
-    """A system of the catalogue and the parameters in which it differs from its defaults."""
+    """A system of the catalogue, with parameters that differ from its defaults."""
 
     name: str = Field(description="the name of a system, in quotes", min_length=1)
     parameters: dict[str, Number] = Field(default={}, description="a table of named numbers")
 
 
 class _StartTable(Table):
-    """How the body stands and turns at the start."""
+    """Orientation and angular velocity of the body at the start."""
 
     gamma: Vector | None
     """Outward normal of the surface at the contact, body axes; any length."""
@@ -164,7 +164,7 @@ class SystemStartTable(_StartTable):
 
 
 def _state_value(value: object) -> float | tuple[float, ...]:
-    """A number, or numbers in brackets; which of both a variable needs, its system says."""
+    """A number, or numbers in brackets, as the variable of the system needs."""
     return given_numbers(value, STATE)
 
 
@@ -173,7 +173,7 @@ StateTable = dict[str, Annotated[float | tuple[float, ...], PlainValidator(_stat
 
 
 class _RunTable(Table):
-    """How the motion is computed."""
+    """The keys of all computations of a motion."""
 
     until: float | None
     """Duration, also of a computation backward in time."""
@@ -196,7 +196,7 @@ class _RunTable(Table):
     )
     """Of time."""
     on_liftoff: Literal["stop", "warn"] = Field(default="stop", description='"stop" or "warn"')
-    """What to do when the normal force falls to zero."""
+    """The reaction when the normal force falls to zero."""
     keep_integrals: StrictBool = Field(default=False, description="true or false")
     """Whether the solution is projected on its integrals, and not on the constraints alone."""
     time_limit: Positive | None = Field(default=None, description="a positive number of seconds")
@@ -229,13 +229,13 @@ class _RunTable(Table):
 
 
 class RunTable(_RunTable):
-    """How the motion of a rolling body is computed."""
+    """The computation of the motion of a rolling body."""
 
     until: Positive = Field(default=10.0, description="a positive finite time")
 
 
 class SystemRunTable(_RunTable):
-    """How the motion of a system of the catalogue is computed."""
+    """The computation of the motion of a system of the catalogue."""
 
     until: Positive | None = Field(default=None, description="a positive finite time")
     """Duration; None for the one that the catalogue suggests."""

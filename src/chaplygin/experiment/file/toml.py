@@ -1,4 +1,4 @@
-"""TOML as text: on which line a key stands, and how a table is written for people to read."""
+"""TOML as text: the lines of its keys, and tables written to be read."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def key_lines(text: str) -> dict[Key, int]:
 
 
 def _statements(text: str) -> Iterator[tuple[int, str]]:
-    """Each table header, and each key with its ``=``, with the number of the line it begins on."""
+    """Each table header and each key with its ``=``, by the number of its line."""
     line, begun, depth = 1, 1, 0
     head, in_value = "", False
     for match in _TOKEN.finditer(text):
@@ -97,7 +97,7 @@ def _path(statement: str) -> Key:
 
 
 def dumps(tables: Mapping[str, object]) -> str:
-    """Write nested tables of numbers, truth values, texts and arrays of numbers as TOML.
+    """TOML of nested tables with numbers, truth values, texts and arrays of numbers.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What pydantic found wrong, told to the user: the key and one sentence."""
+"""Mistakes found by pydantic, as the key and one sentence each."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def _short(text: str) -> str:
 
 @dataclass(frozen=True)
 class _Place:
-    """A key, the table it belongs to and its description there, or what a named value is."""
+    """A key with its table and its description there, or a value by its name."""
 
     key: Key
     owner: type[BaseModel] | None = None
@@ -93,7 +93,7 @@ class _Place:
 
     @property
     def allowed(self) -> str:
-        """What may stand here, in words."""
+        """The values that are allowed here, in words."""
         if self.field:
             return str(self.field.description)
         if _is_table(self.table):
@@ -103,7 +103,7 @@ class _Place:
 
 
 def _locate(model: type[BaseModel], steps: tuple[int | str, ...]) -> _Place:
-    """Follow pydantic's path, which also holds the kinds of tables and the places in arrays."""
+    """The place to which a path of pydantic leads."""
     place = _Place(())
     table: object = model
     for step in map(str, steps):

@@ -31,7 +31,7 @@ _TIME_STEPS = 96
 
 
 class Canvas:
-    """A sheet of paper on which space is seen from `view`; later strokes cover earlier ones."""
+    """A sheet of paper on which space is seen from `view`."""
 
     def __init__(self, axes: Axes, view: View) -> None:
         self.axes = axes
@@ -134,7 +134,7 @@ class Canvas:
         )
 
     def image(self, colours: FloatArray, extent: tuple[float, float, float, float]) -> None:
-        """Lay an image (rows, columns, 4) on paper, its first row lowest; bare borders are cut."""
+        """Draw an image (rows, columns, 4), its first row lowest."""
         rows, columns = (np.flatnonzero(colours[..., 3].any(axis=a)) for a in (1, 0))
         if not len(rows):
             return
@@ -189,7 +189,7 @@ def _polygons(corners: FloatArray) -> Path:
 
 
 def visible_pieces(curve: SurfaceCurve, view: View, side: float) -> list[FloatArray]:
-    """Pieces of a curve on the outer (`side` 1) or inner (-1) side that the reader sees."""
+    """Visible pieces of a curve on the outer (`side` 1) or inner (-1) side."""
     seen = view.faces_reader(side * curve.normals)
     return [curve.points[run] for run in runs(seen[1:] & seen[:-1])]
 
@@ -202,14 +202,14 @@ def timed_on_surface(
     width: float,
     alpha: float,
 ) -> None:
-    """Draw, in the colours of time, what the reader sees of a curve on one side of a surface."""
+    """Draw the visible part of a curve on a surface in the colours of time."""
     seen: BoolArray = sheet.view.faces_reader(side * curve.normals)
     for run in runs(seen[1:] | seen[:-1]):
         sheet.timed(curve.points[run], fractions[run], width, alpha)
 
 
 def mark_ends(sheet: Canvas, curve: SurfaceCurve, side: float) -> None:
-    """Mark the start of a curve by a ring and its end by a dot, pale where they are hidden."""
+    """Mark the ends of a curve by a ring and a dot, pale where they are hidden."""
     mark_start(sheet, curve, side)
     seen = sheet.view.faces_reader(side * curve.normals[-1])
     last = to_hex(TIME_COLOURS(1.0)) if seen else "#b3aabd"
@@ -217,7 +217,7 @@ def mark_ends(sheet: Canvas, curve: SurfaceCurve, side: float) -> None:
 
 
 def mark_start(sheet: Canvas, curve: SurfaceCurve, side: float) -> None:
-    """Mark the start of a curve on one side of a surface by a ring, pale where it is hidden."""
+    """Mark the start of a curve on a surface by a ring, pale where it is hidden."""
     seen = sheet.view.faces_reader(side * curve.normals[0])
     sheet.dot(curve.points[0], "white" if seen else "none", INK if seen else QUIET, 4.5)
 
@@ -225,7 +225,7 @@ def mark_start(sheet: Canvas, curve: SurfaceCurve, side: float) -> None:
 def time_bar(
     figure: Figure, dataset: xr.Dataset, span: tuple[float, float], place: tuple[float, float]
 ) -> None:
-    """The colours of time between its first and last instant; `place` in inches, lower left."""
+    """Draw the scale of the colours of time, at `place` in inches."""
     width, height = figure.get_size_inches()
     units = unit_of(dataset, "time")
     start, end = _instants(span)
@@ -258,7 +258,7 @@ def time_bar(
 
 
 def _instants(span: tuple[float, float]) -> tuple[str, str]:
-    """Two instants, written with as many decimals as make three digits of the larger one."""
+    """Two instants in decimals, with three digits of the larger one."""
     largest = max(map(abs, span))
     if not 1e-3 <= largest < 1e5:
         return f"{span[0]:.3g}", f"{span[1]:.3g}"

@@ -12,7 +12,7 @@ from .view import unit
 
 
 def convex_hull(points: FloatArray) -> FloatArray:
-    """Corners (k, 2), anticlockwise, of the smallest convex polygon around points (n, 2).
+    """Corners (k, 2) of the convex hull of points (n, 2), anticlockwise.
 
     Points on one line give its two ends, points at one place that place.
     """
@@ -35,7 +35,7 @@ def convex_hull(points: FloatArray) -> FloatArray:
 
 
 def cut_by_plane(polygon: FloatArray, normal: FloatArray) -> FloatArray:
-    """The part of a polygon (k, 3) on the side of `normal` of a plane through the origin."""
+    """The part of a polygon (k, 3) on one side of a plane through the origin."""
     side = polygon @ normal
     corners: list[FloatArray] = []
     for index in range(len(polygon)):

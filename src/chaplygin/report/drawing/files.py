@@ -48,7 +48,7 @@ _PROLOG = '<?xml version="1.0" encoding="utf-8"?>\n'
 
 
 def save(figure: Figure, path: str | FilePath) -> FilePath:
-    """Write a figure to a file, in the format its name ends with; the same bits every time.
+    """Write a figure in the format of the file name, with the same bits every time.
 
     Parameters
     ----------
@@ -163,7 +163,7 @@ def _make_narrow(figure: Figure) -> None:
 
 
 def _stack(figure: Figure, panels: list[Axes]) -> float:
-    """Put panels that stand side by side below each other; how much higher they are then."""
+    """Put panels below each other; the added height."""
     specs = [spec for axes in panels if (spec := axes.get_subplotspec())]
     columns = {spec.colspan.start for spec in specs}
     if len(panels) < 2 or len(specs) < len(panels) or len({s.get_gridspec() for s in specs}) > 1:
@@ -189,14 +189,14 @@ def _widen_margins(figure: Figure, larger: float) -> None:
 
 
 def _is_long(figure: Figure, axes: Axes) -> bool:
-    """Whether axes have a key of so many or so long lines that it needs the width of a page."""
+    """Whether axes have a legend that needs the width of a page."""
     legend = axes.get_legend() or next(iter(figure.legends), None)
     lines = [] if legend is None else [text.get_text() for text in legend.get_texts()]
     return max(map(len, lines), default=0) > _LONG
 
 
 def _share(figure: Figure, axes: Axes, legend: Legend) -> float:
-    """How much of a legend's width its axes have, 1 at most."""
+    """The share of a legend's width that its axes have, 1 at most."""
     figure.draw_without_rendering()
     room = axes.get_window_extent().width
     return min(1.0, float(room / legend.get_window_extent().width))

@@ -54,7 +54,7 @@ class Facets:
 
 @dataclass(frozen=True, eq=False)
 class SurfaceCurve:
-    """A curve on a surface, with the outward unit normals that tell where it can be seen.
+    """A curve on a surface, with the outward unit normals of the surface.
 
     Attributes
     ----------
@@ -68,7 +68,7 @@ class SurfaceCurve:
 
 @dataclass(frozen=True, eq=False)
 class BodyMesh:
-    """The drawn body: a closed convex mesh in body axes, the centre of mass at the origin.
+    """A body as a closed convex mesh in body axes, its centre of mass at the origin.
 
     Attributes
     ----------
@@ -106,7 +106,7 @@ class BodyMesh:
         return Facets(self.vertices[self.faces], self.normals, self.tones)
 
     def placed(self, rotation: FloatArray, centre: FloatArray) -> BodyMesh:
-        """The same body in space.
+        """The body in space.
 
         Parameters
         ----------
@@ -131,7 +131,7 @@ class BodyMesh:
 def outline_from_contact(
     contact_of_gamma: Callable[[FloatArray], FloatArray], rows: int = 48, columns: int = 96
 ) -> BodyMesh:
-    """Mesh of a strictly convex body, or of one whose flat faces are square to body axis 3.
+    """Mesh of a strictly convex body, or of one with flat faces normal to axis 3.
 
     The contact vector is sampled on a grid of directions with its poles on body axis 3. Grid
     lines are added where neighbouring points of the surface lie farthest apart, so that sharp
@@ -184,7 +184,7 @@ def _direction(theta: FloatArray, phi: FloatArray) -> FloatArray:
 
 
 def _even_steps(nodes: FloatArray, sample: Callable[[float], FloatArray], count: int) -> FloatArray:
-    """About `count` steps over the given nodes, kept, along which the surface changes evenly.
+    """About `count` steps over given nodes, along which the surface changes evenly.
 
     A step is as wide as the largest distance between the points `sample` gives at its ends. The
     widest is halved again and again; then the steps between two of the nodes are made alike.
@@ -217,7 +217,7 @@ def _even_steps(nodes: FloatArray, sample: Callable[[float], FloatArray], count:
 
 
 def _with_thickness(points: FloatArray, outward: FloatArray) -> FloatArray:
-    """Move the two sides of a body with no thickness along axis 3 apart; leave others alone."""
+    """Points of a body without thickness, its two sides moved apart along axis 3."""
     across = float(np.max(np.ptp(points[..., :2], axis=(0, 1))))
     if float(np.ptp(points[..., 2])) >= _FLAT_THICKNESS * across / 2:
         return points

@@ -12,7 +12,7 @@ from .curves import convex_hull
 from .view import View, unit
 
 _WRAP = 0.4
-"""How far the lamp reaches round a body: the cosine, negated, of where the darkest side begins."""
+"""The negative cosine of the angle to the lamp at which the darkest side begins."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Figures of a trajectory: the rolling body, its paths, its motion in time, its conserved laws.
+"""Figures of a trajectory: body, paths, motion in time, conserved quantities.
 
 Every figure is a function of a trajectory's dataset (and, for the drawn body, of its outline and
 of what it rolls on) and returns a `matplotlib.figure.Figure`; nothing global is touched. Needed
@@ -105,7 +105,7 @@ def all_figures(
 
 
 def _forces(dataset: xr.Dataset, weight: float | None) -> dict[str, Figure]:
-    """What the surface does to the body, where it does anything."""
+    """The figures of the contact forces, if there are any."""
     figures: dict[str, Figure] = {}
     if "normal_force" in dataset and presses(dataset):
         figures["normal_force"] = normal_force(dataset, weight)
@@ -117,7 +117,7 @@ def _forces(dataset: xr.Dataset, weight: float | None) -> dict[str, Figure]:
 def state_figures(
     dataset: xr.Dataset, names: Sequence[str], recorded: Sequence[str] = ()
 ) -> dict[str, Figure]:
-    """The figures of a system that is no body with ω and γ: its state in time, and the drift.
+    """The figures of a system without ω and γ: its state in time, and the drift.
 
     Parameters
     ----------
@@ -149,7 +149,7 @@ def ball_figures(
     names: Sequence[str],
     weight: float | None = None,
 ) -> dict[str, Figure]:
-    """The figures of a homogeneous ball on a surface, whose state is given in space axes.
+    """The figures of a homogeneous ball on a surface.
 
     Parameters
     ----------

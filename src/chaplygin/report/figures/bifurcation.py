@@ -1,4 +1,4 @@
-"""A bifurcation diagram as a figure: regions with their tori, boundaries with their stability."""
+"""The figure of a bifurcation diagram: regions, tori, boundaries, stability."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def _axis_label(diagram: Diagram, number: int) -> str:
 
 
 def _less(diagram: Diagram, frame: Window) -> str:
-    """What is taken away from the ordinates."""
+    """The line that is subtracted from the ordinates, as a text."""
     if not frame.slope and not frame.offset:
         return ""
     slope, offset = (float(value) for value in (frame.slope, frame.offset))
@@ -125,7 +125,7 @@ def _line(axes: Axes, boundary: Boundary, lines: Mapping[int, Heights]) -> None:
 
 
 def _chained(pieces: Sequence[FloatArray]) -> list[FloatArray]:
-    """Pieces put together where one goes on from the end of another, so that dashes run on."""
+    """Pieces of curves joined at common ends, so that dashes continue."""
     curves: list[FloatArray] = []
     for piece in pieces:
         near = [n for n, other in enumerate(curves) if np.allclose(other[-1], piece[0], atol=1e-6)]

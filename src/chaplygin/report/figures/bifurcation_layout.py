@@ -1,4 +1,4 @@
-"""Where the parts of a bifurcation diagram lie on paper: window, lines, room for labels."""
+"""The layout of a bifurcation diagram: window, lines, room for labels."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ LABEL = (0.055, 0.026)
 
 @dataclass(frozen=True)
 class Window:
-    """The part of the plane that is shown, and the sloping line from which ordinates are taken.
+    """The drawn part of the plane, with the line from which ordinates are taken.
 
     Attributes
     ----------
@@ -44,13 +44,13 @@ class Window:
     offset: Fraction
 
     def drawn(self, place: Sequence[Fraction | float]) -> Place:
-        """Where a point of the plane is drawn."""
+        """The drawn position of a point of the plane."""
         x, y = map(float, place)
         return x, y - float(self.slope) * x - float(self.offset)
 
 
 def _base(diagram: Diagram) -> tuple[Fraction, Fraction]:
-    """Slope and offset of the line of the middle axis, from which a field's diagram is drawn.
+    """Slope and offset of the line of the middle axis.
 
     In a field the boundaries run close to each other along this line.  Without one they are rays
     that need no such help.
@@ -155,12 +155,12 @@ class Grid:
             self.members[np.outer(wide, tall)] = -1
 
     def of(self, regions: Sequence[Region]) -> BoolArray:
-        """Where some regions lie."""
+        """The points of the raster in some regions."""
         wanted = [n for n, region in enumerate(self.regions) if region in regions]
         return np.asarray(np.isin(self.members, wanted))
 
     def room(self, inside: BoolArray) -> FloatArray:
-        """How large a label each point has room for; 1 is just enough."""
+        """The size of the label that fits at each point; 1 just fits."""
         framed = np.pad(inside, 1)
         # in units of half a label
         steps = (1 / (GRID[0] * LABEL[0]), 1 / (GRID[1] * LABEL[1]))
@@ -174,7 +174,7 @@ class Grid:
 def places(
     grid: Grid, text: Sequence[Region], empty: Sequence[Region]
 ) -> dict[int, tuple[Place, Place | None]]:
-    """For every region a place inside and, where that is too narrow, one for its label outside.
+    """A point inside each region and, if that is too narrow, one for its label.
 
     Keys are the numbers of the regions; 0 is the one for the regions without motions.
     """

@@ -1,4 +1,4 @@
-"""The bifurcation diagram of a rubber body of revolution: energy against the linear integral."""
+"""The diagram of a rubber body of revolution: energy against linear integral."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The curve of a closed form over the real line, its roots and the ovals of the motion."""
+"""The curve of a closed form over the real line: roots, ovals, motion."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ TURNS = 9
 
 
 def closed_form(title: str, form: ClosedForm) -> Figure:
-    """The ovals of a curve y² = ∏ (z − root) on which the motion lives, and the motion on them.
+    """The ovals of a curve y² = ∏ (z − root) and the motion on them.
 
     Ovals are drawn to the same height, each in the shape that the curve has there.  A motion of
     two frequencies is drawn beside them on the square of its two phases, for some turns.

@@ -89,7 +89,7 @@ def drift(dataset: xr.Dataset) -> Figure:
 
 
 def relative_drift(dataset: xr.Dataset, name: str) -> FloatArray:
-    """How far a conserved quantity has moved from its first value, relative to that value.
+    """The change of a conserved quantity relative to its first value.
 
     A quantity that starts at zero but for rounding has no scale of its own; its drift is given
     as it is. Trajectories of 34 digits count with all of them.
@@ -115,7 +115,7 @@ def relative_drift(dataset: xr.Dataset, name: str) -> FloatArray:
 
 
 def _starts_at_zero(values: FloatArray) -> bool:
-    """Whether the first value is zero but for rounding: tiny, and lost among the changes.
+    """Whether the first value is zero but for rounding.
 
     Tiny alone would not do: the squared momentum of a coin is 1e-10 in SI units.
     """

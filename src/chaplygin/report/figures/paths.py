@@ -170,7 +170,7 @@ def normal_on_sphere(dataset: xr.Dataset) -> Figure:
 
 
 def _view_of_most(normals: FloatArray) -> View:
-    """Of eight views, one from the middle of each octant, that which shows most of a curve."""
+    """The view from the middle of an octant that shows most of a curve."""
     views = [
         View(np.radians(azimuth), elevation)
         for azimuth in (42.0, 132.0, 222.0, 312.0)
@@ -180,7 +180,7 @@ def _view_of_most(normals: FloatArray) -> View:
 
 
 def _draw_axes(sheet: Canvas, behind: bool) -> None:
-    """The three body axes outside the unit sphere, those that point away or towards the reader."""
+    """Draw those body axes that point away from the reader, or towards the reader."""
     for axis, direction in enumerate(np.eye(3)):
         if bool(sheet.view.depth(direction) < 0.0) == behind:
             colour = "#a3afba" if behind else "#56636f"

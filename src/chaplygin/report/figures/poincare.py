@@ -1,4 +1,4 @@
-"""Points of a section: in a plane, or in space from two sides above its three projections."""
+"""The points of a section in a plane, or in space with its projections."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ def draw_section(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
 
 
 def _drawn_returns(runs: int, count: int) -> IntArray:
-    """Which returns are drawn: all, or some by chance (every so manieth could miss a cycle)."""
+    """Numbers of the drawn returns, random ones if there are too many."""
     drawn = max(1, min(count, MOST // runs))
     if drawn == count:
         return np.arange(count)
@@ -191,7 +191,7 @@ def _space(
 
 
 def _key(figure: Figure, runs: int, count: int) -> None:
-    """What the colours mean: a dot for each start, or a bar of the number of the return."""
+    """Draw the meaning of the colours: starts, or the number of the return."""
     if 1 < runs <= len(KINDS):
         dots = [
             Line2D([], [], linestyle="", marker="o", markersize=4, color=c) for c in KINDS[:runs]

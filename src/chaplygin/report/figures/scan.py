@@ -42,7 +42,7 @@ EMPTY = ("#dde1e6", "#efc3ca", "#bfc6ce", "#f7e3e6")
 
 
 def chart(dataset: xr.Dataset, name: str | None = None) -> Figure:
-    """A chart as a picture: cells without a number are pale, and explained in the legend.
+    """A chart as a picture; cells without a number are pale.
 
     Parameters
     ----------
@@ -128,12 +128,12 @@ def _mark(bar: Colorbar, value: float, meaning: str) -> None:
 
 
 def _title(number: xr.DataArray) -> str:
-    """What the numbers are."""
+    """The meaning of the numbers."""
     return wrapped(str(number.attrs.get("long_name", number.name)))
 
 
 def _norm(values: FloatArray, mark: float | None) -> tuple[Normalize, str]:
-    """From numbers to colours, a mark among them, and at which ends there are numbers beyond."""
+    """The scale of the colours, and the ends beyond which there are numbers."""
     finite = values[np.isfinite(values)]
     low, high = np.quantile(finite, [BEYOND, 1 - BEYOND])
     if low == high:

@@ -75,7 +75,7 @@ def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
 
 
 def _kind(dataset: xr.Dataset, name: str) -> tuple[str, str]:
-    """What scalars of one panel have in common; a vector has nothing with any other variable."""
+    """Letter and unit that scalars of one panel have in common; unique for vectors."""
     if dataset[name].ndim > 1:
         return name, ""
     letter, bar, _ = name.partition("_")
@@ -112,7 +112,7 @@ def _curves(dataset: xr.Dataset, name: str) -> list[tuple[str, FloatArray]]:
 
 
 def _symbol(dataset: xr.Dataset, group: Sequence[str]) -> str:
-    """What stands at the axis: the vector, the scalar, or the letter that scalars share."""
+    """The symbol at the axis: a vector, a scalar, or the common letter of scalars."""
     name = group[0]
     if dataset[name].ndim > 1:
         return latex(Vector(name))

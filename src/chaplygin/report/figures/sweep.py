@@ -1,4 +1,4 @@
-"""A quantity along the motions of a sweep, a curve for each value of the parameter."""
+"""A quantity along the motions of a sweep, one curve for each parameter value."""
 
 from __future__ import annotations
 

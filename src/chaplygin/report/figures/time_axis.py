@@ -32,7 +32,7 @@ def time_chart(dataset: xr.Dataset, height: float, description: str) -> tuple[Fi
 
 
 def widen(axes: Axes, values: FloatArray) -> None:
-    """Limits with room around the values, also around values that are alike but for rounding."""
+    """Set limits with a margin around the values, also if they are almost equal."""
     finite = values[np.isfinite(values)]
     if not len(finite):
         return

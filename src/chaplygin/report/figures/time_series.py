@@ -142,7 +142,7 @@ def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:
 
 
 def friction_ratio(dataset: xr.Dataset) -> Figure:
-    """How large a coefficient of friction rolling needs: friction over normal force.
+    """The coefficient of friction that rolling needs, against time.
 
     Instants at which the surface does not press have no ratio and are left out.
 
@@ -184,7 +184,7 @@ def presses(dataset: xr.Dataset) -> bool:
 
 
 def needed_friction(dataset: xr.Dataset) -> FloatArray:
-    """|friction force| / normal force, (n,); not-a-number where the surface does not press."""
+    """Friction over normal force, (n,); NaN where the surface does not press."""
     normal = values_of(dataset, "normal_force")
     friction = np.linalg.norm(values_of(dataset, "friction_force"), axis=1)
     pressing = normal > NOTHING
@@ -226,7 +226,7 @@ def attitude(dataset: xr.Dataset) -> Figure:
 
 
 def turning_angles(quaternions: FloatArray) -> tuple[tuple[str, str, str], list[FloatArray]]:
-    """Labels and values of three angles that belong to quaternions (n, 4), body to space."""
+    """Labels and values of three angles of quaternions (n, 4), body to space."""
     R = rotation_matrices(quaternions)
     tilt = np.arccos(np.clip(R[:, 2, 2], -1.0, 1.0))
     pitch = np.arcsin(np.clip(-R[:, 2, 0], -1.0, 1.0))

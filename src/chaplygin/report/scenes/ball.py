@@ -138,7 +138,7 @@ def _hidden_points(view: View, seen: Crossings, path: FloatArray, slack: float) 
 
 
 def _without_short_runs(marked: BoolArray) -> BoolArray:
-    """The same without short stretches: along a border of the surface the dots decide by chance."""
+    """The marks without short runs, which are due to the raster at a border."""
     long = np.zeros_like(marked)
     for run in runs(marked[1:] & marked[:-1]):
         long[run] = run.stop - run.start > _SHORTEST
@@ -146,12 +146,12 @@ def _without_short_runs(marked: BoolArray) -> BoolArray:
 
 
 def _opaque(seen: Crossings, view: View) -> BoolArray:
-    """Where the side on which the ball rolls is seen."""
+    """The crossings that show the side on which the ball rolls."""
     return np.asarray(seen.met & view.faces_reader(seen.normals), dtype=np.bool_)
 
 
 def _colours(seen: Crossings, view: View, centre: FloatArray, radius: float) -> FloatArray:
-    """Colour of the ball's side at every crossing, with the shadow of the ball and lines."""
+    """Colours of the ball's side at every crossing, with shadow and lines."""
     shape = seen.depth.shape
     light = 0.5 + 0.5 * np.clip(seen.normals @ view.light, -1.0, 1.0)
     colours = GROUND_DARK + light[..., None] ** 0.8 * (GROUND_LIGHT - GROUND_DARK)

@@ -43,7 +43,7 @@ _LEFT, _RIGHT, _BOTTOM, _TOP = 0.76, 0.12, 0.86, 0.12
 
 
 def plan_view(dataset: xr.Dataset, motion: PlanMotion) -> Figure:
-    """The path of a mechanism in the plane, to scale, with the mechanism at some instants.
+    """The path of a mechanism in the plane, with the mechanism at some instants.
 
     The path is in the colours of time; the mechanism is dark at the end and pale before.  A
     mechanism that is small beside its path is shown enlarged in a corner as well.
@@ -126,7 +126,7 @@ class _Pose:
 
     @property
     def shapes(self) -> int:
-        """How many parts it has."""
+        """The number of its parts."""
         parts = (self.links, self.wheels, self.axles, self.blades, self.points)
         return sum(map(len, parts))
 
@@ -181,7 +181,7 @@ def _box(x: float, y: float, angle: float, length: float, width: float) -> Float
 
 
 def _spread(path: FloatArray, numbers: Iterable[int]) -> list[int]:
-    """Samples at about equal distances along a path, the first and the last among them."""
+    """Samples at about equal distances along a path, with both ends."""
     chosen = list(numbers)
     steps = np.linalg.norm(np.diff(path[chosen], axis=0), axis=1)
     way = np.concatenate([[0.0], np.cumsum(steps)])
