@@ -20,16 +20,11 @@ Graph = Mapping[str, set[str]]
 #: to be parted.
 LINES = 400
 LONGER = {
-    "catalogue/fixed_point/veselova.py",
-    "experiment/file/models.py",
-    "experiment/study.py",
     "flow/batch.py",
     "flow/integrator.py",
     "flow/kernel/gauss_legendre.py",
     "flow/kernel/runge_kutta.py",
     "mechanics/rolling/shapes.py",
-    "report/drawing/geometry.py",
-    "report/figures/time_series.py",
 }
 #: Files of a folder at most.
 FILES = 22

@@ -1,4 +1,4 @@
-"""What the public functions and classes take: arguments checked against their annotations.
+"""Arguments of public functions, checked against their annotations.
 
 An argument of the wrong type is a mistake of whoever wrote the call; `arguments_checked` answers it
 at once with a sentence that names the function, the argument and what is allowed.  Where an
@@ -18,9 +18,11 @@ from importlib import import_module
 from pathlib import Path
 from types import NoneType, UnionType
 from typing import (
+    TYPE_CHECKING,
     Annotated,
     Any,
     Literal,
+    SupportsFloat,
     TypeAlias,
     TypeVar,
     Union,
@@ -32,11 +34,15 @@ from typing import (
 
 from .errors import InputError
 
+if TYPE_CHECKING:
+    from sympy import Symbol
+
 __all__ = [
     "Declared",
     "Formula",
     "Formulas",
     "Numbers",
+    "ParameterValue",
     "Parameters",
     "Quantity",
     "Start",
@@ -53,21 +59,21 @@ _TEXT = (str, bytes)
 
 @dataclass(frozen=True)
 class _Kind:
-    """What is allowed, in words, and whether a value is of it."""
+    """Allowed values in words, and a test for them."""
 
     words: str
     fits: Callable[[Any], bool]
 
 
 def _is_number(value: Any) -> bool:
-    """Whether it is one real number that a float can hold; a truth value or a text is none."""
+    """Whether it is one real number that a float can hold."""
     if isinstance(value, (bool, *_TEXT)) or _is_array(value) or _name(value) == "bool":
         return False
     return _is_readable(value)
 
 
 def _is_written(value: Any) -> bool:
-    """Whether it is a number, or one in quotes, which keeps digits that a float has not."""
+    """Whether it is a number, or a text with a number."""
     return _is_readable(value) if isinstance(value, str) else _is_number(value)
 
 
@@ -113,7 +119,7 @@ def _is_start(value: Any) -> bool:
 
 
 def _are_parameters(value: Any) -> bool:
-    """Whether these are names with numbers, or with one number for each of several motions."""
+    """Whether it maps names to numbers, or to one number for each motion."""
     if value is None:
         return True
     return isinstance(value, Mapping) and all(
@@ -161,9 +167,12 @@ def _pairs_of(value: Any) -> list[tuple[Any, Any]] | None:
 Start: TypeAlias = Annotated[
     Any, _Kind("a state: numbers in order, or numbers by name in a mapping", _is_start)
 ]
+#: The value of a parameter, or one for each motion; text keeps all digits of a number.
+ParameterValue: TypeAlias = SupportsFloat | str | Iterable[SupportsFloat | str]
 #: Values of parameters by symbol or name, or None for the defaults.
 Parameters: TypeAlias = Annotated[
-    Mapping[Any, Any] | None, _Kind("a mapping of parameters to numbers", _are_parameters)
+    "Mapping[str, ParameterValue] | Mapping[Symbol, ParameterValue] | None",
+    _Kind("a mapping of parameters to numbers", _are_parameters),
 ]
 Numbers: TypeAlias = Annotated[Any, _Kind("a sequence of numbers", _are_numbers)]
 #: One number; in quotes it keeps digits that a float has not.
@@ -198,7 +207,7 @@ _SIMPLE: dict[Any, _Kind] = {
 
 
 def _kind(annotation: Any) -> _Kind | None:
-    """What an annotation allows; None where it allows anything."""
+    """The values that an annotation allows; None if it allows any."""
     origin, inner = get_origin(annotation), get_args(annotation)
     if origin is Annotated:
         return next((note for note in inner[1:] if isinstance(note, _Kind)), _kind(inner[0]))
@@ -211,7 +220,7 @@ def _kind(annotation: Any) -> _Kind | None:
         )
     if isinstance(origin, type):
         return _collection(origin, inner)
-    if annotation is Any:
+    if annotation is Any or annotation is object:
         return None
     if annotation in _SIMPLE:
         return _SIMPLE[annotation]

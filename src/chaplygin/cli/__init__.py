@@ -1,4 +1,4 @@
-"""The command line: one file per command, nothing heavy imported before it is needed."""
+"""The command line: one module per command, imported when it is needed."""
 
 from __future__ import annotations
 
@@ -108,6 +108,6 @@ def main() -> None:
 
 
 def _leave(code: int) -> None:
-    """End where standard output takes nothing more, without a complaint of the interpreter."""
+    """End quietly when standard output is closed."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     sys.exit(code)

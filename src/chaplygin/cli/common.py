@@ -1,4 +1,4 @@
-"""What several commands share: options, reading the argument, progress, tables."""
+"""Options and arguments that several commands share, and their output."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import json
 import os
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -82,14 +82,14 @@ def inform(text: str) -> None:
 
 
 def console() -> Console:
-    """Where tables are printed: as wide as the terminal, unlimited in a file or a pipe."""
+    """The console for tables, as wide as the terminal, unlimited in a file."""
     from rich.console import Console
 
     limited = sys.stdout.isatty() or "COLUMNS" in os.environ
     return Console(width=None if limited else UNLIMITED, highlight=False)
 
 
-def print_json(value: Any) -> None:
+def print_json(value: object) -> None:
     """The result for another program."""
     typer.echo(json.dumps(value, indent=2, ensure_ascii=False))
 

@@ -1,4 +1,4 @@
-"""What commands write: to a file that may be written, or to standard output."""
+"""The output of commands: to a new file, or to standard output."""
 
 from __future__ import annotations
 

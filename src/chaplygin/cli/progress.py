@@ -1,4 +1,4 @@
-"""What a command is doing: a bar on a terminal, and lines where it writes to a file or a pipe."""
+"""The progress of a command: a bar on a terminal, or lines of a log."""
 
 from __future__ import annotations
 

@@ -1,17 +1,19 @@
-"""What commands share that fill a store: room for it, who computes, what became of its members."""
+"""Helpers of commands that fill a store."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from ..interruption import NOTHING, ending
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from ..flow.ensemble.task import Progress
 
 __all__ = [
@@ -43,22 +45,22 @@ def level_of(text: str) -> dict[str, float]:
     """
     from ..errors import InputError
 
-    found = {}
+    level = {}
     for part in text.split(","):
         name, equals, number = (piece.strip() for piece in part.partition("="))
         try:
             if not (name and equals):
                 raise ValueError
-            found[name] = float(number)
+            level[name] = float(number)
         except ValueError:
             raise InputError(
                 f"--level {text}: it is written NAME=VALUE,NAME=VALUE, such as energy=1,area=0.3"
             ) from None
-    return found
+    return level
 
 
 def check_store(output: Path) -> None:
-    """Raise InputError where a store can in no case be written, before anything is computed."""
+    """Raise InputError if a store cannot be written."""
     from ..errors import InputError
 
     if output.suffix != ".zarr":
@@ -101,7 +103,7 @@ def check_picture(output: Path, picture: Path, force: bool, named: bool = False)
 
 
 def check_workers(workers: str | None) -> str | int | None:
-    """Who computes: None for this process, so many processes, or the address of a scheduler.
+    """The workers: None, a number of processes, or the address of a scheduler.
 
     Raises
     ------
@@ -160,8 +162,8 @@ def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
         raise
 
 
-def outcomes(variable: Any) -> dict[str, int]:
-    """How many members had which outcome, in words.
+def outcomes(variable: xr.DataArray) -> dict[str, int]:
+    """The number of members with each outcome.
 
     Parameters
     ----------

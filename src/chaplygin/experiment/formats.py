@@ -1,4 +1,4 @@
-"""The kinds of file in which a trajectory is kept: NetCDF, Zarr, and CSV for tables."""
+"""The formats of a trajectory: NetCDF, Zarr, and CSV for tables."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def check_output(path: Path, force: bool = False) -> None:
 
 
 def save(dataset: xr.Dataset, path: Path, force: bool = False) -> None:
-    """Write a trajectory as the ending of the name says; it appears complete or not at all.
+    """Write a trajectory in the format of the file name, completely or not at all.
 
     Raises
     ------
@@ -65,15 +65,15 @@ def save(dataset: xr.Dataset, path: Path, force: bool = False) -> None:
 
 
 def netcdf(dataset: xr.Dataset) -> bytes:
-    """What a NetCDF file of a dataset holds.
+    """The content of the NetCDF file of a dataset.
 
     By way of memory, since HDF5 may bring the process down when a disk is full.
     """
-    return bytes(dataset.to_netcdf(engine="h5netcdf", encoding=_checked(dataset)))
+    return bytes(dataset.to_netcdf(engine="h5netcdf", encoding=_encoding(dataset)))
 
 
-def _checked(dataset: xr.Dataset) -> dict[str, dict[str, bool]]:
-    """The encoding by which HDF5 keeps a checksum of all numbers, so that damage is seen."""
+def _encoding(dataset: xr.Dataset) -> dict[str, dict[str, bool]]:
+    """The encoding in which HDF5 keeps a checksum of all numbers."""
     return {
         str(name): {"fletcher32": True}
         for name, variable in dataset.variables.items()

@@ -1,4 +1,4 @@
-"""What is followed of a study when only its motion counts."""
+"""The system of a study without its motion in space."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ __all__ = ["without_reconstruction"]
 
 
 def without_reconstruction(study: Study) -> System:
-    """The system without its lift to space; a contact that is to hold on is not guarded."""
+    """The system without its lift, and without lift-off guards if they only warn."""
     guards = study.system.guards
     if study.experiment.run.on_liftoff == "warn":
         guards = tuple(guard for guard in guards if not guard.lift_off)

@@ -10,8 +10,8 @@ from typing import overload
 import sympy as sp
 
 from ..arguments import arguments_checked
-from ..core.admissible import conditions, satisfies
 from ..core.laws import Law
+from ..core.parameters import conditions, satisfies
 from ..core.system import System
 from ..errors import InputError
 from ..formulas.errors import OutOfReachError, UnknownSymbolError

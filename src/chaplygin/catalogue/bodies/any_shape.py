@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,7 +10,7 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import Identity, Integral
-from ...core.system import Parameter
+from ...core.system import Parameter, System
 from ...core.vectors import (
     Diagonal,
     Symmetric,
@@ -23,8 +24,10 @@ from ...core.vectors import (
     vectors,
 )
 from ...mechanics.rolling.body import Body
+from ...mechanics.rolling.equations import ContactModel, Forces, Rolling
 from ...mechanics.rolling.shapes import Ellipsoid
-from ..entry import Numbers
+from ...mechanics.rolling.surfaces import Sphere
+from ..entry import Entry, Numbers, Start
 
 __all__ = [
     "ELLIPSOID",
@@ -34,6 +37,7 @@ __all__ = [
     "SUPPORT",
     "Touch",
     "ellipsoid",
+    "ellipsoid_entries",
     "energy",
     "inverse",
     "kinematics",
@@ -196,3 +200,50 @@ def ellipsoid(p: Numbers) -> Body:
     """The body with the numbers of `ELLIPSOID`."""
     shape = Ellipsoid((p["b_1"], p["b_2"], p["b_3"]), centre=(p["c_1"], p["c_2"], p["c_3"]))
     return Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), shape)
+
+
+def ellipsoid_entries(
+    contact: ContactModel,
+    general: tuple[Callable[[], System], Callable[[], System]],
+    omega: tuple[float, float, float],
+    sources: tuple[str, str],
+) -> tuple[Entry, Entry]:
+    """The entries of a body of any shape on a plane and on a sphere, run as an ellipsoid.
+
+    Parameters
+    ----------
+    contact : str
+        ``"marble"`` or ``"rubber"``.
+    general : 2 callables
+        The systems with any shape and potential, on a plane and on a sphere.
+    omega : 3 floats
+        Angular velocity of the start.
+    sources : 2 str
+    """
+    manner = {"marble": "without slipping", "rubber": "with neither slipping nor spinning"}[contact]
+    about = "; it may spin about the {}." if contact == "marble" else "."
+    start = Start(omega=omega, gamma=(0.2, -0.3, 0.93), until=30.0)
+    return (
+        Entry(
+            name=f"{contact}-body",
+            title=f"{contact.capitalize()} body on a plane",
+            summary="A heavy body of any convex shape, here an ellipsoid, rolls on a horizontal "
+            f"plane {manner}{about.format('vertical')}",
+            source=sources[0],
+            defaults={**ELLIPSOID, "g": 9.81},
+            build=lambda p: Rolling(ellipsoid(p), contact=contact, field=Forces(p["g"])),
+            start=start,
+            general=general[0],
+        ),
+        Entry(
+            name=f"{contact}-body-on-sphere",
+            title=f"{contact.capitalize()} body on a sphere",
+            summary=f"A body of any convex shape, here an ellipsoid, rolls {manner} on a fixed "
+            f"sphere of radius a, outside (a > 0) or inside (a < 0){about.format('normal')}",
+            source=sources[1],
+            defaults={**ELLIPSOID, "a": 5.0},
+            build=lambda p: Rolling(ellipsoid(p), Sphere(p["a"]), contact),
+            start=start,
+            general=general[1],
+        ),
+    )

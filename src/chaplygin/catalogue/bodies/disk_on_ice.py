@@ -126,8 +126,8 @@ def in_space(velocity: MatrixExpr) -> Reconstruction:
 TITLE = "Disk on smooth ice"
 SUMMARY = (
     "A heavy disk whose sharp edge glides on ice: the velocity of the contact point is parallel to "
-    "the horizontal diameter, and the disk may turn about its axis freely; integrable by "
-    "quadratures."
+    "the horizontal diameter, and the disk may turn about its axis freely; the motion is "
+    "integrable by quadratures."
 )
 
 #: d(ω, ξ)/dt, from the equation of moments about ξ.
@@ -143,7 +143,7 @@ ENERGY = HALF * m * (V**2 + R**2 * omega_xi**2) + HALF * dot(L, omega) + m * g *
 
 
 def _gain(area: sp.Expr, spin: sp.Expr) -> sp.Expr:
-    """How much V falls short of its constant, for given (Iω, γ) and ω₃."""
+    """The difference of V from its constant, for given (Iω, γ) and ω₃."""
     across = sp.log((1 - gamma_3) / (1 + gamma_3))
     return R / (2 * I_1) * (area * across - I_3 * spin * sp.log(1 - gamma_3**2))
 

@@ -6,10 +6,7 @@ import sympy as sp
 
 from ...core.system import System
 from ...core.vectors import cross, norm_squared, real_symbol, vectors
-from ...mechanics.rolling.equations import Forces, Rolling
-from ...mechanics.rolling.surfaces import Sphere
-from ..entry import Entry, Numbers, Start
-from .any_shape import ELLIPSOID, INERTIA, SHAPE, ellipsoid, energy, inverse, kinematics, touch
+from .any_shape import INERTIA, SHAPE, ellipsoid_entries, energy, inverse, kinematics, touch
 
 __all__ = ["ENTRIES", "any_marble_body", "general", "general_on_sphere"]
 
@@ -46,16 +43,6 @@ def any_marble_body(curvature: sp.Expr = sp.S.Zero) -> System:
     )
 
 
-def build(p: Numbers) -> Rolling:
-    """A heavy ellipsoid with three different axes and its centre of mass away from its centre."""
-    return Rolling(ellipsoid(p), field=Forces(p["g"]))
-
-
-def build_on_sphere(p: Numbers) -> Rolling:
-    """The same body on a sphere, without gravity."""
-    return Rolling(ellipsoid(p), Sphere(p["a"]))
-
-
 def general() -> System:
     """Any shape and potential on a plane."""
     return any_marble_body()
@@ -66,29 +53,9 @@ def general_on_sphere() -> System:
     return any_marble_body(1 / a).with_laws(kinematics(1 / a))
 
 
-_START = Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=30.0)
-
-ENTRIES = (
-    Entry(
-        name="marble-body",
-        title="Marble body on a plane",
-        summary="A heavy body of any convex shape, here an ellipsoid, rolls on a horizontal plane "
-        "without slipping; it may spin about the vertical.",
-        source="§1.3, (1.17) with λ₀ = 0",
-        defaults={**ELLIPSOID, "g": 9.81},
-        build=build,
-        start=_START,
-        general=general,
-    ),
-    Entry(
-        name="marble-body-on-sphere",
-        title="Marble body on a sphere",
-        summary="A body of any convex shape, here an ellipsoid, rolls without slipping on a fixed "
-        "sphere of radius a, outside (a > 0) or inside (a < 0); it may spin about the normal.",
-        source="§1.3, (1.17) with λ₀ = 0; (1.23)",
-        defaults={**ELLIPSOID, "a": 5.0},
-        build=build_on_sphere,
-        start=_START,
-        general=general_on_sphere,
-    ),
+ENTRIES = ellipsoid_entries(
+    "marble",
+    (general, general_on_sphere),
+    (0.7, 0.4, 1.1),
+    ("§1.3, (1.17) with λ₀ = 0", "§1.3, (1.17) with λ₀ = 0; (1.23)"),
 )

@@ -7,16 +7,12 @@ import sympy as sp
 from ...core.laws import Identity, Rate
 from ...core.system import System
 from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors
-from ...mechanics.rolling.equations import Forces, Rolling
-from ...mechanics.rolling.surfaces import Sphere
-from ..entry import Entry, Numbers, Start
 from ..rates import rate
 from .any_shape import (
-    ELLIPSOID,
     INERTIA,
     POTENTIAL,
     SHAPE,
-    ellipsoid,
+    ellipsoid_entries,
     energy,
     inverse,
     kinematics,
@@ -64,16 +60,6 @@ def any_rubber_body(curvature: sp.Expr = sp.S.Zero) -> System:
     )
 
 
-def build(p: Numbers) -> Rolling:
-    """A heavy ellipsoid with three different axes and its centre of mass away from its centre."""
-    return Rolling(ellipsoid(p), contact="rubber", field=Forces(p["g"]))
-
-
-def build_on_sphere(p: Numbers) -> Rolling:
-    """The same body on a sphere, without gravity."""
-    return Rolling(ellipsoid(p), Sphere(p["a"]), "rubber")
-
-
 def general() -> System:
     """Any shape and potential on a plane."""
     return any_rubber_body().with_laws(
@@ -101,29 +87,9 @@ def general_on_sphere() -> System:
     )
 
 
-_START = Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=30.0)
-
-ENTRIES = (
-    Entry(
-        name="rubber-body",
-        title="Rubber body on a plane",
-        summary="A heavy body of any convex shape, here an ellipsoid, rolls on a horizontal plane "
-        "with neither slipping nor spinning.",
-        source="§1.3, (1.17)–(1.19)",
-        defaults={**ELLIPSOID, "g": 9.81},
-        build=build,
-        start=_START,
-        general=general,
-    ),
-    Entry(
-        name="rubber-body-on-sphere",
-        title="Rubber body on a sphere",
-        summary="A body of any convex shape, here an ellipsoid, rolls with neither slipping nor "
-        "spinning on a fixed sphere of radius a, outside (a > 0) or inside (a < 0).",
-        source="§1.4, (1.23)",
-        defaults={**ELLIPSOID, "a": 5.0},
-        build=build_on_sphere,
-        start=_START,
-        general=general_on_sphere,
-    ),
+ENTRIES = ellipsoid_entries(
+    "rubber",
+    (general, general_on_sphere),
+    (0.9, -0.5, -0.35483870967741937),
+    ("§1.3, (1.17)–(1.19)", "§1.4, (1.23)"),
 )

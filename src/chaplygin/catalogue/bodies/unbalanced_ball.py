@@ -24,16 +24,20 @@ def build(p: Numbers) -> Rolling:
 
 
 def build_on_sphere(p: Numbers) -> Rolling:
-    """The same ball on a sphere of signed radius a."""
+    """The ball on a sphere of signed radius a."""
     return replace(build(p), surface=Sphere(p["a"]))
+
+
+def is_free_unbalanced_ball(rolling: Rolling) -> bool:
+    """Whether a ball with a displaced centre of mass rolls without forces and rotors."""
+    body, field = rolling.body, rolling.field
+    ball = isinstance(body.shape, Ball) and any(body.shape.centre)
+    return bool(ball and field.gravity == 0 and field.potential == 0 and not any(body.gyrostat))
 
 
 def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
     """M² − m r²(M, ω) of a free ball, on a plane or a sphere: ṙ is orthogonal to ω on both."""
-    body, field = rolling.body, rolling.field
-    ball = isinstance(body.shape, Ball) and any(body.shape.centre)
-    free = field.gravity == 0 and field.potential == 0 and not any(body.gyrostat)
-    if not (ball and free and rolling.contact == "marble"):
+    if not (is_free_unbalanced_ball(rolling) and rolling.contact == "marble"):
         return ()
     value = norm_squared(M) - m * norm_squared(r) * dot(M, omega)
     return (
@@ -53,12 +57,13 @@ _DEFAULTS = {
 }
 _START = Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=100.0)
 
+BALL = "A dynamically asymmetric ball whose centre of mass is not at its geometric centre rolls"
+
 ENTRIES = (
     Entry(
         name="unbalanced-ball",
         title="Unbalanced ball",
-        summary="A dynamically asymmetric ball whose centre of mass is away from its centre rolls "
-        "on a horizontal plane without slipping, in the absence of gravity.",
+        summary=f"{BALL} on a horizontal plane without slipping, in the absence of gravity.",
         source="§10.1, (10.1)–(10.3)",
         defaults=_DEFAULTS,
         build=build,
@@ -68,9 +73,8 @@ ENTRIES = (
     Entry(
         name="unbalanced-ball-on-sphere",
         title="Unbalanced ball on a sphere",
-        summary="A dynamically asymmetric ball whose centre of mass is away from its centre rolls "
-        "without slipping on a fixed sphere of radius a, outside (a > 0) or inside (a < 0, "
-        "|a| > R).",
+        summary=f"{BALL} without slipping on a fixed sphere of radius a, outside (a > 0) or inside "
+        "(a < 0, |a| > R).",
         source="§10.1, after (10.3)",
         defaults={**_DEFAULTS, "a": 2.0},
         build=build_on_sphere,

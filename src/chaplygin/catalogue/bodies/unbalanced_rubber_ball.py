@@ -8,7 +8,6 @@ from ...core.laws import Integral
 from ...core.system import System
 from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.equations import Rolling
-from ...mechanics.rolling.shapes import Ball
 from ...mechanics.rolling.surfaces import Plane
 from ..entry import Entry, Numbers, Start
 from . import unbalanced_ball
@@ -29,10 +28,8 @@ def build_on_sphere(p: Numbers) -> Rolling:
 
 def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
     """(10.5), with c = −a from the centre of mass to the geometric centre."""
-    body, field = rolling.body, rolling.field
-    ball = isinstance(body.shape, Ball) and any(body.shape.centre)
-    free = field.gravity == 0 and field.potential == 0 and not any(body.gyrostat)
-    if not (ball and free and rolling.surface == Plane() and rolling.contact == "rubber"):
+    on_plane = rolling.surface == Plane() and rolling.contact == "rubber"
+    if not (on_plane and unbalanced_ball.is_free_unbalanced_ball(rolling)):
         return ()
     value = norm_squared(cross(M, gamma)) + 2 * m * R * dot(gamma, c) * dot(M, omega)
     return (
@@ -47,8 +44,8 @@ ENTRIES = (
     Entry(
         name="unbalanced-rubber-ball",
         title="Unbalanced ball with rubber contact",
-        summary="A dynamically asymmetric ball whose centre of mass is away from its centre rolls "
-        "on a horizontal plane with neither slipping nor spinning, in the absence of gravity.",
+        summary=f"{unbalanced_ball.BALL} on a horizontal plane with neither slipping nor "
+        "spinning, in the absence of gravity.",
         source="§10.2, (10.4), (10.5)",
         defaults=_ON_PLANE.defaults,
         build=build,
@@ -58,9 +55,8 @@ ENTRIES = (
     Entry(
         name="unbalanced-rubber-ball-on-sphere",
         title="Unbalanced rubber ball on a sphere",
-        summary="A dynamically asymmetric ball whose centre of mass is away from its centre rolls "
-        "with neither slipping nor spinning on a fixed sphere of radius a; of its integrals only "
-        "the energy is known.",
+        summary=f"{unbalanced_ball.BALL} with neither slipping nor spinning on a fixed sphere of "
+        "radius a; the energy is the only integral known.",
         source="§1.4, (1.23); §10.2",
         defaults=_ON_SPHERE.defaults,
         build=build_on_sphere,

@@ -22,7 +22,7 @@ def build(p: Numbers) -> Rolling:
 
 
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
-    """What is known of the ball in a potential, and the isomorphism onto the Veselova system."""
+    """Laws of the ball in a potential, and the isomorphism to the Veselova system."""
     known = rubber_chaplygin_ball.laws(rolling, system)
     if not known or bruns_factor(rolling.field.potential) != veselova.K:
         return known
@@ -38,8 +38,11 @@ ENTRIES = (
     Entry(
         name="rubber-chaplygin-ball-bruns",
         title="Chaplygin ball with rubber contact in Bruns' field",
-        summary="A balanced, dynamically asymmetric ball rolls on a horizontal plane with neither "
-        "slipping nor spinning in the potential U = ½K(γ, Iγ); it moves as the Veselova system.",
+        summary=(
+            "A balanced, dynamically asymmetric ball rolls on a horizontal plane with neither "
+            "slipping nor spinning in the potential U = ½K(γ, Iγ); its equations are those of the "
+            "Veselova system in that potential."
+        ),
         source="§2.4, Remark 15",
         defaults={**_FREE.defaults, "K": 0.7},
         build=build,

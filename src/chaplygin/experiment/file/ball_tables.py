@@ -1,4 +1,4 @@
-"""The tables of an experiment in which a homogeneous ball rolls on a surface of any kind.
+"""The tables of an experiment with a homogeneous ball on any surface.
 
 As in :mod:`chaplygin.experiment.file.tables` the description of a field completes "… must be".
 """
@@ -10,7 +10,7 @@ from typing import ClassVar, Literal
 import sympy as sp
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
-from .tables import (
+from .table import (
     DIRECTION,
     FORMULA,
     POSITIVE,
@@ -40,7 +40,7 @@ SIDES = '"outside" or "inside"'
 
 
 class _SurfaceTable(FormulaTable):
-    """What all surfaces have."""
+    """The keys that all surfaces have."""
 
     kind: str
     given: Literal["support", "centre"] = Field(
@@ -50,7 +50,7 @@ class _SurfaceTable(FormulaTable):
     axis: Literal["x", "y", "z"] = Field(default="z", description='"x", "y" or "z"')
     """The space axis that plays the part of z in the description of the surface."""
     side: Literal["outside", "inside"] = Field(default="outside", description=SIDES)
-    """Where the ball is; above counts as outside, below as inside."""
+    """The side of the ball; above counts as outside, below as inside."""
 
 
 class FlatTable(_SurfaceTable):
@@ -102,7 +102,7 @@ class EllipsoidSurfaceTable(_SurfaceTable):
 
 
 class ParaboloidTable(_SurfaceTable):
-    """The paraboloid z = x²/2p + y²/2q, with radii = [p, q]; hyperbolic where the signs differ."""
+    """The paraboloid z = x²/2p + y²/2q with radii = [p, q], also hyperbolic."""
 
     kind: Literal["paraboloid"] = "paraboloid"
     radii: tuple[Number, Number] = Field(description="2 finite numbers, not zero")
@@ -116,7 +116,7 @@ class ParaboloidTable(_SurfaceTable):
 
 
 class RingTable(_SurfaceTable):
-    """A torus about the axis: tubes of radius `tube` around a circle of radius `radius`."""
+    """A torus about the axis: radius of the centre circle and radius of the tube."""
 
     kind: Literal["torus"] = "torus"
     radius: Positive = Field(description=POSITIVE)
@@ -153,13 +153,13 @@ SmoothTable = (
 
 
 class BallFieldTable(FormulaTable):
-    """The forces: gravity in any direction, and a potential U(x, y, z) of the ball's centre."""
+    """Gravity in any direction, and a potential U(x, y, z) of the ball's centre."""
 
     variables: ClassVar[tuple[str, ...]] = ("x", "y", "z", "m")
 
     gravity: Number = Field(default=9.81, ge=0, description="a finite number not below zero")
     direction: Vector = Field(default=(0.0, 0.0, -1.0), description=DIRECTION)
-    """Where gravity points, space axes; any length."""
+    """Direction of gravity, space axes; any length."""
     potential: str = Field(default="", description=FORMULA)
     """A formula in x, y, z of the centre, m and the parameters; empty for none."""
 
@@ -180,7 +180,7 @@ class BallFieldTable(FormulaTable):
 
 
 class BallStartTable(Table):
-    """Where the ball is and how it turns at the start, space axes."""
+    """Position and angular velocity of the ball at the start, space axes."""
 
     contact: Vector | None = Field(default=None, description=THREE)
     """The contact point, on the surface that carries the ball."""

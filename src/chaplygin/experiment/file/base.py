@@ -1,26 +1,29 @@
-"""What all kinds of experiment have: a title, the text they were read from, places in it."""
+"""The base of all experiments: a title, the source text and places in it."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from typing import Any
 
 from pydantic import Field, PrivateAttr
 
+from ...errors import InputError
 from .source import Source
-from .tables import Table
+from .table import Table
 from .toml import Key, dumps
 
 __all__ = ["ExperimentBase"]
 
 
 class ExperimentBase(Table):
-    """What all kinds of experiment have.
+    """The base of all experiments.
 
     Two experiments are equal when their tables are, wherever they were read from.
     """
 
     title: str | None = Field(default=None, description="a text in quotes", min_length=1)
-    """What reports and figures call it."""
+    """The title in reports and figures."""
 
     _source: Source = PrivateAttr(Source("<experiment>", ""))
 
@@ -28,9 +31,13 @@ class ExperimentBase(Table):
         """A complete TOML text, defaults included, that reads back to an equal experiment."""
         return dumps(self.model_dump(exclude_none=True))
 
+    def complete_tables(self) -> dict[str, Any]:
+        """All tables, with what the catalogue adds to them."""
+        return self.model_dump()
+
     @property
     def text(self) -> str:
-        """The text it was read from, before overrides; its own TOML if it was made in Python."""
+        """The text of its file before overrides, or its own TOML if it has no file."""
         return self._source.text or self.toml()
 
     @property
@@ -39,7 +46,7 @@ class ExperimentBase(Table):
         return self._source.overrides
 
     def has(self, *key: str) -> bool:
-        """Whether there is such a key, such as ``has("body", "mass")``, given or by default."""
+        """Whether a key such as ``has("body", "mass")`` is given or has a default."""
         table: object = self.model_dump()
         for part in key:
             if not isinstance(table, Mapping) or part not in table:
@@ -52,8 +59,23 @@ class ExperimentBase(Table):
         return self._source.path(option)
 
     def where(self, *key: str) -> str:
-        """The place of a key, such as ``where("body", "mass")``, for the message of an error."""
+        """The place of a key in the file, such as ``where("body", "mass")``."""
         return self._source.where(key)
+
+    @contextmanager
+    def placing_errors(self, *key: str) -> Iterator[None]:
+        """Give a mistake that only mechanics could see its place in the file."""
+        try:
+            yield
+        except InputError as error:
+            if error.where:
+                raise
+            subject, colon, sentence = error.message.partition(": ")
+            if colon and subject == key[-1]:
+                raise InputError(sentence, self.where(*key)) from None
+            if colon and self.has(*key, subject):
+                raise InputError(sentence, self.where(*key, subject)) from None
+            raise InputError(error.message, self.where(*key)) from None
 
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other) and self.__dict__ == other.__dict__

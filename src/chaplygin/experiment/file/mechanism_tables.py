@@ -1,4 +1,4 @@
-"""The tables of a file that brings a system of the user's own: a Lagrangian, or equations.
+"""The tables of a file with a Lagrangian or with equations of motion.
 
 Formulas are kept as they are typed; :mod:`chaplygin.experiment.mechanism` reads them, once all
 names are known.  The description of a field completes the sentence "… must be".
@@ -7,7 +7,7 @@ names are known.  The description of a field completes the sentence "… must be
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Annotated, Any, Self
+from typing import Annotated, Self
 
 from pydantic import (
     Field,
@@ -19,7 +19,8 @@ from pydantic import (
 )
 
 from .number_lists import given_numbers
-from .tables import FORMULA, THREE, Table, Vector
+from .table import FORMULA, THREE, Table, Vector
+from .toml import Tables
 from .validation import value_text
 
 __all__ = [
@@ -62,23 +63,23 @@ Formulas = dict[str, FormulaValue]
 NumberValue = Annotated[float | tuple[float, ...], PlainValidator(_number)]
 
 
-class _Noted(Table):
-    """A value with notes; without notes the value alone stands for the table, as in ``m = 1.0``."""
+class _ValueWithNotes(Table):
+    """A value with meaning and unit, or the value alone, as in ``m = 1.0``."""
 
     @model_validator(mode="before")
     @classmethod
-    def _value_alone(cls, given: Any) -> Any:
-        return given if isinstance(given, dict | cls) else {"value": given}
+    def _value_alone(cls, value: object) -> object:
+        return value if isinstance(value, dict | cls) else {"value": value}
 
     @model_serializer(mode="wrap")
-    def _as_given(self, serialised: Callable[[Self], dict[str, Any]]) -> Any:
+    def _as_given(self, serialised: Callable[[Self], Tables]) -> object:
         text = {
             key: value for key, value in serialised(self).items() if value not in (None, "", (), [])
         }
         return text.get("value") if set(text) == {"value"} else text
 
 
-class NumberTable(_Noted):
+class NumberTable(_ValueWithNotes):
     """A parameter: a number, a vector of three, or a diagonal tensor."""
 
     value: NumberValue | None = Field(default=None, description=NUMBER)
@@ -97,13 +98,13 @@ class NumberTable(_Noted):
 
 
 class MeaningTable(Table):
-    """What a variable of the state means."""
+    """Meaning and unit of a variable of the state."""
 
     meaning: Text = Field(description="a text in quotes")
     unit: Text = Field(default="", description="a text in quotes")
 
 
-class LawTable(_Noted):
+class LawTable(_ValueWithNotes):
     """A law by its formula."""
 
     value: FormulaValue = Field(description=FORMULA)
@@ -114,7 +115,7 @@ class LawTable(_Noted):
 
 
 class LawsTable(Table):
-    """What is claimed of the system, to be proved or refuted."""
+    """The laws that are claimed of the system, to be proved or refuted."""
 
     integrals: dict[str, LawTable] = Field(default={}, description="a table of named formulas")
     measures: dict[str, LawTable] = Field(default={}, description="a table of named formulas")
@@ -122,7 +123,7 @@ class LawsTable(Table):
     """Fields by name; what is not named of the state has component zero."""
 
 
-class ObservableTable(_Noted):
+class ObservableTable(_ValueWithNotes):
     """A quantity to record."""
 
     value: FormulaValue = Field(description=FORMULA)
@@ -149,7 +150,7 @@ _Pose = tuple[Text, Text, Text]
 
 
 class PlanTable(Table):
-    """What is drawn of the mechanism in the plane; lengths in the unit of x and y."""
+    """The drawing of the mechanism in the plane; lengths in the unit of x and y."""
 
     path: _Place = Field(default=("x", "y"), description=PLACE)
     """The place whose path is drawn."""
@@ -179,7 +180,7 @@ class FrameTable(Table):
     )
     """The group by which a frame moves fewer coordinates than it has velocities."""
     commutators: Formulas = Field(default={}, description="a table of named formulas")
-    """The same by itself: ``"u, v" = "2*w"`` where [E_u, E_v] = 2 E_w."""
+    """The structure by commutators: ``"u, v" = "2*w"`` where [E_u, E_v] = 2 E_w."""
 
     @model_validator(mode="after")
     def _rates_and_velocities(self) -> Self:
@@ -210,7 +211,7 @@ class LagrangianTable(Table):
 
 
 class ConstraintsTable(Table):
-    """What vanishes: formulas with velocities, and formulas without."""
+    """The formulas that vanish, with velocities and without."""
 
     velocity: Texts = Field(default=(), description=FORMULAS)
     position: Texts = Field(default=(), description=FORMULAS)

@@ -1,4 +1,4 @@
-"""What pydantic found wrong, told to the user: the key and one sentence."""
+"""Mistakes found by pydantic, as the key and one sentence each."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import NoneType
-from typing import Any, get_args, get_origin
+from typing import TypeGuard, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
@@ -84,16 +84,16 @@ def _short(text: str) -> str:
 
 @dataclass(frozen=True)
 class _Place:
-    """A key, the table it belongs to and its description there, or what a named value is."""
+    """A key with its table and its description there, or a value by its name."""
 
     key: Key
     owner: type[BaseModel] | None = None
     field: FieldInfo | None = None
-    table: Any = None
+    table: object = None
 
     @property
     def allowed(self) -> str:
-        """What may stand here, in words."""
+        """The values that are allowed here, in words."""
         if self.field:
             return str(self.field.description)
         if _is_table(self.table):
@@ -103,9 +103,9 @@ class _Place:
 
 
 def _locate(model: type[BaseModel], steps: tuple[int | str, ...]) -> _Place:
-    """Follow pydantic's path, which also holds the kinds of tables and the places in arrays."""
+    """The place to which a path of pydantic leads."""
     place = _Place(())
-    table: Any = model
+    table: object = model
     for step in map(str, steps):
         if _is_choice(table):
             table = next(t for t in get_args(table) if t.model_fields["kind"].default == step)
@@ -120,14 +120,14 @@ def _locate(model: type[BaseModel], steps: tuple[int | str, ...]) -> _Place:
     return place
 
 
-def _present(annotation: Any) -> Any:
+def _present(annotation: object) -> object:
     """The kind of a table that may be left out."""
     choices = [choice for choice in get_args(annotation) if choice is not NoneType]
     left_out = NoneType in get_args(annotation)
     return choices[0] if left_out and len(choices) == 1 else annotation
 
 
-def _is_table(annotation: object) -> bool:
+def _is_table(annotation: object) -> TypeGuard[type[BaseModel]]:
     return isinstance(annotation, type) and issubclass(annotation, BaseModel)
 
 
@@ -137,7 +137,7 @@ def _is_choice(annotation: object) -> bool:
     return bool(choices) and all(map(_is_table, choices))
 
 
-def _value(data: Any, key: Key) -> object:
+def _value(data: object, key: Key) -> object:
     for part in key:
         if not isinstance(data, Mapping) or part not in data:
             return None
@@ -145,7 +145,7 @@ def _value(data: Any, key: Key) -> object:
     return data
 
 
-def _as_written(data: Any, key: Key) -> Key:
+def _as_written(data: object, key: Key) -> Key:
     """The key without what a value that stands for a whole table does not have."""
     while len(key) > 1 and not isinstance(_value(data, key[:-1]), Mapping | None):
         key = key[:-1]

@@ -33,6 +33,7 @@ from .assembly import Balance, balance
 from .definitions import name_definitions
 from .energy import EnergyTheorem, energy_theorem
 from .mechanism import TIME, Mechanism
+from .units import momentum_units
 
 __all__ = ["DerivedEquations", "derive", "equations"]
 
@@ -261,13 +262,17 @@ def _energy_warning(energy: EnergyTheorem) -> tuple[str, ...]:
 
 def _momenta(parts: Balance) -> tuple[Law, ...]:
     """Momenta of velocities on which no force, reaction or turning of the frame acts."""
-    laws = []
-    for i, s in enumerate(parts.mechanism.frame.w):
-        idle = parts.push[i] == 0 and all(row[i] == 0 for row in parts.slopes)
-        if idle and parts.momenta[i] != 0:
-            meaning = f"momentum of {text(s)}"
-            laws.append(Integral(f"momentum_{s}", parts.momenta[i], meaning, source="(1.9)"))
-    return tuple(laws)
+    momenta = {
+        s: parts.momenta[i]
+        for i, s in enumerate(parts.mechanism.frame.w)
+        if parts.push[i] == 0 and all(row[i] == 0 for row in parts.slopes)
+    }
+    units = momentum_units(parts.mechanism) if any(momenta.values()) else {}
+    return tuple(
+        Integral(f"momentum_{s}", p, f"momentum of {text(s)}", source="(1.9)", unit=units[s])
+        for s, p in momenta.items()
+        if p != 0
+    )
 
 
 def _observables(derived: DerivedEquations) -> tuple[Observable, ...]:

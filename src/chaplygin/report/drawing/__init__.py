@@ -1,1 +1,1 @@
-"""What every figure is drawn with: the canvas, its style, geometry, files."""
+"""Tools of all figures: canvas, style, geometry, files."""

@@ -16,9 +16,12 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 from ...core.arrays import BoolArray, FloatArray
+from .curves import runs
 from .dataset_access import unit_of
-from .geometry import Facets, SurfaceCurve, View, runs, shaded, sphere_shades
+from .mesh import Facets, SurfaceCurve
+from .shading import shaded, sphere_shades
 from .style import GROUND_DARK, GROUND_LIGHT, INK, QUIET, TIME_COLOURS
+from .view import View
 
 _SHADES = 160
 """Steps between black and white of the shades of a body."""
@@ -28,7 +31,7 @@ _TIME_STEPS = 96
 
 
 class Canvas:
-    """A sheet of paper on which space is seen from `view`; later strokes cover earlier ones."""
+    """A sheet of paper on which space is seen from `view`."""
 
     def __init__(self, axes: Axes, view: View) -> None:
         self.axes = axes
@@ -131,7 +134,7 @@ class Canvas:
         )
 
     def image(self, colours: FloatArray, extent: tuple[float, float, float, float]) -> None:
-        """Lay an image (rows, columns, 4) on paper, its first row lowest; bare borders are cut."""
+        """Draw an image (rows, columns, 4), its first row lowest."""
         rows, columns = (np.flatnonzero(colours[..., 3].any(axis=a)) for a in (1, 0))
         if not len(rows):
             return
@@ -143,9 +146,9 @@ class Canvas:
             bottom + rows[0] * high,
             bottom + (rows[-1] + 1) * high,
         )
-        kept = colours[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+        cut = colours[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
         self.axes.imshow(
-            np.clip(kept, 0.0, 1.0),
+            np.clip(cut, 0.0, 1.0),
             extent=part,
             origin="lower",
             interpolation="bilinear",
@@ -186,7 +189,7 @@ def _polygons(corners: FloatArray) -> Path:
 
 
 def visible_pieces(curve: SurfaceCurve, view: View, side: float) -> list[FloatArray]:
-    """Pieces of a curve on the outer (`side` 1) or inner (-1) side that the reader sees."""
+    """Visible pieces of a curve on the outer (`side` 1) or inner (-1) side."""
     seen = view.faces_reader(side * curve.normals)
     return [curve.points[run] for run in runs(seen[1:] & seen[:-1])]
 
@@ -199,14 +202,14 @@ def timed_on_surface(
     width: float,
     alpha: float,
 ) -> None:
-    """Draw, in the colours of time, what the reader sees of a curve on one side of a surface."""
+    """Draw the visible part of a curve on a surface in the colours of time."""
     seen: BoolArray = sheet.view.faces_reader(side * curve.normals)
     for run in runs(seen[1:] | seen[:-1]):
         sheet.timed(curve.points[run], fractions[run], width, alpha)
 
 
 def mark_ends(sheet: Canvas, curve: SurfaceCurve, side: float) -> None:
-    """Mark the start of a curve by a ring and its end by a dot, pale where they are hidden."""
+    """Mark the ends of a curve by a ring and a dot, pale where they are hidden."""
     mark_start(sheet, curve, side)
     seen = sheet.view.faces_reader(side * curve.normals[-1])
     last = to_hex(TIME_COLOURS(1.0)) if seen else "#b3aabd"
@@ -214,7 +217,7 @@ def mark_ends(sheet: Canvas, curve: SurfaceCurve, side: float) -> None:
 
 
 def mark_start(sheet: Canvas, curve: SurfaceCurve, side: float) -> None:
-    """Mark the start of a curve on one side of a surface by a ring, pale where it is hidden."""
+    """Mark the start of a curve on a surface by a ring, pale where it is hidden."""
     seen = sheet.view.faces_reader(side * curve.normals[0])
     sheet.dot(curve.points[0], "white" if seen else "none", INK if seen else QUIET, 4.5)
 
@@ -222,7 +225,7 @@ def mark_start(sheet: Canvas, curve: SurfaceCurve, side: float) -> None:
 def time_bar(
     figure: Figure, dataset: xr.Dataset, span: tuple[float, float], place: tuple[float, float]
 ) -> None:
-    """The colours of time between its first and last instant; `place` in inches, lower left."""
+    """Draw the scale of the colours of time, at `place` in inches."""
     width, height = figure.get_size_inches()
     units = unit_of(dataset, "time")
     start, end = _instants(span)
@@ -255,7 +258,7 @@ def time_bar(
 
 
 def _instants(span: tuple[float, float]) -> tuple[str, str]:
-    """Two instants, written with as many decimals as make three digits of the larger one."""
+    """Two instants in decimals, with three digits of the larger one."""
     largest = max(map(abs, span))
     if not 1e-3 <= largest < 1e5:
         return f"{span[0]:.3g}", f"{span[1]:.3g}"

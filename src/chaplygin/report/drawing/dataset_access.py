@@ -1,4 +1,4 @@
-"""What figures ask of a trajectory's dataset: values, units, texts."""
+"""Values, units and texts of a trajectory's dataset, for figures."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ NEEDED = {
 """Variables without which there is no such figure."""
 
 NOTHING = 1e-9
-"""What is smaller than this counts as zero, for want of a scale: it is not magnified."""
+"""Smaller numbers count as zero and are not magnified."""
 
 CURVE_POINTS = 1200
 """Points with which a smooth path is drawn."""
@@ -65,7 +65,7 @@ def times_of(dataset: xr.Dataset) -> FloatArray:
 
 
 def time_shares(times: FloatArray, since: float | None = None) -> FloatArray:
-    """Share of the time that has gone by at each instant, from `since` or the first to the last."""
+    """Share of the elapsed time at each instant, from `since` or the first on."""
     start = float(times[0]) if since is None else since
     span = float(times[-1]) - start
     return (times - start) / span if span != 0.0 else np.ones_like(times)
@@ -77,12 +77,12 @@ _LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True)
 
 
 def readable(text: str) -> str:
-    """The text itself if its formulas can be typeset, else the text with plain dollar signs.
+    """A text whose formulas can be typeset, or else with plain dollar signs.
 
     Raised and lowered characters are set as exponents and indices.
     """
-    text = re.sub(f"[{''.join(_RAISED)}]+", lambda match: _shifted(match[0], "^", _RAISED), text)
-    text = re.sub(f"[{''.join(_LOWERED)}]+", lambda match: _shifted(match[0], "_", _LOWERED), text)
+    text = re.sub(f"[{''.join(_RAISED)}]+", lambda match: _script(match[0], "^", _RAISED), text)
+    text = re.sub(f"[{''.join(_LOWERED)}]+", lambda match: _script(match[0], "_", _LOWERED), text)
     try:
         MathTextParser("path").parse(text)
     except ValueError:
@@ -90,7 +90,7 @@ def readable(text: str) -> str:
     return text
 
 
-def _shifted(characters: str, mark: str, table: dict[str, str]) -> str:
+def _script(characters: str, mark: str, table: dict[str, str]) -> str:
     return f"${mark}{{{''.join(table[c] for c in characters)}}}$"
 
 
@@ -113,7 +113,7 @@ _NOBODYS = 0xE000
 
 
 def wrapped(text: str, width: int = 50) -> str:
-    """A text in lines of some `width` characters, the names in its formulas set as letters."""
+    """A text in lines of about `width` characters, names set as letters."""
     names = list(map(typeset, _LETTER.findall(text)))
     # a name is a letter wide: one of those that have no meaning stands for it
     places = iter(range(_NOBODYS, _NOBODYS + len(names)))
@@ -125,7 +125,7 @@ def wrapped(text: str, width: int = 50) -> str:
 
 
 def unit_of(dataset: xr.Dataset, name: str) -> str:
-    """Unit of a variable, exponents raised; empty for a pure number or where none is known."""
+    """Unit of a variable with raised exponents; empty if it is one or unknown."""
     units = str(dataset[name].attrs.get("units", "")).strip()
     if units in ("", "1", "unknown"):
         return ""

@@ -48,7 +48,7 @@ _PROLOG = '<?xml version="1.0" encoding="utf-8"?>\n'
 
 
 def save(figure: Figure, path: str | FilePath) -> FilePath:
-    """Write a figure to a file, in the format its name ends with; the same bits every time.
+    """Write a figure in the format of the file name, with the same bits every time.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ def svg_text(figure: Figure) -> str:
         'style="stroke-linejoin: round; stroke-linecap: butt" ',
         1,
     )
-    text = re.sub(r' d="[^"]*"', _rounded, text)
+    text = re.sub(r' d="[^"]*"', _short_path, text)
     return _own_ids(re.sub(r"\n\s*", "\n", text.strip()))
 
 
@@ -163,7 +163,7 @@ def _make_narrow(figure: Figure) -> None:
 
 
 def _stack(figure: Figure, panels: list[Axes]) -> float:
-    """Put panels that stand side by side below each other; how much higher they are then."""
+    """Put panels below each other; the added height."""
     specs = [spec for axes in panels if (spec := axes.get_subplotspec())]
     columns = {spec.colspan.start for spec in specs}
     if len(panels) < 2 or len(specs) < len(panels) or len({s.get_gridspec() for s in specs}) > 1:
@@ -189,20 +189,20 @@ def _widen_margins(figure: Figure, larger: float) -> None:
 
 
 def _is_long(figure: Figure, axes: Axes) -> bool:
-    """Whether axes have a key of so many or so long lines that it needs the width of a page."""
+    """Whether axes have a legend that needs the width of a page."""
     legend = axes.get_legend() or next(iter(figure.legends), None)
     lines = [] if legend is None else [text.get_text() for text in legend.get_texts()]
     return max(map(len, lines), default=0) > _LONG
 
 
 def _share(figure: Figure, axes: Axes, legend: Legend) -> float:
-    """How much of a legend's width its axes have, 1 at most."""
+    """The share of a legend's width that its axes have, 1 at most."""
     figure.draw_without_rendering()
     room = axes.get_window_extent().width
     return min(1.0, float(room / legend.get_window_extent().width))
 
 
-def _rounded(path: re.Match[str]) -> str:
+def _short_path(path: re.Match[str]) -> str:
     """Coordinates of a path to a hundredth of a point, finer than any paper."""
     return re.sub(
         r"-?\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}", path[0].replace("\n", "")
@@ -215,8 +215,8 @@ def _own_ids(svg: str) -> str:
     used = set(re.findall(r'href="#([^"]+)"|url\(#([^)]+)\)', svg))
     names = {first or second for first, second in used}
 
-    def renamed(found: re.Match[str]) -> str:
-        return f' id="{mark}-{found[1]}"' if found[1] in names else ""
+    def renamed(match: re.Match[str]) -> str:
+        return f' id="{mark}-{match[1]}"' if match[1] in names else ""
 
     svg = re.sub(r' id="([^"]*)"', renamed, svg)
     return re.sub(r'(href="#|url\(#)', rf"\1{mark}-", svg)

@@ -1,4 +1,4 @@
-"""How every figure looks: colours, type, lines."""
+"""The style of all figures: colours, type, lines."""
 
 from __future__ import annotations
 
@@ -73,6 +73,6 @@ STYLE: dict[RcKeyType, Any] = {
     "svg.hashsalt": "chaplygin",
     "pdf.fonttype": 42,
 }
-"""How every figure looks; put in force while a figure is made and while it is written."""
+"""The style of every figure, in force while it is drawn and written."""
 WIDTH = 6.3
 """Width of a figure in inches: the text of an A4 page."""

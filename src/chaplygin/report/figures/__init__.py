@@ -1,4 +1,4 @@
-"""Figures of a trajectory: the rolling body, its paths, its motion in time, its conserved laws.
+"""Figures of a trajectory: body, paths, motion in time, conserved quantities.
 
 Every figure is a function of a trajectory's dataset (and, for the drawn body, of its outline and
 of what it rolls on) and returns a `matplotlib.figure.Figure`; nothing global is touched. Needed
@@ -15,7 +15,8 @@ from matplotlib.figure import Figure
 
 from ..drawing.dataset_access import NEEDED, title_of
 from ..drawing.files import FORMATS, page_svg, save, svg_text
-from ..drawing.geometry import BodyMesh, Ground
+from ..drawing.mesh import BodyMesh
+from ..drawing.shading import Ground
 from ..drawing.style import STYLE
 from ..scenes.ball import ball_scene
 from ..scenes.implicit_surface import SurfaceGround
@@ -23,18 +24,16 @@ from ..scenes.planar_mechanism import plan_view
 from ..scenes.rolling_body import scene
 from .bifurcation import draw_bifurcation_diagram as bifurcation_diagram
 from .closed_form import closed_form
+from .integral_drift import drift, drifts, relative_drift
 from .paths import contact_path, normal_on_sphere
 from .state import state
 from .time_series import (
     angular_velocity,
     attitude,
-    drift,
-    drifts,
     friction_ratio,
     needed_friction,
     normal_force,
     presses,
-    relative_drift,
 )
 
 __all__ = [
@@ -106,7 +105,7 @@ def all_figures(
 
 
 def _forces(dataset: xr.Dataset, weight: float | None) -> dict[str, Figure]:
-    """What the surface does to the body, where it does anything."""
+    """The figures of the contact forces, if there are any."""
     figures: dict[str, Figure] = {}
     if "normal_force" in dataset and presses(dataset):
         figures["normal_force"] = normal_force(dataset, weight)
@@ -118,7 +117,7 @@ def _forces(dataset: xr.Dataset, weight: float | None) -> dict[str, Figure]:
 def state_figures(
     dataset: xr.Dataset, names: Sequence[str], recorded: Sequence[str] = ()
 ) -> dict[str, Figure]:
-    """The figures of a system that is no body with ω and γ: its state in time, and the drift.
+    """The figures of a system without ω and γ: its state in time, and the drift.
 
     Parameters
     ----------
@@ -150,7 +149,7 @@ def ball_figures(
     names: Sequence[str],
     weight: float | None = None,
 ) -> dict[str, Figure]:
-    """The figures of a homogeneous ball on a surface, whose state is given in space axes.
+    """The figures of a homogeneous ball on a surface.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Where the parts of a bifurcation diagram lie on paper: window, lines, room for labels."""
+"""The layout of a bifurcation diagram: window, lines, room for labels."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ LABEL = (0.055, 0.026)
 
 @dataclass(frozen=True)
 class Window:
-    """The part of the plane that is shown, and the sloping line from which ordinates are taken.
+    """The drawn part of the plane, with the line from which ordinates are taken.
 
     Attributes
     ----------
@@ -44,13 +44,13 @@ class Window:
     offset: Fraction
 
     def drawn(self, place: Sequence[Fraction | float]) -> Place:
-        """Where a point of the plane is drawn."""
+        """The drawn position of a point of the plane."""
         x, y = map(float, place)
         return x, y - float(self.slope) * x - float(self.offset)
 
 
 def _base(diagram: Diagram) -> tuple[Fraction, Fraction]:
-    """Slope and offset of the line of the middle axis, from which a field's diagram is drawn.
+    """Slope and offset of the line of the middle axis.
 
     In a field the boundaries run close to each other along this line.  Without one they are rays
     that need no such help.
@@ -101,7 +101,7 @@ def _levels(
 ) -> dict[int, Heights]:
     slope, offset = map(float, base)
     ends = [-np.inf, *(float(a) for a in diagram.arrangement.abscissae), np.inf]
-    found: dict[int, Heights] = {}
+    levels: dict[int, Heights] = {}
     for column, (start, end) in enumerate(pairwise(ends)):
         low, high = max(start, across[0]), min(end, across[1])
         if high <= low:
@@ -111,8 +111,8 @@ def _levels(
         xs = low + (high - low) * (1 - np.cos(turns)) / 2
         rows = [diagram.arrangement.ordinates(column, rational(Fraction(float(x)))) for x in xs]
         ys = np.array([[float(y) for y in row] for row in rows])
-        found[column] = (xs, ys - (slope * xs + offset)[:, np.newaxis])
-    return found
+        levels[column] = (xs, ys - (slope * xs + offset)[:, np.newaxis])
+    return levels
 
 
 class Grid:
@@ -155,12 +155,12 @@ class Grid:
             self.members[np.outer(wide, tall)] = -1
 
     def of(self, regions: Sequence[Region]) -> BoolArray:
-        """Where some regions lie."""
+        """The points of the raster in some regions."""
         wanted = [n for n, region in enumerate(self.regions) if region in regions]
         return np.asarray(np.isin(self.members, wanted))
 
     def room(self, inside: BoolArray) -> FloatArray:
-        """How large a label each point has room for; 1 is just enough."""
+        """The size of the label that fits at each point; 1 just fits."""
         framed = np.pad(inside, 1)
         # in units of half a label
         steps = (1 / (GRID[0] * LABEL[0]), 1 / (GRID[1] * LABEL[1]))
@@ -174,25 +174,25 @@ class Grid:
 def places(
     grid: Grid, text: Sequence[Region], empty: Sequence[Region]
 ) -> dict[int, tuple[Place, Place | None]]:
-    """For every region a place inside and, where that is too narrow, one for its label outside.
+    """A point inside each region and, if that is too narrow, one for its label.
 
     Keys are the numbers of the regions; 0 is the one for the regions without motions.
     """
     free = grid.of(empty)
-    found: dict[int, tuple[Place, Place | None]] = {}
+    positions: dict[int, tuple[Place, Place | None]] = {}
     for region in text:
         room = grid.room(grid.of([region]))
         if room.max() <= 0:
             continue
         inside = _largest(room)
         if room[inside] >= 1.25:
-            found[region.number] = (grid.place(inside), None)
+            positions[region.number] = (grid.place(inside), None)
             continue
         outside = _nearest(grid.room(free) >= 1.5, inside)
         if outside is None:
-            found[region.number] = (grid.place(inside), None)
+            positions[region.number] = (grid.place(inside), None)
             continue
-        found[region.number] = (grid.place(inside), grid.place(outside))
+        positions[region.number] = (grid.place(inside), grid.place(outside))
         reach = (int(3 * LABEL[0] * GRID[0]), int(3 * LABEL[1] * GRID[1]))
         free[
             max(outside[0] - reach[0], 0) : outside[0] + reach[0],
@@ -200,8 +200,8 @@ def places(
         ] = False
     room = grid.room(free)
     if room.max() >= 1.5:
-        found[0] = (grid.place(_largest(room)), None)
-    return found
+        positions[0] = (grid.place(_largest(room)), None)
+    return positions
 
 
 def _largest(room: FloatArray) -> tuple[int, int]:

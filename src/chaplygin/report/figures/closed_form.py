@@ -1,4 +1,4 @@
-"""The curve of a closed form over the real line, its roots and the ovals of the motion."""
+"""The curve of a closed form over the real line: roots, ovals, motion."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ TURNS = 9
 
 
 def closed_form(title: str, form: ClosedForm) -> Figure:
-    """The ovals of a curve y² = ∏ (z − root) on which the motion lives, and the motion on them.
+    """The ovals of a curve y² = ∏ (z − root) and the motion on them.
 
     Ovals are drawn to the same height, each in the shape that the curve has there.  A motion of
     two frequencies is drawn beside them on the square of its two phases, for some turns.
@@ -97,10 +97,10 @@ def _torus(axes: Axes, first: float, second: float) -> None:
 
 def frequencies_of(form: ClosedForm) -> tuple[float, float] | None:
     """The two frequencies among the figures of a closed form."""
-    found = {f.symbol: float(f.value.mid()) for f in form.figures}
-    if "Omega_1" not in found or "Omega_2" not in found:
+    values = {f.symbol: float(f.value.mid()) for f in form.figures}
+    if "Omega_1" not in values or "Omega_2" not in values:
         return None
-    return found["Omega_1"], found["Omega_2"]
+    return values["Omega_1"], values["Omega_2"]
 
 
 def roots_of(form: ClosedForm) -> list[float]:

@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ..drawing.canvas import Canvas, blank_axes, fit_height, mark_ends, time_bar, timed_on_surface
+from ..drawing.curves import smooth_curve
 from ..drawing.dataset_access import (
     CURVE_POINTS,
     NOTHING,
@@ -21,16 +22,10 @@ from ..drawing.dataset_access import (
     values_of,
     with_unit,
 )
-from ..drawing.geometry import (
-    Ground,
-    PlaneGround,
-    SphereGround,
-    SurfaceCurve,
-    View,
-    smooth_curve,
-    unit,
-)
+from ..drawing.mesh import SurfaceCurve
+from ..drawing.shading import Ground, PlaneGround, SphereGround
 from ..drawing.style import FAINT, INK, QUIET, STYLE, WIDTH
+from ..drawing.view import View, unit
 from ..scenes.ground import draw_far_wall, draw_near_wall, draw_outside, on_ground
 
 _LEFT = 0.76
@@ -175,7 +170,7 @@ def normal_on_sphere(dataset: xr.Dataset) -> Figure:
 
 
 def _view_of_most(normals: FloatArray) -> View:
-    """Of eight views, one from the middle of each octant, that which shows most of a curve."""
+    """The view from the middle of an octant that shows most of a curve."""
     views = [
         View(np.radians(azimuth), elevation)
         for azimuth in (42.0, 132.0, 222.0, 312.0)
@@ -185,7 +180,7 @@ def _view_of_most(normals: FloatArray) -> View:
 
 
 def _draw_axes(sheet: Canvas, behind: bool) -> None:
-    """The three body axes outside the unit sphere, those that point away or towards the reader."""
+    """Draw those body axes that point away from the reader, or towards the reader."""
     for axis, direction in enumerate(np.eye(3)):
         if bool(sheet.view.depth(direction) < 0.0) == behind:
             colour = "#a3afba" if behind else "#56636f"

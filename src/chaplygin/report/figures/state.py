@@ -17,7 +17,7 @@ from ...errors import InputError
 from ...printing.formula import latex
 from ..drawing.dataset_access import require_all, times_of, title_of, unit_of, values_of, with_unit
 from ..drawing.style import COMPONENTS, FAINT, SERIES, STYLE, WIDTH
-from .time_series import marker, time_label, widen
+from .time_axis import marker, time_label, widen
 
 _TALL = 5
 """So many panels stand in one column; more in two."""
@@ -75,7 +75,7 @@ def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
 
 
 def _kind(dataset: xr.Dataset, name: str) -> tuple[str, str]:
-    """What scalars of one panel have in common; a vector has nothing with any other variable."""
+    """Letter and unit that scalars of one panel have in common; unique for vectors."""
     if dataset[name].ndim > 1:
         return name, ""
     letter, bar, _ = name.partition("_")
@@ -112,7 +112,7 @@ def _curves(dataset: xr.Dataset, name: str) -> list[tuple[str, FloatArray]]:
 
 
 def _symbol(dataset: xr.Dataset, group: Sequence[str]) -> str:
-    """What stands at the axis: the vector, the scalar, or the letter that scalars share."""
+    """The symbol at the axis: a vector, a scalar, or the common letter of scalars."""
     name = group[0]
     if dataset[name].ndim > 1:
         return latex(Vector(name))

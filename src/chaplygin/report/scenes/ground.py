@@ -1,4 +1,4 @@
-"""What a body rolls on: grids, spheres, bowls."""
+"""The ground under a body: grids, spheres, bowls."""
 
 from __future__ import annotations
 
@@ -7,17 +7,11 @@ from matplotlib.colors import to_hex, to_rgb
 
 from ...core.arrays import FloatArray
 from ..drawing.canvas import Canvas, visible_pieces
-from ..drawing.geometry import (
-    Ground,
-    PlaneGround,
-    SurfaceCurve,
-    View,
-    convex_hull,
-    runs,
-    sphere_cap,
-    unit,
-)
+from ..drawing.curves import convex_hull, runs
+from ..drawing.mesh import SurfaceCurve, sphere_cap
+from ..drawing.shading import Ground, PlaneGround
 from ..drawing.style import LINES
+from ..drawing.view import View, unit
 
 
 def on_ground(points: FloatArray, ground: Ground) -> SurfaceCurve:
@@ -66,7 +60,7 @@ def _round_number(size: float) -> float:
 
 
 def cap_opening(path: FloatArray, pole: float, room: float, widest: float) -> float:
-    """Angle from the pole to the rim of a cap with room around the path; pi: whole sphere."""
+    """Angle from the pole to the rim of a cap around the path; π for a whole sphere."""
     farthest = float(np.max(np.arccos(np.clip(pole * unit(path)[:, 2], -1.0, 1.0))))
     return farthest + room if farthest + room < widest else np.pi
 
@@ -105,7 +99,7 @@ def draw_near_wall(sheet: Canvas, radius: float, opening: float) -> None:
 
 
 def _cap_border(view: View, radius: float, pole: float, opening: float) -> FloatArray:
-    """The border on paper of a cap seen from the side of its rim, or of a whole sphere."""
+    """The border on paper of a cap seen from its rim, or of a whole sphere."""
     cap = sphere_cap(radius, pole, opening, 24, 90)
     whole = _limb(view, radius) if opening == np.pi else cap.polygons.reshape(-1, 3)
     return convex_hull(view.project(whole))

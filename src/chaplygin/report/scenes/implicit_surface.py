@@ -1,6 +1,6 @@
-"""A surface f = 0 as the pictures need it: where lines of sight meet it, and how it bends there.
+"""The surface f = 0 in pictures: its crossings with lines of sight.
 
-As in :mod:`chaplygin.report.drawing.geometry` everything is plain geometry in arrays; all lengths
+As in :mod:`chaplygin.report.drawing.view` everything is plain geometry in arrays; all lengths
 are in the units of the trajectory.
 """
 
@@ -14,7 +14,7 @@ import numpy as np
 from scipy.ndimage import map_coordinates
 
 from ...core.arrays import BoolArray, FloatArray
-from ..drawing.geometry import View, unit
+from ..drawing.view import View, unit
 
 __all__ = ["Crossings", "SurfaceGround", "crossings", "frame_of"]
 
@@ -25,7 +25,7 @@ _ALONG = 110
 """Samples along a line of sight through the box."""
 
 _LAYERS = 4
-"""How many crossings of a line of sight are kept, counted from the reader."""
+"""Crossings of a line of sight that are kept, counted from the reader."""
 
 _SETTLE = 6
 """Steps by which the place of a centre is found from a point of the surface below it."""
@@ -62,7 +62,7 @@ class SurfaceGround:
         return unit(np.nan_to_num(self.slope(points)))
 
     def height(self, points: FloatArray) -> FloatArray:
-        """A function (n,) that vanishes on the carrying surface; about the distance from it."""
+        """A function (n,) that vanishes on the surface, about the distance from it."""
         centres = self.centres(points)
         steep = np.linalg.norm(self.slope(centres), axis=-1)
         return np.asarray(self.level(centres) / np.where(steep > 0.0, steep, 1.0), np.float64)
@@ -73,14 +73,14 @@ class SurfaceGround:
 
 
 class Box(NamedTuple):
-    """What is drawn of a surface: the part between two corners of space."""
+    """The drawn part of a surface, between two corners of space."""
 
     low: FloatArray
     high: FloatArray
 
 
 def frame_of(points: FloatArray, margin: FloatArray, ground: SurfaceGround) -> Box:
-    """A box around points (n, 3) with margins (3,); the whole of a surface that closes near by."""
+    """A box around points (n, 3) with margins (3,), or around a closed surface."""
     low, high = points.min(axis=0) - margin, points.max(axis=0) + margin
     middle, half = (low + high) / 2, (high - low) / 2
     wide = Box(middle - 1.6 * np.max(half), middle + 1.6 * np.max(half))
@@ -125,7 +125,7 @@ def _grid(box: Box, ground: SurfaceGround) -> tuple[FloatArray, FloatArray]:
 
 @dataclass(frozen=True, eq=False)
 class Crossings:
-    """Where lines of sight meet a surface, the first one nearest to the reader.
+    """The crossings of lines of sight with a surface, nearest to the reader first.
 
     Attributes
     ----------
@@ -143,12 +143,12 @@ class Crossings:
 
     @property
     def met(self) -> BoolArray:
-        """Which lines of sight meet the surface so many times."""
+        """Whether each line of sight meets the surface so many times."""
         return np.asarray(np.isfinite(self.depth), dtype=np.bool_)
 
 
 def crossings(ground: SurfaceGround, box: Box, view: View, columns: int) -> Crossings:
-    """Where the lines of sight of a picture meet a surface inside a box.
+    """The crossings of the lines of sight of a picture with a surface in a box.
 
     Parameters
     ----------
@@ -168,8 +168,8 @@ def crossings(ground: SurfaceGround, box: Box, view: View, columns: int) -> Cros
     depths = view.depth(corners)
     beyond = 0.04 * float(np.ptp(depths))
     run = np.linspace(depths.max() + beyond, depths.min() - beyond, _ALONG)
-    found = _first_crossings(ground, box, view, start.reshape(-1, 3), run)
-    points = found.reshape(_LAYERS, rows, columns, 3)
+    first = _first_crossings(ground, box, view, start.reshape(-1, 3), run)
+    points = first.reshape(_LAYERS, rows, columns, 3)
     flat_points = np.nan_to_num(points.reshape(-1, 3))
     with np.errstate(all="ignore"):
         normals = ground.normals(flat_points).reshape(points.shape)
@@ -180,13 +180,13 @@ def crossings(ground: SurfaceGround, box: Box, view: View, columns: int) -> Cros
 def _first_crossings(
     ground: SurfaceGround, box: Box, view: View, start: FloatArray, run: FloatArray
 ) -> FloatArray:
-    """Points (layers, n, 3) where lines start + t·toward meet the surface, NaN where none."""
+    """Crossings (layers, n, 3) of lines start + t·toward, NaN where there is none."""
     # samples reach beyond the box, so that it cuts the surface between two of them
     room = 0.04 * float(np.max(box.high - box.low))
     wide = Box(box.low - room, box.high + room)
     _, heights = _grid(wide, ground)
     scale = (np.array(heights.shape) - 1) / (wide.high - wide.low)
-    found = np.full((_LAYERS, len(start), 3), np.nan)
+    points = np.full((_LAYERS, len(start), 3), np.nan)
     count = np.zeros(len(start), dtype=int)
     before = np.full(len(start), np.nan)
     for index, along in enumerate(run):
@@ -200,21 +200,21 @@ def _first_crossings(
         if len(crossed):
             share = before[crossed] / (before[crossed] - now[crossed])
             depth = run[index - 1] + share * (along - run[index - 1])
-            met = _polished(ground, view, start[crossed], depth)
-            kept = _within(met, box)
-            crossed = crossed[kept]
-            found[count[crossed], crossed] = met[kept]
+            met = _refined_crossings(ground, view, start[crossed], depth)
+            inside = _within(met, box)
+            crossed = crossed[inside]
+            points[count[crossed], crossed] = met[inside]
             count[crossed] += 1
         before = now
-    return found
+    return points
 
 
 def _within(points: FloatArray, box: Box) -> BoolArray:
-    """Which points (n, 3) lie in a box."""
+    """Whether points (n, 3) lie in a box."""
     return np.asarray(np.all((points >= box.low) & (points <= box.high), axis=1), dtype=np.bool_)
 
 
-def _polished(
+def _refined_crossings(
     ground: SurfaceGround, view: View, start: FloatArray, depth: FloatArray
 ) -> FloatArray:
     """Crossings on the surface itself, by two secant steps from those on the grid."""

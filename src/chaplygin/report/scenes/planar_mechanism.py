@@ -15,6 +15,7 @@ from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...experiment.plan import PlanMotion
 from ..drawing.canvas import Canvas, time_bar
+from ..drawing.curves import smooth_curve
 from ..drawing.dataset_access import (
     CURVE_POINTS,
     NOTHING,
@@ -24,8 +25,8 @@ from ..drawing.dataset_access import (
     unit_of,
     with_unit,
 )
-from ..drawing.geometry import View, smooth_curve
 from ..drawing.style import FAINT, INK, STYLE, TIME_COLOURS, WIDTH
+from ..drawing.view import View
 
 __all__ = ["plan_view"]
 
@@ -42,7 +43,7 @@ _LEFT, _RIGHT, _BOTTOM, _TOP = 0.76, 0.12, 0.86, 0.12
 
 
 def plan_view(dataset: xr.Dataset, motion: PlanMotion) -> Figure:
-    """The path of a mechanism in the plane, to scale, with the mechanism at some instants.
+    """The path of a mechanism in the plane, with the mechanism at some instants.
 
     The path is in the colours of time; the mechanism is dark at the end and pale before.  A
     mechanism that is small beside its path is shown enlarged in a corner as well.
@@ -107,7 +108,7 @@ def plan_view(dataset: xr.Dataset, motion: PlanMotion) -> Figure:
             end = mpl.colors.to_hex(TIME_COLOURS(1.0))
             sheet.dot(flat[-1], end, end, 4.5)
         if enlarged:
-            _enlarged(figure, sheet, flat, time_shares(times), last, wide)
+            _draw_enlarged(figure, sheet, flat, time_shares(times), last, wide)
         time_bar(figure, dataset, (instants[0], instants[-1]), (_LEFT, 0.16))
     return figure
 
@@ -125,7 +126,7 @@ class _Pose:
 
     @property
     def shapes(self) -> int:
-        """How many parts it has."""
+        """The number of its parts."""
         parts = (self.links, self.wheels, self.axles, self.blades, self.points)
         return sum(map(len, parts))
 
@@ -134,8 +135,8 @@ class _Pose:
         """Places that must be in the picture, (k, 2)."""
         ends = self.links.reshape(-1, 2)
         placed = [part[:, :2] for part in (self.wheels, self.axles, self.blades, self.points)]
-        found = np.concatenate([self.place[None], ends, *placed])
-        return np.asarray(found[np.isfinite(found).all(axis=1)], dtype=np.float64)
+        points = np.concatenate([self.place[None], ends, *placed])
+        return np.asarray(points[np.isfinite(points).all(axis=1)], dtype=np.float64)
 
     @property
     def size(self) -> float:
@@ -180,7 +181,7 @@ def _box(x: float, y: float, angle: float, length: float, width: float) -> Float
 
 
 def _spread(path: FloatArray, numbers: Iterable[int]) -> list[int]:
-    """Samples at about equal distances along a path, the first and the last among them."""
+    """Samples at about equal distances along a path, with both ends."""
     chosen = list(numbers)
     steps = np.linalg.norm(np.diff(path[chosen], axis=0), axis=1)
     way = np.concatenate([[0.0], np.cumsum(steps)])
@@ -195,7 +196,7 @@ def _limits(axes: Axes, middle: FloatArray, half: float, ratio: float) -> None:
     axes.set_ylim(middle[1] - half * ratio, middle[1] + half * ratio)
 
 
-def _enlarged(
+def _draw_enlarged(
     figure: Figure,
     sheet: Canvas,
     path: FloatArray,

@@ -20,6 +20,7 @@ from ..drawing.canvas import (
     timed_on_surface,
     visible_pieces,
 )
+from ..drawing.curves import convex_hull, cut_by_plane, smooth_curve
 from ..drawing.dataset_access import (
     CURVE_POINTS,
     require,
@@ -29,37 +30,26 @@ from ..drawing.dataset_access import (
     unit_of,
     values_of,
 )
-from ..drawing.geometry import (
-    BodyMesh,
-    Ground,
-    PlaneGround,
-    SphereGround,
-    SurfaceCurve,
-    View,
-    cast_shadow,
-    convex_hull,
-    cut_by_plane,
-    rotation_matrices,
-    smooth_curve,
-    unit,
-)
+from ..drawing.mesh import BodyMesh, SurfaceCurve
+from ..drawing.shading import Ground, PlaneGround, SphereGround, cast_shadow
 from ..drawing.style import BODY_TONES, QUIET, SHELL_TONES, STYLE, WIDTH
+from ..drawing.view import View, rotation_matrices, unit
 from .ground import cap_opening, draw_far_wall, draw_grid, draw_near_wall, draw_outside, on_ground
 
 _WHOLE = 10.0
-"""How many diameters of the body a path may extend to be drawn as a whole."""
+"""Extent in diameters of the body up to which a path is drawn as a whole."""
 
 _REACH = 6.0
-"""How many diameters of the body the last part of a longer path extends in a scene."""
+"""Extent in diameters of the body of the drawn last part of a longer path."""
 
 _TRACE = 6.3
-"""How many diameters of the body the path traced on it may be long: twice around a ball."""
+"""Length in diameters of the body of the path traced on it: twice around a ball."""
 
 
 def scene(
     dataset: xr.Dataset, outline: BodyMesh, surface: Ground, until: float | None = None
 ) -> Figure:
-    """The body on the surface it rolls on, with the paths of the contact point on both.
+    """The body on its surface, with the paths of the contact point on both.
 
     The body is drawn where it is at the end, the path in the colours of time. A path too long
     for the picture is cut to its last part; the bar tells which.
@@ -144,13 +134,13 @@ class Track:
         extent = np.max(high - low, axis=1)
         if extent[-1] <= _WHOLE * diameter:
             return self
-        kept = slice(-int(np.sum(extent <= _REACH * diameter)), None)
+        last = slice(-int(np.sum(extent <= _REACH * diameter)), None)
         return Track(
-            self.times[kept],
-            self.contact[kept],
-            self.centre[kept],
-            self.rotation[kept],
-            self.normal[kept],
+            self.times[last],
+            self.contact[last],
+            self.centre[last],
+            self.rotation[last],
+            self.normal[last],
         )
 
     def path(self, ground: Ground) -> tuple[FloatArray, SurfaceCurve]:
@@ -193,7 +183,7 @@ def track_of(dataset: xr.Dataset, until: float | None) -> Track:
 
 
 def _scene_view(track: Track, ground: Ground) -> View:
-    """Where the reader stands: paths run from left to right, the body is on the near side."""
+    """The view from which the path runs from left to right."""
     end = track.contact[-1]
     if isinstance(ground, PlaneGround):
         return _plane_view(track.contact)
@@ -207,7 +197,7 @@ def _scene_view(track: Track, ground: Ground) -> View:
 
 
 def _plane_view(contact: FloatArray) -> View:
-    """A view slightly along the path, such that the body's last steps go across the picture."""
+    """A view slightly along the path, across which the last steps lead."""
     azimuth = across(contact)
     back = np.linalg.norm(contact - contact[-1], axis=1)
     last = contact[-1] - contact[np.argmax(back <= 0.15 * np.max(back))]
@@ -217,7 +207,7 @@ def _plane_view(contact: FloatArray) -> View:
 
 
 def across(points: FloatArray) -> float:
-    """Azimuth from which points (n, 3) extend most from left to right, the last one right."""
+    """Azimuth from which points (n, 3) extend most from left to right."""
     flat = points[:, :2] - points[:, :2].mean(axis=0)
     along = np.linalg.svd(flat, full_matrices=False)[2][0] if np.any(flat) else np.array([0.0, 1.0])
     if along @ (points[-1, :2] - points[0, :2]) < 0.0:
@@ -231,7 +221,7 @@ def _lamp(view: View) -> FloatArray:
 
 
 def _draw_shadow(sheet: Canvas, body: BodyMesh, ground: Ground) -> None:
-    """A shadow with soft borders: many lamps close to each other, each with a faint one."""
+    """Draw a shadow with soft borders."""
     lamp = _lamp(sheet.view)
     lamps = 40
     for number in range(lamps):
@@ -259,7 +249,7 @@ def _draw_border(sheet: Canvas, body: BodyMesh, colour: str, width: float) -> No
 
 
 def _draw_ghosts(sheet: Canvas, track: Track, outline: BodyMesh) -> None:
-    """Pale bodies at earlier places, as far as they stand clear of each other and of the last."""
+    """Draw pale bodies at earlier positions that overlap with no other."""
     extent = float(np.max(np.ptp(track.contact, axis=0)))
     apart = max(1.25 * outline.diameter, 0.2 * extent)
     places = [len(track.times) - 1]
@@ -325,7 +315,7 @@ def _scene_in_bowl(sheet: Canvas, track: Track, body: BodyMesh, ground: SphereGr
 
 
 def _scene_around_sphere(sheet: Canvas, track: Track, body: BodyMesh, ground: SphereGround) -> None:
-    """A shell with the sphere inside: its far half, the sphere, and its near half of glass."""
+    """Draw a shell around a sphere: its far half, the sphere, its near half."""
     times, path = track.path(ground)
     fractions = time_shares(times)
     facets = body.facets

@@ -1,0 +1,61 @@
+"""Units of momenta, from those of the parameters."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from chaplygin import Mechanism, Parameter, coordinates, equations
+from chaplygin.core.laws import Integral
+from chaplygin.core.vectors import real_symbol
+from chaplygin.mechanics.lagrangian.units import momentum_units
+
+m, J, l, r, phi, x = map(real_symbol, ("m", "J", "l", "r", "phi", "x"))
+HALF = sp.Rational(1, 2)
+SPIN = "kg m^2/s"
+
+
+def mechanism(kinetic: sp.Expr, frame: object, **units: str) -> Mechanism:
+    parameters = tuple(Parameter(s, str(s), 1.0, units.get(str(s), "")) for s in (m, J, l))
+    return Mechanism("trial", frame, kinetic, parameters=parameters)
+
+
+def units(kinetic: sp.Expr, frame: object, **declared: str) -> list[str]:
+    return list(momentum_units(mechanism(kinetic, frame, **declared)).values())
+
+
+PLANE = coordinates(r, phi)
+RDOT, PHIDOT = PLANE.w
+
+
+@pytest.mark.parametrize(
+    ("kinetic", "declared", "expected"),
+    [
+        (m * RDOT**2 + J * PHIDOT**2, {"m": "kg", "J": "kg m^2"}, ["kg m/s", "kg m^2/s"]),
+        (m * RDOT**2 + J * PHIDOT**2, {"m": "kg"}, ["kg m/s", ""]),
+        (m * RDOT**2 + J * PHIDOT**2, {}, ["", ""]),
+        (m * RDOT**2 + J * PHIDOT**2, {"m": "stone", "J": "N m s^2"}, ["", "kg m^2/s"]),
+        # the unit of r follows from that of its rate, and is needed for that of the other
+        (m * (RDOT**2 + r**2 * PHIDOT**2), {"m": "kg"}, ["kg m/s", "kg m^2/s"]),
+        (
+            m * l**2 * (RDOT**2 + sp.cos(r) ** 2 * PHIDOT**2),
+            {"m": "kg", "l": "m"},
+            ["kg m^2/s"] * 2,
+        ),
+        # r would be measured in the root of metres
+        (m * l * RDOT**2 + J * PHIDOT**2, {"m": "kg", "l": "m", "J": "kg m^2"}, ["", "kg m^2/s"]),
+    ],
+    ids=str,
+)
+def test_momenta(kinetic: sp.Expr, declared: dict[str, str], expected: list[str]) -> None:
+    assert units(HALF * kinetic, PLANE, **declared) == expected
+
+
+def test_the_integral_of_a_cyclic_coordinate_has_its_unit() -> None:
+    planet = mechanism(HALF * m * (RDOT**2 + r**2 * PHIDOT**2) + J / r, PLANE, m="kg")
+    (momentum,) = (
+        law
+        for law in equations(planet).laws
+        if isinstance(law, Integral) and law.name == "momentum_phidot"
+    )
+    assert momentum.unit == "kg m^2/s"
