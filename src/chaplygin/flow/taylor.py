@@ -106,7 +106,7 @@ class _Plan:
         ]
         # srepr keeps every digit of a decimal number, which str does not
         formulas = (sp.srepr([to_components(item) for item in part]) for part in shape)
-        return cache.digest(*formulas, repr(self.tolerance), self.precision, self.direction)
+        return cache.code_name(*formulas, repr(self.tolerance), self.precision, self.direction)
 
     def compile(self) -> Compiled:
         system, kind = self.lifted, number_type(self.precision)

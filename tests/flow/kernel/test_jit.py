@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from chaplygin.core import cache as core_cache
 from chaplygin.core.system import Guard, Parameter, System
 from chaplygin.flow.batch import batch_integrator
 from chaplygin.flow.gauss import _compiled
@@ -46,7 +47,7 @@ def run(code: native.Native) -> list[float]:
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """An empty cache of the test's own, without what this process has at hand."""
     monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path / "code"))
-    monkeypatch.setattr(cache, "_version", lambda path: object())
+    monkeypatch.setattr(cache, "_file_version", lambda path: object())
     return tmp_path / "code"
 
 
@@ -101,7 +102,7 @@ def test_code_for_another_processor_is_not_used(
 
 def test_a_change_of_the_program_counts(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     doubling(4)
-    monkeypatch.setattr(native, "core", lambda: "another one")
+    monkeypatch.setattr(core_cache, "computation_digest", lambda: "another one")
     assert not doubling(4).found
 
 
@@ -117,7 +118,7 @@ def test_without_a_cache_code_is_compiled(
     else:
         blocked.write_text("")
     monkeypatch.setenv("CHAPLYGIN_CACHE", str(blocked / "code"))
-    monkeypatch.setattr(cache, "_version", lambda path: object())
+    monkeypatch.setattr(cache, "_file_version", lambda path: object())
     for _ in range(2):
         code = doubling(8)
         assert not code.found

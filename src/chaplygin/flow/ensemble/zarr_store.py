@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...core.source_digest import core
+from ...core.source_digest import computation_digest
 from ...errors import InputError
 from ...formulas.digest import digest, field_digests
 from .task import Arrays, IncompleteError, Task
@@ -234,7 +234,7 @@ def _lay_out(task: Task, folder: Path) -> None:
                 "format": FORMAT,
                 "block": task.block,
                 "task": _description(task),
-                "program": core(),
+                "program": computation_digest(),
             },
         )
         zarr.consolidate_metadata(group.store)
@@ -353,7 +353,7 @@ def _gone_on_with(task: Task, folder: Path, group: Any) -> Store:
             raise InputError(f"{folder} holds another experiment: {_difference(name, task, group)}")
     done = _marks(folder, group)
     done[_lost(folder, group, done)] = False
-    if notes.get("program") != core() and not done.all():
+    if notes.get("program") != computation_digest() and not done.all():
         raise InputError(
             f"{folder} was begun by another version of the program, whose numbers may differ in "
             f"their last digits; {_CHOICE}"

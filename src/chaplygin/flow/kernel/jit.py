@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import hashlib
 import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -14,7 +13,6 @@ import llvmlite
 import llvmlite.binding as llvm
 import numpy as np
 
-from ...core.source_digest import core
 from . import code_cache as cache
 
 __all__ = ["Native", "aligned", "load_code", "width"]
@@ -123,7 +121,7 @@ def load_code(
     signatures : dict of str to sequence of ctypes types
         Of each function that is to be called from Python.
     """
-    name = hashlib.sha256("\x00".join((key, _processor(), core())).encode()).hexdigest()
+    name = cache.code_name(key, _processor())
 
     def make() -> tuple[bytes, int]:
         written, room = text()
