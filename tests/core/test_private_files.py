@@ -224,10 +224,8 @@ def test_another_version_of_a_library_makes_other_names(monkeypatch: pytest.Monk
 
 
 def test_where_one_text_ends_and_the_next_begins_counts() -> None:
-    names = {
-        core_cache.entry_name(*parts) for parts in [("a", "b"), ("ab",), ("ab", ""), ("b", "a")]
-    }
-    assert len(names) == 4
+    texts = [("a", "b"), ("ab",), ("ab", ""), ("b", "a")]
+    assert len({core_cache.entry_name(*parts) for parts in texts}) == len(texts)
 
 
 def test_code_goes_by_the_machine_and_verdicts_do_not(monkeypatch: pytest.MonkeyPatch) -> None:

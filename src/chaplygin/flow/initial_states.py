@@ -90,9 +90,9 @@ def whole_start(
 def upright(vertical: Sequence[Any]) -> list[Any]:
     """The quaternion that takes a unit vector (body) to the vertical along the shortest way."""
     with mpmath.workdps(_DIGITS):
-        x, y, z = (
-            mpmath.mpf(repr(float(v))) if isinstance(v, float) else mpmath.mpf(v) for v in vertical
-        )
+        # float also turns numbers of NumPy into ones that repr writes as digits
+        decimals = (repr(float(v)) if isinstance(v, float) else v for v in vertical)
+        x, y, z = map(mpmath.mpf, decimals)
         turn = [1 + z, y, -x, mpmath.mpf(0)]
         if not 1 + z > _TURNED:
             turn = [mpmath.mpf(0), mpmath.mpf(1), mpmath.mpf(0), mpmath.mpf(0)]
