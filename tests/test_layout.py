@@ -26,8 +26,6 @@ LONGER = {
     "core/laws.py",
     "experiment/file/models.py",
     "experiment/study.py",
-    "flow/batch.py",
-    "flow/integrator.py",
     "flow/kernel/gauss_legendre.py",
     "flow/kernel/runge_kutta.py",
     "mechanics/rolling/equations.py",

@@ -16,14 +16,13 @@ from scipy.special import ellipj
 from chaplygin.core.system import Parameter, System
 from chaplygin.errors import InputError
 from chaplygin.flow.batch import (
-    THREADS,
     BatchIntegrator,
-    available_threads,
     batch_integrator,
     poincare_section,
 )
 from chaplygin.flow.integrator import integrate
 from chaplygin.flow.kernel.double_double import unpaired
+from chaplygin.flow.threads import THREADS, available_threads
 from chaplygin.formulas.evaluate import values
 from flow.small import (
     BODIES,

@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from typing import Any, TypeAlias
 
 import heyoka as hy
+import numpy.typing as npt
 import sympy as sp
 
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
 
-__all__ = ["Translator"]
+__all__ = ["Translator", "WorkingArray", "WorkingNumber"]
 
-_FUNCTIONS: Mapping[Any, Callable[..., Any]] = {
+#: A number of the working precision: a double, or one of heyoka's with 34 digits; and arrays.
+WorkingNumber: TypeAlias = Any
+WorkingArray: TypeAlias = npt.NDArray[Any]
+
+_FUNCTIONS: Mapping[type[sp.Function], Callable[..., hy.expression]] = {
     sp.sin: hy.sin,
     sp.cos: hy.cos,
     sp.tan: hy.tan,
@@ -46,17 +51,19 @@ class Translator:
         self.variables = hy.make_vars(*map(str, system.symbols))
         if len(system.symbols) == 1:
             self.variables = [self.variables]
-        self._known: dict[sp.Expr, Any] = dict(zip(system.symbols, self.variables, strict=True))
+        self._known: dict[sp.Expr, hy.expression] = dict(
+            zip(system.symbols, self.variables, strict=True)
+        )
         self._known |= {p.symbol: hy.par[i] for i, p in enumerate(system.parameters)}
         self._steps = dict(system.steps)
 
-    def __call__(self, formula: sp.Expr) -> Any:
+    def __call__(self, formula: sp.Expr) -> hy.expression:
         """The heyoka expression of a scalar formula."""
         return self._visit(to_components(formula))
 
-    def all(self, formulas: Iterable[sp.Expr]) -> list[Any]:
+    def all(self, formulas: Iterable[sp.Expr]) -> list[hy.expression]:
         """Several at once; vectors are flattened."""
-        flat: list[Any] = []
+        flat: list[hy.expression] = []
         for formula in formulas:
             value = to_components(formula)
             flat.extend(
@@ -66,7 +73,7 @@ class Translator:
             )
         return flat
 
-    def _visit(self, node: sp.Expr) -> Any:
+    def _visit(self, node: sp.Expr) -> hy.expression:
         if node not in self._known:
             if node in self._steps:
                 self._known[node] = self._visit(self._steps[node])
@@ -74,7 +81,7 @@ class Translator:
                 self._known[node] = self._build(node)
         return self._known[node]
 
-    def _build(self, node: sp.Expr) -> Any:
+    def _build(self, node: sp.Expr) -> hy.expression:
         if node.is_Rational:
             return hy.expression(_WIDE(int(node.p)) / _WIDE(int(node.q)))
         if node.is_number and not node.args:
@@ -91,13 +98,13 @@ class Translator:
             raise InputError(f"{node}: the integrator has no function {node.func.__name__}")
         return function(*(self._visit(arg) for arg in node.args))
 
-    def _product(self, node: sp.Expr) -> Any:
+    def _product(self, node: sp.Expr) -> hy.expression:
         above = [arg for arg in node.args if not _reciprocal(arg)]
         below = [1 / arg for arg in node.args if _reciprocal(arg)]
         product = hy.prod([self._visit(arg) for arg in above])
         return product / hy.prod([self._visit(arg) for arg in below]) if below else product
 
-    def _power(self, base: Any, exponent: sp.Expr) -> Any:
+    def _power(self, base: hy.expression, exponent: sp.Expr) -> hy.expression:
         if exponent.is_Integer and exponent < 0:
             return hy.expression(1.0) / self._power(base, -exponent)
         if exponent == sp.Rational(1, 2):

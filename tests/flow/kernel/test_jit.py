@@ -37,8 +37,8 @@ def doubling(lanes_of: int, factor: str = "2.0") -> Any:
 
 
 def run(code: native.Native) -> list[float]:
-    numbers = native.aligned(code.room)
-    numbers[:] = np.arange(code.room)
+    numbers = native.aligned(code.work_size)
+    numbers[:] = np.arange(code.work_size)
     code.functions["doubled"](numbers.ctypes.data)
     return numbers.tolist()
 
@@ -58,16 +58,16 @@ def test_code_runs_at_every_width(lanes_of: int) -> None:
 
 def test_code_is_found_the_second_time(folder: Path) -> None:
     first, second = doubling(4), doubling(4)
-    assert (first.found, second.found) == (False, True)
+    assert (first.from_cache, second.from_cache) == (False, True)
     assert run(first) == run(second)
-    assert first.room == second.room
+    assert first.work_size == second.work_size
     assert len(list(folder.iterdir())) == 1
 
 
 def test_other_text_is_other_code(folder: Path) -> None:
     doubling(4)
     other = doubling(4, "3.0")
-    assert not other.found
+    assert not other.from_cache
     assert run(other) == [0.0, 3.0, 6.0, 9.0]
     assert len(list(folder.iterdir())) == 2
 
@@ -87,9 +87,9 @@ def test_damaged_code_is_compiled_again(folder: Path, damage: str) -> None:
     }
     path.write_bytes(changed[damage])
     again = doubling(4)
-    assert not again.found
+    assert not again.from_cache
     assert run(again) == [0.0, 2.0, 4.0, 6.0]
-    assert doubling(4).found
+    assert doubling(4).from_cache
 
 
 def test_code_for_another_processor_is_not_used(
@@ -97,13 +97,13 @@ def test_code_for_another_processor_is_not_used(
 ) -> None:
     doubling(4)
     monkeypatch.setattr(native, "_processor", lambda: "another one")
-    assert not doubling(4).found
+    assert not doubling(4).from_cache
 
 
 def test_a_change_of_the_program_counts(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     doubling(4)
     monkeypatch.setattr(core_cache, "computation_digest", lambda: "another one")
-    assert not doubling(4).found
+    assert not doubling(4).from_cache
 
 
 @pytest.mark.parametrize("place", ["a file in its way", "read-only"])
@@ -121,7 +121,7 @@ def test_without_a_cache_code_is_compiled(
     monkeypatch.setattr(cache, "_file_version", lambda path: object())
     for _ in range(2):
         code = doubling(8)
-        assert not code.found
+        assert not code.from_cache
         assert run(code) == [2.0 * k for k in range(8)]
 
 
@@ -139,7 +139,7 @@ def test_another_process_finds_the_code(tmp_path: Path) -> None:
         "x, y = sp.symbols('x y', real=True)\n"
         "flow = batch_integrator(System(name='o', title='O', field={x: y, y: -x}))\n"
         "found = flow.until([[1.0, 0.0]], [3.0])\n"
-        "print(flow.code.found, found.states[0, 0, 0].hex(), found.states[0, 0, 1].hex())\n"
+        "print(flow.code.from_cache, found.states[0, 0, 0].hex(), found.states[0, 0, 1].hex())\n"
     )
     environment = os.environ | {"CHAPLYGIN_CACHE": str(tmp_path / "code")}
     lines = [
@@ -196,19 +196,19 @@ def test_every_option_is_other_code(folder: Path) -> None:
         {"digits": 30},
     ]
     made = [batch_integrator.__wrapped__(system, **chosen) for chosen in options]
-    assert not any(flow.code.found for flow in made)
-    assert batch_integrator.__wrapped__(system, tolerance=1e-6).code.found
-    assert batch_integrator.__wrapped__(replace(system, title="Another word")).code.found
+    assert not any(flow.code.from_cache for flow in made)
+    assert batch_integrator.__wrapped__(system, tolerance=1e-6).code.from_cache
+    assert batch_integrator.__wrapped__(replace(system, title="Another word")).code.from_cache
 
 
 def test_what_is_held_is_part_of_the_key(folder: Path) -> None:
     held = _compiled.__wrapped__(OSCILLATOR, 16, False, ("energy",))
     free = _compiled.__wrapped__(OSCILLATOR, 16, False, ())
-    assert not held.code.found
-    assert not free.code.found
+    assert not held.code.from_cache
+    assert not free.code.from_cache
     laws = (replace(OSCILLATOR.laws[0], value=2 * OSCILLATOR.laws[0].value),)
     other = _compiled.__wrapped__(replace(OSCILLATOR, laws=laws), 16, False, ("energy",))
-    assert not other.code.found
+    assert not other.code.from_cache
 
 
 def test_memory_is_aligned() -> None:
@@ -225,4 +225,4 @@ def test_width_fills_two_registers() -> None:
 
 def test_lanes_of_a_body_are_compiled_once_for_all_processes(folder: Path) -> None:
     ball = body("chaplygin-ball")
-    assert [batch_integrator.__wrapped__(ball).code.found for _ in range(2)] == [False, True]
+    assert [batch_integrator.__wrapped__(ball).code.from_cache for _ in range(2)] == [False, True]

@@ -215,7 +215,8 @@ def _grown(
         level = np.zeros((len(live), len(relations.conditions)))
         states[live] = relations.kept(run.states[going, 0], level, chosen, sizes[live])
         basis, _ = space.excluded(states[live], chosen, sizes[live])
-        frames[live], lengths = rule.renewed(run.deviations[going, 0] / sizes[live, None], basis)
+        tangents = np.asarray(run.deviations)[going, 0] / sizes[live, None]
+        frames[live], lengths = rule.renewed(tangents, basis)
         with np.errstate(divide="ignore"):
             logarithms[live, k] = np.log(lengths)
     frames[outcome != 0] = np.nan

@@ -125,7 +125,7 @@ class _Problem:
         sizes = self.sizes[:-1]
         excess, rows = measured(*self._levels(point), sizes)
         closing = np.column_stack(
-            [moved.deviations[0, 0].T - np.eye(size), [float(r) for r in rates]]
+            [np.asarray(moved.deviations)[0, 0].T - np.eye(size), [float(r) for r in rates]]
         )
         ends = closing * self.sizes / sizes[:, None]
         matrix = np.vstack([ends, np.column_stack([rows, np.zeros(len(rows))])])

@@ -17,7 +17,7 @@ from ...core.system import System
 from ...errors import InputError
 from ...flow.batch import batch_integrator
 from ...flow.ensemble.task import Coordinate, Task, Variable
-from ...flow.kernel.runge_kutta import STATUS_MESSAGES
+from ...flow.kernel.outcomes import STATUS_MESSAGES
 from .grid import NO_NUMBER, REASONS, Axis, ScanGrid
 
 __all__ = ["Rule", "Scan", "scan"]

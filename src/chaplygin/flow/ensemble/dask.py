@@ -114,7 +114,7 @@ def results(
 
 def _compute(packed: bytes, first: int, last: int) -> Arrays:
     """A block, in a thread of a worker: it stands for one processor, unless its user says more."""
-    from ..batch import THREADS
+    from ..threads import THREADS
 
     before = THREADS.set(int(os.environ.get("CHAPLYGIN_THREADS", "1")))
     try:

@@ -18,7 +18,7 @@ from ...errors import InputError
 from ...formulas.digest import canonical
 from ...formulas.evaluate import as_float_array
 from ..cost import TooMuchError
-from ..kernel.runge_kutta import STATUS_MESSAGES
+from ..kernel.outcomes import STATUS_MESSAGES
 from ..validation import moments
 from ..variable_metadata import FRAMES, LABELS, variable_metadata
 from .compute import compute

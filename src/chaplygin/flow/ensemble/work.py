@@ -8,45 +8,21 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-import sympy as sp
 
 from ...core.system import System
-from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.evaluate import values
 from ..batch import BatchIntegrator, batch_integrator
 from ..initial_states import flat_starts
 from ..sampling.draw import LevelSampler, level_sampler
-from ..trajectory import by_name
+from ..trajectory import RecordedQuantity, by_name, recorded_quantities
 from .members import ListedMembers, Members, SampledMembers
 from .task import Arrays
 
-__all__ = ["EnsembleWork", "Recorded", "recorded"]
+__all__ = ["EnsembleWork", "recorded"]
 
 
-@dataclass(frozen=True)
-class Recorded:
-    """A quantity to be recorded along motions.
-
-    Attributes
-    ----------
-    name : str
-    formulas : tuple of sympy.Expr
-        Its components.
-    frame : str
-        Of a vector, as in :class:`chaplygin.core.system.Observable`; empty for a scalar.
-    meaning, unit, source : str
-    """
-
-    name: str
-    formulas: tuple[Any, ...]
-    frame: str
-    meaning: str
-    unit: str
-    source: str
-
-
-def recorded(system: System, names: Sequence[str]) -> tuple[Recorded, ...]:
+def recorded(system: System, names: Sequence[str]) -> tuple[RecordedQuantity, ...]:
     """Observables and integrals by name; an integral is recorded as ``law_<name>``.
 
     Raises
@@ -54,24 +30,22 @@ def recorded(system: System, names: Sequence[str]) -> tuple[Recorded, ...]:
     InputError
         If the system has no such observable or integral.
     """
-    known = {f"law_{law.name}": _recorded(f"law_{law.name}", "", law) for law in system.integrals}
-    known |= {item.name: _recorded(item.name, item.frame, item) for item in system.observables}
-    found = []
+    known = {quantity.name: quantity for quantity in recorded_quantities(system)}
+    quantities = []
     for name in names:
         label = name if name in known else f"law_{name}"
         if label not in known:
             raise InputError(
                 f"{system.name}: there is no {name} to be recorded; there are "
-                f"{', '.join(known) or 'no observables'}"
+                f"{', '.join(sorted(known, key=_is_observable)) or 'no observables'}"
             )
-        found.append(known[label])
-    return tuple(found)
+        quantities.append(known[label])
+    return tuple(quantities)
 
 
-def _recorded(name: str, frame: str, item: Any) -> Recorded:
-    formula = to_components(sp.sympify(item.value))
-    parts = tuple(formula) if isinstance(formula, sp.MatrixBase) else (formula,)
-    return Recorded(name, parts, frame, item.meaning, item.unit or "1", item.source)
+def _is_observable(name: str) -> bool:
+    """Whether a recorded quantity is none of the integrals, which are listed first."""
+    return not name.startswith("law_")
 
 
 @dataclass(frozen=True, eq=False)

@@ -19,8 +19,9 @@ from .arithmetic import Double, Pair, Value
 from .codegen import functions
 from .equations import Equations
 from .ir_writer import IRWriter, literal
+from .outcomes import COLLAPSED, NOT_A_NUMBER, STATUS_MESSAGES, STEPS
 from .projection_terms import ProjectionTerms
-from .runge_kutta import COLLAPSED, NOT_A_NUMBER, STATUS_MESSAGES, STEPS, Workspace
+from .runge_kutta import Workspace
 from .tableaux import Gauss
 
 __all__ = ["gauss_loop"]
@@ -60,11 +61,11 @@ class _Loop:
             self._functions("exact", Pair, {"residuals": kept.residuals}, 1)
             self._functions("thin", Double, {"correct": kept.correction}, 1)
         count = 0 if kept is None else len(kept.residuals)
-        self.space.room("y", 2 * (self.size + count))
-        self.space.room("new", 2 * (self.size + count))
-        self.space.room("point", self.size + count)
-        self.space.room("left", 2 * max(count, 1))
-        self.space.room("move", self.size)
+        self.space.reserve("y", 2 * (self.size + count))
+        self.space.reserve("new", 2 * (self.size + count))
+        self.space.reserve("point", self.size + count)
+        self.space.reserve("left", 2 * max(count, 1))
+        self.space.reserve("move", self.size)
         for name in ("stage", "rates", "fresh", "before"):
             self._vectors(name, self.size)
         for name in ("fine_stage", "fine_rates", "fine_before"):
@@ -74,7 +75,7 @@ class _Loop:
     def _vectors(self, name: str, count: int) -> None:
         """Room for vectors, at an address that is a multiple of their size."""
         self.space.size += -self.space.size % 8
-        self.space.room(name, count * self.stages)
+        self.space.reserve(name, count * self.stages)
 
     def _functions(
         self,
@@ -87,8 +88,8 @@ class _Loop:
         self.texts.append(text)
         # vectors want addresses that are multiples of their size
         self.space.size += -self.space.size % 8
-        self.space.room(f"{name}_constants", max(constants, 1) * lanes * kind.words)
-        self.space.room(
+        self.space.reserve(f"{name}_constants", max(constants, 1) * lanes * kind.words)
+        self.space.reserve(
             f"{name}_parameters", max(self.equations.parameters, 1) * lanes * kind.words
         )
 

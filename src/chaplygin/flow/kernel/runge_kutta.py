@@ -20,21 +20,10 @@ from .codegen import functions
 from .equations import Equations
 from .hermite import dipping, hence, root
 from .ir_writer import IRWriter, literal
+from .outcomes import COLLAPSED, IN_VAIN, NOT_A_NUMBER, OVER, STATUS_MESSAGES, STEPS
 from .tableaux import Explicit
 
-__all__ = ["STATUS_MESSAGES", "STEPS", "Workspace", "runge_kutta_loop"]
-
-#: Why a lane ended, by number; guards follow.
-STATUS_MESSAGES = (
-    "",
-    "the step size collapsed (a singularity of the equations is near)",
-    "the state stopped being a number",
-    "the largest number of steps was reached",
-    "the time limit was reached",
-    "a million steps passed without a crossing",
-)
-
-COLLAPSED, NOT_A_NUMBER, STEPS, OVER, IN_VAIN = range(1, len(STATUS_MESSAGES))
+__all__ = ["Workspace", "runge_kutta_loop"]
 
 #: Steps without a crossing after which a motion is given up: what comes to rest crosses nothing.
 MAX_STEPS_WITHOUT_CROSSING = 1e6
@@ -65,7 +54,7 @@ class Workspace:
     size: int = 0
     places: dict[str, int] = field(default_factory=dict)
 
-    def room(self, name: str, vectors: int = 1) -> int:
+    def reserve(self, name: str, vectors: int = 1) -> int:
         """Room for some vectors."""
         self.places[name] = self.size
         self.size += vectors
@@ -99,9 +88,9 @@ class _March:
             ("halfway", 1),
             ("guards", max(len(equations.guards), 1)),
         ):
-            self.space.room(name, count * words)
+            self.space.reserve(name, count * words)
         for name in _KEPT.split():
-            self.space.room(name)
+            self.space.reserve(name)
 
     # --- places ------------------------------------------------------------------------------
 

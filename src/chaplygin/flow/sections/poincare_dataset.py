@@ -14,7 +14,7 @@ from ...errors import InputError
 from ...formulas.batch import Formulas
 from ...formulas.evaluate import parameter_rows
 from ..ensemble.task import Coordinate, Task, Variable
-from ..kernel.runge_kutta import STATUS_MESSAGES
+from ..kernel.outcomes import STATUS_MESSAGES
 from ..trajectory import by_name
 from ..variable_metadata import FRAMES, LABELS, variable_metadata
 from .poincare_map import PoincareMap

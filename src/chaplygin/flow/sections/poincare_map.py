@@ -177,7 +177,7 @@ class PoincareMap:
         )
         images, times = crossed.states[:, -1], crossed.times[:, -1]
         # deviations are rows there, columns here
-        flow = np.swapaxes(crossed.deviations[:, -1], 1, 2)
+        flow = np.swapaxes(np.asarray(crossed.deviations)[:, -1], 1, 2)
         rates = self._rates(images, self.parameters)
         normals = self._value.slopes(images, self.parameters)[:, 0]
         across = np.einsum("ni,ni->n", normals, rates)[:, None]
