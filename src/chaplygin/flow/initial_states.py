@@ -8,11 +8,15 @@ from typing import Any
 
 import mpmath
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 
+from ..arguments import Parameters
+from ..core.arrays import FloatArray
 from ..core.system import System, flat
 from ..core.vectors import Vector
 from ..errors import InputError
+from ..flow.heyoka_expressions import WorkingNumber
 from ..formulas.evaluate import values
 
 __all__ = ["flat_starts", "reduced_rows", "reduced_start", "upright", "whole_start"]
@@ -25,9 +29,9 @@ omega, gamma = Vector("omega"), Vector("gamma")
 
 def reduced_start(
     system: System,
-    start: Mapping[str, Any] | Sequence[Any],
-    parameters: Mapping[Any, Any] | None = None,
-) -> tuple[Any, ...]:
+    start: Mapping[str, npt.ArrayLike] | Sequence[WorkingNumber],
+    parameters: Parameters = None,
+) -> tuple[WorkingNumber, ...]:
     """The state of a system without what belongs to its motion in space, in flat order.
 
     Parameters
@@ -54,9 +58,9 @@ def reduced_start(
 
 def whole_start(
     system: System,
-    start: Mapping[str, Any] | Sequence[Any],
-    parameters: Mapping[Any, Any] | None = None,
-) -> tuple[Any, ...]:
+    start: Mapping[str, npt.ArrayLike] | Sequence[WorkingNumber],
+    parameters: Parameters = None,
+) -> tuple[WorkingNumber, ...]:
     """The state of a system with its motion in space, where it has one, in flat order.
 
     What a start leaves out begins at zero, and the attitude so that ζ, or else γ, points upward.
@@ -78,7 +82,7 @@ def whole_start(
         return tuple(start)
     known = dict(zip(map(str, system.symbols), start, strict=True))
     up = next((n for n in (Vector("zeta"), gamma) if n in system.state), None)
-    found: list[Any] = list(start)
+    found: list[WorkingNumber] = list(start)
     for name, _ in system.motion.field:
         if str(name) == "attitude":
             found += upright([known[str(s)] for s in up.symbols]) if up else [1.0, 0.0, 0.0, 0.0]
@@ -87,7 +91,7 @@ def whole_start(
     return tuple(found)
 
 
-def upright(vertical: Sequence[Any]) -> list[Any]:
+def upright(vertical: Sequence[WorkingNumber]) -> list[mpmath.mpf]:
     """The quaternion that takes a unit vector (body) to the vertical along the shortest way."""
     with mpmath.workdps(_DIGITS):
         # float also turns numbers of NumPy into ones that repr writes as digits
@@ -100,7 +104,7 @@ def upright(vertical: Sequence[Any]) -> list[Any]:
         return [part / length for part in turn]
 
 
-def reduced_rows(system: System, rows: Any) -> Any:
+def reduced_rows(system: System, rows: FloatArray) -> FloatArray:
     """Starts (motions, size, …) without the columns that belong to the motion in space."""
     whole = system.motion is not None and rows.ndim > 1
     if whole and rows.shape[1] == len(system.lifted().symbols):
@@ -122,8 +126,8 @@ def _require_size(system: System, given: int) -> None:
 
 
 def flat_starts(
-    system: System, given: Mapping[str, Any], parameters: Mapping[str, Any] | None = None
-) -> Any:
+    system: System, given: Mapping[str, FloatArray], parameters: Parameters = None
+) -> FloatArray:
     """States in flat order.
 
     Parameters
@@ -153,9 +157,9 @@ def flat_starts(
     return _placed(system, given)
 
 
-def _placed(system: System, given: Mapping[str, Any]) -> Any:
+def _placed(system: System, given: Mapping[str, FloatArray]) -> FloatArray:
     """The columns of the state, from variables and components by name."""
-    columns: dict[str, Any] = {}
+    columns: dict[str, FloatArray] = {}
     variables = {str(v): v for v in system.state}
     components = {str(s): s for s in system.symbols}
     for name, array in given.items():
@@ -174,7 +178,7 @@ def _placed(system: System, given: Mapping[str, Any]) -> Any:
     return np.column_stack([columns[name] for name in components])
 
 
-def _shaped(system: System, name: str, array: Any, size: int) -> Any:
+def _shaped(system: System, name: str, array: FloatArray, size: int) -> FloatArray:
     """An array (n, size); scalars may be (n,)."""
     block = np.asarray(array, dtype=float)
     if size == 1 and block.ndim == 1:
@@ -188,7 +192,7 @@ def _shaped(system: System, name: str, array: Any, size: int) -> Any:
 
 
 def _of_spin(
-    system: System, given: Mapping[str, Any], parameters: Mapping[str, Any] | None
+    system: System, given: Mapping[str, FloatArray], parameters: Parameters
 ) -> dict[str, Any]:
     """The variables of the state that follow from ω and γ, and those that are given besides."""
     if not system.start and omega not in system.state:
@@ -216,7 +220,7 @@ def _of_spin(
 @lru_cache(maxsize=16)
 def _spinning(system: System) -> tuple[System, tuple[sp.Symbol, ...]]:
     """ω and γ as a state of their own, in which the variables that follow are definitions."""
-    state: Sequence[Any] = (omega, gamma)
+    state: Sequence[Vector | sp.Symbol] = (omega, gamma)
     still = {name: sp.ImmutableMatrix([0, 0, 0]) for name in state}
     known = flat(state)
     formulas = [formula for _, formula in system.start]

@@ -5,11 +5,14 @@ Each state is moved by itself: where it ends does not depend on its neighbours.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
+import numpy.typing as npt
+import sympy as sp
 
+from ..arguments import Parameters
+from ..core.arrays import BoolArray, FloatArray
 from ..formulas.batch import Formulas
 
 __all__ = ["projected", "select_parameters"]
@@ -24,11 +27,11 @@ REDUNDANT = 1e-9
 
 def projected(
     formulas: Formulas,
-    states: Any,
-    targets: Any = 0.0,
-    parameters: Mapping[Any, Any] | None = None,
-    moved: Any = None,
-) -> tuple[Any, Any]:
+    states: FloatArray,
+    targets: npt.ArrayLike = 0.0,
+    parameters: Parameters = None,
+    moved: Sequence[bool] | BoolArray | None = None,
+) -> tuple[FloatArray, BoolArray]:
     """States moved along the shortest way until formulas have given values.
 
     Parameters
@@ -77,7 +80,9 @@ def projected(
     return best, missed <= MET
 
 
-def select_parameters(parameters: Mapping[Any, Any] | None, chosen: Any) -> dict[Any, Any]:
+def select_parameters(
+    parameters: Parameters, chosen: npt.NDArray[np.integer] | BoolArray
+) -> dict[sp.Symbol | str, FloatArray]:
     """The parameters of some of the motions: arrays are indexed, numbers stay."""
     return {
         name: value[chosen] if np.ndim(value) else value

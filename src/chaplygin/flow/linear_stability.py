@@ -17,16 +17,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeGuard
+from typing import Any, TypeAlias, TypeGuard
 
 import mpmath
 import sympy as sp
 
-from ..arguments import arguments_checked
+from ..arguments import Parameters, arguments_checked
 from ..core.laws import Law, Symmetry
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
+from ..flow.heyoka_expressions import WorkingNumber
 from ..formulas.multiprecision import number, slopes
 from .initial_states import reduced_start
 from .multiprecision_linalg import complement, shortest, without
@@ -40,6 +41,9 @@ __all__ = [
 ]
 
 NEWTON_STEPS = 60
+
+#: Numbers by variable, or in flat order.
+State: TypeAlias = Mapping[Any, Any] | Sequence[Any]
 
 
 @dataclass(frozen=True)
@@ -67,16 +71,16 @@ class Linearisation:
     """
 
     system: System
-    state: dict[sp.Symbol, Any]
+    state: dict[sp.Symbol, mpmath.mpf]
     variables: tuple[sp.Symbol, ...]
-    matrix: Any
-    basis: Any
-    reduced: Any
-    drift: dict[str, Any]
+    matrix: mpmath.matrix
+    basis: mpmath.matrix
+    reduced: mpmath.matrix
+    drift: dict[str, mpmath.mpf]
     digits: int
 
     @cached_property
-    def _modes(self) -> list[tuple[Any, Any]]:
+    def _modes(self) -> list[tuple[mpmath.mpc, mpmath.matrix]]:
         with mpmath.workdps(_working(self.digits)):
             values, vectors = mpmath.eig(self.reduced)
             modes = [(value, self.basis * vectors[:, i]) for i, value in enumerate(values)]
@@ -85,14 +89,14 @@ class Linearisation:
             return sorted(modes, key=lambda m: (-mpmath.nint(m[0].real / grain), -m[0].imag))
 
     @property
-    def eigenvalues(self) -> tuple[Any, ...]:
+    def eigenvalues(self) -> tuple[mpmath.mpc, ...]:
         """The growth rates (1/s), the largest real part first; complex numbers of mpmath."""
         with mpmath.workdps(self.digits):
             floor = mpmath.mpf(10) ** (-self.digits) * (1 + mpmath.mnorm(self.reduced, 1))
             return tuple(+_clean(value, floor) for value, _ in self._modes)
 
     @property
-    def modes(self) -> tuple[dict[sp.Symbol, Any], ...]:
+    def modes(self) -> tuple[dict[sp.Symbol, mpmath.mpc], ...]:
         """The deviation that belongs to each of `eigenvalues`, by state variable."""
         return tuple(dict(zip(self.variables, vector, strict=True)) for _, vector in self._modes)
 
@@ -105,7 +109,7 @@ class Linearisation:
 @arguments_checked
 def linear_stability(
     system: System,
-    state: Mapping[Any, Any] | Sequence[Any],
+    state: State,
     parameters: Mapping[Any, Any] | None = None,
     *,
     along: Iterable[Mapping[Any, Any]] = (),
@@ -172,12 +176,12 @@ def linear_stability(
 
 def relative_equilibrium(
     system: System,
-    guess: Mapping[Any, Any] | Sequence[Any],
-    parameters: Mapping[Any, Any] | None = None,
+    guess: State,
+    parameters: Parameters = None,
     *,
-    held: Iterable[Any] = (),
+    held: Iterable[sp.Symbol | str] = (),
     digits: int = 30,
-) -> dict[sp.Symbol, Any]:
+) -> dict[sp.Symbol, mpmath.mpf]:
     """A steady motion near a guess, by Newton's method along the shortest way.
 
     Parameters
@@ -227,8 +231,8 @@ class _Frozen:
     def __init__(
         self,
         system: System,
-        state: Mapping[Any, Any] | Sequence[Any],
-        parameters: Mapping[Any, Any] | None,
+        state: State,
+        parameters: Parameters,
         digits: int,
     ) -> None:
         self.system = system
@@ -239,7 +243,7 @@ class _Frozen:
         self.tolerance = mpmath.mpf(10) ** (-min(digits, 12))
         self._require_on_phase_space()
 
-    def _field(self, formulas: Sequence[sp.Expr]) -> tuple[Any, Any]:
+    def _field(self, formulas: Sequence[sp.Expr]) -> tuple[mpmath.matrix, mpmath.matrix]:
         return slopes(self.system, formulas, self.variables, self.values)
 
     def _require_on_phase_space(self) -> None:
@@ -262,15 +266,15 @@ class _Frozen:
             return False
         return all(abs(value) < self.tolerance for value in self._field(level)[0])
 
-    def slopes_of_relations(self) -> Any:
+    def slopes_of_relations(self) -> mpmath.matrix:
         """The differentials of the relations, one a row."""
         return self._field(_relations(self.system))[1]
 
-    def moving(self) -> tuple[Any, dict[str, Any]]:
+    def moving(self) -> tuple[mpmath.matrix, dict[str, mpmath.mpf]]:
         """A, and the speeds along the symmetries."""
         value, matrix = self._field(_rates(self.system, self.variables))
         symmetries = [law for law in self.system.laws if self._carries(law)]
-        drift: dict[str, Any] = {}
+        drift: dict[str, mpmath.mpf] = {}
         if symmetries and mpmath.norm(value, mpmath.inf) > self.tolerance:
             fields = [self._field(components(law, self.variables)) for law in symmetries]
             columns = mpmath.matrix([[u[i] for u, _ in fields] for i in range(len(value))])
@@ -286,7 +290,7 @@ class _Frozen:
                 )
         return matrix, drift
 
-    def vector(self, entries: Mapping[Any, Any], where: str) -> Any:
+    def vector(self, entries: Mapping[sp.Symbol | str, WorkingNumber], where: str) -> mpmath.matrix:
         """A direction as a column."""
         named = {_symbol(self.system, key, where): number(x, where) for key, x in entries.items()}
         return mpmath.matrix([named.get(s, mpmath.mpf(0)) for s in self.variables])
@@ -299,7 +303,7 @@ def _working(digits: int) -> int:
     return 4 * digits + 20
 
 
-def _clean(value: Any, floor: Any) -> Any:
+def _clean(value: mpmath.mpc, floor: mpmath.mpf) -> mpmath.mpc:
     """Without the rounding error of a part that is zero."""
     return mpmath.mpc(
         0 if abs(value.real) < floor else value.real, 0 if abs(value.imag) < floor else value.imag
@@ -354,7 +358,7 @@ def _variables(system: System) -> tuple[sp.Symbol, ...]:
     return found
 
 
-def _symbol(system: System, name: Any, where: str) -> sp.Symbol:
+def _symbol(system: System, name: sp.Symbol | str, where: str) -> sp.Symbol:
     for symbol in system.symbols:
         if str(symbol) == str(name):
             return symbol
@@ -363,8 +367,8 @@ def _symbol(system: System, name: Any, where: str) -> sp.Symbol:
 
 
 def _state(
-    system: System, state: Mapping[Any, Any] | Sequence[Any], variables: Sequence[sp.Symbol]
-) -> dict[sp.Symbol, Any]:
+    system: System, state: State, variables: Sequence[sp.Symbol]
+) -> dict[sp.Symbol, mpmath.mpf]:
     if not isinstance(state, Mapping):
         state = dict(zip(system.symbols, reduced_start(system, state), strict=True))
     named = {_symbol(system, key, "state"): number(x, f"{key}") for key, x in state.items()}
@@ -374,7 +378,7 @@ def _state(
     return {s: named[s] for s in variables}
 
 
-def _constants(system: System, parameters: Mapping[Any, Any] | None) -> dict[sp.Symbol, Any]:
+def _constants(system: System, parameters: Parameters) -> dict[sp.Symbol, mpmath.mpf]:
     by_name = {str(s): s for s in system.defaults}
     values = {s: number(x, str(s)) for s, x in system.defaults.items()}
     for key, value in (parameters or {}).items():
@@ -385,7 +389,9 @@ def _constants(system: System, parameters: Mapping[Any, Any] | None) -> dict[sp.
     return values
 
 
-def _require_family(system: System, forms: Sequence[Any], direction: Any, tolerance: Any) -> None:
+def _require_family(
+    system: System, forms: Sequence[mpmath.matrix], direction: mpmath.matrix, tolerance: mpmath.mpf
+) -> None:
     """Refuse a direction that A or the differentials of the relations do not annul."""
     size = mpmath.norm(direction)
     for form in forms:

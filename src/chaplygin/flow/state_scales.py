@@ -7,11 +7,10 @@ of the state divided by a fixed size of its own.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any, TypeAlias
-
 import numpy as np
 
+from ..arguments import Parameters
+from ..core.arrays import FloatArray
 from ..core.system import System
 from ..formulas.batch import Formulas
 from .batch import batch_integrator
@@ -19,8 +18,6 @@ from .kernel.equations import groups
 
 __all__ = ["state_scales", "state_scales_at"]
 
-Array: TypeAlias = Any
-Values: TypeAlias = Mapping[Any, Any] | None
 
 #: Part of a motion over which its vectors are looked at, and how often.
 STRETCH, LOOKS = 0.1, 32
@@ -31,8 +28,12 @@ COUPLED = 1e-4
 
 
 def state_scales(
-    system: System, starts: Array, until: float, parameters: Values = None, tolerance: float = 1e-12
-) -> Array:
+    system: System,
+    starts: FloatArray,
+    until: float,
+    parameters: Parameters = None,
+    tolerance: float = 1e-12,
+) -> FloatArray:
     """The greatest sizes of the vectors of the state over the first tenth of motions.
 
     Parameters
@@ -43,7 +44,7 @@ def state_scales(
     until : float
         Length of the motions.
     parameters : mapping of Symbol or name to number or (n,) array, optional
-        Values that replace the defaults.
+        Parameters that replace the defaults.
     tolerance : float
         See :func:`chaplygin.flow.batch.batch_integrator`.
 
@@ -58,7 +59,9 @@ def state_scales(
     return state_scales_at(system, np.concatenate([first[:, None], run.states], axis=1), parameters)
 
 
-def state_scales_at(system: System, states: Array, parameters: Values = None) -> Array:
+def state_scales_at(
+    system: System, states: FloatArray, parameters: Parameters = None
+) -> FloatArray:
     """The greatest sizes of the vectors of the state among some states of each motion.
 
     A vector u that is zero beside others v has the size with which each acts on the other as

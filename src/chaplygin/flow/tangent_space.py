@@ -13,13 +13,15 @@ gradients are those with respect to the measured variables.  See :mod:`chaplygin
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeAlias
 
 import numpy as np
+import sympy as sp
 
+from ..arguments import Parameters
+from ..core.arrays import FloatArray, IntArray
 from ..core.system import System
 from ..formulas.batch import Formulas
 from .batch import BatchIntegrator
@@ -27,8 +29,6 @@ from .level_projection import REDUNDANT, select_parameters
 
 __all__ = ["Stretch", "TangentSpace", "orthonormal", "propagate"]
 
-Array: TypeAlias = Any
-Values: TypeAlias = Mapping[Any, Any] | None
 
 #: What is left of a vector, relative to its length, when it counts as dependent on others.
 DEPENDENT = 1e-12
@@ -42,7 +42,9 @@ ONE = np.ones(1)
 SEED = 20080830
 
 
-def orthonormal(vectors: Array, given: Array | None = None) -> tuple[Array, Array]:
+def orthonormal(
+    vectors: FloatArray, given: FloatArray | None = None
+) -> tuple[FloatArray, FloatArray]:
     """Vectors made orthonormal one after the other, for many states at once.
 
     By Gram and Schmidt, each projection done twice, after which it is exact to rounding.
@@ -76,15 +78,16 @@ def orthonormal(vectors: Array, given: Array | None = None) -> tuple[Array, Arra
     return found, lengths
 
 
-def _take_out(vector: Array, others: Array) -> None:
+def _take_out(vector: FloatArray, others: FloatArray) -> None:
     """Take out of each vector (n, size), in place, its parts along others (n, k, size)."""
     for other in np.moveaxis(others, 1, 0):
         vector -= _dot(vector, other)[:, None] * other
 
 
-def _dot(a: Array, b: Array) -> Array:
+def _dot(a: FloatArray, b: FloatArray) -> FloatArray:
     # a sum along each row, whose bits do not depend on other rows, as einsum's do
-    return (a * b).sum(axis=1)
+    result: FloatArray = (a * b).sum(axis=1)
+    return result
 
 
 @dataclass(frozen=True)
@@ -103,9 +106,9 @@ class TangentSpace:
     """
 
     system: System
-    conditions: tuple[Any, ...]
-    directions: tuple[tuple[Any, ...], ...]
-    mixed: Array
+    conditions: tuple[sp.Expr, ...]
+    directions: tuple[tuple[sp.Expr, ...], ...]
+    mixed: FloatArray
 
     @property
     def dimension(self) -> int:
@@ -124,17 +127,25 @@ class TangentSpace:
     def _rates(self) -> Formulas:
         return Formulas(self.system, self.system.rates)
 
-    def normals(self, states: Array, parameters: Values = None, sizes: Array = ONE) -> Array:
+    def normals(
+        self, states: FloatArray, parameters: Parameters = None, sizes: FloatArray = ONE
+    ) -> FloatArray:
         """The gradients of the conditions, (n, conditions, size)."""
-        return self._conditions.slopes(states, parameters) * sizes[..., None, :]
+        result: FloatArray = self._conditions.slopes(states, parameters) * sizes[..., None, :]
+        return result
 
-    def level(self, states: Array, parameters: Values = None) -> Array:
+    def level(self, states: FloatArray, parameters: Parameters = None) -> FloatArray:
         """The values of the conditions, (n, conditions): zero for relations."""
-        return self._conditions(states, parameters)
+        result: FloatArray = self._conditions(states, parameters)
+        return result
 
     def kept(
-        self, states: Array, level: Array, parameters: Values = None, sizes: Array = ONE
-    ) -> Array:
+        self,
+        states: FloatArray,
+        level: FloatArray,
+        parameters: Parameters = None,
+        sizes: FloatArray = ONE,
+    ) -> FloatArray:
         """States put back on the level of the conditions where they have drifted off, (n, size)."""
         normals = self.normals(states, parameters, sizes)
         reach = np.abs(level) + np.sqrt((normals**2).sum(axis=2))
@@ -157,7 +168,9 @@ class TangentSpace:
             states[far] -= steps * measures[far]
         return states
 
-    def fields(self, states: Array, parameters: Values = None, sizes: Array = ONE) -> Array:
+    def fields(
+        self, states: FloatArray, parameters: Parameters = None, sizes: FloatArray = ONE
+    ) -> FloatArray:
         """The directions that are divided out, (n, mixed, size)."""
         found = self._directions(states, parameters)
         found = found.reshape(len(found), len(self.directions), len(self.system.symbols))
@@ -165,8 +178,8 @@ class TangentSpace:
         return (np.stack(mixed, axis=1) if mixed else found[:, :0]) / sizes[..., None, :]
 
     def excluded(
-        self, states: Array, parameters: Values = None, sizes: Array = ONE
-    ) -> tuple[Array, Array]:
+        self, states: FloatArray, parameters: Parameters = None, sizes: FloatArray = ONE
+    ) -> tuple[FloatArray, FloatArray]:
         """An orthonormal basis of what is no deviation that counts.
 
         Parameters
@@ -192,11 +205,11 @@ class TangentSpace:
 
     def frames(
         self,
-        states: Array,
-        parameters: Values = None,
+        states: FloatArray,
+        parameters: Parameters = None,
         count: int | None = None,
-        sizes: Array = ONE,
-    ) -> Array:
+        sizes: FloatArray = ONE,
+    ) -> FloatArray:
         """Orthonormal deviations to start from, measured, the same at the same state.
 
         Parameters
@@ -219,11 +232,11 @@ class TangentSpace:
 
     def divergence(
         self,
-        states: Array,
-        parameters: Values = None,
-        relations: Sequence[Any] = (),
-        sizes: Array = ONE,
-    ) -> Array:
+        states: FloatArray,
+        parameters: Parameters = None,
+        relations: Sequence[sp.Expr] = (),
+        sizes: FloatArray = ONE,
+    ) -> FloatArray:
         """The divergence of the equations on the surface where relations vanish, (n,).
 
         It is the rate of the logarithm of a volume of deviations tangent to `relations`.
@@ -234,7 +247,8 @@ class TangentSpace:
         gradients *= sizes[..., None, :]
         normals, _ = orthonormal(gradients)
         across = np.einsum("nki,nij,nkj->n", normals, jacobian, normals)
-        return np.einsum("nii->n", jacobian) - across
+        result: FloatArray = np.einsum("nii->n", jacobian) - across
+        return result
 
 
 @dataclass(frozen=True)
@@ -259,25 +273,25 @@ class Stretch:
         When, counted from the start of the interval.
     """
 
-    states: Array
-    ends: Array
-    frames: Array
-    lengths: Array
-    sizes: Array
-    outcome: Any
-    ended: Array
+    states: FloatArray
+    ends: FloatArray
+    frames: FloatArray
+    lengths: FloatArray
+    sizes: FloatArray
+    outcome: IntArray
+    ended: FloatArray
 
 
 def propagate(
     lanes: BatchIntegrator,
     space: TangentSpace,
-    starts: Array,
+    starts: FloatArray,
     interval: float,
-    parameters: Values = None,
+    parameters: Parameters = None,
     *,
-    sizes: Array = ONE,
-    frames: Array | None = None,
-    nodes: Array | None = None,
+    sizes: FloatArray = ONE,
+    frames: FloatArray | None = None,
+    nodes: FloatArray | None = None,
     threads: int | None = None,
 ) -> Iterator[Stretch]:
     """Deviations along motions, made orthonormal at the end of each interval, without end.

@@ -161,7 +161,8 @@ class _Plan:
 def hy_event(kind: type[WorkingNumber]) -> Callable[..., hy.t_event]:
     """The constructor of terminal events for numbers of a type."""
     if kind is float:
-        return hy.t_event
+        result: Callable[..., hy.t_event] = hy.t_event
+        return result
 
     def constructor(expression: hy.expression, direction: hy.event_direction) -> hy.t_event:
         return hy.t_event(expression, direction=direction, fp_type=kind)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
+from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
 from ..formulas.evaluate import as_float_array, numbers
@@ -18,7 +19,7 @@ __all__ = ["check_state_shape", "moments", "require_on_phase_space"]
 SLACK, LEAST = 1e-9, 1e-13
 
 
-def moments(times: Any, backward: bool = False) -> Any:
+def moments(times: npt.ArrayLike, backward: bool = False) -> FloatArray:
     """Times at which motions are looked at, counted from 0 in the direction of the motion.
 
     Raises
@@ -36,7 +37,7 @@ def moments(times: Any, backward: bool = False) -> Any:
     return np.ascontiguousarray(ahead)
 
 
-def check_state_shape(system: System, points: Any) -> None:
+def check_state_shape(system: System, points: FloatArray) -> None:
     """Refuse starts that are not rows of a state each."""
     size = len(system.symbols)
     if points.ndim != 2 or points.shape[1] != size:
@@ -48,7 +49,7 @@ def check_state_shape(system: System, points: Any) -> None:
 
 
 def require_on_phase_space(
-    system: System, relations: Sequence[Term], points: Any, parameters: Any
+    system: System, relations: Sequence[Term], points: FloatArray, parameters: FloatArray
 ) -> None:
     """Refuse starts that miss a relation of the system.
 

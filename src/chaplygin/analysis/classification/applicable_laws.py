@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+
+import sympy as sp
 
 from ...core.laws import Law
 from ...core.vectors import to_components
@@ -31,7 +32,7 @@ class Sorted:
     """
 
     general: tuple[Law, ...]
-    levels: dict[tuple[Any, ...], tuple[Law, ...]]
+    levels: dict[tuple[sp.Expr, ...], tuple[Law, ...]]
     uncounted: tuple[IgnoredLaw, ...]
 
 
@@ -48,7 +49,7 @@ def sorted_laws(whole: RankSample, verdicts: Mapping[str, Verdict]) -> Sorted:
     system = whole.system
     state = set(system.symbols)
     general: list[Law] = []
-    levels: dict[tuple[Any, ...], tuple[Law, ...]] = {}
+    levels: dict[tuple[sp.Expr, ...], tuple[Law, ...]] = {}
     uncounted = []
     for law in system.laws:
         verdict = verdicts.get(law.name)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass, replace
-from typing import Any
 
 import sympy as sp
 
@@ -17,6 +16,7 @@ from ...mechanics.rolling.equations import Rolling
 from ...parsing.exact_decimals import exact_number
 from ...printing.formula import text
 from .facts import HERE, Fact, ProofBudget
+from .ranks import Number
 from .statements import Density
 
 __all__ = ["MeasureFacts", "configuration_measure"]
@@ -83,7 +83,7 @@ def _at_present(mechanism: Mechanism) -> Mechanism:
     return made
 
 
-def _with_numbers(part: Any, values: Mapping[sp.Symbol, Any]) -> Any:
+def _with_numbers(part: sp.Expr, values: Mapping[sp.Symbol, Number]) -> sp.Expr:
     """Formulas, and what is made of formulas, with numbers for symbols."""
     if isinstance(part, sp.Basic | sp.MatrixBase):
         return part.xreplace(values)
@@ -104,7 +104,7 @@ def _witness(found: Existence) -> str:
     """What fails, and where."""
     if not found.obstruction:
         return found.reason
-    point: dict[str, Any] = found.obstruction["point"]
+    point: dict[str, str] = found.obstruction["point"]
     shown = {text(real_symbol(name)): _short(value) for name, value in point.items()}
     # of a rolling body the vertical says where; parameters and the rest are left to the report
     words = [name for name in shown if "γ" in name] or list(shown)

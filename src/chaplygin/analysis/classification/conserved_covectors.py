@@ -7,9 +7,8 @@ isomorphism carries this one.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
 
 import sympy as sp
 
@@ -18,7 +17,7 @@ from ...core.laws import ConformallyHamiltonian, Integral, Law, Rate, Reduction
 from ...core.vectors import to_components
 from ...proof.level.time_derivatives import without_rates
 from .facts import Fact, fact_of
-from .ranks import View
+from .ranks import Covectors, Element, View
 
 __all__ = ["AnnihilatingCovectors", "casimirs", "many_valued", "sources"]
 
@@ -41,16 +40,16 @@ class AnnihilatingCovectors:
     """
 
     fact: Fact
-    rows: Callable[[View], list[list[Any]]]
-    functions: tuple[Any, ...] = ()
+    rows: Covectors
+    functions: tuple[sp.Expr, ...] = ()
 
 
-def many_valued(formula: Any) -> bool:
+def many_valued(formula: sp.Expr) -> bool:
     """Whether a function may have many values at one point."""
     return bool(to_components(sp.sympify(formula)).has(*_MANY_VALUED))
 
 
-def casimirs(law: ConformallyHamiltonian) -> tuple[Any, ...]:
+def casimirs(law: ConformallyHamiltonian) -> tuple[sp.Expr, ...]:
     """The Casimir functions of its structure that have one value at every point."""
     return tuple(c for c in law.structure.casimirs if not many_valued(c))
 
@@ -80,7 +79,7 @@ def pulled_back(law: Isomorphism, source: AnnihilatingCovectors) -> Annihilating
     return AnnihilatingCovectors(fact, lambda view: source.rows(view.through(law)))
 
 
-def _function(fact: Fact, value: Any) -> AnnihilatingCovectors:
+def _function(fact: Fact, value: sp.Expr) -> AnnihilatingCovectors:
     return AnnihilatingCovectors(fact, lambda view: [view.differential(value)], (value,))
 
 
@@ -105,8 +104,8 @@ def _linear(law: Reduction) -> AnnihilatingCovectors | None:
 
 
 def _slopes(
-    equations: tuple[Any, ...], variable: sp.Symbol, moving: list[sp.Symbol]
-) -> dict[sp.Symbol, Any] | None:
+    equations: tuple[sp.Expr, ...], variable: sp.Symbol, moving: list[sp.Symbol]
+) -> dict[sp.Symbol, sp.Expr] | None:
     """dqᵢ/du from the equations, if they give it."""
     found = {}
     for equation in map(sp.expand, equations):
@@ -122,10 +121,10 @@ def _slopes(
 
 
 def _homogeneous(
-    slopes: Mapping[sp.Symbol, Any],
+    slopes: Mapping[sp.Symbol, sp.Expr],
     variable: sp.Symbol,
     moving: list[sp.Symbol],
-    named: Mapping[sp.Symbol, Any],
+    named: Mapping[sp.Symbol, sp.Expr],
 ) -> bool:
     """Whether the slopes are linear in the moving quantities, with coefficients of u alone."""
     others = set(named) - {variable, *moving}
@@ -139,9 +138,9 @@ def _homogeneous(
 
 
 def _rows(
-    named: Mapping[sp.Symbol, Any], variable: sp.Symbol, slopes: Mapping[sp.Symbol, Any]
-) -> Callable[[View], list[list[Any]]]:
-    def rows(view: View) -> list[list[Any]]:
+    named: Mapping[sp.Symbol, sp.Expr], variable: sp.Symbol, slopes: Mapping[sp.Symbol, sp.Expr]
+) -> Covectors:
+    def rows(view: View) -> list[list[Element]]:
         names = {s: without_rates(to_components(f), view.ground, named) for s, f in named.items()}
         reading = view.evaluate.with_steps(names)
         along = view.differential(names[variable])

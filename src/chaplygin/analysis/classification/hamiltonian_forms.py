@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
 
 import sympy as sp
 
@@ -15,7 +14,7 @@ from ...printing.formula import text
 from ...proof.rank import rank
 from .conserved_covectors import casimirs
 from .facts import HERE, Fact, ProofBudget, fact_of
-from .ranks import RankSample, View, conditions_on_parameters
+from .ranks import Element, RankSample, View, conditions_on_parameters
 from .sign_test import sign
 from .statements import Bracket, Density
 
@@ -94,7 +93,7 @@ def _bracket(standing: RankSample, law: ConformallyHamiltonian) -> Bracket:
     )
 
 
-def _entries(view: View, law: ConformallyHamiltonian) -> list[list[Any]]:
+def _entries(view: View, law: ConformallyHamiltonian) -> list[list[Element]]:
     """The Poisson structure at a point."""
     matrix = to_components(law.structure.matrix)
     places = range(matrix.shape[0])
@@ -123,11 +122,13 @@ def _involution(
     return chosen if len(chosen) + 1 == wanted else None
 
 
-def _differential(formula: Any, view: View) -> list[list[Any]]:
+def _differential(formula: sp.Expr, view: View) -> list[list[Element]]:
     return [view.differential(formula)]
 
 
-def _fields(law: ConformallyHamiltonian, values: Sequence[Any], view: View) -> list[list[Any]]:
+def _fields(
+    law: ConformallyHamiltonian, values: Sequence[sp.Expr], view: View
+) -> list[list[Element]]:
     """The vectors J dF of some functions, at a point."""
     matrix = _entries(view, law)
     found = []

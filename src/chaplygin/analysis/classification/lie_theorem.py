@@ -68,7 +68,7 @@ def lie(
     return tuple(fact_of(law) for law in fitting)
 
 
-def _rotations(standing: RankSample, on: tuple[Any, ...]) -> list[Symmetry]:
+def _rotations(standing: RankSample, on: tuple[sp.Expr, ...]) -> list[Symmetry]:
     """Rotations about the three body axes, as candidates; none where the state has scalars."""
     state = standing.system.state
     names = [name for name in state if isinstance(name, Vector) and len(name.symbols) == 3]
@@ -154,7 +154,7 @@ def _solvable(standing: RankSample, laws: Sequence[Symmetry]) -> bool:
     return True
 
 
-def _bracket(structure: dict[tuple[int, int], list[Any]], a: Any, b: Any) -> list[Any]:
+def _bracket(structure: dict[tuple[int, int], list[Any]], a: sp.Expr, b: sp.Expr) -> list[sp.Expr]:
     size = len(a)
     total = [sp.S.Zero] * size
     for (i, j), values in structure.items():
@@ -172,7 +172,7 @@ def _structure(
         for i in range(j):
             bracket = _commutator(fields[i], fields[j], symbols)
             constants = sp.symbols(f"c_:{len(fields)}")
-            conditions: list[Any] = []
+            conditions: list[sp.Expr] = []
             for s in symbols:
                 total = sp.Add(*(c * u[s] for c, u in zip(constants, fields, strict=True)))
                 left = sp.expand(bracket[s] - total)

@@ -12,7 +12,6 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
-from typing import Any
 
 from ...core.overview import Overview, WithOverview
 from .facts import HERE, Fact
@@ -113,7 +112,7 @@ class Classification(WithOverview):
         return tuple(found.items())
 
     @property
-    def record(self) -> dict[str, Any]:
+    def record(self) -> dict[str, object]:
         """Everything, ready for JSON."""
         return record(self)
 
@@ -249,7 +248,7 @@ def _entry(name: str, entries: Iterable[str]) -> list[str]:
     return lines
 
 
-def record(place: Classification) -> dict[str, Any]:
+def record(place: Classification) -> dict[str, object]:
     """The place for another program: plain lists and mappings."""
     levels = [record(part) for part in place.levels]
     return {

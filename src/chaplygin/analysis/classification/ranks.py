@@ -6,10 +6,10 @@ import random
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import TypeAlias, TypeVar
 
 import sympy as sp
-from flint import arb
+from flint import arb, fmpq
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Law
@@ -17,7 +17,7 @@ from ...core.system import System
 from ...core.vectors import to_components
 from ...formulas.errors import NotExactError, OutOfReachError
 from ...formulas.jets import Evaluator, Jet
-from ...formulas.number_fields import ball_precision
+from ...formulas.number_fields import Balls, Rationals, ball_precision
 from ...parsing.exact_decimals import exact_number
 from ...proof.level.level_set import LevelSet
 from ...proof.level.named_formulas import components
@@ -34,6 +34,10 @@ __all__ = [
 
 T = TypeVar("T")
 
+#: Elements of the fields of numbers, and numbers that turn into such.
+Element: TypeAlias = fmpq | arb
+Number: TypeAlias = sp.Rational | Element | float
+
 POINTS = 2
 ATTEMPTS = 400
 SEED = 20130400
@@ -44,7 +48,7 @@ def rational_parameters(system: System) -> dict[sp.Symbol, sp.Rational]:
     return {p.symbol: exact_number(p.default) for p in system.parameters}
 
 
-def with_numeric_parameters(system: System, values: Mapping[sp.Symbol, Any]) -> System:
+def with_numeric_parameters(system: System, values: Mapping[sp.Symbol, Number]) -> System:
     """A system whose parameters are numbers: they become definitions with a constant value."""
     return System(
         name=system.name,
@@ -71,16 +75,16 @@ class View:
         Number of state variables of the system that is observed.
     """
 
-    field: Any
+    field: Rationals | Balls
     evaluate: Evaluator
     ground: LevelSet
     size: int
 
-    def jet(self, formula: Any) -> Jet:
+    def jet(self, formula: sp.Expr) -> Jet:
         """A formula of the system with its derivatives."""
         return self.evaluate(without_rates(to_components(sp.sympify(formula)), self.ground))
 
-    def differential(self, formula: Any) -> list[Any]:
+    def differential(self, formula: sp.Expr) -> list[Element]:
         """The partial derivatives of a function by the state variables."""
         slopes = self.jet(formula).slopes
         return [slopes.get(i, self.field.zero) for i in range(self.size)]
@@ -98,6 +102,10 @@ class View:
         return View(self.field, reading, there, self.size)
 
 
+#: Covectors at a point.
+Covectors: TypeAlias = Callable[[View], list[list[Element]]]
+
+
 @dataclass(frozen=True)
 class RankSample:
     """The points of a phase space at the present parameters, or of a level in it.
@@ -112,8 +120,8 @@ class RankSample:
     """
 
     system: System
-    on: tuple[Any, ...] = ()
-    values: Mapping[sp.Symbol, Any] | None = None
+    on: tuple[sp.Expr, ...] = ()
+    values: Mapping[sp.Symbol, Number] | None = None
 
     @cached_property
     def ground(self) -> LevelSet:
@@ -121,11 +129,11 @@ class RankSample:
         return LevelSet(with_numeric_parameters(self.system, self.parameters), self.on)
 
     @property
-    def parameters(self) -> Mapping[sp.Symbol, Any]:
+    def parameters(self) -> Mapping[sp.Symbol, Number]:
         """Values of the parameters."""
         return rational_parameters(self.system) if self.values is None else self.values
 
-    def expanded(self, formula: Any) -> sp.Expr:
+    def expanded(self, formula: sp.Expr) -> sp.Expr:
         """A formula in the state alone: definitions written out, parameters as numbers."""
         return self.ground.expanded(sp.sympify(formula))
 
@@ -150,7 +158,7 @@ class RankSample:
         raise OutOfReachError("no point was found at which the laws could be evaluated")
 
     def _computed(
-        self, compute: Callable[[View], T], values: Mapping[str, Any], exact: bool
+        self, compute: Callable[[View], T], values: Mapping[str, Number], exact: bool
     ) -> list[T]:
         for rational in (True, False) if exact else (False,):
             field = self.ground.numbers(values, rational)
@@ -164,7 +172,7 @@ class RankSample:
                 break
         return []
 
-    def bounds(self, view: View) -> list[list[Any]]:
+    def bounds(self, view: View) -> list[list[Element]]:
         """Differentials of the relations and of the level."""
         return [view.differential(condition) for condition in self.ground.moving]
 
@@ -177,9 +185,7 @@ class RankSample:
         ranks = self.at_points(lambda view: rank(view.field, self.bounds(view)))
         return len(self.system.symbols) - max(ranks)
 
-    def independent(
-        self, rows: Sequence[Callable[[View], list[list[Any]]]]
-    ) -> tuple[list[int], int]:
+    def independent(self, rows: Sequence[Covectors]) -> tuple[list[int], int]:
         """Which covectors are independent of the conditions and of those before them.
 
         Parameters
@@ -209,18 +215,18 @@ class RankSample:
 
         return max(self.at_points(chosen), key=lambda pair: pair[1])
 
-    def full(self, wanted: int, rows: Callable[[View], list[list[Any]]]) -> bool:
+    def full(self, wanted: int, rows: Covectors) -> bool:
         """Whether vectors span as many dimensions as wanted, at a point and so at almost all."""
         return max(self.at_points(lambda view: rank(view.field, rows(view)))) >= wanted
 
-    def vanishes(self, condition: Any) -> bool:
+    def vanishes(self, condition: sp.Expr) -> bool:
         """Whether a condition on parameters holds exactly at the present ones."""
         try:
             return all(self.at_points(lambda view: _zero(view, condition)))
         except OutOfReachError:
             return False
 
-    def signs(self, formula: Any, points: int = 24) -> set[int]:
+    def signs(self, formula: sp.Expr, points: int = 24) -> set[int]:
         """Signs that a formula certainly takes, at points of the level."""
         generator = random.Random(SEED)
         found: set[int] = set()
@@ -231,7 +237,7 @@ class RankSample:
         return found - {0}
 
 
-def conditions_on_parameters(standing: RankSample, laws: Sequence[Law]) -> tuple[Any, ...]:
+def conditions_on_parameters(standing: RankSample, laws: Sequence[Law]) -> tuple[sp.Expr, ...]:
     """Conditions on parameters under which some laws hold."""
     state = set(standing.system.symbols)
     conditions = (to_components(c) for law in laws for c in law.on)
@@ -239,12 +245,12 @@ def conditions_on_parameters(standing: RankSample, laws: Sequence[Law]) -> tuple
     return tuple(dict.fromkeys(fixed))
 
 
-def _zero(view: View, formula: Any) -> bool:
+def _zero(view: View, formula: sp.Expr) -> bool:
     value = view.jet(formula).value
     return bool(value == 0) if view.field.exact else False
 
 
-def _sign(view: View, formula: Any) -> int:
+def _sign(view: View, formula: sp.Expr) -> int:
     value = view.jet(formula).value
     if isinstance(value, arb) or view.field.exact:
         return int(value > 0) - int(value < 0)

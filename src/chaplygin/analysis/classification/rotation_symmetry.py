@@ -8,7 +8,6 @@ stays: each of these is a short identity, and together they prove the symmetry b
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import sympy as sp
 
@@ -61,18 +60,18 @@ class Turning:
     def __init__(self, standing: RankSample, axis: int) -> None:
         self.hat = sp.ImmutableMatrix(3, 3, lambda i, j: -sp.LeviCivita(axis, i, j))
         self.across = [i for i in range(3) if i != axis]
-        self.motion: dict[sp.Symbol, Any] = {}
-        self.equal: dict[sp.Symbol, Any] = dict(standing.parameters)
+        self.motion: dict[sp.Symbol, sp.Expr] = {}
+        self.equal: dict[sp.Symbol, sp.Expr] = dict(standing.parameters)
 
-    def turned(self, triple: Sequence[Any]) -> list[Any]:
+    def turned(self, triple: Sequence[sp.Expr]) -> list[sp.Expr]:
         """The change of a vector: e × x."""
         return list(self.hat * sp.Matrix(triple))
 
-    def written(self, formula: Any) -> Any:
+    def written(self, formula: sp.Expr) -> sp.Expr:
         """A formula with numbers for parameters and one symbol for what is equal."""
         return formula.xreplace(self.equal)
 
-    def follows(self, name: Any, formula: Any) -> bool:
+    def follows(self, name: sp.Expr, formula: sp.Expr) -> bool:
         """Whether a definition changes as its kind must; if so, its symbols do from here on."""
         symbols, parts = zip(*flat_pairs(((name, formula),)), strict=True)
         values = [self.written(part) for part in parts]
@@ -95,27 +94,27 @@ class Turning:
         self.motion.update(zip(symbols, change, strict=True))
         return self.agree(values, wanted)
 
-    def keeps(self, formula: Any) -> bool:
+    def keeps(self, formula: sp.Expr) -> bool:
         """Whether a scalar formula is shown not to change."""
         return vanishes(self._change(self.written(to_components(sp.sympify(formula)))))
 
-    def agree(self, values: Sequence[Any], wanted: Sequence[Any]) -> bool:
+    def agree(self, values: Sequence[sp.Expr], wanted: Sequence[sp.Expr]) -> bool:
         """Whether formulas change as they must."""
         return all(vanishes(self._change(v) - w) for v, w in zip(values, wanted, strict=True))
 
-    def _change(self, value: Any) -> Any:
+    def _change(self, value: sp.Expr) -> sp.Expr:
         moved = sorted(value.free_symbols & self.motion.keys(), key=str)
         return sp.Add(*(sp.diff(value, s) * self.motion[s] for s in moved))
 
 
-def _square(entries: Sequence[Any]) -> sp.ImmutableMatrix:
+def _square(entries: Sequence[sp.Expr]) -> sp.ImmutableMatrix:
     """A symmetric matrix from its six entries."""
     pairs = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
     places = {frozenset(pair): entry for pair, entry in zip(pairs, entries, strict=True)}
     return sp.ImmutableMatrix(3, 3, lambda i, j: places[frozenset((i, j))])
 
 
-def vanishes(formula: Any) -> bool:
+def vanishes(formula: sp.Expr) -> bool:
     """Whether a formula is zero: as it stands, or its numerator over a common denominator."""
     if sp.count_ops(formula) > LARGEST:
         return False

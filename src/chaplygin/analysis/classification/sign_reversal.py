@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Set
 from itertools import combinations
-from typing import Any
 
 import sympy as sp
 
@@ -75,7 +74,7 @@ def reverses(system: System, odd: Set[sp.Symbol]) -> bool:
     return all(f == 0 or _parity(f, signs) == -signs[s] for s, f in rates)
 
 
-def _parity(formula: Any, signs: dict[sp.Symbol, int]) -> int | None:
+def _parity(formula: sp.Expr, signs: dict[sp.Symbol, int]) -> int | None:
     """1 for an even formula, −1 for an odd one; None if it is shown neither."""
     seen = _seen(formula, signs)
     if seen is not None:
@@ -86,7 +85,7 @@ def _parity(formula: Any, signs: dict[sp.Symbol, int]) -> int | None:
     return -1 if vanishes(other + formula) else None
 
 
-def _seen(formula: Any, signs: dict[sp.Symbol, int]) -> int | None:
+def _seen(formula: sp.Expr, signs: dict[sp.Symbol, int]) -> int | None:
     """The parity that follows from those of the parts, without computation."""
     if formula.is_Symbol or not formula.args:
         return signs.get(formula, 1)

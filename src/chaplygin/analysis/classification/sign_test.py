@@ -6,8 +6,8 @@ reducing multiplier gives a new time only where it does not vanish.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, Literal
+from collections.abc import Mapping, Sequence
+from typing import Literal, TypeAlias
 
 import sympy as sp
 from flint import arb
@@ -17,6 +17,9 @@ from ...formulas.errors import NotExactError, OutOfReachError
 from ...formulas.number_fields import ball_precision
 from .ranks import RankSample
 
+#: Intervals of the variables.
+Box: TypeAlias = tuple[tuple[sp.Expr, sp.Expr], ...]
+
 __all__ = ["Sign", "sign"]
 
 Sign = Literal["kept", "changes", "unknown"]
@@ -25,7 +28,7 @@ Sign = Literal["kept", "changes", "unknown"]
 BOXES = 3000
 
 
-def sign(standing: RankSample, formulas: Sequence[Any]) -> Sign:
+def sign(standing: RankSample, formulas: Sequence[sp.Expr]) -> Sign:
     """Whether none of some formulas vanishes or becomes infinite on a phase space.
 
     Parameters
@@ -46,7 +49,7 @@ def sign(standing: RankSample, formulas: Sequence[Any]) -> Sign:
     return "unknown" if "unknown" in found else "kept"
 
 
-def _of_one(standing: RankSample, formula: Any) -> Sign:
+def _of_one(standing: RankSample, formula: sp.Expr) -> Sign:
     formula = to_components(sp.sympify(formula))
     expanded = standing.expanded(formula)
     if expanded.is_positive or expanded.is_negative or _divides(standing, formula):
@@ -59,7 +62,7 @@ def _of_one(standing: RankSample, formula: Any) -> Sign:
         return "unknown"
 
 
-def _divides(standing: RankSample, formula: Any) -> bool:
+def _divides(standing: RankSample, formula: sp.Expr) -> bool:
     """Whether a formula is a root by which the equations divide: positive where they hold."""
     steps = dict(standing.system.steps)
     inner = steps.get(formula, formula)
@@ -86,7 +89,7 @@ def _bounds(standing: RankSample, names: set[sp.Symbol]) -> dict[sp.Symbol, sp.E
     return found
 
 
-def _covered(standing: RankSample, formula: Any, expanded: sp.Expr) -> bool:
+def _covered(standing: RankSample, formula: sp.Expr, expanded: sp.Expr) -> bool:
     """Whether no box of a cover of the bounded variables lets the formula vanish."""
     names = expanded.free_symbols & set(standing.system.symbols)
     bounds = _bounds(standing, names)
@@ -109,7 +112,7 @@ def _covered(standing: RankSample, formula: Any, expanded: sp.Expr) -> bool:
     return False
 
 
-def _clear(standing: RankSample, formula: Any, values: dict[str, Any]) -> bool:
+def _clear(standing: RankSample, formula: sp.Expr, values: Mapping[str, arb]) -> bool:
     """Whether a formula is certainly not zero, and finite, on a box."""
     field = standing.ground.numbers(values, False)
     try:
@@ -119,7 +122,7 @@ def _clear(standing: RankSample, formula: Any, values: dict[str, Any]) -> bool:
     return bool(value.is_finite()) and 0 not in value
 
 
-def _halves(box: tuple[tuple[Any, Any], ...]) -> list[tuple[tuple[Any, Any], ...]]:
+def _halves(box: Box) -> list[Box]:
     """A box cut in two across its longest side."""
     index = max(range(len(box)), key=lambda i: float(box[i][1]))
     middle, radius = box[index]

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import sympy as sp
 
@@ -22,7 +21,7 @@ from .applicable_laws import sorted_laws
 from .conserved_covectors import AnnihilatingCovectors, pulled_back, sources
 from .facts import Fact, ProofBudget
 from .hamiltonian_forms import density, hamiltonian
-from .ranks import RankSample, View, rational_parameters
+from .ranks import Element, RankSample, View, rational_parameters
 from .sign_test import sign
 from .statements import Bracket, Density
 
@@ -126,7 +125,7 @@ def _bracket(standing: RankSample, law: Isomorphism, bracket: Bracket) -> Bracke
 
 def _constants(
     standing: RankSample, law: Isomorphism
-) -> tuple[dict[sp.Symbol, Any], list[sp.Symbol]]:
+) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Symbol]]:
     """Values of the parameters of the target, and those of them that depend on the state.
 
     For the latter the value is an example.
@@ -155,7 +154,7 @@ def _diffeomorphic(
     images = list(components(law.map, standing.ground).values())
     constants = [named[s] for s in moving]
 
-    def rows(view: View) -> list[list[Any]]:
+    def rows(view: View) -> list[list[Element]]:
         return [*standing.bounds(view), *map(view.differential, (*images, *constants))]
 
     try:

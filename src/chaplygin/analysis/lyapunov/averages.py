@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, TypeAlias
 
 import numpy as np
 
+from ...core.arrays import FloatArray
 from ...errors import InputError
 
 __all__ = ["BATCHES", "Average", "average", "batch_means", "resolution"]
 
-Array: TypeAlias = Any
 
 #: Batches into which a series is divided.
 BATCHES = 16
@@ -65,7 +64,7 @@ class Average:
         return bool(abs(self.value) <= self.error)
 
 
-def batch_means(series: Array, batches: int = BATCHES) -> Array:
+def batch_means(series: FloatArray, batches: int = BATCHES) -> FloatArray:
     """The means of equal batches of a series (m, ...) along its first axis, (batches, ...).
 
     The first few members are left out where the division leaves a rest.
@@ -82,7 +81,7 @@ def batch_means(series: Array, batches: int = BATCHES) -> Array:
             "needed"
         )
     kept = series[len(series) - each * batches :]
-    means: Array = kept.reshape(batches, each, *series.shape[1:]).mean(axis=1)
+    means: FloatArray = kept.reshape(batches, each, *series.shape[1:]).mean(axis=1)
     return means
 
 
@@ -91,7 +90,7 @@ def resolution(span: float, began: float) -> float:
     return POWER * float(np.log1p(span / began)) / span
 
 
-def average(growth: Array, interval: float, began: float) -> Average:
+def average(growth: FloatArray, interval: float, began: float) -> Average:
     """The mean rate of what grows by `growth` in each of a row of intervals.
 
     Parameters

@@ -8,8 +8,8 @@ a motion of finite length and has an error; it is *observed*, never proven.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -32,8 +32,6 @@ if TYPE_CHECKING:
 
 __all__ = ["lyapunov_spectrum"]
 
-Array: TypeAlias = Any
-Values: TypeAlias = Mapping[Any, Any] | None
 
 #: Part of a motion left out at the beginning, where deviations find their directions.
 UNSETTLED = 0.2
@@ -66,7 +64,7 @@ def lyapunov_spectrum(
         State on the phase space, as of :func:`chaplygin.flow.integrator.integrate`; what belongs
         to the motion in space is left out.
     parameters : mapping of Symbol or name to number, optional
-        Values that replace the defaults.
+        Parameters that replace the defaults.
     until : float
         How long to follow the motion (s); the first fifth is not counted.
     intervals : int
@@ -110,7 +108,7 @@ def lyapunov_spectrum(
     _check(system, start, parameters)
     text = progress or (lambda done: None)
     batch_integrator(system, tolerance=tolerance).require_reach(start, until, parameters)
-    sizes = state_scales(system, [start], until, parameters, tolerance)[0]
+    sizes = state_scales(system, np.array([start]), until, parameters, tolerance)[0]
     found = trivial_directions(system, start, parameters, sizes=sizes)
     kept: tuple[str, ...] = ()
     try:
@@ -142,7 +140,7 @@ def _followed(
     found: TrivialDirections,
     start: Sequence[float],
     times: tuple[float, int],
-    parameters: Values,
+    parameters: Parameters,
     tolerance: float,
     progress: Callable[[float], None],
 ) -> MotionRecord:
@@ -174,7 +172,7 @@ def _not_forced(found: TrivialDirections, run: MotionRecord) -> tuple[str, ...]:
     )
 
 
-def _check(system: System, start: Sequence[float], parameters: Values) -> None:
+def _check(system: System, start: Sequence[float], parameters: Parameters) -> None:
     points = np.array([start], dtype=np.float64)
     constants = parameter_rows(system, parameters, 1)
     require_on_phase_space(system, relation_terms(system), points, constants)
@@ -185,7 +183,7 @@ def _run(
     found: TrivialDirections,
     start: Sequence[float],
     times: tuple[float, int],
-    parameters: Values,
+    parameters: Parameters,
     progress: Callable[[float], None],
 ) -> MotionRecord | None:
     """The motion; None where deviations grow too far apart within an interval."""
@@ -231,7 +229,7 @@ def _evaluated(
     run: MotionRecord,
     until: float,
     tolerance: float,
-    parameters: Values,
+    parameters: Parameters,
     kept: tuple[str, ...],
 ) -> Spectrum:
     skipped = round(UNSETTLED * len(run.lengths))

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, TypeAlias
 
 import numpy as np
 
+from ...arguments import Parameters
+from ...core.arrays import FloatArray
 from ...core.laws import Measure
 from ...core.system import System
 from ...core.vectors import to_components
@@ -18,8 +19,6 @@ from .zero_exponents import TrivialDirections, vanish
 
 __all__ = ["NODES", "MotionRecord", "Volume", "divergence_average"]
 
-Array: TypeAlias = Any
-Values: TypeAlias = Mapping[Any, Any] | None
 
 #: Points of Gauss's rule in an interval, for the mean of the divergence.
 NODES = 16
@@ -32,10 +31,10 @@ class MotionRecord:
     """What was recorded along a motion, interval by interval."""
 
     interval: float
-    nodes: Array
-    states: Array
-    lengths: Array
-    sizes: Array
+    nodes: FloatArray
+    states: FloatArray
+    lengths: FloatArray
+    sizes: FloatArray
 
 
 @dataclass(frozen=True)
@@ -60,7 +59,11 @@ class Volume:
 
 
 def divergence_average(
-    system: System, found: TrivialDirections, run: MotionRecord, skipped: int, parameters: Values
+    system: System,
+    found: TrivialDirections,
+    run: MotionRecord,
+    skipped: int,
+    parameters: Parameters,
 ) -> Volume:
     """The divergence along the motion, and what it must agree with."""
     relations = [to_components(relation) for relation in system.relations]
@@ -88,7 +91,7 @@ def divergence_average(
 
 
 def _densities(
-    system: System, ends: Array, sizes: Array, parameters: Values
+    system: System, ends: FloatArray, sizes: FloatArray, parameters: Parameters
 ) -> Iterator[tuple[str, float]]:
     """For each invariant measure, the growth of volumes that it allows between two states."""
     moving = set(system.symbols) | {symbol for symbol, _ in system.steps}

@@ -18,6 +18,7 @@ from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 
+from ...core.arrays import BoolArray, FloatArray, IntArray
 from ...core.parameters import Parameters
 from ...core.system import System
 from ...core.vectors import to_components
@@ -80,10 +81,12 @@ class ChaosIndicator(ABC):
             raise InputError(f"intervals = {self.intervals}: at least {2 * BATCHES} are needed")
 
     @abstractmethod
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, errors if any, outcomes and times reached, (n,) each."""
 
-    def renewed(self, deviations: Any, basis: Any) -> tuple[Any, Any]:
+    def renewed(self, deviations: FloatArray, basis: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Deviations of length one, and the lengths lost; what is in the span of a basis goes."""
         return orthonormal(deviations, basis)
 
@@ -108,10 +111,10 @@ class TangentGrowth:
         The times reached.
     """
 
-    logarithms: Any
-    frames: Any
-    outcome: Any
-    ended: Any
+    logarithms: FloatArray
+    frames: FloatArray
+    outcome: IntArray
+    ended: FloatArray
 
 
 def tangent(system: System) -> TangentSpace:
@@ -141,7 +144,11 @@ def _some(space: TangentSpace) -> TangentSpace:
 
 
 def tangent_growth(
-    rule: ChaosIndicator, space: TangentSpace, deviations: int, starts: Any, parameters: Parameters
+    rule: ChaosIndicator,
+    space: TangentSpace,
+    deviations: int,
+    starts: FloatArray,
+    parameters: Parameters,
 ) -> TangentGrowth:
     """Deviations along many motions.
 
@@ -171,17 +178,18 @@ def tangent_growth(
     return TangentGrowth(*found[:4])
 
 
-def _lost(found: _Arrays) -> Any:
+def _lost(found: _Arrays) -> BoolArray:
     """Motions that were followed to their end, while deviations became too short beside others."""
     _, _, outcome, _, shrunk = found
-    return (outcome == 0) & ~(shrunk <= APART)
+    result: BoolArray = (outcome == 0) & ~(shrunk <= APART)
+    return result
 
 
 def _grown(
     rule: ChaosIndicator,
     space: TangentSpace,
     counts: tuple[int, int],
-    begin: tuple[Any, Any],
+    begin: tuple[FloatArray, FloatArray],
     parameters: Parameters,
 ) -> _Arrays:
     """Logarithms, frames, outcomes, times reached, and how far deviations shrank beside others.
@@ -236,7 +244,9 @@ class MaximalExponent(ChaosIndicator):
 
     further: ClassVar[Mapping[str, str]] = {"error": "error of the largest exponent"}
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, errors, outcomes and times reached, (n,) each."""
         found = tangent_growth(self, transverse_space(self.system), 1, starts, parameters)
         value, error = _rate(found.logarithms[:, :, 0], self.until)
@@ -251,7 +261,9 @@ class ExponentSum(ChaosIndicator):
 
     further: ClassVar[Mapping[str, str]] = {"error": "error of the sum of exponents"}
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, errors, outcomes and times reached, (n,) each."""
         space = transverse_space(self.system)
         found = tangent_growth(self, space, space.dimension, starts, parameters)
@@ -259,7 +271,7 @@ class ExponentSum(ChaosIndicator):
         return {"value": value, "error": error, "outcome": found.outcome, "ended": found.ended}
 
 
-def _rate(logarithms: Any, until: float) -> tuple[Any, Any]:
+def _rate(logarithms: FloatArray, until: float) -> tuple[FloatArray, FloatArray]:
     """The mean rate of growth without the beginning, and its error, (n,) each."""
     intervals = logarithms.shape[1]
     each = (intervals - round(UNSETTLED * intervals)) // BATCHES
@@ -274,7 +286,9 @@ def _rate(logarithms: Any, until: float) -> tuple[Any, Any]:
 class FastLyapunovIndicator(ChaosIndicator):
     """The fast Lyapunov indicator: the greatest logarithm of the growth so far."""
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
         found = tangent_growth(self, tangent(self.system), 1, starts, parameters)
         value = np.cumsum(found.logarithms[:, :, 0], axis=1).max(axis=1)
@@ -290,7 +304,9 @@ class Megno(ChaosIndicator):
     over the intervals.
     """
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
         found = tangent_growth(self, tangent(self.system), 1, starts, parameters)
         total = np.cumsum(found.logarithms[:, :, 0], axis=1)
@@ -307,13 +323,15 @@ class SmallerAlignmentIndex(ChaosIndicator):
     (Skokos 2001).  It falls evenly on chaotic motions, to −16 where rounding ends it.
     """
 
-    def renewed(self, deviations: Any, basis: Any) -> tuple[Any, Any]:
+    def renewed(self, deviations: FloatArray, basis: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Each for itself, so that they can become parallel."""
         pairs = [orthonormal(deviations[:, i : i + 1], basis) for i in range(deviations.shape[1])]
         frames, lengths = zip(*pairs, strict=True)
         return np.concatenate(frames, axis=1), np.concatenate(lengths, axis=1)
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
         found = tangent_growth(self, tangent(self.system), 2, starts, parameters)
         u, v = found.frames[:, 0], found.frames[:, 1]

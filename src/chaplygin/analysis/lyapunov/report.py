@@ -6,10 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import floor, log10
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING
 
 import numpy as np
+import numpy.typing as npt
 
+from ...core.arrays import FloatArray
 from ...core.overview import Overview, WithOverview
 from ...core.system import System
 from ..orbits.reversing_symmetries import Reversor
@@ -22,7 +24,6 @@ if TYPE_CHECKING:
 
 __all__ = ["Spectrum", "dataset", "kaplan_yorke", "record", "remarks", "rounded", "word"]
 
-Array: TypeAlias = Any
 
 #: Draws of the bootstrap, and its seed.
 DRAWS, SEED = 400, 20080830
@@ -63,7 +64,7 @@ class Spectrum(WithOverview):
 
     system: System
     parameters: dict[str, float]
-    start: Array
+    start: FloatArray
     until: float
     interval: float
     began: float
@@ -73,7 +74,7 @@ class Spectrum(WithOverview):
     fading: tuple[str, ...]
     total: Average
     volume: Volume
-    growth: Array
+    growth: FloatArray
     tolerance: float
 
     @property
@@ -82,12 +83,12 @@ class Spectrum(WithOverview):
         return all(item.settled for item in self.exponents)
 
     @property
-    def values(self) -> Array:
+    def values(self) -> FloatArray:
         """The genuine exponents."""
         return np.array([item.value for item in self.exponents])
 
     @property
-    def errors(self) -> Array:
+    def errors(self) -> FloatArray:
         """Their errors."""
         return np.array([item.error for item in self.exponents])
 
@@ -121,12 +122,13 @@ class Spectrum(WithOverview):
         return bool(np.all(np.abs(pairs) <= self.errors + self.errors[::-1]))
 
     @property
-    def times(self) -> Array:
+    def times(self) -> FloatArray:
         """The ends of the intervals."""
-        return self.interval * np.arange(1, len(self.growth) + 1)
+        ends = self.interval * np.arange(1, len(self.growth) + 1)
+        return np.asarray(ends, dtype=np.float64)
 
     @property
-    def running(self) -> Array:
+    def running(self) -> FloatArray:
         """What each exponent would have been if the motion had ended earlier.
 
         (intervals, exponents); not a number before anything is counted.
@@ -157,7 +159,7 @@ class Spectrum(WithOverview):
         return dataset(self)
 
 
-def kaplan_yorke(exponents: Sequence[float] | Array) -> float:
+def kaplan_yorke(exponents: Sequence[float] | FloatArray) -> float:
     """The dimension of an attractor with given exponents (Kaplan and Yorke 1979).
 
     With the exponents in falling order, j is the largest number of them whose sum is not
@@ -297,7 +299,7 @@ def _pairs(found: Spectrum, reversor: Reversor) -> Iterator[str]:
         )
 
 
-def record(found: Spectrum, reversors: Sequence[Reversor] = ()) -> dict[str, Any]:
+def record(found: Spectrum, reversors: Sequence[Reversor] = ()) -> dict[str, object]:
     """A spectrum as numbers, texts and lists of these."""
     return {
         "system": found.system.name,
@@ -333,7 +335,7 @@ def record(found: Spectrum, reversors: Sequence[Reversor] = ()) -> dict[str, Any
     }
 
 
-def _average(item: Average) -> dict[str, Any]:
+def _average(item: Average) -> dict[str, object]:
     return {
         "value": item.value,
         "error": item.error,
@@ -357,7 +359,9 @@ def dataset(found: Spectrum) -> xr.Dataset:
 
     from ..._version import __version__
 
-    def variable(dims: Any, values: Any, long_name: str, units: str = "1/s") -> Any:
+    def variable(
+        dims: str | tuple[str, ...], values: npt.ArrayLike, long_name: str, units: str = "1/s"
+    ) -> tuple[str | tuple[str, ...], npt.ArrayLike, dict[str, str]]:
         return dims, values, {"long_name": long_name, "units": units, "source": ""}
 
     rates = [np.nan if rate is None else rate for _, rate in found.removed]

@@ -17,8 +17,8 @@ from typing import Protocol
 
 import numpy as np
 
+from ...core.arrays import FloatArray
 from ...errors import InputError, RunError
-from .maps import Array
 from .rotation import FIRST, average
 
 __all__ = [
@@ -46,7 +46,7 @@ NOISE, MANY = 1e-3, 256
 class CircleMaps(Protocol):
     """A family of maps of the circle."""
 
-    def __call__(self, turns: Array, values: Array, count: int) -> Array:
+    def __call__(self, turns: FloatArray, values: FloatArray, count: int) -> FloatArray:
         """Orbits under lifts of the maps.
 
         Parameters
@@ -80,9 +80,9 @@ class DevilsStaircase:
         Differences between the averages of both halves of each orbit.
     """
 
-    values: Array
-    rotations: Array
-    errors: Array
+    values: FloatArray
+    rotations: FloatArray
+    errors: FloatArray
 
 
 @dataclass(frozen=True)
@@ -145,7 +145,7 @@ class Plateau:
 
 def staircase(
     maps: CircleMaps,
-    values: Array,
+    values: FloatArray,
     *,
     start: float = 0.0,
     target: float = 1e-10,
@@ -215,7 +215,7 @@ def displacement(
     raise RunError(f"the displacement is too rough for {FINEST} points", float(value))
 
 
-def _extrema(moved: Array, noise: float) -> Displacement:
+def _extrema(moved: FloatArray, noise: float) -> Displacement:
     """Extrema of the trigonometric polynomial through equidistant values."""
     count = len(moved)
     powers = 2j * np.pi * np.arange(count // 2 + 1)
@@ -351,7 +351,7 @@ def _around(maps: CircleMaps, stairs: DevilsStaircase, fraction: Fraction) -> li
 
 
 def _outwards(
-    maps: CircleMaps, values: Array, ends: tuple[int, int], fraction: Fraction
+    maps: CircleMaps, values: FloatArray, ends: tuple[int, int], fraction: Fraction
 ) -> tuple[int, int]:
     """The next places on both sides where the displacement vanishes nowhere."""
 

@@ -15,9 +15,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ...core.arrays import FloatArray
 from ...errors import InputError
 from .floquet import Multipliers
-from .maps import Array, Map
+from .maps import Map
 from .periodic import (
     FAMILY,
     Equations,
@@ -80,7 +81,7 @@ class Branch:
     reason: str
 
     @property
-    def places(self) -> Array:
+    def places(self) -> FloatArray:
         """The varied values, shape (orbits,)."""
         return np.array([orbit.values[self.varied] for orbit in self.orbits])
 
@@ -90,7 +91,7 @@ class _Place:
     """An orbit of the branch with its tangent, a unit vector in the measured space of points."""
 
     orbit: Orbit
-    tangent: Array
+    tangent: FloatArray
     speed: float
 
 
@@ -99,7 +100,7 @@ class _Follower:
     equations: Equations
     varied: str
 
-    def place(self, points: Array, error: float, ahead: Array | None) -> _Place:
+    def place(self, points: FloatArray, error: float, ahead: FloatArray | None) -> _Place:
         """The place at the points of an orbit; its tangent makes no sharp turn from `ahead`."""
         _, slopes, _ = self.equations(points)
         _, sizes, other = np.linalg.svd(slopes)
@@ -218,7 +219,7 @@ def _turn(here: _Place, there: _Place) -> float:
     return float(np.arccos(np.clip(here.tangent @ there.tangent, -1.0, 1.0)))
 
 
-def _passes(here: _Place, there: _Place, first: _Place, sizes: Array) -> bool:
+def _passes(here: _Place, there: _Place, first: _Place, sizes: FloatArray) -> bool:
     """Whether a step goes by the orbit with which the branch began, in its direction."""
     begin, step = here.orbit.points / sizes, (there.orbit.points - here.orbit.points) / sizes
     length = float(np.linalg.norm(step))
@@ -247,7 +248,7 @@ def _on_circle(found: Multipliers) -> tuple[float, float]:
     return float(np.prod(factors)), _spread(factors, 2 * np.abs(pairs) * errors)
 
 
-def _spread(factors: Array, errors: Array) -> float:
+def _spread(factors: FloatArray, errors: FloatArray) -> float:
     """How far errors of its factors may move a product."""
     sizes = np.abs(factors)
     return float(np.prod(sizes + errors) - np.prod(sizes))

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .maps import Array, Map, measured
+from ...core.arrays import FloatArray
+from .maps import Map, measured
 
 __all__ = ["Multipliers", "multipliers", "stability"]
 
@@ -40,10 +41,10 @@ class Multipliers:
         state being measured by its size.
     """
 
-    values: Array
+    values: FloatArray
     forced: tuple[str, ...]
-    errors: Array
-    matrix: Array
+    errors: FloatArray
+    matrix: FloatArray
 
     @property
     def kind(self) -> str:
@@ -51,7 +52,7 @@ class Multipliers:
         return stability(self.values, self.errors)
 
 
-def stability(values: Array, errors: Array) -> str:
+def stability(values: FloatArray, errors: FloatArray) -> str:
     """The kind of an orbit in one or two words.
 
     Parameters
@@ -82,7 +83,7 @@ def stability(values: Array, errors: Array) -> str:
     return "saddle and elliptic" if inside.any() and outside.any() else "undecided"
 
 
-def multipliers(made: Map, point: Array, slope: Array) -> Multipliers:
+def multipliers(made: Map, point: FloatArray, slope: FloatArray) -> Multipliers:
     """The multipliers of an orbit.
 
     Parameters
@@ -126,21 +127,21 @@ def multipliers(made: Map, point: Array, slope: Array) -> Multipliers:
     )
 
 
-def complement(rows: Array) -> Array:
+def complement(rows: FloatArray) -> FloatArray:
     """An orthonormal basis, in columns, of what all rows annul."""
     if not len(rows):
         return np.eye(rows.shape[1])
     _, sizes, other = np.linalg.svd(rows)
     rank = int((sizes > DEPENDENT * sizes[0]).sum())
-    found: Array = other[rank:].T
+    found: FloatArray = other[rank:].T
     return found
 
 
-def _conditions(vectors: Array) -> Array:
+def _conditions(vectors: FloatArray) -> FloatArray:
     """By how much errors of a matrix are magnified in its eigenvalues."""
     if not len(vectors):
         return np.zeros(0)
     # for a double eigenvalue the inverse is meaningless, and its size says so
     left = np.linalg.pinv(vectors, rcond=1e-15)
-    found: Array = np.linalg.norm(left, axis=1) * np.linalg.norm(vectors, axis=0)
+    found: FloatArray = np.linalg.norm(left, axis=1) * np.linalg.norm(vectors, axis=0)
     return found

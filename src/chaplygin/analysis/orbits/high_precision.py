@@ -6,19 +6,21 @@ digits to those of an orbit that is known in doubles.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import mpmath
 import numpy as np
+import numpy.typing as npt
+import sympy as sp
 
+from ...core.arrays import FloatArray
 from ...core.vectors import to_components
 from ...flow.batch import batch_integrator
 from ...flow.gauss import gauss_integrator
 from ...flow.kernel.double_double import unpaired
 from ...formulas.multiprecision import slopes
-from .maps import Array, measured
+from .maps import measured
 from .periodic import NoOrbitError, Orbit, held_values, periodic_difference, shortest
 from .return_map import ReturnMap
 
@@ -41,8 +43,8 @@ class RefinedOrbit:
         The last step of Newton's method, in sizes of the vectors of the state.
     """
 
-    point: list[Any]
-    duration: Any
+    point: list[mpmath.mpf]
+    duration: mpmath.mpf
     error: float
 
 
@@ -96,9 +98,9 @@ class _Problem:
 
     made: ReturnMap
     held: Mapping[str, float]
-    sizes: Array
+    sizes: FloatArray
 
-    def step(self, point: list[Any], duration: Any) -> Array:
+    def step(self, point: list[mpmath.mpf], duration: mpmath.mpf) -> FloatArray:
         """The shortest step of point and duration to first order, in doubles."""
         section = self.made.section
         system, size = section.system, section.size
@@ -131,12 +133,12 @@ class _Problem:
         matrix = np.vstack([ends, np.column_stack([rows, np.zeros(len(rows))])])
         return shortest(matrix, np.concatenate([gaps / sizes, excess])) * self.sizes
 
-    def _period(self, index: int) -> Any:
+    def _period(self, index: int) -> mpmath.mpf:
         """A period with all digits, where it is a turn."""
         period = float(self.made.periods[index])
         return 2 * mpmath.pi if period == 2 * np.pi else mpmath.mpf(period)
 
-    def _levels(self, point: list[Any]) -> tuple[Array, Array]:
+    def _levels(self, point: list[mpmath.mpf]) -> tuple[FloatArray, FloatArray]:
         """Relations, the section and integrals less their values, with slopes."""
         section = self.made.section
         laws = {law.name: law.value for law in section.system.integrals}
@@ -147,7 +149,9 @@ class _Problem:
         made = [[float(rows[i, j]) for j in range(len(point))] for i in range(len(wanted))]
         return np.array(excess), np.array(made)
 
-    def _numbers(self, formulas: Any, point: Any) -> tuple[Any, Any]:
+    def _numbers(
+        self, formulas: Sequence[sp.Expr], point: Sequence[mpmath.mpf] | npt.NDArray[np.object_]
+    ) -> tuple[mpmath.matrix, mpmath.matrix]:
         """Formulas and their slopes with all digits."""
         section = self.made.section
         given = {str(name): value for name, value in section.parameters.items()}

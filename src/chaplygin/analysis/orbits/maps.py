@@ -9,14 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 
+from ...core.arrays import FloatArray
+
 __all__ = ["Image", "Kept", "Map", "Plain", "measured", "slope_of"]
 
-Array = np.ndarray[Any, Any]
-Function = Callable[[Array], Array]
+Function = Callable[[FloatArray], FloatArray]
 
 #: Step along the imaginary axis; its square is nothing beside 1, so that no digits are lost.
 _STEP = 1e-100
@@ -36,9 +37,9 @@ class Image:
         Derivatives: entry [k, i, j] of image coordinate i by coordinate j of point k.
     """
 
-    points: Array
-    times: Array
-    slopes: Array | None = None
+    points: FloatArray
+    times: FloatArray
+    slopes: FloatArray | None = None
 
 
 @dataclass(frozen=True)
@@ -85,7 +86,7 @@ class Map(Protocol):
         ...
 
     @property
-    def periods(self) -> Array:
+    def periods(self) -> FloatArray:
         """See above."""
         ...
 
@@ -104,16 +105,18 @@ class Map(Protocol):
         """See above."""
         ...
 
-    def sizes(self, points: Array) -> Array:
+    def sizes(self, points: FloatArray) -> FloatArray:
         """By which coordinates are measured about points (n, size), so that units do not matter."""
         ...
 
-    def image(self, points: Array, count: int = 1, *, slopes: bool = False) -> Image:
+    def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:
         """Images of points (n, size) after `count` steps; slopes on demand."""
         ...
 
 
-def measured(values: Array, slopes: Array, sizes: Array) -> tuple[Array, Array]:
+def measured(
+    values: FloatArray, slopes: FloatArray, sizes: FloatArray
+) -> tuple[FloatArray, FloatArray]:
     """Values (..., r) and slopes (..., r, size) of functions, divided by their measured slopes."""
     local = slopes * sizes
     lengths = np.sqrt((local**2).sum(axis=-1))
@@ -135,7 +138,7 @@ def slope_of(function: Function) -> Function:
         From points (n, size) to derivatives (n, r, size).
     """
 
-    def slopes(points: Array) -> Array:
+    def slopes(points: FloatArray) -> FloatArray:
         columns = []
         for j in range(points.shape[1]):
             moved = points.astype(complex)
@@ -170,7 +173,7 @@ class Plain:
     forced: tuple[str, ...] = ()
 
     @property
-    def periods(self) -> Array:
+    def periods(self) -> FloatArray:
         """The periods of the coordinates."""
         return np.array([self.angles.get(name, np.inf) for name in self.names])
 
@@ -180,16 +183,16 @@ class Plain:
         if not self.keeps:
             return NOTHING
 
-        def values(points: Array) -> Array:
+        def values(points: FloatArray) -> FloatArray:
             return np.stack([function(points) for function in self.keeps.values()], axis=1)
 
         return Kept(tuple(self.keeps), values, slope_of(values))
 
-    def sizes(self, points: Array) -> Array:
+    def sizes(self, points: FloatArray) -> FloatArray:
         """All ones: coordinates of formulas are taken as they are."""
         return np.ones(len(self.names))
 
-    def image(self, points: Array, count: int = 1, *, slopes: bool = False) -> Image:
+    def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:
         """Images of points (n, size) after `count` steps."""
         slope, total = slope_of(self.step), None
         for _ in range(count):

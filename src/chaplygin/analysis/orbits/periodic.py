@@ -14,9 +14,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...core.arrays import FloatArray
 from ...errors import InputError, RunError
 from .floquet import Multipliers, multipliers
-from .maps import Array, Image, Map, measured
+from .maps import Image, Map, measured
 
 __all__ = [
     "Equations",
@@ -44,7 +45,7 @@ ROUGH = 1e-8
 class NoOrbitError(RunError):
     """There is no orbit where one was sought; `partial` holds the points where the search ended."""
 
-    def __init__(self, reason: str, points: Array) -> None:
+    def __init__(self, reason: str, points: FloatArray) -> None:
         super().__init__(reason, 0.0, points)
 
     def __str__(self) -> str:
@@ -77,9 +78,9 @@ class Orbit:
     """
 
     names: tuple[str, ...]
-    points: Array
+    points: FloatArray
     duration: float
-    turns: Array
+    turns: FloatArray
     values: Mapping[str, float]
     multipliers: Multipliers
     gap: float
@@ -111,9 +112,9 @@ class Equations:
 
     map: Map
     held: Mapping[str, float]
-    sizes: Array
+    sizes: FloatArray
 
-    def __call__(self, points: Array) -> tuple[Array, Array, Image]:
+    def __call__(self, points: FloatArray) -> tuple[FloatArray, FloatArray, Image]:
         """Residuals, their derivatives by all measured coordinates of all points, and the images.
 
         The residual of a function is the measured distance to where it has its value, to first
@@ -146,7 +147,9 @@ class Equations:
         return residuals, slopes, image
 
 
-def periodic_difference(differences: Array, periods: Array) -> tuple[Array, Array]:
+def periodic_difference(
+    differences: FloatArray, periods: FloatArray
+) -> tuple[FloatArray, FloatArray]:
     """Differences of coordinates without whole periods of angles, and these periods."""
     finite = np.where(np.isfinite(periods), periods, 1.0)
     turns = np.where(np.isfinite(periods), np.round(differences / finite), 0.0)
@@ -154,7 +157,7 @@ def periodic_difference(differences: Array, periods: Array) -> tuple[Array, Arra
 
 
 def held_values(
-    made: Map, point: Array, hold: Mapping[str, float] | Iterable[str]
+    made: Map, point: FloatArray, hold: Mapping[str, float] | Iterable[str]
 ) -> dict[str, float]:
     """Values of the integrals that are held: those given, or those at a point.
 
@@ -175,13 +178,13 @@ def held_values(
     return {name: known[name] for name in hold}
 
 
-def shortest(slopes: Array, residuals: Array) -> Array:
+def shortest(slopes: FloatArray, residuals: FloatArray) -> FloatArray:
     """The shortest step that annuls residuals to first order, as far as they can be."""
-    found: Array = np.linalg.lstsq(slopes, -residuals, rcond=FAMILY)[0]
-    return found
+    solution = np.linalg.lstsq(slopes, -residuals, rcond=FAMILY)[0]
+    return np.asarray(solution, dtype=np.float64)
 
 
-def onto(made: Map, points: Array, sizes: Array) -> Array:
+def onto(made: Map, points: FloatArray, sizes: FloatArray) -> FloatArray:
     """The points of the domain of a map that are next to given ones, to rounding."""
     for _ in range(8):
         misses, slopes = measured(made.domain.values(points), made.domain.slopes(points), sizes)
@@ -193,8 +196,8 @@ def onto(made: Map, points: Array, sizes: Array) -> Array:
 
 
 def newton_solution(
-    equations: Equations, points: Array, row: tuple[Array, float] | None = None
-) -> tuple[Array, float]:
+    equations: Equations, points: FloatArray, row: tuple[FloatArray, float] | None = None
+) -> tuple[FloatArray, float]:
     """Points that satisfy equations, by damped Newton steps, and the size of the last step.
 
     Parameters
@@ -212,7 +215,7 @@ def newton_solution(
     """
     sizes = equations.sizes
 
-    def evaluated(place: Array) -> tuple[Array, Array]:
+    def evaluated(place: FloatArray) -> tuple[FloatArray, FloatArray]:
         residuals, slopes, _ = equations(place)
         if row is not None:
             direction, value = row
@@ -246,11 +249,11 @@ def newton_solution(
 
 def _damped(
     equations: Equations,
-    evaluated: Callable[[Array], tuple[Array, Array]],
-    points: Array,
-    step: Array,
+    evaluated: Callable[[FloatArray], tuple[FloatArray, FloatArray]],
+    points: FloatArray,
+    step: FloatArray,
     norm: float,
-) -> tuple[Array, Array, Array] | None:
+) -> tuple[FloatArray, FloatArray, FloatArray] | None:
     """The step, or the greatest half, quarter, … of it that makes the residuals smaller."""
     for power in range(HALVINGS):
         place = onto(equations.map, points + step * 0.5**power, equations.sizes)
@@ -265,7 +268,7 @@ def _damped(
 
 def find(
     made: Map,
-    guess: Array,
+    guess: FloatArray,
     period: int = 1,
     hold: Mapping[str, float] | Iterable[str] = (),
 ) -> Orbit:
@@ -318,7 +321,7 @@ def find(
     return orbit_from_points(made, points, error)
 
 
-def orbit_from_points(made: Map, points: Array, error: float) -> Orbit:
+def orbit_from_points(made: Map, points: FloatArray, error: float) -> Orbit:
     """An orbit with all that is known of it, from its points."""
     image = made.image(points, slopes=True)
     assert image.slopes is not None

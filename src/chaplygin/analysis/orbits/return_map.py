@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from ...core.arrays import FloatArray
 from ...core.laws import Integral
 from ...core.system import System
 from ...core.vectors import to_components
@@ -21,7 +22,7 @@ from ...errors import InputError
 from ...flow.sections.poincare_map import PoincareMap
 from ...flow.state_scales import state_scales_at
 from ...formulas.batch import Formulas
-from .maps import Array, Image, Kept
+from .maps import Image, Kept
 from .rotation import average, unwrapped_turns
 
 __all__ = ["Circle", "ReturnMap", "Rotations", "parameters_to_state", "rotations"]
@@ -97,7 +98,7 @@ class ReturnMap:
         return tuple(map(str, self.section.system.symbols))
 
     @property
-    def periods(self) -> Array:
+    def periods(self) -> FloatArray:
         """The period of each, infinite where it is no angle."""
         return np.array([self.angles.get(name, np.inf) for name in self.names])
 
@@ -114,7 +115,7 @@ class ReturnMap:
         laws = [law for law in self.section.system.integrals if self._holds(law)]
         return self._kept(tuple(law.name for law in laws), tuple(law.value for law in laws))
 
-    def _kept(self, names: tuple[str, ...], formulas: tuple[Any, ...]) -> Kept:
+    def _kept(self, names: tuple[str, ...], formulas: tuple[sp.Expr, ...]) -> Kept:
         made = Formulas(self.section.system, tuple(to_components(f) for f in formulas))
         parameters = self.section.parameters
         return Kept(
@@ -133,14 +134,14 @@ class ReturnMap:
             return False
         return all(abs(float(condition.subs(values))) < 1e-12 for condition in conditions)
 
-    def sizes(self, points: Array) -> Array:
+    def sizes(self, points: FloatArray) -> FloatArray:
         """The greatest sizes of the vectors of the state at points (n, size), (size,)."""
-        found: Array = state_scales_at(self.section.system, points[None], self.section.parameters)[
-            0
-        ]
+        found: FloatArray = state_scales_at(
+            self.section.system, points[None], self.section.parameters
+        )[0]
         return found
 
-    def image(self, points: Array, count: int = 1, *, slopes: bool = False) -> Image:
+    def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:
         """Where points (n, size) return for the time numbered `count`."""
         if slopes:
             found = self.section.derivative(points, count)
@@ -178,7 +179,7 @@ class Circle:
         if self.varied not in known:
             raise InputError(f"varied: no parameter {self.varied}; there are {', '.join(known)}")
 
-    def __call__(self, turns: Array, values: Array, count: int) -> Array:
+    def __call__(self, turns: FloatArray, values: FloatArray, count: int) -> FloatArray:
         """Lifts of orbits, (n, count + 1) turns; see :mod:`.arnold_tongues`."""
         names = [str(s) for s in self.section.system.symbols]
         place = names.index(self.angle)
@@ -207,12 +208,12 @@ class Rotations:
         0, or why a motion did not return: see `SectionMap.reason`; −1 where the angle has no lift.
     """
 
-    values: Array
-    errors: Array
-    outcome: Array
+    values: FloatArray
+    errors: FloatArray
+    outcome: FloatArray
 
 
-def rotations(section: PoincareMap, starts: Array, angle: Any, count: int = 1000) -> Rotations:
+def rotations(section: PoincareMap, starts: FloatArray, angle: Any, count: int = 1000) -> Rotations:
     """Rotation numbers of an angle on a section, for many starts and parameters of each.
 
     Parameters

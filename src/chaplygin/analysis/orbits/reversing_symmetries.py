@@ -10,7 +10,7 @@ looked for.)
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,6 +18,8 @@ import numpy as np
 import sympy as sp
 
 from ...arguments import arguments_checked
+from ...core.arrays import FloatArray
+from ...core.parameters import Parameters
 from ...core.system import Parameter, System, flat
 from ...formulas.batch import Formulas
 from ...printing.formula import text
@@ -51,11 +53,11 @@ class Reversor:
     odd: tuple[sp.Symbol, ...]
     vanishing: tuple[sp.Symbol, ...] = ()
 
-    def signs(self, system: System) -> Any:
+    def signs(self, system: System) -> FloatArray:
         """The diagonal of R: +1 and −1 in flat order."""
         return np.array([-1.0 if s in self.odd else 1.0 for s in system.symbols])
 
-    def holds(self, parameters: Mapping[Any, Any]) -> bool:
+    def holds(self, parameters: Parameters) -> bool:
         """Whether it reverses the system with these parameters, by Symbol or name."""
         values = {str(name): value for name, value in parameters.items()}
         return all(values[str(symbol)] == 0 for symbol in self.vanishing)

@@ -10,10 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
+from ...arguments import Parameters
+from ...core.arrays import FloatArray, IntArray
 from ...core.system import System
 from ...errors import InputError
 from ...flow.batched_linalg import row_dots
@@ -51,9 +52,7 @@ class Directions:
 
     names = ("theta", "phi", "psi", "energy")
 
-    def __init__(
-        self, system: System, level: Mapping[str, float], parameters: Mapping[Any, Any] | None
-    ) -> None:
+    def __init__(self, system: System, level: Mapping[str, float], parameters: Parameters) -> None:
         if "energy" not in {law.name for law in system.integrals}:
             raise InputError(f"{system.name}: these coordinates need an integral named energy")
         held = {**level, "energy": 0.0}
@@ -79,7 +78,7 @@ class Directions:
                 f"gamma, which {self.made.linear[0].name} is not"
             )
 
-    def states(self, points: Any) -> tuple[Any, Any]:
+    def states(self, points: FloatArray) -> tuple[IntArray, FloatArray]:
         """Which points (4, k) have a state, and these states (size, n)."""
         theta, phi, psi, energy = points
         gamma, rising, turning = frame(theta, phi)
@@ -90,7 +89,7 @@ class Directions:
         here = np.flatnonzero(rays.excess > 0)
         return here, rays.states[:, here]
 
-    def points(self, states: Any) -> Any:
+    def points(self, states: FloatArray) -> FloatArray:
         """(theta, phi, psi, energy) of states; not-a-number where an angle is undefined."""
         x, y, z = gamma = states[list(self.made.ground)]
         theta = np.arctan2(np.hypot(x, y), z)
@@ -110,14 +109,14 @@ class Directions:
         return np.stack([theta, phi, psi, energy])
 
     @staticmethod
-    def span(name: str, known: Any) -> tuple[Any, Any]:
+    def span(name: str, known: Mapping[str, float]) -> tuple[float, float]:
         """The range of one variable, the others being known."""
         if name == "energy":
             raise InputError("the energy is a coordinate here: fix it, rather than solve for it")
         return 0.0, np.pi if name == "theta" else 2 * np.pi
 
 
-def frame(theta: Any, phi: Any) -> tuple[Any, Any, Any]:
+def frame(theta: FloatArray, phi: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """γ and the unit vectors in which θ and φ rise, arrays (3, k)."""
     s, c, sp, cp = np.sin(theta), np.cos(theta), np.sin(phi), np.cos(phi)
     return (

@@ -13,9 +13,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 
 from ...core.admissible import conditions, satisfies
+from ...core.arrays import BoolArray, FloatArray, IntArray
 from ...core.system import System, flat
 from ...core.vectors import Vector, norm_squared, to_components
 from ...errors import InputError
@@ -64,7 +66,7 @@ class Axis:
         return sp.Symbol(self.name, real=True)
 
     @property
-    def values(self) -> Any:
+    def values(self) -> FloatArray:
         """The numbers, (count,)."""
         return np.linspace(self.first, self.last, self.count)
 
@@ -107,9 +109,9 @@ class GridCells:
         0, or why there is no motion; see `REASONS`.
     """
 
-    starts: Any
-    parameters: dict[sp.Symbol, Any]
-    reasons: Any
+    starts: FloatArray
+    parameters: dict[sp.Symbol, FloatArray]
+    reasons: IntArray
 
 
 @dataclass(frozen=True)
@@ -153,7 +155,7 @@ class ScanGrid:
         known = {symbol: np.full(count, value) for symbol, value in self.system.defaults.items()}
         known |= {self.x.symbol: x, self.y.symbol: y}
         starts = np.tile(np.array(self.base), (count, 1))
-        parameters: dict[sp.Symbol, Any] = {}
+        parameters: dict[sp.Symbol, FloatArray] = {}
         for symbol, given in self.set:
             value = _evaluated(given, known, count)
             if symbol in self.system.defaults:
@@ -173,17 +175,20 @@ class ScanGrid:
         return GridCells(states, parameters, reasons)
 
     def _placed(
-        self, starts: Any, targets: Sequence[Any], parameters: Mapping[sp.Symbol, Any]
-    ) -> tuple[Any, Any]:
+        self,
+        starts: FloatArray,
+        targets: Sequence[FloatArray],
+        parameters: Mapping[sp.Symbol, FloatArray],
+    ) -> tuple[FloatArray, BoolArray]:
         """Starts on the relations and then on the levels, and whether they are there."""
         relations = tuple(to_components(relation) for relation in self.given.relations)
-        met = np.isfinite(starts).all(axis=1)
+        met: BoolArray = np.asarray(np.isfinite(starts).all(axis=1))
         fixed = {*self.held, *(symbol for symbol, _ in self.set)}
         if relations:
             starts, there = projected(
                 Formulas(self.given, relations), starts, 0.0, parameters, self._others(fixed)
             )
-            met = met & there
+            met &= there
         if targets:
             # directions keep still as long as something else can be moved
             wider = fixed | directions(self.given)
@@ -191,7 +196,7 @@ class ScanGrid:
             wanted = np.stack([*(np.zeros(len(starts)) for _ in relations), *targets], axis=1)
             level = Formulas(self.given, (*relations, *(value for value, _ in self.levels)))
             starts, there = projected(level, starts, wanted, parameters, moved)
-            met = met & there
+            met &= there
         return starts, met
 
     def _others(self, fixed: Collection[sp.Symbol]) -> list[bool]:
@@ -279,7 +284,7 @@ def _held(given: System, held: Collection[str]) -> tuple[sp.Symbol, ...]:
     return tuple(symbol for name in held for symbol in parts[name])
 
 
-def _given(system: System, start: Mapping[str, Any]) -> tuple[System, tuple[float, ...]]:
+def _given(system: System, start: Mapping[str, npt.ArrayLike]) -> tuple[System, tuple[float, ...]]:
     """A system in the variables in which its start is given, and the start in flat order."""
     names = [name for name in system.state if str(name) in start]
     if len(names) < len(system.state):
@@ -292,7 +297,7 @@ def _given(system: System, start: Mapping[str, Any]) -> tuple[System, tuple[floa
     return system, tuple(float(value) for values in numbers for value in values)
 
 
-def _by_velocity(system: System, start: Mapping[str, Any]) -> System:
+def _by_velocity(system: System, start: Mapping[str, npt.ArrayLike]) -> System:
     """The same phase space described by ω and γ, of which the state consists or follows."""
     follow = [(name, value) for name, value in system.start if name in system.state]
     words = {str(name): name for name, _ in system.definitions}
@@ -326,7 +331,7 @@ def directions(system: System) -> set[sp.Symbol]:
     return set(flat(unit))
 
 
-def _evaluated(value: sp.Expr, known: Mapping[sp.Symbol, Any], count: int) -> Any:
+def _evaluated(value: sp.Expr, known: Mapping[sp.Symbol, FloatArray], count: int) -> FloatArray:
     """A formula at arrays; not a number where it has no value."""
     names = sorted(value.free_symbols, key=str)
     function = sp.lambdify(names, value, "numpy")
@@ -335,7 +340,7 @@ def _evaluated(value: sp.Expr, known: Mapping[sp.Symbol, Any], count: int) -> An
     return np.array(np.broadcast_to(np.asarray(found, dtype=np.float64), (count,)))
 
 
-def _admissible(system: System, known: Mapping[sp.Symbol, Any], count: int) -> Any:
+def _admissible(system: System, known: Mapping[sp.Symbol, FloatArray], count: int) -> BoolArray:
     """Where all parameters are finite and satisfy what is asked of them."""
     good = np.ones(count, dtype=bool)
     for parameter in system.parameters:

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 import sympy as sp
 
+from ...core.arrays import FloatArray, IntArray
 from ...core.parameters import Parameters
 from ...core.system import System
 from ...flow.batch import BatchIntegrator, batch_integrator
@@ -55,7 +56,9 @@ class SurvivalTime:
     tolerance: float = 1e-12
     further: ClassVar[Mapping[str, str]] = {}
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Times, outcomes and times reached, (n,) each."""
         run = batch_integrator(self.system, tolerance=self.tolerance).until(
             starts, [self.until], parameters
@@ -77,11 +80,13 @@ class TimeAverage:
 
     system: System
     until: float
-    formula: Any
+    formula: sp.Expr
     tolerance: float = 1e-12
     further: ClassVar[Mapping[str, str]] = {}
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Means, outcomes and times reached, (n,) each."""
         flow = batch_integrator(_with_total(self.system, self.formula), tolerance=self.tolerance)
         run = flow.until(_from_zero(starts), [self.until], parameters)
@@ -105,12 +110,14 @@ class Maximum:
 
     system: System
     until: float
-    formula: Any
+    formula: sp.Expr
     samples: int = 2048
     tolerance: float = 1e-12
     further: ClassVar[Mapping[str, str]] = {}
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
         flow = batch_integrator(self.system, tolerance=self.tolerance)
         seen = observe(flow, self.formula, starts, self.until, self.samples, parameters)
@@ -123,12 +130,14 @@ class Minimum:
 
     system: System
     until: float
-    formula: Any
+    formula: sp.Expr
     samples: int = 2048
     tolerance: float = 1e-12
     further: ClassVar[Mapping[str, str]] = {}
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
         turned = Maximum(self.system, self.until, -self.formula, self.samples, self.tolerance)
         found = turned(starts, parameters)
@@ -153,12 +162,14 @@ class Frequency:
 
     system: System
     until: float
-    formula: Any
+    formula: sp.Expr
     samples: int = 4096
     tolerance: float = 1e-12
     further: ClassVar[Mapping[str, str]] = {"error": "difference between the halves of the motion"}
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, errors, outcomes and times reached, (n,) each."""
         turns = _with_total(self.system, _rate(self.system, self.formula) / (2 * sp.pi))
         flow = batch_integrator(turns, tolerance=self.tolerance)
@@ -167,16 +178,16 @@ class Frequency:
         return {"value": value, "error": error, "outcome": seen.outcome, "ended": seen.ended}
 
 
-def _with_total(system: System, formula: Any) -> System:
+def _with_total(system: System, formula: sp.Expr) -> System:
     """A system that integrates a formula in time along with its motion."""
     return replace(system, field=(*system.field, (TOTAL, formula)), motion=None)
 
 
-def _from_zero(starts: Any) -> Any:
+def _from_zero(starts: FloatArray) -> FloatArray:
     return np.concatenate([starts, np.zeros((len(starts), 1))], axis=1)
 
 
-def _rate(system: System, formula: Any) -> Any:
+def _rate(system: System, formula: sp.Expr) -> sp.Expr:
     """The derivative of a formula along the motion, through the definitions."""
     rates = dict(zip(system.symbols, system.rates, strict=True))
     for symbol, value in system.needed([formula]):
@@ -184,7 +195,7 @@ def _rate(system: System, formula: Any) -> Any:
     return _changing(formula, rates)
 
 
-def _changing(formula: Any, rates: Mapping[Any, Any]) -> Any:
+def _changing(formula: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
     return sp.Add(*(sp.diff(formula, s) * rates[s] for s in formula.free_symbols if s in rates))
 
 
@@ -202,15 +213,15 @@ class ObservedSeries:
         The times reached.
     """
 
-    values: Any
-    outcome: Any
-    ended: Any
+    values: FloatArray
+    outcome: IntArray
+    ended: FloatArray
 
 
 def observe(
     flow: BatchIntegrator,
-    formula: Any,
-    starts: Any,
+    formula: sp.Expr,
+    starts: FloatArray,
     until: float,
     samples: int,
     parameters: Parameters,

@@ -11,8 +11,12 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
+import numpy.typing as npt
+import sympy as sp
 
 from ..._version import __version__
+from ...core.arrays import FloatArray, IntArray
+from ...core.parameters import Parameters
 from ...core.system import System
 from ...errors import InputError
 from ...flow.batch import batch_integrator
@@ -45,7 +49,9 @@ class Rule(Protocol):
     def further(self) -> Mapping[str, str]:
         """What else it gives, such as an error: names, and meanings."""
 
-    def __call__(self, starts: Any, parameters: Mapping[Any, Any]) -> Mapping[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> Mapping[str, FloatArray | IntArray]:
         """The number (``"value"``), ``"outcome"`` and time reached (``"ended"``), (n,) each."""
 
 
@@ -70,7 +76,7 @@ class Scan:
     title: str
     unit: str = ""
 
-    def __call__(self, first: int, last: int) -> dict[str, Any]:
+    def __call__(self, first: int, last: int) -> dict[str, npt.NDArray[np.number]]:
         """Rows of the chart: numbers, outcomes and times reached, (last − first, columns)."""
         cells = self.plane.cells(first, last)
         good = np.flatnonzero(cells.reasons == 0)
@@ -159,11 +165,11 @@ def _coordinate(item: Axis) -> Coordinate:
     return Coordinate((item.name,), item.values, _attributes(item.meaning or item.name, item.unit))
 
 
-def _listed(values: Mapping[Any, float]) -> list[str]:
+def _listed(values: Mapping[sp.Symbol | str, float]) -> list[str]:
     return [f"{name} = {value!r}" for name, value in values.items()]
 
 
-def _outcomes(rule: Rule) -> dict[str, Any]:
+def _outcomes(rule: Rule) -> dict[str, object]:
     """What outcomes mean: numbers, and as many words for them, with underscores for blanks."""
     flow = batch_integrator(rule.system, tolerance=rule.tolerance)
     reasons = {0: "followed to the end", -1: "not computed yet", **REASONS}

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
+import sympy as sp
 
+from ...core.arrays import FloatArray, IntArray
 from ...core.parameters import Parameters
 from ...core.system import System
 from ...flow.batch import Section
@@ -38,13 +40,15 @@ class Winding:
 
     system: System
     until: float
-    formula: Any
+    formula: sp.Expr
     section: Section
     tolerance: float = 1e-12
     count: int = 500
     further: ClassVar[Mapping[str, str]] = {"error": "difference between the halves of the motion"}
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, errors and outcomes, (n,) each; the times reached are not told."""
         returning = PoincareMap(
             self.system, self.section, dict(parameters), self.tolerance, until=self.until

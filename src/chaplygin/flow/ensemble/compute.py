@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from .zarr_store import open_store, read_store
 
 if TYPE_CHECKING:
     import xarray as xr
+    from distributed import Client
 
 __all__ = ["compute"]
 
@@ -24,7 +25,7 @@ def compute(
     task: Task,
     where: str | Path | None = None,
     *,
-    client: Any = None,
+    client: Client | str | int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
     """Carry out a task.
@@ -78,7 +79,7 @@ def _silent(done: float) -> None:
 
 
 def _results(
-    task: Task, blocks: Sequence[int], client: Any, progress: Progress
+    task: Task, blocks: Sequence[int], client: Client | str | int | None, progress: Progress
 ) -> Iterator[tuple[int, Arrays]]:
     """The blocks asked for as they come, each with its number."""
     progress(1 - len(blocks) / task.blocks)
@@ -95,7 +96,7 @@ def _results(
         progress(1 - (len(blocks) - count) / task.blocks)
 
 
-def _in_memory(task: Task, client: Any, progress: Progress) -> xr.Dataset:
+def _in_memory(task: Task, client: Client | str | int | None, progress: Progress) -> xr.Dataset:
     import xarray as xr
 
     whole = {
@@ -117,7 +118,9 @@ def _in_memory(task: Task, client: Any, progress: Progress) -> xr.Dataset:
     return xr.Dataset(placed, known, task.attributes).set_coords(of_members)
 
 
-def _stored(task: Task, where: str | Path, client: Any, progress: Progress) -> xr.Dataset:
+def _stored(
+    task: Task, where: str | Path, client: Client | str | int | None, progress: Progress
+) -> xr.Dataset:
     with open_store(task, Path(where)) as store:
         for block, arrays in _results(store.task, store.missing, client, progress):
             store.write(block, arrays)

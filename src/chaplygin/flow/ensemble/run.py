@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 
 from ...arguments import Numbers, Parameters, arguments_checked
@@ -28,6 +29,7 @@ from .work import EnsembleWork, recorded
 
 if TYPE_CHECKING:
     import xarray as xr
+    from distributed import Client
 
 __all__ = ["ensemble", "ensemble_task", "from_lists", "grid", "sampled", "single"]
 
@@ -49,7 +51,7 @@ def ensemble(
     tolerance: float = 1e-13,
     block: int | None = None,
     where: str | Path | None = None,
-    client: Any = None,
+    client: Client | str | int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
     """Many motions of a system, each from its own start with its own parameters.
@@ -116,9 +118,9 @@ def ensemble(
 
 def ensemble_task(
     system: System,
-    members: Members | Any,
-    times: Any,
-    parameters: Mapping[Any, float] | None = None,
+    members: Members | npt.ArrayLike,
+    times: npt.ArrayLike,
+    parameters: Parameters = None,
     *,
     record: Sequence[str] = (),
     tolerance: float = 1e-13,
@@ -165,14 +167,14 @@ def ensemble_task(
     )
 
 
-def _times(times: Any) -> tuple[float, ...]:
+def _times(times: npt.ArrayLike) -> tuple[float, ...]:
     """The times of an ensemble, if motions can be looked at there."""
     given = np.atleast_1d(as_float_array("times", times))
     moments(given, backward=bool(given.size) and bool(given.flat[-1] < 0))
     return tuple(given.tolist())
 
 
-def _constants(system: System, parameters: Mapping[Any, float] | None) -> dict[str, float]:
+def _constants(system: System, parameters: Parameters) -> dict[str, float]:
     """Values of parameters by name, without those that are the default: they say nothing new."""
     found, defaults = {}, dict(system.constants)
     for name, value in (parameters or {}).items():
@@ -228,7 +230,7 @@ def _variable(
     return Variable(("time", axis), (moments, size), attributes=notes)
 
 
-def _outcomes(work: EnsembleWork) -> dict[str, Any]:
+def _outcomes(work: EnsembleWork) -> dict[str, object]:
     """Flags that say why a motion ended."""
     codes = range(len(STATUS_MESSAGES) + len(work.system.guards))
     reasons = ["the last time was reached", *(work.lanes.reason(code) for code in codes[1:])]
@@ -244,14 +246,14 @@ def _coordinates(work: EnsembleWork, variables: Mapping[str, Variable]) -> dict[
     """The times and the axes that are used."""
     used = {dimension for variable in variables.values() for dimension in variable.dimensions}
     axes = {
-        axis: Coordinate((axis,), list(places), _notes(LABELS[axis], "1", ""))
-        for axis, places in FRAMES.values()
+        axis: Coordinate((axis,), np.array(labels), _notes(LABELS[axis], "1", ""))
+        for axis, labels in FRAMES.values()
         if axis in used
     }
     return {"time": Coordinate(("time",), list(work.times), _notes("time", "s", "")), **axes}
 
 
-def _attributes(work: EnsembleWork) -> dict[str, Any]:
+def _attributes(work: EnsembleWork) -> dict[str, object]:
     """What is told of the whole ensemble."""
     system = work.system
     constants = {str(p.symbol): p.default for p in system.parameters} | dict(work.parameters)
@@ -272,10 +274,10 @@ def _attributes(work: EnsembleWork) -> dict[str, Any]:
     }
 
 
-def _draw(work: EnsembleWork, parameters: Mapping[str, Any]) -> dict[str, Any]:
+def _draw(work: EnsembleWork, parameters: Mapping[str, npt.ArrayLike]) -> dict[str, object]:
     """Seed and measure of the starts drawn; `parameters` are those of the first member."""
     draw = work.members.draw
     if draw is None:
         return {}
-    first = {name: float(parameters[name][0]) for name in work.varied}
+    first = {name: float(np.asarray(parameters[name])[0]) for name in work.varied}
     return {"seed": draw.seed, "measure": work.level(first).measure}

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, runtime_checkable
 
 import numpy as np
+import numpy.typing as npt
 
 from ...errors import InputError, RunError
 
@@ -68,7 +69,7 @@ class Variable:
     dimensions: tuple[str, ...] = ()
     shape: tuple[int, ...] = ()
     dtype: str = "float64"
-    attributes: Mapping[str, Any] = field(default_factory=dict)
+    attributes: Mapping[str, object] = field(default_factory=dict)
     coordinate: bool = False
 
 
@@ -77,8 +78,8 @@ class Coordinate:
     """A small array that is known beforehand, such as the times of the samples."""
 
     dimensions: tuple[str, ...]
-    values: Any
-    attributes: Mapping[str, Any] = field(default_factory=dict)
+    values: npt.ArrayLike
+    attributes: Mapping[str, object] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -116,7 +117,7 @@ class Task:
     variables: Mapping[str, Variable]
     member: str = "run"
     coordinates: Mapping[str, Coordinate] = field(default_factory=dict)
-    attributes: Mapping[str, Any] = field(default_factory=dict)
+    attributes: Mapping[str, object] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         for name in ("size", "block"):
@@ -162,7 +163,7 @@ class IncompleteError(RunError):
     def __init__(self, reason: str) -> None:
         super().__init__(reason, float("nan"))
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return type(self), (self.reason,)
 
     def __str__(self) -> str:

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
+from ...core.arrays import FloatArray, IntArray
 from ...core.system import System
 from ...errors import InputError
 from ...formulas.evaluate import values
@@ -92,7 +93,9 @@ class EnsembleWork:
             marched = self.lanes.until(starts, self.times, parameters)
         except InputError as error:
             raise InputError(error.message, f"runs {first} to {last - 1}") from error
-        found = {name: parameters[name] for name in self.varied}
+        found: dict[str, npt.NDArray[np.number]] = {
+            name: np.asarray(parameters[name]) for name in self.varied
+        }
         if points is not None:
             found["start"] = points
         states = marched.states.reshape(-1, marched.states.shape[-1])
@@ -113,12 +116,14 @@ class EnsembleWork:
         given, _ = self.members.rows(first - self.offset, last - self.offset)
         return replace(self, members=Members((ListedMembers(given),)), offset=first)
 
-    def starts(self, first: int, last: int) -> tuple[Any, dict[str, Any], Any]:
+    def starts(
+        self, first: int, last: int
+    ) -> tuple[FloatArray, dict[str, float | FloatArray], IntArray | None]:
         """States at time 0, parameters, and numbers among the starts drawn, of some members."""
         given, points = self.members.rows(first - self.offset, last - self.offset)
         varied = {name: given.pop(name) for name in self.varied}
-        parameters = {**self.parameters, **varied}
-        if self.members.draw is None:
+        parameters: dict[str, float | FloatArray] = {**self.parameters, **varied}
+        if self.members.draw is None or points is None:
             return flat_starts(self.system, given, parameters), parameters, None
         if given:
             raise InputError(
@@ -127,7 +132,9 @@ class EnsembleWork:
             )
         return self._drawn(self.members.draw, varied, points), parameters, points
 
-    def _drawn(self, draw: SampledMembers, varied: Mapping[str, Any], points: Any) -> Any:
+    def _drawn(
+        self, draw: SampledMembers, varied: Mapping[str, FloatArray], points: IntArray
+    ) -> FloatArray:
         """Starts by their numbers, on the levels at the parameters of each."""
         found = np.empty((len(points), len(self.system.symbols)))
         rows = np.column_stack([np.zeros(len(points)), *varied.values()])

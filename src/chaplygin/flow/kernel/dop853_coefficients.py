@@ -9,19 +9,23 @@ the published numbers is taken.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import cache, lru_cache
 from typing import Any, NamedTuple, TypeAlias
 
 import flint
 import numpy as np
+import numpy.typing as npt
 from flint import arb
 
 __all__ = ["Table", "explicit_table", "trees", "weights"]
 
-#: A rooted tree: what hangs on its root.
-Tree: TypeAlias = tuple[Any, ...]
+#: A rooted tree: the branches at its root.
+Tree: TypeAlias = tuple["Tree", ...]
+
+#: Numbers: doubles, complex ones, or `arb` with many digits.
+Numbers: TypeAlias = npt.NDArray[Any]
 
 ORDER = 8
 STAGES = 12
@@ -92,7 +96,7 @@ def _density(tree: Tree) -> int:
     return product
 
 
-def weights(a: Any, b: Any, order: int) -> Any:
+def weights(a: Numbers, b: Numbers, order: int) -> Numbers:
     """What each order condition requires to be 1: γ(t) Σ b_i Φ_i(t).
 
     Parameters
@@ -105,17 +109,19 @@ def weights(a: Any, b: Any, order: int) -> Any:
     """
     known: dict[Tree, Any] = {}
 
-    def branch(tree: Tree) -> Any:
+    def branch(tree: Tree) -> Numbers:
         """What a tree adds where it hangs: A Φ(t)."""
         if tree not in known:
             known[tree] = a @ stages(tree)
-        return known[tree]
+        result: Numbers = known[tree]
+        return result
 
-    def stages(tree: Tree) -> Any:
+    def stages(tree: Tree) -> Numbers:
         found = b * 0 + 1
         for part in tree:
             found = found * branch(part)
-        return found
+        result: Numbers = found
+        return result
 
     found = [_density(t) * (b @ stages(t)) for n in range(1, order + 1) for t in trees(n)]
     return np.array(found)
@@ -124,7 +130,11 @@ def weights(a: Any, b: Any, order: int) -> Any:
 # --- roots ------------------------------------------------------------------------------------
 
 
-def _root(function: Callable[[Any], Any], right: Any, start: Any) -> Any:
+def _root(
+    function: Callable[[Numbers], Numbers],
+    right: Numbers | arb,
+    start: Numbers,
+) -> Numbers:
     """The solution of f(x) = right that is next to doubles which nearly solve it.
 
     Newton's method with the derivative at the start and its pseudoinverse, so that nothing moves
@@ -138,21 +148,23 @@ def _root(function: Callable[[Any], Any], right: Any, start: Any) -> Any:
         change = _middles(inverse @ (right - function(x)))
         x = x + change
         if max(map(abs, change)) < arb(2) ** -BITS:
-            return x
+            result: Numbers = x
+            return result
     raise ArithmeticError("the order conditions were not solved")
 
 
-def _exact(values: Any) -> Any:
+def _exact(values: Numbers) -> Numbers:
     """Doubles as numbers of many digits."""
-    return np.vectorize(arb, otypes=[object])(values)
+    result: Numbers = np.vectorize(arb, otypes=[object])(values)
+    return result
 
 
-def _middles(values: Any) -> Any:
+def _middles(values: Numbers) -> Numbers:
     """Numbers without the bounds of their errors."""
     return np.array([value.mid() for value in values])
 
 
-def _fractions(values: Any) -> tuple[Fraction, ...]:
+def _fractions(values: Numbers) -> tuple[Fraction, ...]:
     """Numbers as they stand in memory."""
     pairs = (arb(value).mid().man_exp() for value in values)
     return tuple(int(mantissa) * Fraction(2) ** int(exponent) for mantissa, exponent in pairs)
@@ -161,7 +173,7 @@ def _fractions(values: Any) -> tuple[Fraction, ...]:
 # --- the method -------------------------------------------------------------------------------
 
 
-def _nodes() -> Any:
+def _nodes() -> Numbers:
     """The times of the stages (Hairer, Nørsett, Wanner 1993, II.5)."""
     root = arb(6).sqrt()
     first = [arb(0), (12 - 2 * root) / 135, (6 - root) / 45, (6 - root) / 30, (6 + root) / 30]
@@ -178,10 +190,12 @@ def explicit_table() -> Table:
     places, used = np.nonzero(doubles), np.nonzero(DOP853.B)
     count = len(places[0])
 
-    def unpacked(x: Any) -> tuple[Any, Any]:
+    def unpacked(
+        x: Numbers,
+    ) -> tuple[Numbers, Numbers]:
         return _filled((STAGES, STAGES), places, x[:count]), _filled(STAGES, used, x[count:])
 
-    def conditions(x: Any) -> Any:
+    def conditions(x: Numbers) -> Numbers:
         a, b = unpacked(x)
         return np.concatenate([weights(a, b, ORDER), a.sum(axis=1)])
 
@@ -199,14 +213,18 @@ def explicit_table() -> Table:
         )
 
 
-def _filled(shape: Any, places: Any, values: Any) -> Any:
-    """An array with values in some places."""
-    found = np.zeros(shape, values.dtype)
-    found[places] = values
-    return found
+def _filled(
+    shape: int | tuple[int, int],
+    indices: tuple[Sequence[int] | npt.NDArray[np.intp], ...],
+    values: Numbers,
+) -> Numbers:
+    """An array that is zero but for values at some indices."""
+    array = np.zeros(shape, values.dtype)
+    array[indices] = values
+    return array
 
 
-def _third_order(c: Any) -> Any:
+def _third_order(c: Numbers) -> Numbers:
     """The weights of the result of order 3: a quadrature with the nodes 0, c₉ and 1."""
     middle = c[8]
     inner = 1 / (6 * middle * (1 - middle))
@@ -214,11 +232,11 @@ def _third_order(c: Any) -> Any:
     return _filled(STAGES, ([0, 8, 11],), np.array([1 - inner - last, inner, last]))
 
 
-def _fifth_order(a: Any, doubles: Any) -> Any:
+def _fifth_order(a: Numbers, doubles: Numbers) -> Numbers:
     """The estimate of order 5, that vanishes for all trees of at most 5 nodes."""
     places = np.nonzero(doubles)
 
-    def conditions(x: Any) -> Any:
+    def conditions(x: Numbers) -> Numbers:
         matrix = a if x.dtype == object else np.array(a, dtype=float)
         return weights(matrix, _filled(STAGES, places, x), 5)
 

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
 import mpmath
 import numpy as np
+import numpy.typing as npt
 
+from ...arguments import Parameters
+from ...core.arrays import FloatArray
 from ...core.system import System
 from ...formulas.evaluate import as_float_array, parameter_rows
 
 __all__ = ["paired", "parameter_pairs", "unpaired"]
 
 
-def paired(name: str, values: Any) -> Any:
+def paired(name: str, values: npt.ArrayLike) -> FloatArray:
     """Numbers as pairs of doubles, the second what rounding to the first leaves: (..., 2).
 
     Raises
@@ -32,7 +32,7 @@ def paired(name: str, values: Any) -> Any:
     return np.array(parts).reshape(*numbers.shape, 2)
 
 
-def parameter_pairs(system: System, parameters: Mapping[Any, Any] | None, count: int) -> Any:
+def parameter_pairs(system: System, parameters: Parameters, count: int) -> FloatArray:
     """Values of the parameters in order: (1 or count, parameters, 2).
 
     See :func:`chaplygin.formulas.evaluate.parameter_rows`; numbers of many digits keep 32 of them.
@@ -49,7 +49,7 @@ def parameter_pairs(system: System, parameters: Mapping[Any, Any] | None, count:
     return made
 
 
-def unpaired(first: Any, rest: Any) -> Any:
+def unpaired(first: FloatArray, rest: FloatArray) -> npt.NDArray[np.object_]:
     """The numbers that pairs stand for, as an array of mpmath numbers."""
     with mpmath.workdps(40):
         sums = [

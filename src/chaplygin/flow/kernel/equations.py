@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
 
@@ -39,9 +38,9 @@ class Section:
         Only crossings where this is positive count.
     """
 
-    value: Any
+    value: sp.Expr
     direction: int = 1
-    where: Any = None
+    where: sp.Expr | None = None
 
 
 @arguments_checked

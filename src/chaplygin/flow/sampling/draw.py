@@ -13,11 +13,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from ...arguments import Parameters, arguments_checked
+from ...core.arrays import BoolArray, FloatArray, IntArray
 from ...core.laws import Measure
 from ...core.system import System
 from ...core.vectors import to_components
@@ -55,7 +55,7 @@ def sample_level(
     *,
     seed: int = 0,
     first: int = 0,
-) -> Any:
+) -> FloatArray:
     """Points drawn uniformly on a level of the integrals.
 
     Parameters
@@ -111,18 +111,18 @@ class LevelSampler:
 
     system: System
     values: Mapping[str, float]
-    parameters: Any
+    parameters: FloatArray
     measure: str
     invariant: bool
     _thrower: Proposal
     _held: Compiled
-    _targets: Any
+    _targets: FloatArray
     _slopes: Compiled
     _density: Compiled | None
     _bound: float
     _tries: int
 
-    def draw(self, count: int, *, seed: int = 0, first: int = 0) -> Any:
+    def draw(self, count: int, *, seed: int = 0, first: int = 0) -> FloatArray:
         """Points `first` to `first` + `count`; array (count, size).  See :func:`draw`."""
         if count < 0:
             raise InputError(f"count = {count}: it must not be negative")
@@ -147,7 +147,9 @@ class LevelSampler:
                 )
         return found
 
-    def _first(self, seed: int, members: Any, attempt: int, tries: int) -> tuple[Any, Any]:
+    def _first(
+        self, seed: int, members: IntArray, attempt: int, tries: int
+    ) -> tuple[FloatArray, BoolArray]:
         """The first accepted of some attempts of each member, and which members have one."""
         from scipy.special import ndtr
 
@@ -183,23 +185,26 @@ class LevelSampler:
             "that could be found: it lies next to a critical level"
         )
 
-    def density(self, spots: WeightedPoints) -> Any:
+    def density(self, spots: WeightedPoints) -> FloatArray:
         """The density to be drawn by, relative to that of the throws."""
         return spots.volume * self._weight(spots.states)
 
-    def _weight(self, states: Any) -> Any:
+    def _weight(self, states: FloatArray) -> FloatArray:
         """The density to be drawn by, relative to ∏ δ(relations) ∏ δ(held integrals) dx."""
         if self._density is not None:
-            return np.abs(self._density(states, self.parameters)[0])
+            density: FloatArray = np.abs(self._density(states, self.parameters)[0])
+            return density
         slopes = self._gradients(states)
-        return np.sqrt(np.linalg.det(slopes @ np.swapaxes(slopes, 1, 2)))
+        gram: FloatArray = slopes @ np.swapaxes(slopes, 1, 2)
+        result: FloatArray = np.sqrt(np.linalg.det(gram))
+        return result
 
-    def _gradients(self, states: Any) -> Any:
+    def _gradients(self, states: FloatArray) -> FloatArray:
         size, k = states.shape
         flat = self._slopes(states, self.parameters).T
         return np.ascontiguousarray(flat).reshape(k, self._targets.size, size)
 
-    def _settled(self, states: Any) -> Any:
+    def _settled(self, states: FloatArray) -> FloatArray:
         """States moved onto the level along the shortest way, by Newton's method."""
         for _ in range(_NEWTON):
             defect = self._held(states, self.parameters) - self._targets[:, None]
@@ -213,7 +218,7 @@ class LevelSampler:
 def level_sampler(
     system: System,
     level: Mapping[str, float],
-    parameters: Mapping[Any, float] | None = None,
+    parameters: Parameters = None,
 ) -> LevelSampler:
     """A level from which points can be drawn again and again; see :func:`draw`."""
     values = parameter_rows(system, parameters, 1)[0]
@@ -247,7 +252,7 @@ def _density(
     sheet: SystemFormulas,
     level: Mapping[str, float],
     thrower: Proposal,
-    values: Any,
+    values: FloatArray,
 ) -> tuple[Measure | None, Compiled | None]:
     """The invariant measure that holds here and has one sign on the level, and its density."""
     states = thrower.spots(
@@ -262,15 +267,19 @@ def _density(
 
 
 def _thrower(
-    system: System, sheet: SystemFormulas, made: Fibration, level: Mapping[str, float], values: Any
+    system: System,
+    sheet: SystemFormulas,
+    made: Fibration,
+    level: Mapping[str, float],
+    values: FloatArray,
 ) -> Proposal:
     """What throws points onto the level; refuse a level that is empty."""
 
-    def room(gauss: Any) -> tuple[Any, Any]:
+    def room(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
         places = made.normed(gauss)
         return places, made.over(places, values).excess
 
-    def same(gauss: Any, _: Any) -> Any:
+    def same(gauss: FloatArray, _: FloatArray) -> FloatArray:
         return gauss
 
     spare, top = maximise(made, room, same, made.numbers)
@@ -292,8 +301,8 @@ def _thrower(
     slice_ = GreatCircleProposal.of(made, sheet, values)
     (further,) = made.further
 
-    def signed(sign: float) -> Callable[[Any], tuple[Any, Any]]:
-        def height(gauss: Any) -> tuple[Any, Any]:
+    def signed(sign: float) -> Callable[[FloatArray], tuple[FloatArray, FloatArray]]:
+        def height(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
             places = made.normed(gauss)
             difference = sign * slice_.value(places)[0]
             real = np.isfinite(difference)
@@ -322,7 +331,7 @@ def _bounded(level: LevelSampler) -> LevelSampler:
     """The level with a bound of what the densities of the points of one throw add up to."""
     thrower = level._thrower
 
-    def height(gauss: Any) -> tuple[Any, Any]:
+    def height(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
         spots = thrower.spots(gauss)
         return spots.places, level.density(spots)
 

@@ -9,10 +9,10 @@ over every point of the base lie an ellipsoid (a level of the energy) and planes
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
+from ...core.arrays import FloatArray
 from ...formulas.compiled import Compiled
 from ...formulas.graph import Term
 from ..batched_linalg import batched_matvec, batched_solve, norm_squared_columns, row_dots
@@ -35,7 +35,7 @@ class LevelCondition:
 
     name: str
     term: Term
-    target: Any
+    target: float | FloatArray
 
 
 @dataclass(frozen=True)
@@ -99,7 +99,7 @@ class Fibration:
         """How many numbers y make a point of the level."""
         return len(self.ground) + len(self.fibre)
 
-    def normed(self, gauss: Any) -> Any:
+    def normed(self, gauss: FloatArray) -> FloatArray:
         """Points y, uniform on the product of spheres and circles, from normal numbers (y, k).
 
         Angles come by the normal distribution function, uniform in (0, 2π).
@@ -113,11 +113,11 @@ class Fibration:
             places[row] = 2 * np.pi * ndtr(gauss[row])
         return places
 
-    def ground_states(self, places: Any) -> Any:
+    def ground_states(self, places: FloatArray) -> FloatArray:
         """The variables of the base (b, k) that points y (y, k) make."""
         return np.array(self.axes)[:, None] * places[: len(self.ground)]
 
-    def gauss(self, places: Any) -> Any:
+    def gauss(self, places: FloatArray) -> FloatArray:
         """Numbers of which `normed` makes the points y."""
         from scipy.special import ndtri
 
@@ -126,13 +126,15 @@ class Fibration:
             numbers[row] = ndtri(np.mod(places[row] / (2 * np.pi), 1.0))
         return numbers
 
-    def over(self, places: Any, parameters: Any) -> FibrePoints:
+    def over(self, places: FloatArray, parameters: FloatArray) -> FibrePoints:
         """The points of the level that points y (y, k) make."""
         states = np.zeros((self.size, places.shape[1]))
         states[list(self.ground)] = self.ground_states(places)
         return self.fill(states, places[len(self.ground) :], parameters)
 
-    def fill(self, states: Any, directions: Any, parameters: Any) -> FibrePoints:
+    def fill(
+        self, states: FloatArray, directions: FloatArray, parameters: FloatArray
+    ) -> FibrePoints:
         """Put points of the level over base points, along rays of given directions.
 
         Parameters
@@ -179,7 +181,7 @@ class Fibration:
             saddle=corner,
         )
 
-    def parts(self, states: Any, parameters: Any) -> tuple[Any, ...]:
+    def parts(self, states: FloatArray, parameters: FloatArray) -> tuple[FloatArray, ...]:
         """What the conditions are in the fibres over base points.
 
         Slopes (k, m, f) and values (k, m) of the linear conditions at zero fibre; second
@@ -220,14 +222,14 @@ class FibrePoints:
         The matrix of the equations for centre and pull.
     """
 
-    states: Any
-    excess: Any
-    volume: Any
-    centre: Any
-    pull: Any
-    ray: Any
-    length: Any
-    share: Any
-    span: Any
-    normals: Any
-    saddle: Any
+    states: FloatArray
+    excess: FloatArray
+    volume: FloatArray
+    centre: FloatArray
+    pull: FloatArray
+    ray: FloatArray
+    length: FloatArray
+    share: FloatArray
+    span: FloatArray
+    normals: FloatArray
+    saddle: FloatArray

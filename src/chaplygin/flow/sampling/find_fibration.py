@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 import sympy as sp
 
+from ...core.arrays import FloatArray
 from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
@@ -30,7 +30,7 @@ _DEFINITE = 1e-12
 
 
 def find_fibration(
-    system: System, sheet: SystemFormulas, level: Mapping[str, float], values: Any
+    system: System, sheet: SystemFormulas, level: Mapping[str, float], values: FloatArray
 ) -> Fibration:
     """How a level of the integrals lies over a base.
 
@@ -136,7 +136,7 @@ def _degree(sheet: SystemFormulas, term: Term, places: Sequence[int]) -> int:
     return 3 if sheet.depends(_second(sheet, [term], places)) & inside else 2
 
 
-def _at_random(made: Fibration) -> Any:
+def _at_random(made: Fibration) -> FloatArray:
     """States over random points of the base, their fibre zero."""
     gauss = counter_normals(0, np.arange(_SAMPLE), np.zeros(_SAMPLE), made.numbers)
     states = np.zeros((made.size, _SAMPLE))
@@ -144,7 +144,7 @@ def _at_random(made: Fibration) -> Any:
     return states
 
 
-def _periodic(made: Fibration, states: Any, values: Any) -> bool:
+def _periodic(made: Fibration, states: FloatArray, values: FloatArray) -> bool:
     """Whether nothing changes when an angle of the base grows by a turn."""
     turned = states.copy()
     turned[list(made.angles)] += 2 * np.pi
@@ -152,7 +152,7 @@ def _periodic(made: Fibration, states: Any, values: Any) -> bool:
     return bool((np.abs(there - here) <= _SAME * (1 + np.abs(here))).all())
 
 
-def _bounded(made: Fibration, values: Any) -> bool:
+def _bounded(made: Fibration, values: FloatArray) -> bool:
     """Whether the quadratic condition is definite on the fibres over a sample of base points."""
     states = _at_random(made)
     if not _periodic(made, states, values):
@@ -166,7 +166,7 @@ def _bounded(made: Fibration, values: Any) -> bool:
 
 
 def _ellipsoids(
-    system: System, values: Any
+    system: System, values: FloatArray
 ) -> tuple[dict[tuple[int, ...], tuple[float, ...]], list[sp.Expr]]:
     """The variables that lie on ellipsoids with their half axes; and the relations left.
 

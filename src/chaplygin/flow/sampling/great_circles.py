@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from ...core.arrays import BoolArray, FloatArray, IntArray
 from ...formulas.compiled import Compiled, SystemFormulas
 from ..batched_linalg import batched_matvec, batched_solve, norm_squared_columns, row_dots
 from .fibration import Fibration, FibrePoints
@@ -54,13 +55,13 @@ class GreatCircleProposal:
     """
 
     made: Fibration
-    parameters: Any
-    target: float
+    parameters: FloatArray
+    target: float | FloatArray
     terms: Compiled
     central: Compiled
 
     @staticmethod
-    def of(made: Fibration, sheet: SystemFormulas, parameters: Any) -> GreatCircleProposal:
+    def of(made: Fibration, sheet: SystemFormulas, parameters: FloatArray) -> GreatCircleProposal:
         """The slice of a bundle that has one further condition."""
         (further,) = made.further
         own, outer = sheet.slopes([further.term, made.quadratic.term])
@@ -78,7 +79,7 @@ class GreatCircleProposal:
 
     # --- values and slopes ---------------------------------------------------------------------
 
-    def excess(self, places: Any) -> tuple[Any, Any]:
+    def excess(self, places: FloatArray) -> tuple[FloatArray, FloatArray]:
         """How far the level reaches over base points, and its slopes in y (k, y)."""
         rays = self.made.over(places, self.parameters)
         ground, _ = self._central(rays)
@@ -89,7 +90,7 @@ class GreatCircleProposal:
             slopes[:, j] = -row_dots(pulls, ground[:, :, j])
         return rays.excess, self._tangent(places, slopes)
 
-    def value(self, places: Any) -> tuple[Any, Any, FibrePoints]:
+    def value(self, places: FloatArray) -> tuple[FloatArray, FloatArray, FibrePoints]:
         """F − c, its slopes in y (k, y) and the points of the level."""
         made, size = self.made, self.made.size
         rays = made.over(places, self.parameters)
@@ -123,12 +124,12 @@ class GreatCircleProposal:
             slopes[:, j] -= rays.length * tilt
         return F - self.target, self._tangent(places, slopes), rays
 
-    def _shares(self, rays: FibrePoints, vectors: Any) -> Any:
+    def _shares(self, rays: FibrePoints, vectors: FloatArray) -> FloatArray:
         """Coefficients of vectors in the slopes of the linear conditions."""
         gram = rays.normals @ np.swapaxes(rays.normals, 1, 2)
         return batched_solve(gram, batched_matvec(rays.normals, vectors))
 
-    def _central(self, rays: FibrePoints) -> tuple[Any, Any]:
+    def _central(self, rays: FibrePoints) -> tuple[FloatArray, FloatArray]:
         """`central` at the centres: slopes (k, 1 + m, b) and mixed ones (k, 1 + m, b, f)."""
         made = self.made
         f, b, m = len(made.fibre), len(made.ground), len(made.linear)
@@ -138,13 +139,13 @@ class GreatCircleProposal:
         table = flat.reshape(len(flat), 1 + m, b, 1 + f)
         return table[..., 0], table[..., 1:]
 
-    def _tangent(self, places: Any, slopes: Any) -> Any:
+    def _tangent(self, places: FloatArray, slopes: FloatArray) -> FloatArray:
         """Slopes in y, of slopes in the variables of the base and the direction of the ray."""
         made = slopes.copy()
         made[:, : len(self.made.axes)] *= self.made.axes
         return self._across(places, made)
 
-    def _across(self, places: Any, vectors: Any) -> Any:
+    def _across(self, places: FloatArray, vectors: FloatArray) -> FloatArray:
         """Vectors without their parts along the unit vectors."""
         made = vectors.copy()
         for part in self.made.balls:
@@ -164,7 +165,7 @@ class GreatCircleProposal:
         """Three: so short a geodesic rarely meets a smooth surface more than once."""
         return 3.0
 
-    def spots(self, gauss: Any) -> WeightedPoints:
+    def spots(self, gauss: FloatArray) -> WeightedPoints:
         """The points where the geodesics thrown by normal numbers (numbers, k) meet the level."""
         which, places = self.crossings(*self.curves(gauss))
         _, slopes, rays = self.value(places)
@@ -174,20 +175,22 @@ class GreatCircleProposal:
         states = np.ascontiguousarray(rays.states[:, real])
         return WeightedPoints(which[real], places[:, real], states, volume[real])
 
-    def near(self, gauss: Any, fresh: Any) -> Any:
+    def near(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
         """Geodesics that begin at places made of `gauss` (y, k)."""
         return np.concatenate([gauss, fresh[self.made.numbers :]])
 
     # --- curves ----------------------------------------------------------------------------------
 
-    def curves(self, gauss: Any) -> tuple[Any, Any]:
+    def curves(self, gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Uniform points y and uniform unit tangent vectors (y, k) from normal numbers (2 y, k)."""
         half = gauss.shape[0] // 2
         places = self.made.normed(gauss[:half])
         pushes = self._across(places, np.ascontiguousarray(gauss[half:].T)).T
         return places, pushes / np.sqrt(norm_squared_columns(pushes))
 
-    def moved(self, places: Any, pushes: Any, way: Any) -> tuple[Any, Any]:
+    def moved(
+        self, places: FloatArray, pushes: FloatArray, way: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
         """Points and velocities on geodesics, after a way (k,) at unit speed."""
         there, speed = places + way * pushes, pushes.copy()
         for part in self.made.balls:
@@ -198,17 +201,17 @@ class GreatCircleProposal:
             speed[part] = rate * (across * np.cos(turn) - places[part] * np.sin(turn))
         return there, speed
 
-    def crossings(self, places: Any, pushes: Any) -> tuple[Any, Any]:
+    def crossings(self, places: FloatArray, pushes: FloatArray) -> tuple[IntArray, FloatArray]:
         """Where geodesics meet the hypersurface: numbers of the curves, and points y (y, n)."""
 
-        def reach(which: Any, way: Any) -> tuple[Any, Any]:
+        def reach(which: IntArray, way: FloatArray) -> tuple[FloatArray, FloatArray]:
             there, speed = self.moved(places[:, which], pushes[:, which], way)
             value, slopes = self.excess(there)
             return value, row_dots(slopes, speed.T)
 
         which, low, high = _parts(reach, places.shape[1])
 
-        def along(index: Any, angle: Any) -> tuple[Any, Any]:
+        def along(index: IntArray, angle: FloatArray) -> tuple[FloatArray, FloatArray]:
             # at the edge of the level rays shrink like a square root, which the cosine smooths
             half = (high[index] - low[index]) / 2
             way = low[index] + half * (1 - np.cos(np.pi * angle))
@@ -224,7 +227,7 @@ class GreatCircleProposal:
         return which[index], self.moved(places[:, which[index]], pushes[:, which[index]], way)[0]
 
 
-def _parts(reach: Along, count: int) -> tuple[Any, Any, Any]:
+def _parts(reach: Along, count: int) -> tuple[IntArray, FloatArray, FloatArray]:
     """The parts of curves over which the level lies: curves, beginnings and ends."""
     which, way = crossings(reach, count, np.linspace(0.0, LENGTH, PIECES + 1))
     curve = np.concatenate([np.arange(count), which, np.arange(count)])
@@ -241,12 +244,12 @@ def _parts(reach: Along, count: int) -> tuple[Any, Any, Any]:
 class Steps:
     """Intervals of functions: whose they are, their ends, values and slopes there (2, n)."""
 
-    owner: Any
-    ends: Any
-    values: Any
-    slopes: Any
+    owner: IntArray
+    ends: FloatArray
+    values: FloatArray
+    slopes: FloatArray
 
-    def __getitem__(self, chosen: Any) -> Steps:
+    def __getitem__(self, chosen: IntArray) -> Steps:
         return Steps(
             self.owner[chosen], self.ends[:, chosen], self.values[:, chosen], self.slopes[:, chosen]
         )
@@ -260,7 +263,7 @@ class Steps:
             np.append(self.slopes, other.slopes, axis=1),
         )
 
-    def halved(self, along: Along) -> tuple[Steps, Any]:
+    def halved(self, along: Along) -> tuple[Steps, FloatArray]:
         """Both halves of each, and by how much a cubic through the ends misses the middle."""
         middle = self.ends.mean(axis=0)
         value, slope = along(self.owner, middle)
@@ -274,7 +277,7 @@ class Steps:
         return left.joined(right), np.tile(np.abs(value - cubic), 2)
 
 
-def crossings(along: Along, count: int, nodes: Any) -> tuple[Any, Any]:
+def crossings(along: Along, count: int, nodes: FloatArray) -> tuple[IntArray, FloatArray]:
     """All zeros of functions of one variable.
 
     Parameters
@@ -305,7 +308,7 @@ def crossings(along: Along, count: int, nodes: Any) -> tuple[Any, Any]:
     return owner[order], found[order]
 
 
-def _resolved(along: Along, count: int, nodes: Any) -> Steps:
+def _resolved(along: Along, count: int, nodes: FloatArray) -> Steps:
     """Intervals so short that every function is nearly a cubic in each."""
     flat = along(np.repeat(np.arange(count), nodes.size), np.tile(nodes, count))
     value, slope = (part.reshape(count, nodes.size) for part in flat)
@@ -324,7 +327,7 @@ def _resolved(along: Along, count: int, nodes: Any) -> Steps:
     return done.joined(steps)
 
 
-def _may_dip(steps: Steps) -> Any:
+def _may_dip(steps: Steps) -> BoolArray:
     """Where a function of one sign may go to zero and come back inside an interval."""
     sign = np.sign(steps.values[0])
     left, right = sign * steps.values
@@ -333,10 +336,15 @@ def _may_dip(steps: Steps) -> Any:
         # where the tangents at both ends meet; a curve that bends one way stays above
         meet = (right - left - up * np.diff(steps.ends, axis=0)[0]) / (down - up)
         lowest = left + down * meet
-        return (right > 0) & (down < 0) & (up > 0) & (lowest < 0.5 * np.minimum(left, right))
+        result: BoolArray = (
+            (right > 0) & (down < 0) & (up > 0) & (lowest < 0.5 * np.minimum(left, right))
+        )
+        return result
 
 
-def _zero(function: Callable[[Any, Any], Any], low: Any, high: Any) -> Any:
+def _zero(
+    function: Callable[[FloatArray, FloatArray], FloatArray], low: FloatArray, high: FloatArray
+) -> FloatArray:
     """Zeros between arguments at which functions have opposite signs."""
     from scipy.optimize import elementwise
 
@@ -349,4 +357,5 @@ def _zero(function: Callable[[Any, Any], Any], low: Any, high: Any) -> Any:
         args=(which.astype(float),),
         tolerances={"xatol": _FINE},
     )
-    return found.x
+    result: FloatArray = found.x
+    return result

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 
+from ...core.arrays import FloatArray, IntArray
 from .counter_rng import counter_normals
 from .fibration import Fibration
 
@@ -37,10 +38,10 @@ class WeightedPoints:
         δ(relations and held integrals) dx over the density of the throws, up to a constant.
     """
 
-    which: Any
-    places: Any
-    states: Any
-    volume: Any
+    which: IntArray
+    places: FloatArray
+    states: FloatArray
+    volume: FloatArray
 
 
 class Proposal(Protocol):
@@ -58,10 +59,10 @@ class Proposal(Protocol):
     def most(self) -> float:
         """How many points of the greatest density a throw may give, near enough."""
 
-    def spots(self, gauss: Any) -> WeightedPoints:
+    def spots(self, gauss: FloatArray) -> WeightedPoints:
         """The points that throws (numbers, k) give."""
 
-    def near(self, gauss: Any, fresh: Any) -> Any:
+    def near(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
         """Throws that come close to places made of `gauss` (y, k); `fresh` (numbers, k)."""
 
 
@@ -70,7 +71,7 @@ class RayProposal:
     """The ends of rays of random direction over random base points: where nothing else is held."""
 
     made: Fibration
-    parameters: Any
+    parameters: FloatArray
 
     @property
     def numbers(self) -> int:
@@ -82,7 +83,7 @@ class RayProposal:
         """One."""
         return 1.0
 
-    def spots(self, gauss: Any) -> WeightedPoints:
+    def spots(self, gauss: FloatArray) -> WeightedPoints:
         """The points that throws (numbers, k) give."""
         places = self.made.normed(gauss)
         rays = self.made.over(places, self.parameters)
@@ -90,18 +91,18 @@ class RayProposal:
         states = np.ascontiguousarray(rays.states[:, real])
         return WeightedPoints(real, places[:, real], states, rays.volume[real])
 
-    def near(self, gauss: Any, fresh: Any) -> Any:
+    def near(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
         """The same throws again."""
         return gauss
 
 
 def maximise(
     made: Fibration,
-    height: Callable[[Any], tuple[Any, Any]],
-    start: Callable[[Any, Any], Any],
+    height: Callable[[FloatArray], tuple[FloatArray, FloatArray]],
+    start: Callable[[FloatArray, FloatArray], FloatArray],
     many: int,
-    first: Any = None,
-) -> tuple[float, Any]:
+    first: FloatArray | None = None,
+) -> tuple[float, FloatArray]:
     """The largest value met of a quantity, and the place.
 
     Parameters
@@ -138,5 +139,5 @@ def maximise(
     return float(values[top]), places[:, top]
 
 
-def _fresh(count: int, turn: int, many: int) -> Any:
+def _fresh(count: int, turn: int, many: int) -> FloatArray:
     return counter_normals(_SEED, np.arange(count), np.full(count, turn), many)

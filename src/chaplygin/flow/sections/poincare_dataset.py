@@ -8,7 +8,10 @@ from importlib.metadata import version
 from typing import Any, Protocol
 
 import numpy as np
+import numpy.typing as npt
+import sympy as sp
 
+from ...core.arrays import FloatArray
 from ...core.vectors import Vector, to_components
 from ...errors import InputError
 from ...formulas.batch import Formulas
@@ -44,7 +47,7 @@ class Quantity:
     """
 
     name: str
-    formula: Any
+    formula: sp.Expr
     meaning: str
     unit: str = "1"
     label: str = ""
@@ -60,7 +63,7 @@ class Columns(Protocol):
     def quantities(self) -> tuple[Quantity, ...]:
         """What they are; formulas are not looked at."""
 
-    def __call__(self, states: Any) -> Any:
+    def __call__(self, states: FloatArray) -> FloatArray:
         """The columns (n, quantities) at states (n, size)."""
 
 
@@ -80,12 +83,12 @@ class Returns:
     """
 
     returns: PoincareMap
-    starts: Any
+    starts: FloatArray
     count: int
     quantities: tuple[Quantity, ...]
     columns: Columns | None = None
 
-    def __call__(self, first: int, last: int) -> dict[str, Any]:
+    def __call__(self, first: int, last: int) -> dict[str, npt.NDArray[np.generic]]:
         """The arrays of a block, by the names of the dataset."""
         crossed = self.returns.returns(self.starts[first:last], self.count)
         found: dict[str, Any] = {
@@ -100,7 +103,7 @@ class Returns:
             rows = by_name(system, flat, name)
             found[name] = np.ascontiguousarray(rows.reshape(*crossed.times.shape, *rows.shape[1:]))
         formulas = Formulas(system, [item.formula for item in self.quantities])
-        groups: list[tuple[Sequence[Quantity], Callable[[Any], Any]]] = [
+        groups: list[tuple[Sequence[Quantity], Callable[[FloatArray], FloatArray]]] = [
             (self.quantities, lambda x: formulas(x, self.returns.parameters))
         ]
         if self.columns is not None:
@@ -118,11 +121,11 @@ class Returns:
 
 def section_task(
     returns: PoincareMap,
-    starts: Any,
+    starts: Sequence[Sequence[float]] | FloatArray,
     count: int,
     quantities: Sequence[Quantity] = (),
     columns: Columns | None = None,
-    attributes: Mapping[str, Any] | None = None,
+    attributes: Mapping[str, object] | None = None,
     meanings: Mapping[str, tuple[str, str]] | None = None,
 ) -> Task:
     """The task that computes the returns of many motions to a section.
@@ -214,11 +217,11 @@ def _variable(count: int, meaning: str, unit: str) -> Variable:
     return Variable(("section_point",), (count,), attributes=_notes(meaning, unit))
 
 
-def _notes(meaning: str, unit: str, source: str = "") -> dict[str, Any]:
+def _notes(meaning: str, unit: str, source: str = "") -> dict[str, str]:
     return {"long_name": meaning, "units": unit, "source": source}
 
 
-def _outcome(returns: PoincareMap) -> dict[str, Any]:
+def _outcome(returns: PoincareMap) -> dict[str, object]:
     """Why a run ended, told by its numbers as in the CF conventions."""
     reasons = {0: "all its points"}
     reasons |= {
@@ -232,7 +235,7 @@ def _outcome(returns: PoincareMap) -> dict[str, Any]:
     }
 
 
-def _facts(returns: PoincareMap) -> dict[str, Any]:
+def _facts(returns: PoincareMap) -> dict[str, object]:
     system = returns.system
     (numbers,) = parameter_rows(system, returns.parameters, 1)
     names = [str(item.symbol) for item in system.parameters]

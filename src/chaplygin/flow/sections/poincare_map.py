@@ -18,10 +18,12 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 
 from ...arguments import Quantity, arguments_checked
 from ...core.admissible import require_parameters
+from ...core.arrays import FloatArray
 from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
@@ -52,10 +54,10 @@ class Derivative:
         ∂(time)/∂(point).
     """
 
-    images: Any
-    times: Any
-    matrices: Any
-    time_slopes: Any
+    images: FloatArray
+    times: FloatArray
+    matrices: FloatArray
+    time_slopes: FloatArray
 
 
 @arguments_checked
@@ -113,7 +115,7 @@ class PoincareMap:
         """Number of coordinates of a point."""
         return len(self.system.symbols)
 
-    def __call__(self, points: Any) -> Any:
+    def __call__(self, points: npt.ArrayLike) -> FloatArray:
         """The first return.
 
         Parameters
@@ -146,7 +148,7 @@ class PoincareMap:
         )
 
     @arguments_checked
-    def iterate(self, points: Any, count: int) -> Any:
+    def iterate(self, points: Any, count: int) -> FloatArray:
         """The map applied `count` times: array of the shape of `points`.
 
         The motion is followed in one piece, without stopping at the section.
@@ -190,11 +192,12 @@ class PoincareMap:
         """What an outcome of `returns` means, in words; nothing for 0."""
         return self._lanes(0).reason(code)
 
-    def residual(self, points: Any) -> Any:
+    def residual(self, points: npt.ArrayLike) -> FloatArray:
         """The section's value at points (..., size): zero on it."""
-        return self._value(points, self.parameters)[..., 0]
+        result: FloatArray = self._value(points, self.parameters)[..., 0]
+        return result
 
-    def dimension(self, point: Any, *, integrals: bool = True) -> int:
+    def dimension(self, point: npt.ArrayLike, *, integrals: bool = True) -> int:
         """The dimension of the section near a point.
 
         Relations, the section itself and, unless they are to be left out, the known integrals
@@ -255,7 +258,7 @@ class PoincareMap:
         return Formulas(self.system, self.system.rates)
 
 
-def slab(section: Section, quantity: Any, width: float) -> Section:
+def slab(section: Section, quantity: sp.Expr, width: float) -> Section:
     """A section where only crossings with |quantity| < width count; see `PoincareMap.within`.
 
     Raises
