@@ -26,7 +26,7 @@ from .cost import FEW_STEPS, MOST_STEPS, require_steps
 from .initial_states import reduced_rows
 from .kernel import jit as native
 from .kernel.arithmetic import Double, Pair
-from .kernel.double_double import paired, parameter_pairs
+from .kernel.double_double import as_pairs, parameter_pairs
 from .kernel.equations import Equations, Section, equations_of, poincare_section, serial
 from .kernel.outcomes import outcome_message
 from .kernel.runge_kutta import runge_kutta_loop
@@ -160,7 +160,7 @@ class BatchIntegrator:
         rows, constants = self._rows(starts, parameters, deviations)
         numbers, moments, counts, ends = self._call(rows, constants, end, count, threads)
         states, tangents, low = self._split(numbers)
-        return BatchCrossings(states, self._signed(moments), tangents, counts, *ends, low)
+        return BatchCrossings(states, self._with_sign(moments), tangents, counts, *ends, low)
 
     def require_reach(
         self, start: npt.ArrayLike, until: float, parameters: Parameters = None
@@ -185,7 +185,7 @@ class BatchIntegrator:
 
     # --- arguments and results of the machine code ----------------------------------------------
 
-    def _signed(self, moments: FloatArray) -> FloatArray:
+    def _with_sign(self, moments: FloatArray) -> FloatArray:
         return -moments if self.backward else moments
 
     def _rows(
@@ -227,7 +227,7 @@ class BatchIntegrator:
         if self.digits == 16:
             words: FloatArray = as_float_array(name, numbers)[..., None]
             return words
-        return paired(name, numbers)
+        return as_pairs(name, numbers)
 
     def _split(
         self, numbers: FloatArray
@@ -266,7 +266,7 @@ class BatchIntegrator:
         allowed = MOST_STEPS if most is None else most
 
         def compute(first: int, last: int) -> None:
-            work = native.aligned(self.code.work_size)
+            work = native.aligned_zeros(self.code.work_size)
             self.code.functions["march"](
                 *(first, last, rows.ctypes.data, constants.ctypes.data, stride),
                 *(moments.ctypes.data, samples, self.tolerance, allowed),
@@ -275,7 +275,7 @@ class BatchIntegrator:
             )
 
         run_in_threads(compute, motions, threads)
-        return states, times, counts, (outcome, self._signed(ended), steps)
+        return states, times, counts, (outcome, self._with_sign(ended), steps)
 
 
 @lru_cache(maxsize=64)

@@ -29,7 +29,7 @@ from ..formulas.graph import Term
 from .cost import FEW_STEPS, MOST_STEPS, require_steps
 from .initial_states import reduced_rows
 from .kernel import jit as native
-from .kernel.double_double import paired, parameter_pairs
+from .kernel.double_double import as_pairs, parameter_pairs
 from .kernel.equations import equations_of, serial, serial_terms
 from .kernel.gauss_legendre import gauss_loop
 from .kernel.outcomes import outcome_message
@@ -149,7 +149,7 @@ class GaussIntegrator:
         threads: int | None,
         most: int,
     ) -> GaussTrajectories:
-        rows = reduced_rows(self.system, paired("starts", starts))
+        rows = reduced_rows(self.system, as_pairs("starts", starts))
         size = len(self.system.symbols)
         check_state_shape(self.system, rows[..., 0])
         constants = parameter_pairs(self.system, parameters, len(rows))
@@ -162,7 +162,7 @@ class GaussIntegrator:
         _, bound = _METHODS[self.digits]
 
         def compute(first: int, last: int) -> None:
-            work = native.aligned(self.code.work_size)
+            work = native.aligned_zeros(self.code.work_size)
             self.code.functions["gauss"](
                 *(first, last, rows.ctypes.data, constants.ctypes.data, stride),
                 *(moments.ctypes.data, samples, bound, most),
@@ -231,27 +231,27 @@ def gauss_integrator(
         )
     constants = parameter_rows(system, parameters, 1)[0]
     names = () if digits == 30 else _conserved_names(system, tuple(point), tuple(constants))
-    return _compiled(system, digits, backward, names)
+    return _compiled_integrator(system, digits, backward, names)
 
 
 @lru_cache(maxsize=64)
-def _compiled(
+def _compiled_integrator(
     system: System, digits: int, backward: bool, names: tuple[str, ...]
 ) -> GaussIntegrator:
     equations = equations_of(system, 0, None, backward)
     reader, _ = read_formulas(system)
-    held = dict(_candidates(system))
+    terms = dict(_candidates(system))
     projection = None
     if names:
         projection = projection_terms(
             reader.graph,
-            [held[name] for name in names if not name.startswith("=")],
-            [held[name[1:]] for name in names if name.startswith("=")],
+            [terms[name] for name in names if not name.startswith("=")],
+            [terms[name[1:]] for name in names if name.startswith("=")],
             equations.groups,
             len(system.symbols),
         )
     stages, _ = _METHODS[digits]
-    levels = serial_terms([held[name.lstrip("=")] for name in names])
+    levels = serial_terms([terms[name.lstrip("=")] for name in names])
     key = f"gauss {stages} {digits} {serial(equations)} {names} {levels}"
     code = native.load_code(
         key,

@@ -17,7 +17,7 @@ from ..core.system import System
 from ..errors import InputError, RunError
 from .gauss import GaussIntegrator, GaussTrajectories, gauss_integrator
 from .heyoka_expressions import WorkingArray, WorkingNumber
-from .kernel.double_double import unpaired
+from .kernel.double_double import from_pairs
 from .kernel.outcomes import STATUS_MESSAGES
 from .trajectory import Event, Statistics, Trajectory, recorded_values
 
@@ -105,7 +105,7 @@ def collocate(
 def _states(flow: GaussIntegrator, motion: GaussTrajectories, good: BoolArray) -> WorkingArray:
     """The states (times, size) of one motion, with all their digits."""
     states: FloatArray = motion.states[0, good]
-    return states if flow.digits == 16 else unpaired(states, motion.rest[0, good])
+    return states if flow.digits == 16 else from_pairs(states, motion.rest[0, good])
 
 
 def _by_symbol(system: System, parameters: Parameters) -> dict[sp.Symbol, WorkingNumber]:

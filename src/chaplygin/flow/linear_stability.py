@@ -154,18 +154,18 @@ def linear_stability(
     0.146647
     """
     with mpmath.workdps(_working(digits)):
-        frozen = _Frozen(system, state, parameters, digits)
-        matrix, drift = frozen.moving()
-        relations = frozen.slopes_of_relations()
-        tangent = complement(relations, len(frozen.variables))
-        family = [frozen.vector(direction, "along") for direction in along]
+        point = _LinearisedSystem(system, state, parameters, digits)
+        matrix, drift = point.moving()
+        relations = point.slopes_of_relations()
+        tangent = complement(relations, len(point.variables))
+        family = [point.vector(direction, "along") for direction in along]
         for direction in family:
-            _require_family(system, (matrix, relations), direction, frozen.tolerance)
+            _require_family(system, (matrix, relations), direction, point.tolerance)
         basis = without(tangent, family)
         return Linearisation(
             system=system,
-            state=frozen.point,
-            variables=frozen.variables,
+            state=point.point,
+            variables=point.variables,
             matrix=matrix,
             basis=basis,
             reduced=basis.T * matrix * basis,
@@ -206,8 +206,8 @@ def relative_equilibrium(
         variables = _variables(system)
         point = _state(system, guess, variables)
         constants = _constants(system, parameters)
-        kept = {_symbol(system, name, "held") for name in held}
-        loose = [i for i, s in enumerate(variables) if s not in kept]
+        fixed = {_symbol(system, name, "held") for name in held}
+        loose = [i for i, s in enumerate(variables) if s not in fixed]
         if not loose:
             raise InputError(f"{system.name}: all state variables are held; leave one to be found")
         formulas = [*_rates(system, variables), *_relations(system)]
@@ -225,7 +225,7 @@ def relative_equilibrium(
     )
 
 
-class _Frozen:
+class _LinearisedSystem:
     """A system at one state, with derivatives."""
 
     def __init__(
@@ -352,10 +352,10 @@ def essential_variables(system: System) -> tuple[sp.Symbol, ...]:
 
 
 def _variables(system: System) -> tuple[sp.Symbol, ...]:
-    found = essential_variables(system)
-    if not found:
+    variables = essential_variables(system)
+    if not variables:
         raise InputError(f"{system.name}: no rate depends on the state; nothing can be linearised")
-    return found
+    return variables
 
 
 def _symbol(system: System, name: sp.Symbol | str, where: str) -> sp.Symbol:

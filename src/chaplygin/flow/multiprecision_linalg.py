@@ -34,29 +34,29 @@ def without(basis: mpmath.matrix, family: Sequence[mpmath.matrix]) -> mpmath.mat
 
 
 def _columns(vectors: Sequence[mpmath.matrix], size: int) -> mpmath.matrix:
-    made = mpmath.matrix(size, len(vectors))
+    matrix = mpmath.matrix(size, len(vectors))
     for j, v in enumerate(vectors):
         for i in range(size):
-            made[i, j] = v[i]
-    return made
+            matrix[i, j] = v[i]
+    return matrix
 
 
 def _orthonormal(
     vectors: Sequence[mpmath.matrix], beside: Sequence[mpmath.matrix] = ()
 ) -> list[mpmath.matrix]:
     """Gram and Schmidt, twice over; the longest remainder goes next, dependent ones drop out."""
-    found: list[mpmath.matrix] = []
-    left = [+v for v in vectors]
-    scale = max((mpmath.norm(v) for v in left), default=mpmath.mpf(1))
+    basis: list[mpmath.matrix] = []
+    remainders = [+v for v in vectors]
+    scale = max((mpmath.norm(v) for v in remainders), default=mpmath.mpf(1))
     floor = scale * mpmath.mpf(10) ** (-mpmath.mp.dps // 4)
-    while left:
-        left = [_remainder(v, (*beside, *found)) for v in left]
-        longest = max(range(len(left)), key=lambda i: mpmath.norm(left[i]))
-        best = left.pop(longest)
+    while remainders:
+        remainders = [_remainder(v, (*beside, *basis)) for v in remainders]
+        longest = max(range(len(remainders)), key=lambda i: mpmath.norm(remainders[i]))
+        best = remainders.pop(longest)
         if mpmath.norm(best) <= floor:
             break
-        found.append(best / mpmath.norm(best))
-    return found
+        basis.append(best / mpmath.norm(best))
+    return basis
 
 
 def _remainder(vector: mpmath.matrix, span: Sequence[mpmath.matrix]) -> mpmath.matrix:

@@ -78,23 +78,23 @@ def state_scales_at(
     -------
     (n, size) array
     """
-    parts = groups(system)
+    vectors = groups(system)
     # component after component, so that no neighbour changes a bit
-    squares = [sum(states[..., i] ** 2 for i in part) for part in parts]
+    squares = [sum(states[..., i] ** 2 for i in part) for part in vectors]
     norms = np.stack([np.sqrt(np.fmax.reduce(square, axis=1)) for square in squares], axis=1)
     slopes = Formulas(system, system.rates).slopes(states[:, 0], parameters)
     acting = np.array(
-        [[np.abs(slopes[:, p][:, :, q]).max(axis=(1, 2)) for q in parts] for p in parts]
+        [[np.abs(slopes[:, p][:, :, q]).max(axis=(1, 2)) for q in vectors] for p in vectors]
     )
     back = np.swapaxes(acting, 0, 1)
     rates = np.sqrt(acting) * np.sqrt(back)
     coupled = rates > COUPLED * rates.max(axis=(0, 1))
-    coupled &= ~np.eye(len(parts), dtype=bool)[:, :, None]
+    coupled &= ~np.eye(len(vectors), dtype=bool)[:, :, None]
     ratios = np.sqrt(np.divide(acting, back, out=np.zeros_like(acting), where=coupled))
     balanced = ratios * norms.T
-    beside = balanced.max(axis=1).T
-    found = np.where(norms > SMALL * beside, norms, beside)
-    found = np.where(found > 0, found, 1.0)
+    neighbours = balanced.max(axis=1).T
+    scales = np.where(norms > SMALL * neighbours, norms, neighbours)
+    scales = np.where(scales > 0, scales, 1.0)
     return np.concatenate(
-        [np.repeat(found[:, i : i + 1], len(p), axis=1) for i, p in enumerate(parts)], axis=1
+        [np.repeat(scales[:, i : i + 1], len(p), axis=1) for i, p in enumerate(vectors)], axis=1
     )

@@ -43,7 +43,7 @@ SEED = 20080830
 
 
 def orthonormal(
-    vectors: FloatArray, given: FloatArray | None = None
+    vectors: FloatArray, basis: FloatArray | None = None
 ) -> tuple[FloatArray, FloatArray]:
     """Vectors made orthonormal one after the other, for many states at once.
 
@@ -62,20 +62,20 @@ def orthonormal(
     lengths : (n, d) array
         What was left of each vector: the diagonal of R in the QR decomposition.
     """
-    found = np.array(vectors, dtype=np.float64)
-    lengths = np.empty(found.shape[:2])
-    for i in range(found.shape[1]):
-        vector = found[:, i]
+    frame = np.array(vectors, dtype=np.float64)
+    lengths = np.empty(frame.shape[:2])
+    for i in range(frame.shape[1]):
+        vector = frame[:, i]
         before = np.sqrt(_dot(vector, vector))
-        for others in (given, found[:, :i]) * 2:
+        for others in (basis, frame[:, :i]) * 2:
             if others is not None:
                 _take_out(vector, others)
         left = np.sqrt(_dot(vector, vector))
         dependent = left <= DEPENDENT * before
         lengths[:, i] = np.where(dependent, 0.0, left)
         unit = vector / np.where(dependent, 1.0, left)[:, None]
-        found[:, i] = np.where(dependent[:, None], 0.0, unit)
-    return found, lengths
+        frame[:, i] = np.where(dependent[:, None], 0.0, unit)
+    return frame, lengths
 
 
 def _take_out(vector: FloatArray, others: FloatArray) -> None:
@@ -172,10 +172,10 @@ class TangentSpace:
         self, states: FloatArray, parameters: Parameters = None, sizes: FloatArray = ONE
     ) -> FloatArray:
         """The directions that are divided out, (n, mixed, size)."""
-        found = self._directions(states, parameters)
-        found = found.reshape(len(found), len(self.directions), len(self.system.symbols))
-        mixed = [sum(c * found[:, j] for j, c in enumerate(row)) for row in self.mixed]
-        return (np.stack(mixed, axis=1) if mixed else found[:, :0]) / sizes[..., None, :]
+        fields = self._directions(states, parameters)
+        fields = fields.reshape(len(fields), len(self.directions), len(self.system.symbols))
+        mixed = [sum(c * fields[:, j] for j, c in enumerate(row)) for row in self.mixed]
+        return (np.stack(mixed, axis=1) if mixed else fields[:, :0]) / sizes[..., None, :]
 
     def excluded(
         self, states: FloatArray, parameters: Parameters = None, sizes: FloatArray = ONE

@@ -18,7 +18,7 @@ from .heyoka_expressions import Translator, WorkingNumber
 from .kernel import code_cache as cache
 from .projection import Block
 
-__all__ = ["Compiled", "Direction", "Precision", "compile_system", "number_type"]
+__all__ = ["CompiledSystem", "Direction", "Precision", "compile_system", "number_type"]
 
 Precision = Literal["double", "quad"]
 Direction = Literal["forward", "backward"]
@@ -31,7 +31,7 @@ FINEST = {"double": np.finfo(float).eps, "quad": 2e-34}
 
 
 @dataclass(frozen=True)
-class Compiled:
+class CompiledSystem:
     """Native code for one system at one tolerance and precision.
 
     Parameters of the system are run-time values; the code is shared by all of them.
@@ -110,7 +110,7 @@ class _Plan:
         formulas = (sp.srepr([to_components(item) for item in part]) for part in shape)
         return cache.code_name(*formulas, repr(self.tolerance), self.precision, self.direction)
 
-    def compile(self) -> Compiled:
+    def compile(self) -> CompiledSystem:
         system, kind = self.lifted, number_type(self.precision)
         translate = Translator(system)
         variables = translate.variables
@@ -148,7 +148,7 @@ class _Plan:
         lift = list(self.system.motion.relations) if self.system.motion else []
         laws = [law.value for law in system.integrals]
         constrain = _constraints(translate)
-        return Compiled(
+        return CompiledSystem(
             integrator,
             outputs,
             constrain(core, slice(0, size), kind),
@@ -197,7 +197,7 @@ def compile_system(
     tolerance: float = 1e-15,
     precision: Precision = "double",
     direction: Direction = "forward",
-) -> Compiled:
+) -> CompiledSystem:
     """Compile a system, or fetch its code from the cache.
 
     Parameters
@@ -224,7 +224,7 @@ def compile_system(
             "precision 'quad'"
         )
     plan = _plan(system, tolerance, precision, direction)
-    code: Compiled
+    code: CompiledSystem
     code, from_cache = cache.remember(plan.name, plan.compile)
     return replace(code, from_cache=from_cache)
 

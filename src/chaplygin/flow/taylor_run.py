@@ -19,7 +19,7 @@ from ..errors import InputError
 from .cost import Pace
 from .heyoka_expressions import WorkingArray, WorkingNumber
 from .projection import Projector, call
-from .taylor import Compiled, Precision
+from .taylor import CompiledSystem, Precision
 from .trajectory import (
     DenseOutput,
     Event,
@@ -81,7 +81,7 @@ class TaylorRun:
         self,
         system: System,
         core: int,
-        code: Compiled,
+        code: CompiledSystem,
         kind: type[WorkingNumber],
         values: Mapping[sp.Symbol, WorkingNumber],
         precision: Precision,

@@ -27,10 +27,10 @@ def moments(times: npt.ArrayLike, backward: bool = False) -> FloatArray:
     InputError
         If there are none, or they do not go on from 0 in that direction.
     """
-    given = np.atleast_1d(as_float_array("times", times))
-    if given.ndim != 1 or not given.size or not np.all(np.isfinite(given)):
+    row = np.atleast_1d(as_float_array("times", times))
+    if row.ndim != 1 or not row.size or not np.all(np.isfinite(row)):
         raise InputError("times: there must be a row of at least one, and all finite numbers")
-    ahead = -given if backward else given
+    ahead = -row if backward else row
     if ahead[0] < 0 or np.any(np.diff(ahead) <= 0):
         way = "decrease from 0" if backward else "increase from 0"
         raise InputError(f"times: they must {way}, where the motion begins")
@@ -63,8 +63,8 @@ def require_on_phase_space(
     """
     if not relations or not len(points):
         return
-    found = np.abs(numbers(relations, points, parameters))
-    missed, sizes = np.split(found, 2, axis=1)
+    magnitudes = np.abs(numbers(relations, points, parameters))
+    missed, sizes = np.split(magnitudes, 2, axis=1)
     excess = missed / (SLACK * sizes + LEAST)
     worst = np.unravel_index(np.argmax(np.nan_to_num(excess, nan=np.inf)), excess.shape)
     if not excess[worst] <= 1:

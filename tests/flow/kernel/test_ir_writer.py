@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from chaplygin.flow.kernel.ir_writer import IRWriter, literal
-from chaplygin.flow.kernel.jit import aligned, load_code
+from chaplygin.flow.kernel.jit import aligned_zeros, load_code
 
 WIDTHS = pytest.mark.parametrize("lanes", [1, 2, 4, 8, 16])
 _P = ctypes.c_void_p
@@ -23,7 +23,7 @@ def run(lanes: int, write: Callable[[IRWriter], None], given: list[float]) -> li
     write(w)
     text = w.text("void @work(ptr %data, i64 %count)", "#0")
     code = load_code(text, lambda: (text, 0), {"work": (_P, ctypes.c_int64)})
-    data = aligned(max(len(given), lanes))
+    data = aligned_zeros(max(len(given), lanes))
     data[: len(given)] = given
     code.functions["work"](data.ctypes.data, len(given))
     return data[: len(given)].tolist()

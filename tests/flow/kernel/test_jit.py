@@ -18,7 +18,7 @@ import sympy as sp
 from chaplygin.core import cache as core_cache
 from chaplygin.core.system import Guard, Parameter, System
 from chaplygin.flow.batch import batch_integrator
-from chaplygin.flow.gauss import _compiled
+from chaplygin.flow.gauss import _compiled_integrator
 from chaplygin.flow.kernel import code_cache as cache, jit as native
 from chaplygin.flow.kernel.equations import equations_of, poincare_section, serial
 from chaplygin.flow.kernel.ir_writer import IRWriter
@@ -37,7 +37,7 @@ def doubling(lanes_of: int, factor: str = "2.0") -> Any:
 
 
 def run(code: native.Native) -> list[float]:
-    numbers = native.aligned(code.work_size)
+    numbers = native.aligned_zeros(code.work_size)
     numbers[:] = np.arange(code.work_size)
     code.functions["doubled"](numbers.ctypes.data)
     return numbers.tolist()
@@ -202,18 +202,18 @@ def test_every_option_is_other_code(folder: Path) -> None:
 
 
 def test_what_is_held_is_part_of_the_key(folder: Path) -> None:
-    held = _compiled.__wrapped__(OSCILLATOR, 16, False, ("energy",))
-    free = _compiled.__wrapped__(OSCILLATOR, 16, False, ())
+    held = _compiled_integrator.__wrapped__(OSCILLATOR, 16, False, ("energy",))
+    free = _compiled_integrator.__wrapped__(OSCILLATOR, 16, False, ())
     assert not held.code.from_cache
     assert not free.code.from_cache
     laws = (replace(OSCILLATOR.laws[0], value=2 * OSCILLATOR.laws[0].value),)
-    other = _compiled.__wrapped__(replace(OSCILLATOR, laws=laws), 16, False, ("energy",))
+    other = _compiled_integrator.__wrapped__(replace(OSCILLATOR, laws=laws), 16, False, ("energy",))
     assert not other.code.from_cache
 
 
 def test_memory_is_aligned() -> None:
     for count in range(1, 40):
-        room = native.aligned(count)
+        room = native.aligned_zeros(count)
         assert room.size == count
         assert room.ctypes.data % 64 == 0
         assert not room.any()

@@ -18,7 +18,7 @@ from ...core.arrays import FloatArray
 from ...core.vectors import to_components
 from ...flow.batch import batch_integrator
 from ...flow.gauss import gauss_integrator
-from ...flow.kernel.double_double import unpaired
+from ...flow.kernel.double_double import from_pairs
 from ...formulas.multiprecision import slopes
 from .maps import measured
 from .periodic import NoOrbitError, Orbit, held_values, periodic_difference, shortest
@@ -109,7 +109,7 @@ class _Problem:
         whole = float(duration)
         flow = gauss_integrator(system, rough, parameters, digits=30)
         found = flow.until(np.array([point], dtype=object), [whole], parameters)
-        end = unpaired(found.states[0, 0], found.rest[0, 0])
+        end = from_pairs(found.states[0, 0], found.rest[0, 0])
         if found.outcome[0] != 0:
             raise NoOrbitError(flow.reason(int(found.outcome[0])), rough[None])
         moved = batch_integrator(system, deviations=size).until(

@@ -58,7 +58,7 @@ class Directions:
         held = {**level, "energy": 0.0}
         self.values = parameter_rows(system, parameters, 1)[0]
         self.made = find_fibration(system, SystemFormulas(system), held, self.values)
-        shape = [len(part) for part in (self.made.ground, self.made.fibre, self.made.linear)]
+        shape = [len(part) for part in (self.made.base, self.made.fibre, self.made.linear)]
         if shape != [3, 3, 1] or self.made.further or self.made.quadratic.name != "energy":
             raise InputError(
                 f"{system.name}: these coordinates need a vector beside the unit vector gamma and "
@@ -70,7 +70,7 @@ class Directions:
     def _check(self, system: System) -> None:
         gamma = np.array([[0.6, 0.0, -0.8], [0.48, 0.64, 0.6]]).T
         states = np.zeros((self.made.size, 2))
-        states[list(self.made.ground)] = gamma
+        states[list(self.made.base)] = gamma
         normals = self.made.parts(states, self.values)[0][:, 0]
         if np.abs(np.cross(normals, gamma.T)).max() > _ALONG * np.abs(normals).max():
             raise InputError(
@@ -82,28 +82,28 @@ class Directions:
         """Which points (4, k) have a state, and these states (size, n)."""
         theta, phi, psi, energy = points
         gamma, rising, turning = frame(theta, phi)
-        ground = np.zeros((self.made.size, theta.size))
-        ground[list(self.made.ground)] = gamma
+        base = np.zeros((self.made.size, theta.size))
+        base[list(self.made.base)] = gamma
         level = replace(self.made, quadratic=replace(self.made.quadratic, target=energy))
-        rays = level.fill(ground, rising * np.cos(psi) + turning * np.sin(psi), self.values)
+        rays = level.fill(base, rising * np.cos(psi) + turning * np.sin(psi), self.values)
         here = np.flatnonzero(rays.excess > 0)
         return here, rays.states[:, here]
 
     def points(self, states: FloatArray) -> FloatArray:
         """(theta, phi, psi, energy) of states; not-a-number where an angle is undefined."""
-        x, y, z = gamma = states[list(self.made.ground)]
+        x, y, z = gamma = states[list(self.made.base)]
         theta = np.arctan2(np.hypot(x, y), z)
         phi = np.where(np.hypot(x, y) > _FLAT, np.arctan2(y, x), np.nan)
         _, rising, turning = frame(theta, phi)
-        ground = np.zeros_like(states)
-        ground[list(self.made.ground)] = gamma
+        base = np.zeros_like(states)
+        base[list(self.made.base)] = gamma
         level = replace(self.made, quadratic=replace(self.made.quadratic, target=np.inf))
         with np.errstate(invalid="ignore"):
-            centre = level.fill(ground, np.nan_to_num(rising), self.values).centre
+            centre = level.fill(base, np.nan_to_num(rising), self.values).centre
         vector = states[list(self.made.fibre)].T
         off = vector - centre
         psi = np.arctan2(row_dots(off, turning.T), row_dots(off, rising.T))
-        _, _, A, b, c = self.made.parts(ground, self.values)
+        _, _, A, b, c = self.made.parts(base, self.values)
         applied = (A * vector[:, None, :]).sum(axis=2)
         energy = c + row_dots(b, vector) + 0.5 * row_dots(vector, applied)
         return np.stack([theta, phi, psi, energy])

@@ -59,7 +59,7 @@ def compute(
     """
     text = progress if progress is not None else _silent
     _require_room(task, where)
-    return _in_memory(task, client, text) if where is None else _stored(task, where, client, text)
+    return _in_memory(task, client, text) if where is None else _in_store(task, where, client, text)
 
 
 def _require_room(task: Task, where: str | Path | None) -> None:
@@ -118,7 +118,7 @@ def _in_memory(task: Task, client: Client | str | int | None, progress: Progress
     return xr.Dataset(placed, known, task.attributes).set_coords(of_members)
 
 
-def _stored(
+def _in_store(
     task: Task, where: str | Path, client: Client | str | int | None, progress: Progress
 ) -> xr.Dataset:
     with open_store(task, Path(where)) as store:

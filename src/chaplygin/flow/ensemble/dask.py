@@ -65,7 +65,7 @@ def results(
         ) from None
     if not blocks:
         return
-    with _connected(client) as connected:
+    with _client(client) as connected:
         waiting = deque(blocks)
         blamed: Counter[int] = Counter()
         under_way: dict[Future[Any], int] = {}
@@ -118,13 +118,13 @@ def _compute(packed: bytes, first: int, last: int) -> Arrays:
 
     before = THREADS.set(int(os.environ.get("CHAPLYGIN_THREADS", "1")))
     try:
-        return _unpacked(packed)(first, last)
+        return _work_of(packed)(first, last)
     finally:
         THREADS.reset(before)
 
 
 @functools.lru_cache(maxsize=2)
-def _unpacked(packed: bytes) -> Work:
+def _work_of(packed: bytes) -> Work:
     """The work, once for every worker and not for every block."""
     import cloudpickle
 
@@ -133,7 +133,7 @@ def _unpacked(packed: bytes) -> Work:
 
 
 @contextmanager
-def _connected(client: Client | str | int) -> Iterator[Client]:
+def _client(client: Client | str | int) -> Iterator[Client]:
     """A client; what is opened here is closed here."""
     import dask
     import distributed

@@ -59,8 +59,8 @@ class SampledMembers:
     seed: int
 
     def __str__(self) -> str:
-        held = ", ".join(f"{name} = {value!r}" for name, value in self.level.items())
-        return f"{self.size} drawn on {held} (seed {self.seed})"
+        level = ", ".join(f"{name} = {value!r}" for name, value in self.level.items())
+        return f"{self.size} drawn on {level} (seed {self.seed})"
 
 
 @dataclass(frozen=True, eq=False)

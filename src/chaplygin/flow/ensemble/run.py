@@ -25,7 +25,7 @@ from ..variable_metadata import FRAMES, LABELS, variable_metadata
 from .compute import compute
 from .members import Members, from_lists, grid, sampled, single
 from .task import Coordinate, Progress, Task, Variable
-from .work import EnsembleWork, recorded
+from .work import EnsembleWork, quantities_by_name
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -169,14 +169,14 @@ def ensemble_task(
 
 def _times(times: npt.ArrayLike) -> tuple[float, ...]:
     """The times of an ensemble, if motions can be looked at there."""
-    given = np.atleast_1d(as_float_array("times", times))
-    moments(given, backward=bool(given.size) and bool(given.flat[-1] < 0))
-    return tuple(given.tolist())
+    row = np.atleast_1d(as_float_array("times", times))
+    moments(row, backward=bool(row.size) and bool(row.flat[-1] < 0))
+    return tuple(row.tolist())
 
 
 def _constants(system: System, parameters: Parameters) -> dict[str, float]:
     """Values of parameters by name, without those that are the default: they say nothing new."""
-    found, defaults = {}, dict(system.constants)
+    constants, defaults = {}, dict(system.constants)
     for name, value in (parameters or {}).items():
         number = as_float_array(f"{system.name}: {name}", value)
         if number.ndim:
@@ -184,32 +184,32 @@ def _constants(system: System, parameters: Parameters) -> dict[str, float]:
                 f"{system.name}: {name} must be one number; what varies belongs to the members"
             )
         if defaults.get(str(name)) != float(number):
-            found[str(name)] = float(number)
-    return found
+            constants[str(name)] = float(number)
+    return constants
 
 
 def _variables(work: EnsembleWork, drawn: bool) -> dict[str, Variable]:
     """Everything that `Motions` gives."""
     system, moments = work.system, len(work.times)
     text = {str(p.symbol): p for p in system.parameters}
-    found = {
+    variables = {
         name: Variable(attributes=_notes(text[name].meaning, text[name].unit, ""), coordinate=True)
         for name in work.varied
     }
     if drawn:
         notes = _notes("number of the start among those drawn", "1", "")
-        found["start"] = Variable(dtype="int64", attributes=notes, coordinate=True)
+        variables["start"] = Variable(dtype="int64", attributes=notes, coordinate=True)
     for item in system.state:
         size = 1 if isinstance(item, sp.Symbol) else len(item.symbols)
         *about, frame = variable_metadata(system, str(item), size)
-        found[str(item)] = _variable(moments, size, frame, *about)
-    for item in recorded(system, work.record):
+        variables[str(item)] = _variable(moments, size, frame, *about)
+    for item in quantities_by_name(system, work.record):
         about = [item.meaning, item.unit, item.source]
-        found[item.name] = _variable(moments, len(item.formulas), item.frame, *about)
-    found["outcome"] = Variable(dtype="int8", attributes=_outcomes(work))
-    found["ended"] = Variable(attributes=_notes("time that was reached", "s", ""))
-    found["steps"] = Variable(dtype="int64", attributes=_notes("steps tried", "1", ""))
-    return found
+        variables[item.name] = _variable(moments, len(item.formulas), item.frame, *about)
+    variables["outcome"] = Variable(dtype="int8", attributes=_outcomes(work))
+    variables["ended"] = Variable(attributes=_notes("time that was reached", "s", ""))
+    variables["steps"] = Variable(dtype="int64", attributes=_notes("steps tried", "1", ""))
+    return variables
 
 
 def _notes(meaning: str, unit: str, source: str) -> dict[str, str]:

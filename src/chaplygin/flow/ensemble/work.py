@@ -20,10 +20,10 @@ from ..trajectory import RecordedQuantity, by_name, recorded_quantities
 from .members import ListedMembers, Members, SampledMembers
 from .task import Arrays
 
-__all__ = ["EnsembleWork", "recorded"]
+__all__ = ["EnsembleWork", "quantities_by_name"]
 
 
-def recorded(system: System, names: Sequence[str]) -> tuple[RecordedQuantity, ...]:
+def quantities_by_name(system: System, names: Sequence[str]) -> tuple[RecordedQuantity, ...]:
     """Observables and integrals by name; an integral is recorded as ``law_<name>``.
 
     Raises
@@ -90,45 +90,45 @@ class EnsembleWork:
         """Motions first, …, last − 1; arrays by name, a row for each."""
         try:
             starts, parameters, points = self.starts(first, last)
-            marched = self.lanes.until(starts, self.times, parameters)
+            motions = self.lanes.until(starts, self.times, parameters)
         except InputError as error:
             raise InputError(error.message, f"runs {first} to {last - 1}") from error
-        found: dict[str, npt.NDArray[np.number]] = {
+        arrays: dict[str, npt.NDArray[np.number]] = {
             name: np.asarray(parameters[name]) for name in self.varied
         }
         if points is not None:
-            found["start"] = points
-        states = marched.states.reshape(-1, marched.states.shape[-1])
+            arrays["start"] = points
+        states = motions.states.reshape(-1, motions.states.shape[-1])
         for variable in map(str, self.system.state):
             block = by_name(self.system, states, variable)
-            found[variable] = block.reshape(*marched.states.shape[:2], *block.shape[1:])
-        for item in recorded(self.system, self.record):
-            block = values(self.system, item.formulas, marched.states, parameters)
-            found[item.name] = block if item.frame else block[..., 0]
-        found["outcome"] = marched.outcome.astype(np.int8)
-        found |= {"ended": marched.ended, "steps": marched.steps}
-        return {name: np.ascontiguousarray(array) for name, array in found.items()}
+            arrays[variable] = block.reshape(*motions.states.shape[:2], *block.shape[1:])
+        for item in quantities_by_name(self.system, self.record):
+            block = values(self.system, item.formulas, motions.states, parameters)
+            arrays[item.name] = block if item.frame else block[..., 0]
+        arrays["outcome"] = motions.outcome.astype(np.int8)
+        arrays |= {"ended": motions.ended, "steps": motions.steps}
+        return {name: np.ascontiguousarray(array) for name, array in arrays.items()}
 
     def part(self, first: int, last: int) -> EnsembleWork:
         """The work for these members alone, without the rows of others; starts drawn have none."""
         if self.members.draw is not None:
             return self
-        given, _ = self.members.rows(first - self.offset, last - self.offset)
-        return replace(self, members=Members((ListedMembers(given),)), offset=first)
+        rows, _ = self.members.rows(first - self.offset, last - self.offset)
+        return replace(self, members=Members((ListedMembers(rows),)), offset=first)
 
     def starts(
         self, first: int, last: int
     ) -> tuple[FloatArray, dict[str, float | FloatArray], IntArray | None]:
         """States at time 0, parameters, and numbers among the starts drawn, of some members."""
-        given, points = self.members.rows(first - self.offset, last - self.offset)
-        varied = {name: given.pop(name) for name in self.varied}
+        rows, points = self.members.rows(first - self.offset, last - self.offset)
+        varied = {name: rows.pop(name) for name in self.varied}
         parameters: dict[str, float | FloatArray] = {**self.parameters, **varied}
         if self.members.draw is None or points is None:
-            return flat_starts(self.system, given, parameters), parameters, None
-        if given:
+            return flat_starts(self.system, rows, parameters), parameters, None
+        if rows:
             raise InputError(
                 f"{self.system.name}: starts are drawn, so only parameters can be given besides, "
-                f"not {', '.join(given)}"
+                f"not {', '.join(rows)}"
             )
         return self._drawn(self.members.draw, varied, points), parameters, points
 
@@ -136,27 +136,27 @@ class EnsembleWork:
         self, draw: SampledMembers, varied: Mapping[str, FloatArray], points: IntArray
     ) -> FloatArray:
         """Starts by their numbers, on the levels at the parameters of each."""
-        found = np.empty((len(points), len(self.system.symbols)))
+        starts = np.empty((len(points), len(self.system.symbols)))
         rows = np.column_stack([np.zeros(len(points)), *varied.values()])
         sets, which = np.unique(rows, axis=0, return_inverse=True)
         for number, row in enumerate(sets[:, 1:].tolist()):
-            here = np.flatnonzero(which.ravel() == number)
-            wanted, begin = points[here], int(points[here].min())
+            indices = np.flatnonzero(which.ravel() == number)
+            numbers, begin = points[indices], int(points[indices].min())
             level = self.level(dict(zip(varied, row, strict=True)))
-            found[here] = level.draw(int(wanted.max()) - begin + 1, seed=draw.seed, first=begin)[
-                wanted - begin
-            ]
-        return found
+            starts[indices] = level.draw(
+                int(numbers.max()) - begin + 1, seed=draw.seed, first=begin
+            )[numbers - begin]
+        return starts
 
     def level(self, varied: Mapping[str, float]) -> LevelSampler:
         """The level on which starts are drawn, at given values of the parameters that vary."""
-        held = self.members.draw.level if self.members.draw is not None else {}
+        level = self.members.draw.level if self.members.draw is not None else {}
         values = {**self.parameters, **varied}
-        return _level(self.system, tuple(held.items()), tuple(values.items()))
+        return _level(self.system, tuple(level.items()), tuple(values.items()))
 
 
 @lru_cache(maxsize=512)
 def _level(
-    system: System, held: tuple[tuple[str, float], ...], values: tuple[tuple[str, float], ...]
+    system: System, level: tuple[tuple[str, float], ...], values: tuple[tuple[str, float], ...]
 ) -> LevelSampler:
-    return level_sampler(system, dict(held), dict(values))
+    return level_sampler(system, dict(level), dict(values))

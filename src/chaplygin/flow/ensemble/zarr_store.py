@@ -103,10 +103,10 @@ class Store:
             self.arrays[DONE][:] = marked
             _settle(_chunk(self.folder, DONE, 0, 1))
         except OSError as problem:
-            raise self._unfinished(problem) from problem
+            raise self._incomplete_error(problem) from problem
         self.done = marked
 
-    def _unfinished(self, problem: OSError) -> IncompleteError:
+    def _incomplete_error(self, problem: OSError) -> IncompleteError:
         return IncompleteError(
             f"{self.folder}: {_reason(problem)}; {self.done.sum()} of {self.task.blocks} blocks "
             "are written and stay: put right what is wrong, and run the same again"
@@ -176,9 +176,9 @@ def open_store(task: Task, folder: Path) -> Iterator[Store]:
         try:
             if _is_empty(folder):
                 _create(task, folder)
-            group = _opened(folder)
+            group = _group(folder)
             stack.enter_context(_sole_writer(folder))
-            store = _resumed(task, folder, group)
+            store = _resumed_store(task, folder, group)
         except OSError as problem:
             raise InputError(f"{folder} cannot be written: {_reason(problem)}") from problem
         yield store
@@ -197,8 +197,8 @@ def read_store(folder: str | Path) -> xr.Dataset:
     import xarray as xr
 
     path = Path(folder)
-    group = _opened(path)
-    damaged = _damaged(path, group, _marks(path, group))
+    group = _group(path)
+    damaged = _damaged_blocks(path, group, _marks(path, group))
     if damaged:
         raise InputError(
             f"{path} is damaged: of its finished blocks {len(damaged)} have lost a part, the first "
@@ -220,7 +220,7 @@ def _create(task: Task, folder: Path) -> None:
     if not folder.parent.is_dir():
         raise InputError(f"{folder} cannot be written: there is no folder {folder.parent}")
     provisional = folder.with_name(f".{folder.name}.begun")
-    with _locked(folder.parent, fcntl.LOCK_EX):
+    with _lock(folder.parent, fcntl.LOCK_EX):
         shutil.rmtree(provisional, ignore_errors=True)
         try:
             if _is_empty(folder):
@@ -313,7 +313,7 @@ def _description(task: Task) -> dict[str, str]:
     }
 
 
-def _opened(folder: Path) -> zarr.Group:
+def _group(folder: Path) -> zarr.Group:
     """The group in a folder, if this module has written it."""
     import zarr
 
@@ -351,7 +351,7 @@ def _marks(folder: Path, group: zarr.Group) -> BoolArray:
         ) from problem
 
 
-def _damaged(folder: Path, group: zarr.Group, done: BoolArray) -> list[int]:
+def _damaged_blocks(folder: Path, group: zarr.Group, done: BoolArray) -> list[int]:
     """Blocks that are marked, but of which a chunk is missing, empty or damaged."""
     texts = (name.partition("variable ") for name in _notes(group)["task"])
     arrays = [_array(group, name) for before, prefix, name in texts if prefix and not before]
@@ -400,7 +400,7 @@ def _sole_writer(folder: Path) -> Iterator[None]:
     """Lock a store against other writers, or refuse it."""
     with ExitStack() as stack:
         try:
-            stack.enter_context(_locked(folder, fcntl.LOCK_EX | fcntl.LOCK_NB))
+            stack.enter_context(_lock(folder, fcntl.LOCK_EX | fcntl.LOCK_NB))
         except BlockingIOError as problem:
             raise InputError(
                 f"{folder} is being written by another process: wait for it"
@@ -409,7 +409,7 @@ def _sole_writer(folder: Path) -> Iterator[None]:
 
 
 @contextmanager
-def _locked(folder: Path, operation: int) -> Iterator[None]:
+def _lock(folder: Path, operation: int) -> Iterator[None]:
     """Lock a folder for this process; the lock ends with the process, however that ends."""
     handle = os.open(folder, os.O_RDONLY)
     try:
@@ -425,7 +425,7 @@ def _locked(folder: Path, operation: int) -> Iterator[None]:
         os.close(handle)
 
 
-def _resumed(task: Task, folder: Path, group: zarr.Group) -> Store:
+def _resumed_store(task: Task, folder: Path, group: zarr.Group) -> Store:
     """The store with its own blocks, if it belongs to the task."""
     notes = _notes(group)
     stored, wanted = notes["task"], _description(task)
@@ -433,7 +433,7 @@ def _resumed(task: Task, folder: Path, group: zarr.Group) -> Store:
         if wanted.get(name) != stored.get(name):
             raise InputError(f"{folder} holds another experiment: {_difference(name, task, group)}")
     done = _marks(folder, group)
-    done[_damaged(folder, group, done)] = False
+    done[_damaged_blocks(folder, group, done)] = False
     if notes.get("program") != computation_digest() and not done.all():
         raise InputError(
             f"{folder} was begun by another version of the program, whose numbers may differ in "

@@ -79,10 +79,10 @@ def series(name: str, bits: int) -> Approximation:
     value = mp.memoize(lambda t: smooth(mp, t))
     terms = 2
     while True:
-        found, error = mp.chebyfit(value, [first, last], terms, error=True)
+        coefficients, error = mp.chebyfit(value, [first, last], terms, error=True)
         reached = -mp.mag(error)
         if reached >= bits:
-            return Approximation(tuple(map(_fraction, reversed(found))), max(-first, last))
+            return Approximation(tuple(map(_fraction, reversed(coefficients))), max(-first, last))
         # half of what is missing at the present rate, so as not to go too far
         rate = max(1, reached // terms)
         terms += max(1, (bits - reached) // (2 * rate))
@@ -100,16 +100,16 @@ def parts(name: str, bits: tuple[int, ...]) -> tuple[Fraction, ...]:
     """
     mp = MPContext()
     mp.prec = 4 * sum(bits) + 200
-    rest = _fraction(+getattr(mp, name))
-    found = []
+    remainder = _fraction(+getattr(mp, name))
+    pieces = []
     for length in bits:
-        part = _rounded(rest, length)
-        found.append(part)
-        rest -= part
-    return (*found, rest)
+        piece = _nearest_short(remainder, length)
+        pieces.append(piece)
+        remainder -= piece
+    return (*pieces, remainder)
 
 
-def _rounded(value: Fraction, bits: int) -> Fraction:
+def _nearest_short(value: Fraction, bits: int) -> Fraction:
     """The nearest number of so many bits."""
     mp = MPContext()
     mp.prec = bits

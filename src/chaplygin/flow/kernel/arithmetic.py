@@ -201,8 +201,8 @@ class Pair:
         w = self.writer
         s = w.op("fadd", a, b)
         t = w.op("fsub", s, a)
-        rest = w.op("fadd", w.op("fsub", a, w.op("fsub", s, t)), w.op("fsub", b, t))
-        return s, rest
+        error = w.op("fadd", w.op("fsub", a, w.op("fsub", s, t)), w.op("fsub", b, t))
+        return s, error
 
     def fast_sum(self, a: str, b: str) -> Value:
         """The same where a is the larger (Dekker)."""
@@ -213,10 +213,10 @@ class Pair:
     def add(self, a: Value, b: Value) -> Value:
         """a + b."""
         w = self.writer
-        s, s_rest = self.two_sum(a[0], b[0])
-        t, t_rest = self.two_sum(a[1], b[1])
-        s, s_rest = self.fast_sum(s, w.op("fadd", s_rest, t))
-        return self.fast_sum(s, w.op("fadd", s_rest, t_rest))
+        s, s_error = self.two_sum(a[0], b[0])
+        t, t_error = self.two_sum(a[1], b[1])
+        s, s_error = self.fast_sum(s, w.op("fadd", s_error, t))
+        return self.fast_sum(s, w.op("fadd", s_error, t_error))
 
     def sub(self, a: Value, b: Value) -> Value:
         """a − b."""
@@ -226,11 +226,11 @@ class Pair:
         """a b."""
         w = self.writer
         p = w.op("fmul", a[0], b[0])
-        rest = w.call("fma", a[0], b[0], w.op("fneg", p))
+        error = w.call("fma", a[0], b[0], w.op("fneg", p))
         low = w.op("fmul", a[1], b[1])
         low = w.call("fma", a[0], b[1], low)
         low = w.call("fma", a[1], b[0], low)
-        return self.fast_sum(p, w.op("fadd", rest, low))
+        return self.fast_sum(p, w.op("fadd", error, low))
 
     def fma(self, a: Value, b: Value, c: Value) -> Value:
         """a b + c."""
@@ -243,8 +243,8 @@ class Pair:
         rounded numbers are uncertain by as much.
         """
         w = self.writer
-        s, rest = self.two_sum(a[0], b[0])
-        return self.fast_sum(s, w.op("fadd", rest, w.op("fadd", a[1], b[1])))
+        s, error = self.two_sum(a[0], b[0])
+        return self.fast_sum(s, w.op("fadd", error, w.op("fadd", a[1], b[1])))
 
     def fused(self, a: Value, b: Value, c: Value) -> Value:
         """a b + c with an error measured by the larger of product and c."""
@@ -270,9 +270,9 @@ class Pair:
         root = w.call("sqrt", a[0])
         left = self.sub(a, self.mul(self.whole(root), self.whole(root)))
         change = w.op("fdiv", left[0], w.op("fadd", root, root))
-        made = self.fast_sum(root, change)
+        corrected = self.fast_sum(root, change)
         zero = w.compare("oeq", a[0], w.constant(0.0))
-        return self.choose(zero, self.whole(w.constant(0.0)), made)
+        return self.choose(zero, self.whole(w.constant(0.0)), corrected)
 
     def difference(self, a: str, b: str) -> Value:
         """The difference of two registers, without error."""

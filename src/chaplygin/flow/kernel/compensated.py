@@ -22,13 +22,13 @@ __all__ = [
     "integers",
     "is_negative",
     "is_odd",
-    "joined",
     "nearest",
     "polynomial",
     "power_of_two",
     "quotient",
+    "recombined",
     "reduce_argument",
-    "selected",
+    "select",
     "unit",
     "where",
     "where_constant",
@@ -108,12 +108,12 @@ def any_sum(k: Arithmetic, a: Value, b: Value) -> HeadTail:
     return HeadTail(head, k.add(k.sub(a, k.sub(head, moved)), k.sub(b, moved)))
 
 
-def joined(k: Arithmetic, a: HeadTail) -> Value:
+def recombined(k: Arithmetic, a: HeadTail) -> Value:
     """As one number."""
     return k.add(a.head, a.rest)
 
 
-def selected(k: Arithmetic, mask: str, yes: HeadTail, no: HeadTail) -> HeadTail:
+def select(k: Arithmetic, mask: str, yes: HeadTail, no: HeadTail) -> HeadTail:
     """`yes` where the mask is set, else `no`."""
     return HeadTail(k.choose(mask, yes.head, no.head), k.choose(mask, yes.rest, no.rest))
 
@@ -133,11 +133,14 @@ def polynomial(k: Arithmetic, name: str, t: Value) -> Value:
     High terms are too small for more than their first 53 bits to matter: they take one register
     in any arithmetic.
     """
-    found = series(name, k.bits + 6)
-    sizes = [abs(c) * Fraction(found.reach) ** i for i, c in enumerate(found.coefficients)]
+    approximation = series(name, k.bits + 6)
+    sizes = [
+        abs(c) * Fraction(approximation.reach) ** i
+        for i, c in enumerate(approximation.coefficients)
+    ]
     short = [size * 2 ** (k.bits - 50) < sizes[0] for size in sizes]
     w, lead = k.writer, k.leading(t)
-    *others, top = zip(found.coefficients, short, strict=True)
+    *others, top = zip(approximation.coefficients, short, strict=True)
     register = w.constant(float(top[0]))
     total: Value = None
     for coefficient, small in reversed(others):
@@ -157,8 +160,8 @@ def difference(k: Arithmetic, a: HeadTail, b: HeadTail) -> HeadTail:
 
 def constant(k: Arithmetic, name: str, factor: Fraction) -> HeadTail:
     """A constant and what is lost by rounding it."""
-    head, rest = parts(name, (53 * k.words,))
-    return HeadTail(k.number(head * factor), k.number(rest * factor))
+    head, tail = parts(name, (53 * k.words,))
+    return HeadTail(k.number(head * factor), k.number(tail * factor))
 
 
 def where(k: Arithmetic, x: Value, relation: str, limit: float) -> str:
@@ -194,5 +197,5 @@ def reduce_argument(
         x = k.fma(n, piece, x)
     product = k.mul(n, next_to_last)
     lost = k.fma(n, next_to_last, k.neg(product))
-    head, rest = any_sum(k, x, product)
-    return HeadTail(head, k.add(rest, k.fma(n, last, lost))), turns, bits
+    head, tail = any_sum(k, x, product)
+    return HeadTail(head, k.add(tail, k.fma(n, last, lost))), turns, bits

@@ -76,10 +76,10 @@ def _forests(nodes: int, largest: int) -> Iterator[Tree]:
         yield ()
     for size in range(min(nodes, largest), 0, -1):
         same = trees(size)
-        for rest in _forests(nodes - size, size):
+        for smaller in _forests(nodes - size, size):
             for i, tree in enumerate(same):
-                if not rest or _size(rest[0]) < size or same.index(rest[0]) >= i:
-                    yield (tree, *rest)
+                if not smaller or _size(smaller[0]) < size or same.index(smaller[0]) >= i:
+                    yield (tree, *smaller)
 
 
 @cache
@@ -117,14 +117,14 @@ def weights(a: Numbers, b: Numbers, order: int) -> Numbers:
         return result
 
     def stages(tree: Tree) -> Numbers:
-        found = b * 0 + 1
+        product = b * 0 + 1
         for part in tree:
-            found = found * branch(part)
-        result: Numbers = found
+            product = product * branch(part)
+        result: Numbers = product
         return result
 
-    found = [_density(t) * (b @ stages(t)) for n in range(1, order + 1) for t in trees(n)]
-    return np.array(found)
+    conditions = [_density(t) * (b @ stages(t)) for n in range(1, order + 1) for t in trees(n)]
+    return np.array(conditions)
 
 
 # --- roots ------------------------------------------------------------------------------------
@@ -176,9 +176,9 @@ def _fractions(values: Numbers) -> tuple[Fraction, ...]:
 def _nodes() -> Numbers:
     """The times of the stages (Hairer, Nørsett, Wanner 1993, II.5)."""
     root = arb(6).sqrt()
-    first = [arb(0), (12 - 2 * root) / 135, (6 - root) / 45, (6 - root) / 30, (6 + root) / 30]
-    rest = [(1, 3), (1, 4), (4, 13), (127, 195), (3, 5), (6, 7), (1, 1)]
-    return np.array(first + [arb(p) / q for p, q in rest])
+    irrational = [arb(0), (12 - 2 * root) / 135, (6 - root) / 45, (6 - root) / 30, (6 + root) / 30]
+    rational = [(1, 3), (1, 4), (4, 13), (127, 195), (3, 5), (6, 7), (1, 1)]
+    return np.array(irrational + [arb(p) / q for p, q in rational])
 
 
 @lru_cache
@@ -190,20 +190,20 @@ def explicit_table() -> Table:
     places, used = np.nonzero(doubles), np.nonzero(DOP853.B)
     count = len(places[0])
 
-    def unpacked(
+    def method_of(
         x: Numbers,
     ) -> tuple[Numbers, Numbers]:
-        return _filled((STAGES, STAGES), places, x[:count]), _filled(STAGES, used, x[count:])
+        return _array_of((STAGES, STAGES), places, x[:count]), _array_of(STAGES, used, x[count:])
 
     def conditions(x: Numbers) -> Numbers:
-        a, b = unpacked(x)
+        a, b = method_of(x)
         return np.concatenate([weights(a, b, ORDER), a.sum(axis=1)])
 
     with flint.ctx.workprec(BITS + 60):
         c = _nodes()
         ones = [arb(1)] * sum(len(trees(n)) for n in range(1, ORDER + 1))
         start = np.concatenate([doubles[places], DOP853.B[used]])
-        a, b = unpacked(_root(conditions, np.concatenate([ones, c]), start))
+        a, b = method_of(_root(conditions, np.concatenate([ones, c]), start))
         return Table(
             a=tuple(_fractions(a[i, :i]) for i in range(STAGES)),
             b=_fractions(b),
@@ -213,7 +213,7 @@ def explicit_table() -> Table:
         )
 
 
-def _filled(
+def _array_of(
     shape: int | tuple[int, int],
     indices: tuple[Sequence[int] | npt.NDArray[np.intp], ...],
     values: Numbers,
@@ -229,7 +229,7 @@ def _third_order(c: Numbers) -> Numbers:
     middle = c[8]
     inner = 1 / (6 * middle * (1 - middle))
     last = arb(1) / 2 - inner * middle
-    return _filled(STAGES, ([0, 8, 11],), np.array([1 - inner - last, inner, last]))
+    return _array_of(STAGES, ([0, 8, 11],), np.array([1 - inner - last, inner, last]))
 
 
 def _fifth_order(a: Numbers, doubles: Numbers) -> Numbers:
@@ -238,6 +238,6 @@ def _fifth_order(a: Numbers, doubles: Numbers) -> Numbers:
 
     def conditions(x: Numbers) -> Numbers:
         matrix = a if x.dtype == object else np.array(a, dtype=float)
-        return weights(matrix, _filled(STAGES, places, x), 5)
+        return weights(matrix, _array_of(STAGES, places, x), 5)
 
-    return _filled(STAGES, places, _root(conditions, arb(0), doubles[places]))
+    return _array_of(STAGES, places, _root(conditions, arb(0), doubles[places]))

@@ -11,10 +11,10 @@ from ...core.arrays import FloatArray
 from ...core.system import System
 from ...formulas.evaluate import as_float_array, parameter_rows
 
-__all__ = ["paired", "parameter_pairs", "unpaired"]
+__all__ = ["as_pairs", "from_pairs", "parameter_pairs"]
 
 
-def paired(name: str, values: npt.ArrayLike) -> FloatArray:
+def as_pairs(name: str, values: npt.ArrayLike) -> FloatArray:
     """Numbers as pairs of doubles, the second what rounding to the first leaves: (..., 2).
 
     Raises
@@ -38,24 +38,24 @@ def parameter_pairs(system: System, parameters: Parameters, count: int) -> Float
     See :func:`chaplygin.formulas.evaluate.parameter_rows`; numbers of many digits keep 32 of them.
     """
     rows = parameter_rows(system, parameters, count)
-    made = np.stack([rows, np.zeros_like(rows)], axis=-1)
+    pairs = np.stack([rows, np.zeros_like(rows)], axis=-1)
     if not parameters:
-        return made
-    given = {str(key): np.asarray(value) for key, value in parameters.items()}
+        return pairs
+    values = {str(key): np.asarray(value) for key, value in parameters.items()}
     for i, parameter in enumerate(system.parameters):
-        value = given.get(str(parameter.symbol))
+        value = values.get(str(parameter.symbol))
         if value is not None and value.dtype == object:
-            made[:, i] = paired(str(parameter.symbol), value)
-    return made
+            pairs[:, i] = as_pairs(str(parameter.symbol), value)
+    return pairs
 
 
-def unpaired(first: FloatArray, rest: FloatArray) -> npt.NDArray[np.object_]:
+def from_pairs(first: FloatArray, rest: FloatArray) -> npt.NDArray[np.object_]:
     """The numbers that pairs stand for, as an array of mpmath numbers."""
     with mpmath.workdps(40):
         sums = [
             mpmath.mpf(float(a)) + mpmath.mpf(float(b))
             for a, b in zip(np.ravel(first), np.ravel(rest), strict=True)
         ]
-    made = np.empty(len(sums), dtype=object)
-    made[:] = sums
-    return made.reshape(np.shape(first))
+    numbers = np.empty(len(sums), dtype=object)
+    numbers[:] = sums
+    return numbers.reshape(np.shape(first))

@@ -178,21 +178,21 @@ def equations_of(
 def _variations(graph: Graph, rates: Sequence[Term], deviations: int) -> list[Term]:
     """The variational equations, of one deviation after the other."""
     size = len(rates)
-    found: list[Term] = []
+    variations: list[Term] = []
     for k in range(1, deviations + 1):
         direction = {graph.state(i): graph.state(k * size + i) for i in range(size)}
-        found.extend(graph.along(rates, direction))
-    return found
+        variations.extend(graph.along(rates, direction))
+    return variations
 
 
 def groups(system: System) -> tuple[tuple[int, ...], ...]:
     """The places of the components of each vector of the state; scalars stand alone."""
-    found, first = [], 0
+    blocks, first = [], 0
     for variable in system.state:
         width = 1 if isinstance(variable, sp.Symbol) else len(variable.symbols)
-        found.append(tuple(range(first, first + width)))
+        blocks.append(tuple(range(first, first + width)))
         first += width
-    return tuple(found)
+    return tuple(blocks)
 
 
 def serial(equations: Equations) -> str:
@@ -200,8 +200,8 @@ def serial(equations: Equations) -> str:
     pieces = equations.pieces
     heads = [f"{name} {len(piece)}" for name, piece in pieces.items()]
     terms = serial_terms([term for piece in pieces.values() for term in piece])
-    rest = (equations.groups, equations.direction, equations.parameters, equations.deviations)
-    return "\n".join([*heads, terms, *map(str, rest)])
+    layout = (equations.groups, equations.direction, equations.parameters, equations.deviations)
+    return "\n".join([*heads, terms, *map(str, layout)])
 
 
 def serial_terms(terms: Sequence[Term]) -> str:

@@ -43,9 +43,14 @@ class _Loop:
     """The writing of the loop."""
 
     def __init__(
-        self, method: Gauss, equations: Equations, kept: ProjectionTerms | None, refine: bool
+        self, method: Gauss, equations: Equations, projection: ProjectionTerms | None, refine: bool
     ) -> None:
-        self.method, self.equations, self.kept, self.refine = method, equations, kept, refine
+        self.method, self.equations, self.projection, self.refine = (
+            method,
+            equations,
+            projection,
+            refine,
+        )
         self.stages = len(method.b)
         self.size = len(equations.rates)
         self.w = IRWriter(self.stages)
@@ -57,10 +62,10 @@ class _Loop:
         wide = dict(equations.pieces)
         self._functions("wide", Double, wide, self.stages)
         self._functions("fine", Pair, {"fine_rates": equations.rates}, self.stages)
-        if kept is not None:
-            self._functions("exact", Pair, {"residuals": kept.residuals}, 1)
-            self._functions("thin", Double, {"correct": kept.correction}, 1)
-        count = 0 if kept is None else len(kept.residuals)
+        if projection is not None:
+            self._functions("exact", Pair, {"residuals": projection.residuals}, 1)
+            self._functions("thin", Double, {"correct": projection.correction}, 1)
+        count = 0 if projection is None else len(projection.residuals)
         self.space.reserve("y", 2 * (self.size + count))
         self.space.reserve("new", 2 * (self.size + count))
         self.space.reserve("point", self.size + count)
@@ -122,9 +127,9 @@ class _Loop:
         self.planned = w.variable("double", "0.0")
         self.last_step = w.variable("double", "0.0")
         self.outcome = w.variable("i64", "0")
-        self.tried = w.variable("i64", "0")
+        self.attempts = w.variable("i64", "0")
         self.calm = w.variable("i64", "0")
-        self.taken = w.variable("i64", "0")
+        self.accepted_steps = w.variable("i64", "0")
         self._targets()
         self._first_step()
         self.floor = w.variable(
@@ -145,7 +150,7 @@ class _Loop:
                     w.store("double", w.load("double", self.at("y", i)), w.at("double", row, i))
         w.store("i64", w.load("i64", self.outcome), w.at("i64", "%outcome", index))
         w.store("double", w.load("double", self.time), w.at("double", "%ended", index))
-        w.store("i64", w.load("i64", self.tried), w.at("i64", "%taken", index))
+        w.store("i64", w.load("i64", self.attempts), w.at("i64", "%taken", index))
 
     def _scalar(self, op: str, a: str, b: str) -> str:
         return self.w.emit(f"{op} double {a}, {b}")
@@ -155,7 +160,7 @@ class _Loop:
         w = self.w
         row = w.at("double", "%values", w.emit(f"mul i64 {index}, %stride"))
         uses: list[tuple[str, Double | Pair]] = [("wide", self.d), ("fine", self.p)]
-        if self.kept is not None:
+        if self.projection is not None:
             uses += [("exact", self.p1), ("thin", self.d1)]
         for name, arithmetic in uses:
             base = self.at(f"{name}_parameters")
@@ -169,10 +174,10 @@ class _Loop:
 
     def _targets(self) -> None:
         """The values that are to be kept; at first what vanishes is the value itself."""
-        if self.kept is None:
+        if self.projection is None:
             return
         w = self.w
-        count = len(self.kept.residuals)
+        count = len(self.projection.residuals)
         for k in range(2 * count):
             w.store("double", "0.0", self.at("y", 2 * self.size + k))
         self._residuals("y")
@@ -232,12 +237,12 @@ class _Loop:
         # the clock shows the sum of all steps, and nothing of it is lost
         whole = self.p.difference(w.splat(arrived), w.splat(now))
         step = self._lane(whole[0])
-        tried = w.emit(f"add i64 {w.load('i64', self.tried)}, 1")
-        w.store("i64", tried, self.tried)
+        attempts = w.emit(f"add i64 {w.load('i64', self.attempts)}, 1")
+        w.store("i64", attempts, self.attempts)
         self._guess(step)
         good = self._iterate(whole)
         self._judge(step, whole, arrived, good)
-        with w.when(w.emit(f"icmp sge i64 {tried}, %limit")):
+        with w.when(w.emit(f"icmp sge i64 {attempts}, %limit")):
             w.store("i64", str(STEPS), self.outcome)
 
     def _call(self, name: str, *values: str) -> str:
@@ -285,7 +290,7 @@ class _Loop:
         """Find the stages; a bit tells whether they have come to rest."""
         w, d, h = self.w, self.d, whole[0]
         columns = self._columns(self.method.a)
-        rest = _Rest(self, h, 1e-28, 1e-24)
+        convergence = _Convergence(self, h, 1e-28, 1e-24)
         with w.forever() as leave:
             for i in range(self.size):
                 change = w.call("fma", h, self._applied(columns, "rates", i), self._y_rest(i))
@@ -296,8 +301,8 @@ class _Loop:
                 fresh = d.load(self.at("fresh"), i)
                 changes.append(w.op("fsub", fresh, d.load(self.at("rates"), i)))
                 d.store(fresh, self.at("rates"), i)
-            rest.look(changes, leave)
-        good = rest.reached()
+            convergence.look(changes, leave)
+        good = convergence.reached()
         with w.when(good):
             if self.refine:
                 self._begin_fine(whole)
@@ -344,7 +349,7 @@ class _Loop:
     def _iterate_fine(self, h: str, columns: Sequence[str]) -> str:
         """Correct them, each time by what the rates have changed; the place of a bit: at rest."""
         w, p, d = self.w, self.p, self.d
-        rest = _Rest(self, h, 1e-65, 1e-58)
+        convergence = _Convergence(self, h, 1e-65, 1e-58)
         with w.forever() as leave:
             self._fine_rates()
             changes = []
@@ -358,8 +363,8 @@ class _Loop:
                 more = w.op("fmul", h, self._applied(columns, "fresh", i))
                 stage = p.plus(p.load(self.at("fine_stage"), i), p.whole(more))
                 p.store(stage, self.at("fine_stage"), i)
-            rest.look(changes, leave)
-        return rest.place
+            convergence.look(changes, leave)
+        return convergence.place
 
     def relative(self, h: str, changes: Sequence[str]) -> str:
         """The largest squared change of a vector of the state by rates, relative to its size."""
@@ -432,15 +437,15 @@ class _Loop:
         small = w.emit(f"fcmp ole double {estimate}, {bound}")
         reason = w.emit(f"select i1 {number}, i64 {COLLAPSED}, i64 {NOT_A_NUMBER}")
         reason = w.variable("i64", reason)
-        taken = w.variable("i1", w.emit(f"and i1 {good}, {small}"))
+        accepted = w.variable("i1", w.emit(f"and i1 {good}, {small}"))
         if self.equations.guards:
-            self._guards(h, taken, reason)
+            self._guards(h, accepted, reason)
         factor = w.variable("double", literal(0.5))
         with w.when(good):
             by = self._scalar("fmul", power, literal(0.95))
             by = self._call("maxnum", by, literal(0.3))
             w.store("double", self._call("minnum", by, literal(2.0)), factor)
-        fine = w.load("i1", taken)
+        fine = w.load("i1", accepted)
         with w.when(fine):
             self._advance(whole)
             w.store("double", arrived, self.time)
@@ -457,7 +462,7 @@ class _Loop:
             with w.when(w.emit(f"fcmp ule double {shorter}, {floor}")):
                 w.store("i64", w.load("i64", reason), self.outcome)
 
-    def _guards(self, h: str, taken: str, reason: str) -> None:
+    def _guards(self, h: str, accepted: str, reason: str) -> None:
         """A guard that is passed in a stage, or where the step leads, forbids the step."""
         w, d = self.w, self.d
         weights = self._vector([float(x) for x in self.method.b])
@@ -472,14 +477,14 @@ class _Loop:
             for i in reversed(range(len(self.equations.guards))):
                 passed = w.any(w.compare("ule", d.load(self.at("guards"), i), w.constant(0.0)))
                 with w.when(passed):
-                    w.store("i1", "false", taken)
+                    w.store("i1", "false", accepted)
                     w.store("i64", str(len(STATUS_MESSAGES) + i), reason)
 
     def _plan_taken(self, step: str, factor: str, estimate: str, bound: str) -> None:
         """The next step: at first as the estimate says; later longer only after a calm while."""
         w = self.w
-        done = w.emit(f"add i64 {w.load('i64', self.taken)}, 1")
-        w.store("i64", done, self.taken)
+        done = w.emit(f"add i64 {w.load('i64', self.accepted_steps)}, 1")
+        w.store("i64", done, self.accepted_steps)
         planned = w.load("double", self.planned)
         early = w.emit(f"icmp sle i64 {done}, {SETTLING}")
         calm = w.emit(
@@ -522,13 +527,13 @@ class _Loop:
 
     def _project(self) -> None:
         """Move the state to where the kept functions have their values."""
-        if self.kept is None:
+        if self.projection is None:
             return
         w, p1, d1 = self.w, self.p1, self.d1
         self._residuals("y")
         for i in range(self.size):
             d1.store(p1.load(self.at("y"), i)[0], self.at("point"), i)
-        for k in range(len(self.kept.residuals)):
+        for k in range(len(self.projection.residuals)):
             d1.store(p1.load(self.at("left"), k)[0], self.at("point"), self.size + k)
         w.line(
             f"call void @correct(ptr {self.at('move')}, ptr {self.at('point')}, "
@@ -539,7 +544,7 @@ class _Loop:
             p1.store(p1.add(p1.load(self.at("y"), i), move), self.at("y"), i)
 
 
-class _Rest:
+class _Convergence:
     """Whether an iteration has come to rest.
 
     It has when its squared change is below a level, or below a second one and no longer falling.
@@ -561,9 +566,9 @@ class _Rest:
         small = w.emit(f"fcmp ole double {change}, {literal(self.small)}")
         level = w.emit(f"fcmp oge double {change}, {before}")
         low = w.emit(f"fcmp ole double {change}, {literal(self.low)}")
-        rest = w.emit(f"or i1 {small}, {w.emit(f'and i1 {level}, {low}')}")
-        w.store("i1", rest, self.place)
-        leave(rest)
+        converged = w.emit(f"or i1 {small}, {w.emit(f'and i1 {level}, {low}')}")
+        w.store("i1", converged, self.place)
+        leave(converged)
         leave(w.emit(f"fcmp uno double {change}, {change}"))
         tries = w.emit(f"add i64 {w.load('i64', self.tries)}, 1")
         w.store("i64", tries, self.tries)
@@ -575,7 +580,7 @@ class _Rest:
 
 
 def gauss_loop(
-    method: Gauss, equations: Equations, kept: ProjectionTerms | None, refine: bool
+    method: Gauss, equations: Equations, projection: ProjectionTerms | None, refine: bool
 ) -> tuple[str, int]:
     """The text of the loop, and the doubles of memory that it needs.
 
@@ -585,10 +590,10 @@ def gauss_loop(
         Of 4, 8 or 16 stages.
     equations : Equations
         Without a section.
-    kept : Kept or None
+    projection : ProjectionTerms or None
         What the state is moved to keep.
     refine : bool
         Whether the stages are found to 32 digits.
     """
-    made = _Loop(method, equations, kept, refine)
-    return made.write(), made.space.size
+    loop = _Loop(method, equations, projection, refine)
+    return loop.write(), loop.space.size

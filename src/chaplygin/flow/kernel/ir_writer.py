@@ -177,7 +177,7 @@ def literal(value: float) -> str:
 
 
 def _align(kind: str) -> int:
-    """Vectors are aligned as memory is handed out; lanes are powers of two."""
+    """Vectors are aligned_zeros as memory is handed out; lanes are powers of two."""
     if kind.startswith("<"):
         return min(64, 8 * int(kind[1 : kind.index(" ")]))
     return 8

@@ -15,7 +15,7 @@ import numpy as np
 from ...core.arrays import FloatArray
 from . import code_cache as cache
 
-__all__ = ["Native", "aligned", "load_code", "width"]
+__all__ = ["Native", "aligned_zeros", "load_code", "width"]
 
 _ATTRIBUTES = """
 attributes #0 = { nounwind "prefer-vector-width"="512" "min-legal-vector-width"="512" }
@@ -141,7 +141,7 @@ def load_code(
     return Native(functions, work_size, tracker, from_cache)
 
 
-def aligned(doubles: int) -> FloatArray:
+def aligned_zeros(doubles: int) -> FloatArray:
     """Zeros at an address that any vector accepts."""
     memory = np.zeros(doubles + 8)
     shift = (-memory.ctypes.data // 8) % 8

@@ -410,8 +410,8 @@ class _March:
                 value = n.choose(moved, n.load(self.place(source), i), n.load(self.place(name), i))
                 n.store(value, self.place(name), i)
             fresh = n.load(self.place("rates", last_stage * self.dimension), i)
-            kept = n.choose(moved, fresh, n.load(self.place("rates"), i))
-            n.store(kept, self.place("rates"), i)
+            chosen = n.choose(moved, fresh, n.load(self.place("rates"), i))
+            n.store(chosen, self.place("rates"), i)
 
     def _y(self, i: int) -> Value:
         return self.n.load(self.place("y"), i)
@@ -605,5 +605,5 @@ def runge_kutta_loop(
     lanes : int
         Trajectories in a vector.
     """
-    made = _March(arithmetic, method, equations, lanes)
-    return made.write(), made.space.size * lanes
+    loop = _March(arithmetic, method, equations, lanes)
+    return loop.write(), loop.space.size * lanes

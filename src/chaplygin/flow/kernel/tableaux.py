@@ -128,8 +128,8 @@ def _legendre(count: int, x: mpmath.mpf) -> list[mpmath.mpf]:
 def _primitives(count: int, x: mpmath.mpf) -> list[mpmath.mpf]:
     """Their integrals from 0 to x."""
     values = _legendre(count + 1, x)
-    rest = [(values[k + 1] - values[k - 1]) / (2 * (2 * k + 1)) for k in range(1, count)]
-    return [x, *rest]
+    higher = [(values[k + 1] - values[k - 1]) / (2 * (2 * k + 1)) for k in range(1, count)]
+    return [x, *higher]
 
 
 def _combine(values: list[mpmath.mpf], expand: list[list[mpmath.mpf]]) -> list[mpmath.mpf]:

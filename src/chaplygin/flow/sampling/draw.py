@@ -114,7 +114,7 @@ class LevelSampler:
     parameters: FloatArray
     measure: str
     invariant: bool
-    _thrower: Proposal
+    _proposal: Proposal
     _held: Compiled
     _targets: FloatArray
     _slopes: Compiled
@@ -129,23 +129,23 @@ class LevelSampler:
         size = len(self.system.symbols)
         # beside the points, as many numbers again while they are drawn
         require_room(16.0 * count * size, None, f"{count:,} starts at once")
-        found = np.empty((count, size))
+        points = np.empty((count, size))
         pending, attempt, tries = np.arange(count), 0, self._tries
         while pending.size:
-            left = []
+            unmet = []
             for start in range(0, pending.size, _BATCH // tries):
                 some = pending[start : start + _BATCH // tries]
                 states, done = self._first(seed, first + some, attempt, tries)
-                found[some[done]] = states
-                left.append(some[~done])
-            pending, attempt = np.concatenate(left), attempt + tries
+                points[some[done]] = states
+                unmet.append(some[~done])
+            pending, attempt = np.concatenate(unmet), attempt + tries
             tries = min(tries + 1, _BATCH)
             if attempt > _PATIENCE:
                 raise InputError(
                     f"{self.system.name}: the level {level_label(self.values)} is too thin: no "
                     f"point of it was met in {attempt} attempts"
                 )
-        return found
+        return points
 
     def _first(
         self, seed: int, members: IntArray, attempt: int, tries: int
@@ -153,31 +153,35 @@ class LevelSampler:
         """The first accepted of some attempts of each member, and which members have one."""
         from scipy.special import ndtr
 
-        many = self._thrower.numbers
+        many = self._proposal.numbers
         owners = np.repeat(members, tries)
         gauss = counter_normals(
             seed, owners, attempt + np.tile(np.arange(tries), members.size), many + 1
         )
-        spots = self._thrower.spots(gauss[:many])
-        density = self.density(spots)
-        dice = self._bound * ndtr(gauss[many])
+        weighted_points = self._proposal.weighted_points(gauss[:many])
+        density = self.density(weighted_points)
+        thresholds = self._bound * ndtr(gauss[many])
         # of the points of a throw at most one is taken, each as often as its density says
-        rank = np.arange(spots.which.size) - np.searchsorted(spots.which, spots.which)
-        hit = np.zeros(spots.which.size, dtype=bool)
+        rank = np.arange(weighted_points.which.size) - np.searchsorted(
+            weighted_points.which, weighted_points.which
+        )
+        hit = np.zeros(weighted_points.which.size, dtype=bool)
         passed = np.zeros(owners.size)
         for turn in range(rank.max(initial=-1) + 1):
             here = np.flatnonzero(rank == turn)
-            throw = spots.which[here]
-            below = passed[throw] <= dice[throw]
+            throw = weighted_points.which[here]
+            below = passed[throw] <= thresholds[throw]
             passed[throw] += density[here]
-            hit[here] = below & (dice[throw] < passed[throw])
+            hit[here] = below & (thresholds[throw] < passed[throw])
         if (passed > self._bound).any():
             raise self._beyond()
-        taken = np.flatnonzero(hit)
-        owner, first = np.unique(spots.which[taken] // tries, return_index=True)
+        accepted = np.flatnonzero(hit)
+        owner, first = np.unique(weighted_points.which[accepted] // tries, return_index=True)
         done = np.zeros(members.size, dtype=bool)
         done[owner] = True
-        return self._settled(np.ascontiguousarray(spots.states[:, taken[first]])).T, done
+        return self._onto_level(
+            np.ascontiguousarray(weighted_points.states[:, accepted[first]])
+        ).T, done
 
     def _beyond(self) -> InputError:
         return InputError(
@@ -185,9 +189,9 @@ class LevelSampler:
             "that could be found: it lies next to a critical level"
         )
 
-    def density(self, spots: WeightedPoints) -> FloatArray:
+    def density(self, weighted_points: WeightedPoints) -> FloatArray:
         """The density to be drawn by, relative to that of the throws."""
-        return spots.volume * self._weight(spots.states)
+        return weighted_points.volume * self._weight(weighted_points.states)
 
     def _weight(self, states: FloatArray) -> FloatArray:
         """The density to be drawn by, relative to ∏ δ(relations) ∏ δ(held integrals) dx."""
@@ -204,7 +208,7 @@ class LevelSampler:
         flat = self._slopes(states, self.parameters).T
         return np.ascontiguousarray(flat).reshape(k, self._targets.size, size)
 
-    def _settled(self, states: FloatArray) -> FloatArray:
+    def _onto_level(self, states: FloatArray) -> FloatArray:
         """States moved onto the level along the shortest way, by Newton's method."""
         for _ in range(_NEWTON):
             defect = self._held(states, self.parameters) - self._targets[:, None]
@@ -224,19 +228,19 @@ def level_sampler(
     values = parameter_rows(system, parameters, 1)[0]
     validate_level(system, level, values)
     sheet = SystemFormulas(system)
-    made = find_fibration(system, sheet, level, values)
-    thrower = _thrower(system, sheet, made, level, values)
-    law, density = _density(system, sheet, level, thrower, values)
+    fibration = find_fibration(system, sheet, level, values)
+    proposal = _proposal(system, sheet, fibration, level, values)
+    law, density = _density(system, sheet, level, proposal, values)
     conditions = [sheet.read(to_components(relation)) for relation in system.relations]
-    held = {law.name: sheet.read(law.value) for law in system.integrals if law.name in level}
-    conditions += [held[name] for name in level]
+    integrals = {law.name: sheet.read(law.value) for law in system.integrals if law.name in level}
+    conditions += [integrals[name] for name in level]
     blank = LevelSampler(
         system=system,
         values=dict(level),
         parameters=values,
         measure=measure_label(law),
         invariant=law is not None,
-        _thrower=thrower,
+        _proposal=proposal,
         _held=Compiled(conditions),
         _targets=np.array([0.0] * len(system.relations) + [float(v) for v in level.values()]),
         _slopes=Compiled([term for row in sheet.slopes(conditions) for term in row]),
@@ -244,19 +248,19 @@ def level_sampler(
         _bound=np.inf,
         _tries=1,
     )
-    return _bounded(blank)
+    return _with_bound_on_density(blank)
 
 
 def _density(
     system: System,
     sheet: SystemFormulas,
     level: Mapping[str, float],
-    thrower: Proposal,
+    proposal: Proposal,
     values: FloatArray,
 ) -> tuple[Measure | None, Compiled | None]:
     """The invariant measure that holds here and has one sign on the level, and its density."""
-    states = thrower.spots(
-        counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), thrower.numbers)
+    states = proposal.weighted_points(
+        counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
     ).states
     for law in measures(system, level, values):
         density = Compiled([sheet.read(law.value)])
@@ -266,44 +270,44 @@ def _density(
     return None, None
 
 
-def _thrower(
+def _proposal(
     system: System,
     sheet: SystemFormulas,
-    made: Fibration,
+    fibration: Fibration,
     level: Mapping[str, float],
     values: FloatArray,
 ) -> Proposal:
     """What throws points onto the level; refuse a level that is empty."""
 
     def room(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
-        places = made.normed(gauss)
-        return places, made.over(places, values).excess
+        places = fibration.normed(gauss)
+        return places, fibration.over(places, values).excess
 
     def same(gauss: FloatArray, _: FloatArray) -> FloatArray:
         return gauss
 
-    spare, top = maximise(made, room, same, made.numbers)
+    spare, top = maximise(fibration, room, same, fibration.numbers)
     if not spare > 0:
-        names = {c.name for c in (made.quadratic, *made.further)}
+        names = {c.name for c in (fibration.quadratic, *fibration.further)}
         raise _empty(
             system,
             level,
             names,
-            f"{made.quadratic.name} is at least {made.quadratic.target - spare:.6g}",
+            f"{fibration.quadratic.name} is at least {fibration.quadratic.target - spare:.6g}",
         )
-    if not made.further:
-        return RayProposal(made, values)
-    if len(made.further) > 1:
+    if not fibration.further:
+        return RayProposal(fibration, values)
+    if len(fibration.further) > 1:
         raise InputError(
-            f"{system.name}: {' and '.join(c.name for c in made.further)} cannot both be held "
-            f"besides {made.quadratic.name}; one of them can"
+            f"{system.name}: {' and '.join(c.name for c in fibration.further)} cannot both be held "
+            f"besides {fibration.quadratic.name}; one of them can"
         )
-    slice_ = GreatCircleProposal.of(made, sheet, values)
-    (further,) = made.further
+    slice_ = GreatCircleProposal.of(fibration, sheet, values)
+    (further,) = fibration.further
 
     def signed(sign: float) -> Callable[[FloatArray], tuple[FloatArray, FloatArray]]:
         def height(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
-            places = made.normed(gauss)
+            places = fibration.normed(gauss)
             difference = sign * slice_.value(places)[0]
             real = np.isfinite(difference)
             return places[:, real], difference[real]
@@ -311,7 +315,8 @@ def _thrower(
         return height
 
     low, high = (
-        further.target + sign * maximise(made, signed(sign), same, made.numbers, top[:, None])[0]
+        further.target
+        + sign * maximise(fibration, signed(sign), same, fibration.numbers, top[:, None])[0]
         for sign in (-1.0, 1.0)
     )
     if not low < further.target < high:
@@ -323,22 +328,22 @@ def _thrower(
 
 def _empty(system: System, level: Mapping[str, float], names: set[str], reach: str) -> InputError:
     others = {name: value for name, value in level.items() if name not in names}
-    given = f"with {level_label(others)} " if others else ""
-    return InputError(f"{system.name}: the level {level_label(level)} is empty: {given}{reach}")
+    condition = f"with {level_label(others)} " if others else ""
+    return InputError(f"{system.name}: the level {level_label(level)} is empty: {condition}{reach}")
 
 
-def _bounded(level: LevelSampler) -> LevelSampler:
+def _with_bound_on_density(level: LevelSampler) -> LevelSampler:
     """The level with a bound of what the densities of the points of one throw add up to."""
-    thrower = level._thrower
+    proposal = level._proposal
 
     def height(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
-        spots = thrower.spots(gauss)
-        return spots.places, level.density(spots)
+        weighted_points = proposal.weighted_points(gauss)
+        return weighted_points.places, level.density(weighted_points)
 
-    top, _ = maximise(thrower.made, height, thrower.near, thrower.numbers)
-    bound = _MARGIN * thrower.most * top
-    trial = counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), thrower.numbers)
-    taken = height(trial)[1].sum() / (_TRIAL * bound)
+    top, _ = maximise(proposal.fibration, height, proposal.near, proposal.numbers)
+    bound = _MARGIN * proposal.most * top
+    trial = counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
+    share = height(trial)[1].sum() / (_TRIAL * bound)
     # half of the attempts that a point takes, so that few are made in vain
-    tries = int(np.clip(0.5 / max(taken, 1 / _BATCH), 1, _BATCH))
+    tries = int(np.clip(0.5 / max(share, 1 / _BATCH), 1, _BATCH))
     return replace(level, _bound=bound, _tries=tries)

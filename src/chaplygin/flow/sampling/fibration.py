@@ -81,7 +81,7 @@ class Fibration:
         return len(self.fibre) - len(self.linear)
 
     @property
-    def ground(self) -> tuple[int, ...]:
+    def base(self) -> tuple[int, ...]:
         """Places of the variables of the base: unit vectors, then angles."""
         return (*(place for places in self.spheres for place in places), *self.angles)
 
@@ -90,14 +90,14 @@ class Fibration:
         """The unit vectors among the numbers y that make a point: of the base, and of the ray."""
         sizes = [*map(len, self.spheres)]
         ends = [sum(sizes[: i + 1]) for i in range(len(sizes))]
-        start = len(self.ground)
+        start = len(self.base)
         parts = [slice(end - size, end) for end, size in zip(ends, sizes, strict=True)]
         return (*parts, slice(start, start + len(self.fibre)))
 
     @property
     def numbers(self) -> int:
         """How many numbers y make a point of the level."""
-        return len(self.ground) + len(self.fibre)
+        return len(self.base) + len(self.fibre)
 
     def normed(self, gauss: FloatArray) -> FloatArray:
         """Points y, uniform on the product of spheres and circles, from normal numbers (y, k).
@@ -109,28 +109,28 @@ class Fibration:
         places = gauss.copy()
         for part in self.balls:
             places[part] = gauss[part] / np.sqrt(norm_squared_columns(gauss[part]))
-        for row in range(len(self.ground) - len(self.angles), len(self.ground)):
+        for row in range(len(self.base) - len(self.angles), len(self.base)):
             places[row] = 2 * np.pi * ndtr(gauss[row])
         return places
 
-    def ground_states(self, places: FloatArray) -> FloatArray:
+    def base_states(self, places: FloatArray) -> FloatArray:
         """The variables of the base (b, k) that points y (y, k) make."""
-        return np.array(self.axes)[:, None] * places[: len(self.ground)]
+        return np.array(self.axes)[:, None] * places[: len(self.base)]
 
     def gauss(self, places: FloatArray) -> FloatArray:
         """Numbers of which `normed` makes the points y."""
         from scipy.special import ndtri
 
         numbers = places.copy()
-        for row in range(len(self.ground) - len(self.angles), len(self.ground)):
+        for row in range(len(self.base) - len(self.angles), len(self.base)):
             numbers[row] = ndtri(np.mod(places[row] / (2 * np.pi), 1.0))
         return numbers
 
     def over(self, places: FloatArray, parameters: FloatArray) -> FibrePoints:
         """The points of the level that points y (y, k) make."""
         states = np.zeros((self.size, places.shape[1]))
-        states[list(self.ground)] = self.ground_states(places)
-        return self.fill(states, places[len(self.ground) :], parameters)
+        states[list(self.base)] = self.base_states(places)
+        return self.fill(states, places[len(self.base) :], parameters)
 
     def fill(
         self, states: FloatArray, directions: FloatArray, parameters: FloatArray

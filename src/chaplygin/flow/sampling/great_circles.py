@@ -44,7 +44,7 @@ class GreatCircleProposal:
 
     Attributes
     ----------
-    made : Bundle
+    fibration : Fibration
     parameters : array (p,)
     target : float
     terms : Compiled
@@ -54,49 +54,51 @@ class GreatCircleProposal:
         condition and of each linear one, and the slopes of these in the fibre.
     """
 
-    made: Fibration
+    fibration: Fibration
     parameters: FloatArray
     target: float | FloatArray
     terms: Compiled
     central: Compiled
 
     @staticmethod
-    def of(made: Fibration, sheet: SystemFormulas, parameters: FloatArray) -> GreatCircleProposal:
+    def of(
+        fibration: Fibration, sheet: SystemFormulas, parameters: FloatArray
+    ) -> GreatCircleProposal:
         """The slice of a bundle that has one further condition."""
-        (further,) = made.further
-        own, outer = sheet.slopes([further.term, made.quadratic.term])
-        conditions = [made.quadratic.term, *(c.term for c in made.linear)]
+        (further,) = fibration.further
+        own, outer = sheet.slopes([further.term, fibration.quadratic.term])
+        conditions = [fibration.quadratic.term, *(c.term for c in fibration.linear)]
         slopes = sheet.slopes(conditions)
-        mixed = [sheet.slopes([row[i] for i in made.fibre]) for row in slopes]
+        mixed = [sheet.slopes([row[i] for i in fibration.fibre]) for row in slopes]
         central = [
             term
             for row, second in zip(slopes, mixed, strict=True)
-            for j in made.ground
+            for j in fibration.base
             for term in (row[j], *(line[j] for line in second))
         ]
         terms = Compiled([further.term, *own, *outer])
-        return GreatCircleProposal(made, parameters, further.target, terms, Compiled(central))
+        return GreatCircleProposal(fibration, parameters, further.target, terms, Compiled(central))
 
     # --- values and slopes ---------------------------------------------------------------------
 
     def excess(self, places: FloatArray) -> tuple[FloatArray, FloatArray]:
         """How far the level reaches over base points, and its slopes in y (k, y)."""
-        rays = self.made.over(places, self.parameters)
-        ground, _ = self._central(rays)
+        rays = self.fibration.over(places, self.parameters)
+        base, _ = self._central(rays)
         slopes = np.zeros(places.shape[::-1])
         # the least value in a fibre has the slopes of the Lagrange function
         pulls = np.concatenate([np.ones((places.shape[1], 1)), rays.pull], axis=1)
-        for j in range(len(self.made.ground)):
-            slopes[:, j] = -row_dots(pulls, ground[:, :, j])
+        for j in range(len(self.fibration.base)):
+            slopes[:, j] = -row_dots(pulls, base[:, :, j])
         return rays.excess, self._tangent(places, slopes)
 
     def value(self, places: FloatArray) -> tuple[FloatArray, FloatArray, FibrePoints]:
         """F − c, its slopes in y (k, y) and the points of the level."""
-        made, size = self.made, self.made.size
-        rays = made.over(places, self.parameters)
+        fibration, size = self.fibration, self.fibration.size
+        rays = fibration.over(places, self.parameters)
         flat = np.ascontiguousarray(self.terms(rays.states, self.parameters).T)
         F, own, outer = flat[:, 0], flat[:, 1 : size + 1], flat[:, size + 1 :]
-        fibre, ground = list(made.fibre), list(made.ground)
+        fibre, base = list(fibration.fibre), list(fibration.base)
         with np.errstate(invalid="ignore", divide="ignore"):
             rise = row_dots(own[:, fibre], rays.ray) / row_dots(outer[:, fibre], rays.ray)
         # slopes of F along the level: what is left when the length of the ray adapts
@@ -107,7 +109,7 @@ class GreatCircleProposal:
         )
         values, mixed = self._central(rays)
         slopes = np.concatenate(
-            [free[:, ground], inside * (rays.length / rays.span)[:, None]], axis=1
+            [free[:, base], inside * (rays.length / rays.span)[:, None]], axis=1
         )
         f = len(fibre)
         reach = batched_solve(
@@ -115,7 +117,7 @@ class GreatCircleProposal:
         )
         lean, push = reach[:, :f], reach[:, f:]
         shares, shadow = self._shares(rays, across), rays.ray
-        for j in range(len(ground)):
+        for j in range(len(base)):
             turned = mixed[:, :, j]
             slopes[:, j] -= row_dots(lean, turned[:, 0]) + row_dots(push, values[:, 1:, j])
             slopes[:, j] -= row_dots(rays.pull, batched_matvec(turned[:, 1:], lean))
@@ -131,41 +133,41 @@ class GreatCircleProposal:
 
     def _central(self, rays: FibrePoints) -> tuple[FloatArray, FloatArray]:
         """`central` at the centres: slopes (k, 1 + m, b) and mixed ones (k, 1 + m, b, f)."""
-        made = self.made
-        f, b, m = len(made.fibre), len(made.ground), len(made.linear)
+        fibration = self.fibration
+        f, b, m = len(fibration.fibre), len(fibration.base), len(fibration.linear)
         states = rays.states.copy()
-        states[list(made.fibre)] = rays.centre.T
+        states[list(fibration.fibre)] = rays.centre.T
         flat = np.ascontiguousarray(self.central(states, self.parameters).T)
         table = flat.reshape(len(flat), 1 + m, b, 1 + f)
         return table[..., 0], table[..., 1:]
 
     def _tangent(self, places: FloatArray, slopes: FloatArray) -> FloatArray:
         """Slopes in y, of slopes in the variables of the base and the direction of the ray."""
-        made = slopes.copy()
-        made[:, : len(self.made.axes)] *= self.made.axes
-        return self._across(places, made)
+        tangents = slopes.copy()
+        tangents[:, : len(self.fibration.axes)] *= self.fibration.axes
+        return self._across(places, tangents)
 
     def _across(self, places: FloatArray, vectors: FloatArray) -> FloatArray:
         """Vectors without their parts along the unit vectors."""
-        made = vectors.copy()
-        for part in self.made.balls:
+        tangents = vectors.copy()
+        for part in self.fibration.balls:
             unit, own = places[part].T, vectors[:, part]
-            made[:, part] = own - row_dots(own, unit)[:, None] * unit
-        return made
+            tangents[:, part] = own - row_dots(own, unit)[:, None] * unit
+        return tangents
 
     # --- throws ------------------------------------------------------------------------------
 
     @property
     def numbers(self) -> int:
         """How many normal numbers a throw takes: a point y and a direction."""
-        return 2 * self.made.numbers
+        return 2 * self.fibration.numbers
 
     @property
     def most(self) -> float:
         """Three: so short a geodesic rarely meets a smooth surface more than once."""
         return 3.0
 
-    def spots(self, gauss: FloatArray) -> WeightedPoints:
+    def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
         """The points where the geodesics thrown by normal numbers (numbers, k) meet the level."""
         which, places = self.crossings(*self.curves(gauss))
         _, slopes, rays = self.value(places)
@@ -177,14 +179,14 @@ class GreatCircleProposal:
 
     def near(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
         """Geodesics that begin at places made of `gauss` (y, k)."""
-        return np.concatenate([gauss, fresh[self.made.numbers :]])
+        return np.concatenate([gauss, fresh[self.fibration.numbers :]])
 
     # --- curves ----------------------------------------------------------------------------------
 
     def curves(self, gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Uniform points y and uniform unit tangent vectors (y, k) from normal numbers (2 y, k)."""
         half = gauss.shape[0] // 2
-        places = self.made.normed(gauss[:half])
+        places = self.fibration.normed(gauss[:half])
         pushes = self._across(places, np.ascontiguousarray(gauss[half:].T)).T
         return places, pushes / np.sqrt(norm_squared_columns(pushes))
 
@@ -193,7 +195,7 @@ class GreatCircleProposal:
     ) -> tuple[FloatArray, FloatArray]:
         """Points and velocities on geodesics, after a way (k,) at unit speed."""
         there, speed = places + way * pushes, pushes.copy()
-        for part in self.made.balls:
+        for part in self.fibration.balls:
             rate = np.sqrt(norm_squared_columns(pushes[part]))
             turn = rate * way
             across = pushes[part] / rate
@@ -263,7 +265,7 @@ class Steps:
             np.append(self.slopes, other.slopes, axis=1),
         )
 
-    def halved(self, along: Along) -> tuple[Steps, FloatArray]:
+    def halves(self, along: Along) -> tuple[Steps, FloatArray]:
         """Both halves of each, and by how much a cubic through the ends misses the middle."""
         middle = self.ends.mean(axis=0)
         value, slope = along(self.owner, middle)
@@ -294,7 +296,7 @@ def crossings(along: Along, count: int, nodes: FloatArray) -> tuple[IntArray, Fl
     int array, array
         Functions and arguments, by function and in rising order.
     """
-    steps = _resolved(along, count, nodes)
+    steps = _cubic_steps(along, count, nodes)
     sure = steps[np.flatnonzero(steps.values[0] * steps.values[1] < 0)]
     dips = steps[np.flatnonzero(_may_dip(steps))]
     turn = _zero(lambda which, s: along(dips.owner[which], s)[1], *dips.ends)
@@ -308,7 +310,7 @@ def crossings(along: Along, count: int, nodes: FloatArray) -> tuple[IntArray, Fl
     return owner[order], found[order]
 
 
-def _resolved(along: Along, count: int, nodes: FloatArray) -> Steps:
+def _cubic_steps(along: Along, count: int, nodes: FloatArray) -> Steps:
     """Intervals so short that every function is nearly a cubic in each."""
     flat = along(np.repeat(np.arange(count), nodes.size), np.tile(nodes, count))
     value, slope = (part.reshape(count, nodes.size) for part in flat)
@@ -321,7 +323,7 @@ def _resolved(along: Along, count: int, nodes: FloatArray) -> Steps:
     )
     done = steps[np.arange(0)]
     for _ in range(_HALVINGS):
-        steps, missed = steps.halved(along)
+        steps, missed = steps.halves(along)
         rough = missed > _CUBIC * scale[steps.owner]
         done, steps = done.joined(steps[np.flatnonzero(~rough)]), steps[np.flatnonzero(rough)]
     return done.joined(steps)
@@ -351,11 +353,11 @@ def _zero(
     if not low.size:
         return low
     which = np.arange(low.size)
-    found = elementwise.find_root(
+    zeros = elementwise.find_root(
         lambda argument, own: function(own.astype(int), argument),
         (low, high),
         args=(which.astype(float),),
         tolerances={"xatol": _FINE},
     )
-    result: FloatArray = found.x
+    result: FloatArray = zeros.x
     return result

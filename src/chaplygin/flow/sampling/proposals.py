@@ -48,7 +48,7 @@ class Proposal(Protocol):
     """What makes points of a level of normal numbers."""
 
     @property
-    def made(self) -> Fibration:
+    def fibration(self) -> Fibration:
         """How the level lies over its base."""
 
     @property
@@ -59,7 +59,7 @@ class Proposal(Protocol):
     def most(self) -> float:
         """How many points of the greatest density a throw may give, near enough."""
 
-    def spots(self, gauss: FloatArray) -> WeightedPoints:
+    def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
         """The points that throws (numbers, k) give."""
 
     def near(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
@@ -70,23 +70,23 @@ class Proposal(Protocol):
 class RayProposal:
     """The ends of rays of random direction over random base points: where nothing else is held."""
 
-    made: Fibration
+    fibration: Fibration
     parameters: FloatArray
 
     @property
     def numbers(self) -> int:
         """How many normal numbers a throw takes."""
-        return self.made.numbers
+        return self.fibration.numbers
 
     @property
     def most(self) -> float:
         """One."""
         return 1.0
 
-    def spots(self, gauss: FloatArray) -> WeightedPoints:
+    def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
         """The points that throws (numbers, k) give."""
-        places = self.made.normed(gauss)
-        rays = self.made.over(places, self.parameters)
+        places = self.fibration.normed(gauss)
+        rays = self.fibration.over(places, self.parameters)
         real = np.flatnonzero(rays.volume > 0)
         states = np.ascontiguousarray(rays.states[:, real])
         return WeightedPoints(real, places[:, real], states, rays.volume[real])
@@ -97,7 +97,7 @@ class RayProposal:
 
 
 def maximise(
-    made: Fibration,
+    fibration: Fibration,
     height: Callable[[FloatArray], tuple[FloatArray, FloatArray]],
     start: Callable[[FloatArray, FloatArray], FloatArray],
     many: int,
@@ -107,7 +107,7 @@ def maximise(
 
     Parameters
     ----------
-    made : Bundle
+    fibration : Fibration
     height : callable
         Throws (many, k) ↦ places (y, n) and values (n,), n whatever comes of them.
     start : callable
@@ -123,17 +123,17 @@ def maximise(
     """
     places, values = height(counter_normals(_SEED, np.arange(_PILOT), np.zeros(_PILOT), many))
     if first is not None:
-        more = height(start(made.gauss(first), _fresh(first.shape[1], _ROUNDS + 1, many)))
+        more = height(start(fibration.gauss(first), _fresh(first.shape[1], _ROUNDS + 1, many)))
         places, values = np.append(places, more[0], axis=1), np.append(values, more[1])
     for turn in range(_ROUNDS):
         if not values.size:
-            return -np.inf, np.zeros(made.numbers)
+            return -np.inf, np.zeros(fibration.numbers)
         best = np.argsort(-values, kind="stable")[:_BEST]
         places, values = places[:, best], values[best]
-        around = np.repeat(made.gauss(places), _AROUND, axis=1)
-        noise = _fresh(around.shape[1], turn + 1, made.numbers + many)
-        moved = around + 0.4 * 0.7**turn * noise[: made.numbers]
-        more = height(start(moved, noise[made.numbers :]))
+        around = np.repeat(fibration.gauss(places), _AROUND, axis=1)
+        noise = _fresh(around.shape[1], turn + 1, fibration.numbers + many)
+        moved = around + 0.4 * 0.7**turn * noise[: fibration.numbers]
+        more = height(start(moved, noise[fibration.numbers :]))
         places, values = np.append(places, more[0], axis=1), np.append(values, more[1])
     top = int(np.argmax(values))
     return float(values[top]), places[:, top]

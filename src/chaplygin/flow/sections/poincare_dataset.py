@@ -91,7 +91,7 @@ class Returns:
     def __call__(self, first: int, last: int) -> dict[str, npt.NDArray[np.generic]]:
         """The arrays of a block, by the names of the dataset."""
         crossed = self.returns.returns(self.starts[first:last], self.count)
-        found: dict[str, Any] = {
+        arrays: dict[str, Any] = {
             "time": crossed.times,
             "points": crossed.counts.astype("int64"),
             "outcome": crossed.outcome.astype("int64"),
@@ -101,7 +101,7 @@ class Returns:
         flat = crossed.states.reshape(-1, self.returns.size)
         for name in map(str, system.state):
             rows = by_name(system, flat, name)
-            found[name] = np.ascontiguousarray(rows.reshape(*crossed.times.shape, *rows.shape[1:]))
+            arrays[name] = np.ascontiguousarray(rows.reshape(*crossed.times.shape, *rows.shape[1:]))
         formulas = Formulas(system, [item.formula for item in self.quantities])
         groups: list[tuple[Sequence[Quantity], Callable[[FloatArray], FloatArray]]] = [
             (self.quantities, lambda x: formulas(x, self.returns.parameters))
@@ -110,13 +110,13 @@ class Returns:
             groups.append((self.columns.quantities, self.columns))
         for quantities, columns in groups:
             for item in quantities:
-                found[item.name] = np.empty(crossed.times.shape)
+                arrays[item.name] = np.empty(crossed.times.shape)
             # piece by piece, since every operation of a formula leaves an array behind
             for place in range(0, len(flat), PIECE):
                 values = columns(flat[place : place + PIECE])
                 for item, column in zip(quantities, values.T, strict=True):
-                    found[item.name].reshape(-1)[place : place + PIECE] = column
-        return found
+                    arrays[item.name].reshape(-1)[place : place + PIECE] = column
+        return arrays
 
 
 def section_task(

@@ -128,9 +128,9 @@ class PoincareMap:
         array of the same shape
             NaN for a point that does not return; `returns` tells why.
         """
-        given = np.asarray(points, dtype=float)
-        found = self.returns(np.atleast_2d(given), 1).states[:, 0]
-        return found.reshape(given.shape)
+        rows = np.asarray(points, dtype=float)
+        images = self.returns(np.atleast_2d(rows), 1).states[:, 0]
+        return images.reshape(rows.shape)
 
     @arguments_checked
     def returns(self, points: Any, count: int, threads: int | None = None) -> BatchCrossings:
@@ -153,13 +153,13 @@ class PoincareMap:
 
         The motion is followed in one piece, without stopping at the section.
         """
-        given = np.asarray(points, dtype=float)
+        rows = np.asarray(points, dtype=float)
         if count == 0:
-            return given.copy()
+            return rows.copy()
         if count < 0:
-            return self.inverse.iterate(given, -count)
-        found = self.returns(np.atleast_2d(given), count).states[:, -1]
-        return found.reshape(given.shape)
+            return self.inverse.iterate(rows, -count)
+        images = self.returns(np.atleast_2d(rows), count).states[:, -1]
+        return images.reshape(rows.shape)
 
     @arguments_checked
     def derivative(self, points: Any, count: int = 1) -> Derivative:
