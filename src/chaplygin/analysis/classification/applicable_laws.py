@@ -15,11 +15,11 @@ from ...proof.verdict import Verdict
 from .ranks import RankSample
 from .statements import IgnoredLaw
 
-__all__ = ["Sorted", "sorted_laws"]
+__all__ = ["ApplicableLaws", "sorted_laws"]
 
 
 @dataclass(frozen=True)
-class Sorted:
+class ApplicableLaws:
     """The laws of a system by where they count.
 
     Attributes
@@ -36,7 +36,7 @@ class Sorted:
     uncounted: tuple[IgnoredLaw, ...]
 
 
-def sorted_laws(whole: RankSample, verdicts: Mapping[str, Verdict]) -> Sorted:
+def sorted_laws(whole: RankSample, verdicts: Mapping[str, Verdict]) -> ApplicableLaws:
     """The laws of the system by where they count.
 
     Parameters
@@ -65,7 +65,7 @@ def sorted_laws(whole: RankSample, verdicts: Mapping[str, Verdict]) -> Sorted:
             levels[moving] = (*levels.get(moving, ()), law)
         else:
             general.append(law)
-    return Sorted(tuple(general), levels, tuple(uncounted))
+    return ApplicableLaws(tuple(general), levels, tuple(uncounted))
 
 
 def _why(verdict: Verdict | None) -> str:

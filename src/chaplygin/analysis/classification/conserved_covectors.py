@@ -57,18 +57,18 @@ def casimirs(law: ConformallyHamiltonian) -> tuple[sp.Expr, ...]:
 def sources(laws: Iterable[Law]) -> list[AnnihilatingCovectors]:
     """What the proven laws of a system say is constant; single-valued functions alone."""
     laws = list(laws)
-    found = [_function(fact_of(law), law.value) for law in laws if isinstance(law, Integral)]
+    covectors = [_function(fact_of(law), law.value) for law in laws if isinstance(law, Integral)]
     for law in laws:
         if isinstance(law, ConformallyHamiltonian):
             fact = fact_of(law)
-            found.append(_function(fact, law.hamiltonian))
+            covectors.append(_function(fact, law.hamiltonian))
             named = Fact(law.name, "Casimir function", law.structure.source)
-            found += [_function(named, value) for value in casimirs(law)]
+            covectors += [_function(named, value) for value in casimirs(law)]
         elif isinstance(law, Reduction):
             linear = _linear(law)
             if linear is not None:
-                found.append(linear)
-    return [s for s in found if not any(map(many_valued, s.functions))]
+                covectors.append(linear)
+    return [s for s in covectors if not any(map(many_valued, s.functions))]
 
 
 def pulled_back(law: Isomorphism, source: AnnihilatingCovectors) -> AnnihilatingCovectors:
@@ -107,17 +107,17 @@ def _slopes(
     equations: tuple[sp.Expr, ...], variable: sp.Symbol, moving: list[sp.Symbol]
 ) -> dict[sp.Symbol, sp.Expr] | None:
     """dqᵢ/du from the equations, if they give it."""
-    found = {}
+    rates = {}
     for equation in map(sp.expand, equations):
         own = [q for q in moving if equation.coeff(Rate(q)) != 0]
         if len(own) != 1:
             return None
-        factor, rest = equation.coeff(Rate(own[0])), equation.coeff(Rate(variable))
-        left = equation - factor * Rate(own[0]) - rest * Rate(variable)
+        factor, remainder = equation.coeff(Rate(own[0])), equation.coeff(Rate(variable))
+        left = equation - factor * Rate(own[0]) - remainder * Rate(variable)
         if sp.expand(left) != 0 or factor.free_symbols & {variable, *moving}:
             return None
-        found[own[0]] = -rest / factor
-    return found if set(found) == set(moving) else None
+        rates[own[0]] = -remainder / factor
+    return rates if set(rates) == set(moving) else None
 
 
 def _homogeneous(
@@ -144,11 +144,11 @@ def _rows(
         names = {s: without_rates(to_components(f), view.ground, named) for s, f in named.items()}
         reading = view.evaluate.with_steps(names)
         along = view.differential(names[variable])
-        found = []
+        covectors = []
         for quantity, slope in slopes.items():
             factor = reading.value(slope)
             own = view.differential(names[quantity])
-            found.append([a - factor * b for a, b in zip(own, along, strict=True)])
-        return found
+            covectors.append([a - factor * b for a, b in zip(own, along, strict=True)])
+        return covectors
 
     return rows

@@ -97,11 +97,11 @@ class ProofBudget:
             return Verdict(law.name, "undecided", reason=reason)
         self.report(f"{law.name} of {system.title}")
         try:
-            found = prove(system, law, effort=self.effort)
+            verdict = prove(system, law, effort=self.effort)
         except InputError as problem:
             return Verdict(law.name, "undecided", reason=str(problem))
-        self.spent += found.effort
-        return found
+        self.spent += verdict.effort
+        return verdict
 
     def verdicts(self, system: System) -> dict[str, Verdict]:
         """The verdicts on all laws of a system, by name."""

@@ -33,31 +33,29 @@ class Forms:
     liouville: tuple[Fact, ...] = ()
 
 
-def density(standing: RankSample, law: Measure) -> Density:
+def density(sample: RankSample, law: Measure) -> Density:
     """An invariant measure with what is known of the sign of its density."""
     bases = [base for base, exponent in law.density if exponent != 0 and base != 1]
-    return Density(fact_of(law), sign(standing, bases))
+    return Density(fact_of(law), sign(sample, bases))
 
 
-def measures(
-    standing: RankSample, laws: Sequence[Law], patience: ProofBudget
-) -> tuple[Density, ...]:
+def measures(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) -> tuple[Density, ...]:
     """The proven measures; where none is stated, whether the volume is invariant is tried."""
-    found = tuple(density(standing, law) for law in laws if isinstance(law, Measure))
-    if found:
-        return found
-    on = (*conditions_on_parameters(standing, laws), *standing.on)
+    densities = tuple(density(sample, law) for law in laws if isinstance(law, Measure))
+    if densities:
+        return densities
+    on = (*conditions_on_parameters(sample, laws), *sample.on)
     volume = Measure("volume", {sp.S.One: 1}, "volume of the state", on=on, source=HERE)
-    proven = patience.verdict(standing.system, volume)
-    return (density(standing, volume),) if proven else ()
+    proven = patience.verdict(sample.system, volume)
+    return (density(sample, volume),) if proven else ()
 
 
-def hamiltonian(standing: RankSample, laws: Sequence[Law], patience: ProofBudget) -> Forms:
+def hamiltonian(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) -> Forms:
     """The proven Hamiltonian forms; and enough integrals in involution for one, if there are.
 
     Parameters
     ----------
-    standing : Standing
+    sample : Standing
     laws : sequence of Law
         Proven on it.
     patience : ProofBudget
@@ -68,28 +66,28 @@ def hamiltonian(standing: RankSample, laws: Sequence[Law], patience: ProofBudget
     integrals = [law for law in laws if isinstance(law, Integral)]
     for law in laws:
         if isinstance(law, ConformallyHamiltonian):
-            bracket = _bracket(standing, law)
+            bracket = _bracket(sample, law)
             brackets.append(bracket)
             chosen = None
             if bracket.closed and bracket.rank > 4:
-                chosen = _involution(standing, law, integrals, bracket.rank // 2, patience)
+                chosen = _involution(sample, law, integrals, bracket.rank // 2, patience)
             if chosen is not None and not complete:
                 complete = (fact_of(law), *map(fact_of, chosen))
     return Forms(tuple(brackets), complete)
 
 
-def _bracket(standing: RankSample, law: ConformallyHamiltonian) -> Bracket:
+def _bracket(sample: RankSample, law: ConformallyHamiltonian) -> Bracket:
     values = casimirs(law)
-    kept, _ = standing.independent([partial(_differential, c) for c in values])
+    independent, _ = sample.independent([partial(_differential, c) for c in values])
     conformal = law.multiplier != 1
-    size = max(standing.at_points(lambda view: rank(view.field, _entries(view, law))))
+    size = max(sample.at_points(lambda view: rank(view.field, _entries(view, law))))
     return Bracket(
         fact_of(law),
         size,
-        tuple(text(values[i]) for i in kept),
-        len(kept) == standing.dimension - size,
+        tuple(text(values[i]) for i in independent),
+        len(independent) == sample.dimension - size,
         conformal,
-        sign(standing, [law.multiplier]) if conformal else "kept",
+        sign(sample, [law.multiplier]) if conformal else "kept",
     )
 
 
@@ -101,7 +99,7 @@ def _entries(view: View, law: ConformallyHamiltonian) -> list[list[Element]]:
 
 
 def _involution(
-    standing: RankSample,
+    sample: RankSample,
     law: ConformallyHamiltonian,
     integrals: Sequence[Integral],
     wanted: int,
@@ -116,8 +114,8 @@ def _involution(
         if len(chosen) + 1 == wanted:
             break
         values = [law.hamiltonian, *(i.value for i in chosen), candidate.value]
-        spans = standing.full(len(values), partial(_fields, law, values))
-        if spans and all(_commute(standing, law, candidate, i, patience) for i in chosen):
+        spans = sample.full(len(values), partial(_fields, law, values))
+        if spans and all(_commute(sample, law, candidate, i, patience) for i in chosen):
             chosen = (*chosen, candidate)
     return chosen if len(chosen) + 1 == wanted else None
 
@@ -131,7 +129,7 @@ def _fields(
 ) -> list[list[Element]]:
     """The vectors J dF of some functions, at a point."""
     matrix = _entries(view, law)
-    found = []
+    rows = []
     for value in values:
         slopes = view.differential(value)
         row = []
@@ -140,20 +138,20 @@ def _fields(
             for entry, slope in zip(line, slopes, strict=True):
                 total = total + entry * slope
             row.append(total)
-        found.append(row)
-    return found
+        rows.append(row)
+    return rows
 
 
 def _commute(
-    standing: RankSample,
+    sample: RankSample,
     law: ConformallyHamiltonian,
     one: Integral,
     other: Integral,
     patience: ProofBudget,
 ) -> bool:
     """Whether two integrals are in involution: the field of one leaves the other alone; proven."""
-    system = standing.ground.system
-    formula = standing.expanded(to_components(one.value))
+    system = sample.ground.system
+    formula = sample.expanded(to_components(one.value))
     gradient = sp.Matrix([sp.diff(formula, s) for s in system.symbols])
     field = dict(zip(system.symbols, to_components(law.structure.matrix) * gradient, strict=True))
     named = f"{other.name} along {one.name}"

@@ -106,10 +106,10 @@ class Classification(WithOverview):
     @property
     def uncounted_by_reason(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
         """Why laws do not count, each reason with the names of the laws."""
-        found: dict[str, tuple[str, ...]] = {}
+        laws: dict[str, tuple[str, ...]] = {}
         for entry in self.uncounted:
-            found[entry.why] = (*found.get(entry.why, ()), entry.law)
-        return tuple(found.items())
+            laws[entry.why] = (*laws.get(entry.why, ()), entry.law)
+        return tuple(laws.items())
 
     @property
     def record(self) -> dict[str, object]:
@@ -120,8 +120,8 @@ class Classification(WithOverview):
         """What is counted and what follows, without the levels on which more is proven."""
         where = f", on {self.level}" if self.level else ""
         counted = (
-            (label, "; ".join(one.text.removesuffix(".") for one in found))
-            for label, found in rows(self)
+            (label, "; ".join(one.text.removesuffix(".") for one in statements))
+            for label, statements in rows(self)
         )
         return Overview(
             f"{self.system}{where}: place in the hierarchy of dynamics",
@@ -168,10 +168,12 @@ def _integrals(place: Classification) -> list[Statement]:
     if not place.count:
         return [Statement("none proven")]
     sentence = f"{place.count} independent, common levels of dimension {place.remaining}"
-    found = [Statement(sentence, place.integrals)]
+    statements = [Statement(sentence, place.integrals)]
     if place.dependent:
-        found.append(Statement("not independent of these at the points tested", place.dependent))
-    return found
+        statements.append(
+            Statement("not independent of these at the points tested", place.dependent)
+        )
+    return statements
 
 
 def _measures(place: Classification) -> list[Statement]:
@@ -224,16 +226,16 @@ def to_text(place: Classification) -> str:
 def _lines(place: Classification) -> list[str]:
     lines: list[str] = []
     for name, entries in rows(place):
-        write = _named if name in ("class", "motions") else _sourced
+        write = _names_of if name in ("class", "motions") else _text_with_source
         lines += _entry(name, map(write, entries))
     return lines
 
 
-def _sourced(statement: Statement) -> str:
+def _text_with_source(statement: Statement) -> str:
     return f"{statement.text} [{listing(statement.by)}]" if statement.by else statement.text
 
 
-def _named(statement: Statement) -> str:
+def _names_of(statement: Statement) -> str:
     names = ", ".join(dict.fromkeys(fact.law for fact in statement.by))
     return f"{statement.text} [{names}]" if names else statement.text
 

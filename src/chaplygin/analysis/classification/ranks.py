@@ -93,12 +93,12 @@ class View:
         """The same point seen in the variables of the target of an isomorphism."""
         own = self.ground
         named = [*components((*law.map, *law.constants), own).items()]
-        given = {s: self.evaluate(f) for s, f in named}
+        values = {s: self.evaluate(f) for s, f in named}
         for parameter in law.target.parameters:
-            if parameter.symbol not in given:
-                given[parameter.symbol] = self.evaluate(parameter.symbol)
+            if parameter.symbol not in values:
+                values[parameter.symbol] = self.evaluate(parameter.symbol)
         there = LevelSet(law.target)
-        reading = Evaluator(self.field, given.get, dict(law.target.steps))
+        reading = Evaluator(self.field, values.get, dict(law.target.steps))
         return View(self.field, reading, there, self.size)
 
 
@@ -146,15 +146,15 @@ class RankSample:
             If no point was found at which it can be computed.
         """
         generator = random.Random(SEED)
-        found: list[T] = []
+        results: list[T] = []
         with ball_precision():
             for attempt in range(ATTEMPTS):
                 values, exact = self.ground.point(generator)
                 if attempt < ATTEMPTS // 2 and not self.ground.inside(values, exact):
                     continue
-                found += self._computed(compute, values, exact)
-                if len(found) == POINTS:
-                    return found
+                results += self._computed(compute, values, exact)
+                if len(results) == POINTS:
+                    return results
         raise OutOfReachError("no point was found at which the laws could be evaluated")
 
     def _computed(
@@ -201,17 +201,17 @@ class RankSample:
         """
 
         def chosen(view: View) -> tuple[list[int], int]:
-            held = self.bounds(view)
-            first = reached = rank(view.field, held)
-            kept = []
+            covectors = self.bounds(view)
+            first = reached = rank(view.field, covectors)
+            indices = []
             for index, make in enumerate(rows):
                 more = make(view)
-                now = rank(view.field, [*held, *more])
+                now = rank(view.field, [*covectors, *more])
                 if now == reached + len(more):
-                    kept.append(index)
-                    held += more
+                    indices.append(index)
+                    covectors += more
                     reached = now
-            return kept, reached - first
+            return indices, reached - first
 
         return max(self.at_points(chosen), key=lambda pair: pair[1])
 
@@ -229,19 +229,19 @@ class RankSample:
     def signs(self, formula: sp.Expr, points: int = 24) -> set[int]:
         """Signs that a formula certainly takes, at points of the level."""
         generator = random.Random(SEED)
-        found: set[int] = set()
+        signs: set[int] = set()
         with ball_precision():
             for _ in range(points):
                 values, exact = self.ground.point(generator)
-                found.update(self._computed(lambda view: _sign(view, formula), values, exact))
-        return found - {0}
+                signs.update(self._computed(lambda view: _sign(view, formula), values, exact))
+        return signs - {0}
 
 
-def conditions_on_parameters(standing: RankSample, laws: Sequence[Law]) -> tuple[sp.Expr, ...]:
+def conditions_on_parameters(sample: RankSample, laws: Sequence[Law]) -> tuple[sp.Expr, ...]:
     """Conditions on parameters under which some laws hold."""
-    state = set(standing.system.symbols)
+    state = set(sample.system.symbols)
     conditions = (to_components(c) for law in laws for c in law.on)
-    fixed = (c for c in conditions if not standing.expanded(c).free_symbols & state)
+    fixed = (c for c in conditions if not sample.expanded(c).free_symbols & state)
     return tuple(dict.fromkeys(fixed))
 
 

@@ -21,12 +21,12 @@ __all__ = ["Turning", "is_rotation_invariant", "vanishes"]
 LARGEST = 1500
 
 
-def is_rotation_invariant(standing: RankSample, axis: int) -> Turning | None:
+def is_rotation_invariant(sample: RankSample, axis: int) -> Turning | None:
     """The rotation of all vectors of the state about a body axis, where it is shown a symmetry.
 
     Parameters
     ----------
-    standing : Standing
+    sample : Standing
         With the parameters at which it is asked.
     axis : int
         0, 1 or 2.
@@ -37,31 +37,31 @@ def is_rotation_invariant(standing: RankSample, axis: int) -> Turning | None:
         None where it is not a symmetry, or this proof does not reach: where the state or a
         definition is no vector, scalar or tensor of space in body axes.
     """
-    made = Turning(standing, axis)
-    system = standing.system
+    turning = Turning(sample, axis)
+    system = sample.system
     vectors = all(isinstance(name, Vector) and len(name.symbols) == 3 for name in system.state)
     if not vectors:
         return None
     for name in system.state:
-        made.motion.update(zip(name.symbols, made.turned(name.symbols), strict=True))
-    if not all(made.follows(name, formula) for name, formula in system.definitions):
+        turning.motion.update(zip(name.symbols, turning.turned(name.symbols), strict=True))
+    if not all(turning.follows(name, formula) for name, formula in system.definitions):
         return None
-    rates = [made.written(rate) for rate in system.rates]
+    rates = [turning.written(rate) for rate in system.rates]
     wanted = [
-        component for i in range(0, len(rates), 3) for component in made.turned(rates[i : i + 3])
+        component for i in range(0, len(rates), 3) for component in turning.turned(rates[i : i + 3])
     ]
-    shown = all(map(made.keeps, system.relations)) and made.agree(rates, wanted)
-    return made if shown else None
+    shown = all(map(turning.keeps, system.relations)) and turning.agree(rates, wanted)
+    return turning if shown else None
 
 
 class Turning:
     """How every symbol changes under an infinitesimal rotation, as far as it is known."""
 
-    def __init__(self, standing: RankSample, axis: int) -> None:
+    def __init__(self, sample: RankSample, axis: int) -> None:
         self.hat = sp.ImmutableMatrix(3, 3, lambda i, j: -sp.LeviCivita(axis, i, j))
         self.across = [i for i in range(3) if i != axis]
         self.motion: dict[sp.Symbol, sp.Expr] = {}
-        self.equal: dict[sp.Symbol, sp.Expr] = dict(standing.parameters)
+        self.equal: dict[sp.Symbol, sp.Expr] = dict(sample.parameters)
 
     def turned(self, triple: Sequence[sp.Expr]) -> list[sp.Expr]:
         """The change of a vector: e × x."""

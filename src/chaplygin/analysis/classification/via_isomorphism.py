@@ -42,13 +42,13 @@ class TargetResults:
 
 
 def through_isomorphisms(
-    standing: RankSample, laws: Sequence[Law], patience: ProofBudget, depth: int = DEPTH
+    sample: RankSample, laws: Sequence[Law], patience: ProofBudget, depth: int = DEPTH
 ) -> TargetResults:
     """What is proven of the targets of the isomorphisms among some proven laws.
 
     Parameters
     ----------
-    standing : Standing
+    sample : Standing
     laws : sequence of Law
         Proven on it.
     patience : ProofBudget
@@ -56,23 +56,23 @@ def through_isomorphisms(
     depth : int
         How many isomorphisms may follow one another.
     """
-    found = TargetResults()
+    results = TargetResults()
     for law in laws:
         if isinstance(law, Isomorphism) and depth:
-            more = _through(standing, law, patience, depth)
-            found = TargetResults(
-                found.sources + more.sources,
-                found.brackets + more.brackets,
-                found.liouville or more.liouville,
-                found.measures or more.measures,
+            more = _through(sample, law, patience, depth)
+            results = TargetResults(
+                results.sources + more.sources,
+                results.brackets + more.brackets,
+                results.liouville or more.liouville,
+                results.measures or more.measures,
             )
-    return found
+    return results
 
 
 def _through(
-    standing: RankSample, law: Isomorphism, patience: ProofBudget, depth: int
+    sample: RankSample, law: Isomorphism, patience: ProofBudget, depth: int
 ) -> TargetResults:
-    values, moving = _constants(standing, law)
+    values, moving = _constants(sample, law)
     target = _with_laws(law.target)
     there = RankSample(target, values=values)
     laws = sorted_laws(there, patience.verdicts(target)).general
@@ -81,14 +81,14 @@ def _through(
         laws = tuple(each for each in laws if not each.on)
     beyond = TargetResults() if moving else through_isomorphisms(there, laws, patience, depth - 1)
     constant = tuple(pulled_back(law, s) for s in (*sources(laws), *beyond.sources))
-    if not _diffeomorphic(standing, there, law, moving):
+    if not _diffeomorphic(sample, there, law, moving):
         return TargetResults(constant)
     forms = hamiltonian(there, laws, patience)
     volumes = tuple(density(there, each) for each in laws if isinstance(each, Measure))
     brackets = forms.brackets + beyond.brackets
     return TargetResults(
         constant,
-        tuple(_bracket(standing, law, b) for b in brackets[:1]),
+        tuple(_bracket(sample, law, b) for b in brackets[:1]),
         tuple(_fact(law, fact) for fact in forms.liouville or beyond.liouville),
         tuple(Density(_fact(law, m.law), "unknown") for m in volumes or beyond.measures),
     )
@@ -110,11 +110,11 @@ def _fact(law: Isomorphism, fact: Fact) -> Fact:
     return Fact(law.name, fact.words, fact.source, fact.system or law.target.title)
 
 
-def _bracket(standing: RankSample, law: Isomorphism, bracket: Bracket) -> Bracket:
+def _bracket(sample: RankSample, law: Isomorphism, bracket: Bracket) -> Bracket:
     """A Hamiltonian form of the target as one of the system itself."""
     timed = law.time != 1
-    kept = sign(standing, [law.time]) if timed else "kept"
-    both = bracket.sign if kept == "kept" else kept
+    time_sign = sign(sample, [law.time]) if timed else "kept"
+    both = bracket.sign if time_sign == "kept" else time_sign
     return replace(
         bracket,
         law=_fact(law, bracket.law),
@@ -124,18 +124,18 @@ def _bracket(standing: RankSample, law: Isomorphism, bracket: Bracket) -> Bracke
 
 
 def _constants(
-    standing: RankSample, law: Isomorphism
+    sample: RankSample, law: Isomorphism
 ) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Symbol]]:
     """Values of the parameters of the target, and those of them that depend on the state.
 
     For the latter the value is an example.
     """
-    named = dict(components(law.constants, standing.ground))
-    state = set(standing.system.symbols)
+    named = dict(components(law.constants, sample.ground))
+    state = set(sample.system.symbols)
     values = rational_parameters(law.target)
     moving = []
     for parameter in values:
-        formula = standing.expanded(named.get(parameter, parameter))
+        formula = sample.expanded(named.get(parameter, parameter))
         if formula.free_symbols & state:
             moving.append(parameter)
         else:
@@ -144,21 +144,21 @@ def _constants(
 
 
 def _diffeomorphic(
-    standing: RankSample, there: RankSample, law: Isomorphism, moving: Sequence[sp.Symbol]
+    sample: RankSample, there: RankSample, law: Isomorphism, moving: Sequence[sp.Symbol]
 ) -> bool:
     """Whether the map, with the constants that it gives, has an inverse near almost every point.
 
     The constants are Casimir functions of what is carried over.
     """
-    named = dict(components(law.constants, standing.ground))
-    images = list(components(law.map, standing.ground).values())
+    named = dict(components(law.constants, sample.ground))
+    images = list(components(law.map, sample.ground).values())
     constants = [named[s] for s in moving]
 
     def rows(view: View) -> list[list[Element]]:
-        return [*standing.bounds(view), *map(view.differential, (*images, *constants))]
+        return [*sample.bounds(view), *map(view.differential, (*images, *constants))]
 
     try:
-        same = standing.dimension == there.dimension + len(moving)
-        return same and standing.full(len(standing.system.symbols), rows)
+        same = sample.dimension == there.dimension + len(moving)
+        return same and sample.full(len(sample.system.symbols), rows)
     except OutOfReachError:
         return False

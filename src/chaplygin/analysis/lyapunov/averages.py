@@ -80,8 +80,8 @@ def batch_means(series: FloatArray, batches: int = BATCHES) -> FloatArray:
             f"{len(series)} intervals are too few for an error: at least {batches * SMALLEST} are "
             "needed"
         )
-    kept = series[len(series) - each * batches :]
-    means: FloatArray = kept.reshape(batches, each, *series.shape[1:]).mean(axis=1)
+    last = series[len(series) - each * batches :]
+    means: FloatArray = last.reshape(batches, each, *series.shape[1:]).mean(axis=1)
     return means
 
 

@@ -60,7 +60,7 @@ class Volume:
 
 def divergence_average(
     system: System,
-    found: TrivialDirections,
+    directions: TrivialDirections,
     run: MotionRecord,
     skipped: int,
     parameters: Parameters,
@@ -68,24 +68,24 @@ def divergence_average(
     """The divergence along the motion, and what it must agree with."""
     relations = [to_components(relation) for relation in system.relations]
     _, weights = np.polynomial.legendre.leggauss(NODES)
-    kept = run.nodes[skipped:]
-    growth = np.empty(len(kept))
-    for first in range(0, len(kept), PIECE):
-        some = kept[first : first + PIECE]
-        rates = found.space.divergence(
-            some.reshape(-1, some.shape[-1]), parameters, relations, found.sizes
+    nodes = run.nodes[skipped:]
+    growth = np.empty(len(nodes))
+    for first in range(0, len(nodes), PIECE):
+        some = nodes[first : first + PIECE]
+        rates = directions.space.divergence(
+            some.reshape(-1, some.shape[-1]), parameters, relations, directions.sizes
         )
         growth[first : first + PIECE] = rates.reshape(some.shape[:2]) @ weights
     growth *= run.interval / 2
     span = len(growth) * run.interval
     # of what is removed, all but the relations belongs to volumes on the phase space
-    inside = [item.kind != "relation" for item in found.removed]
+    inside = [item.kind != "relation" for item in directions.removed]
     change = float((run.sizes[-1] - run.sizes[skipped])[inside].sum())
     balance = float(run.lengths[skipped:].sum() + change - growth.sum()) / span
     ends = run.states[[skipped, -1]]
     measures = {
         name: float(growth.sum() - change) / span
-        for name, change in _densities(system, ends, found.sizes, parameters)
+        for name, change in _densities(system, ends, directions.sizes, parameters)
     }
     return Volume(average(growth, run.interval, skipped * run.interval), balance, measures)
 

@@ -86,7 +86,9 @@ class ChaosIndicator(ABC):
     ) -> dict[str, FloatArray | IntArray]:
         """Values, errors if any, outcomes and times reached, (n,) each."""
 
-    def renewed(self, deviations: FloatArray, basis: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def normalised(
+        self, deviations: FloatArray, basis: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
         """Deviations of length one, and the lengths lost; what is in the span of a basis goes."""
         return orthonormal(deviations, basis)
 
@@ -128,9 +130,9 @@ def transverse_space(system: System) -> TangentSpace:
 
     What is left out has the exponent zero in any case.
     """
-    kept = tuple(to_components(law.value) for law in system.integrals if not law.on)
+    integrals = tuple(to_components(law.value) for law in system.integrals if not law.on)
     free = tangent(system)
-    conditions = (*free.conditions, *kept)
+    conditions = (*free.conditions, *integrals)
     return _some(TangentSpace(system, conditions, (system.rates,), np.eye(1)))
 
 
@@ -166,26 +168,28 @@ def tangent_growth(
     """
     states = np.array(starts, dtype=np.float64)
     sizes = state_scales(rule.system, states, rule.until, parameters, rule.tolerance)
-    found = _grown(rule, space, (deviations, 1), (states, sizes), parameters)
+    growth = _growth_arrays(rule, space, (deviations, 1), (states, sizes), parameters)
     pieces = 2
-    while pieces <= PARTED and len(lost := np.flatnonzero(_lost(found))):
+    while pieces <= PARTED and len(lost := np.flatnonzero(_lost(growth))):
         chosen = select_parameters(parameters, lost)
-        again = _grown(rule, space, (deviations, pieces), (states[lost], sizes[lost]), chosen)
-        for known, new in zip(found, again, strict=True):
+        again = _growth_arrays(
+            rule, space, (deviations, pieces), (states[lost], sizes[lost]), chosen
+        )
+        for known, new in zip(growth, again, strict=True):
             known[lost] = new
         pieces *= 2
-    found[0][_lost(found)] = np.nan
-    return TangentGrowth(*found[:4])
+    growth[0][_lost(growth)] = np.nan
+    return TangentGrowth(*growth[:4])
 
 
-def _lost(found: _Arrays) -> BoolArray:
+def _lost(growth: _Arrays) -> BoolArray:
     """Motions that were followed to their end, while deviations became too short beside others."""
-    _, _, outcome, _, shrunk = found
+    _, _, outcome, _, shrunk = growth
     result: BoolArray = (outcome == 0) & ~(shrunk <= APART)
     return result
 
 
-def _grown(
+def _growth_arrays(
     rule: ChaosIndicator,
     space: TangentSpace,
     counts: tuple[int, int],
@@ -224,7 +228,7 @@ def _grown(
         states[live] = relations.kept(run.states[going, 0], level, chosen, sizes[live])
         basis, _ = space.excluded(states[live], chosen, sizes[live])
         tangents = np.asarray(run.deviations)[going, 0] / sizes[live, None]
-        frames[live], lengths = rule.renewed(tangents, basis)
+        frames[live], lengths = rule.normalised(tangents, basis)
         with np.errstate(divide="ignore"):
             logarithms[live, k] = np.log(lengths)
     frames[outcome != 0] = np.nan
@@ -248,9 +252,9 @@ class MaximalExponent(ChaosIndicator):
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
         """Values, errors, outcomes and times reached, (n,) each."""
-        found = tangent_growth(self, transverse_space(self.system), 1, starts, parameters)
-        value, error = _rate(found.logarithms[:, :, 0], self.until)
-        return {"value": value, "error": error, "outcome": found.outcome, "ended": found.ended}
+        growth = tangent_growth(self, transverse_space(self.system), 1, starts, parameters)
+        value, error = _rate(growth.logarithms[:, :, 0], self.until)
+        return {"value": value, "error": error, "outcome": growth.outcome, "ended": growth.ended}
 
 
 class ExponentSum(ChaosIndicator):
@@ -266,17 +270,17 @@ class ExponentSum(ChaosIndicator):
     ) -> dict[str, FloatArray | IntArray]:
         """Values, errors, outcomes and times reached, (n,) each."""
         space = transverse_space(self.system)
-        found = tangent_growth(self, space, space.dimension, starts, parameters)
-        value, error = _rate(found.logarithms.sum(axis=2), self.until)
-        return {"value": value, "error": error, "outcome": found.outcome, "ended": found.ended}
+        growth = tangent_growth(self, space, space.dimension, starts, parameters)
+        value, error = _rate(growth.logarithms.sum(axis=2), self.until)
+        return {"value": value, "error": error, "outcome": growth.outcome, "ended": growth.ended}
 
 
 def _rate(logarithms: FloatArray, until: float) -> tuple[FloatArray, FloatArray]:
     """The mean rate of growth without the beginning, and its error, (n,) each."""
     intervals = logarithms.shape[1]
     each = (intervals - round(UNSETTLED * intervals)) // BATCHES
-    kept = logarithms[:, intervals - each * BATCHES :]
-    batches = kept.reshape(len(kept), BATCHES, each).mean(axis=2) * (intervals / until)
+    last = logarithms[:, intervals - each * BATCHES :]
+    batches = last.reshape(len(last), BATCHES, each).mean(axis=2) * (intervals / until)
     span = until * each * BATCHES / intervals
     spread = STUDENT * batches.std(axis=1, ddof=1) / np.sqrt(BATCHES)
     unseen = 2.0 * np.log(until / (until - span)) / span
@@ -290,9 +294,9 @@ class FastLyapunovIndicator(ChaosIndicator):
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
-        found = tangent_growth(self, tangent(self.system), 1, starts, parameters)
-        value = np.cumsum(found.logarithms[:, :, 0], axis=1).max(axis=1)
-        return {"value": value, "outcome": found.outcome, "ended": found.ended}
+        growth = tangent_growth(self, tangent(self.system), 1, starts, parameters)
+        value = np.cumsum(growth.logarithms[:, :, 0], axis=1).max(axis=1)
+        return {"value": value, "outcome": growth.outcome, "ended": growth.ended}
 
 
 class Megno(ChaosIndicator):
@@ -308,12 +312,12 @@ class Megno(ChaosIndicator):
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
-        found = tangent_growth(self, tangent(self.system), 1, starts, parameters)
-        total = np.cumsum(found.logarithms[:, :, 0], axis=1)
+        growth = tangent_growth(self, tangent(self.system), 1, starts, parameters)
+        total = np.cumsum(growth.logarithms[:, :, 0], axis=1)
         before = np.concatenate([np.zeros((len(total), 1)), total[:, :-1]], axis=1)
         count = np.arange(1, self.intervals + 1)
         now = 2.0 * (total - np.cumsum((total + before) / 2, axis=1) / count)
-        return {"value": now.mean(axis=1), "outcome": found.outcome, "ended": found.ended}
+        return {"value": now.mean(axis=1), "outcome": growth.outcome, "ended": growth.ended}
 
 
 class SmallerAlignmentIndex(ChaosIndicator):
@@ -323,7 +327,9 @@ class SmallerAlignmentIndex(ChaosIndicator):
     (Skokos 2001).  It falls evenly on chaotic motions, to −16 where rounding ends it.
     """
 
-    def renewed(self, deviations: FloatArray, basis: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def normalised(
+        self, deviations: FloatArray, basis: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
         """Each for itself, so that they can become parallel."""
         pairs = [orthonormal(deviations[:, i : i + 1], basis) for i in range(deviations.shape[1])]
         frames, lengths = zip(*pairs, strict=True)
@@ -333,8 +339,8 @@ class SmallerAlignmentIndex(ChaosIndicator):
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
-        found = tangent_growth(self, tangent(self.system), 2, starts, parameters)
-        u, v = found.frames[:, 0], found.frames[:, 1]
+        growth = tangent_growth(self, tangent(self.system), 2, starts, parameters)
+        u, v = growth.frames[:, 0], growth.frames[:, 1]
         apart = np.minimum(np.linalg.norm(u + v, axis=1), np.linalg.norm(u - v, axis=1))
         value = np.log10(np.maximum(apart, np.finfo(float).eps))
-        return {"value": value, "outcome": found.outcome, "ended": found.ended}
+        return {"value": value, "outcome": growth.outcome, "ended": growth.ended}

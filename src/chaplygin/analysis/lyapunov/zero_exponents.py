@@ -99,7 +99,7 @@ def trivial_directions(
     system: System,
     start: Sequence[float],
     parameters: Parameters = None,
-    kept: Collection[str] = (),
+    fading: Collection[str] = (),
     sizes: FloatArray | None = None,
 ) -> TrivialDirections:
     """The zero exponents that laws and relations force on the motion from a start.
@@ -111,7 +111,7 @@ def trivial_directions(
         State in flat order, on the phase space.
     parameters : mapping of Symbol or name to number, optional
         Parameters that replace the defaults.
-    kept : collection of str
+    fading : collection of str
         Names of what is not to be removed, because it forces no zero on this motion.
     sizes : (size,) array, optional
         By which deviations are measured; those of the start if left out.
@@ -130,7 +130,7 @@ def trivial_directions(
     dependent: list[str] = []
     conditions: list[sp.Expr] = []
     for item in _conditions(at):
-        if item.removed.name in kept:
+        if item.removed.name in fading:
             continue
         if item.on and not at.on_level(item.on, across):
             continue
@@ -143,7 +143,7 @@ def trivial_directions(
     fields = [
         item
         for item in _fields(at)
-        if item.removed.name not in kept and (not item.on or at.on_level(item.on, across))
+        if item.removed.name not in fading and (not item.on or at.on_level(item.on, across))
     ]
     rows: list[FloatArray] = []
     for named, row in _tangent(at, fields, across):
@@ -204,7 +204,7 @@ class _Span:
 
     basis: list[FloatArray] = field(default_factory=list)
 
-    def rest(self, vector: FloatArray) -> FloatArray:
+    def remainder(self, vector: FloatArray) -> FloatArray:
         """What of a vector does not lie in the span."""
         for _ in range(2):
             for other in self.basis:
@@ -213,7 +213,7 @@ class _Span:
 
     def take(self, vector: FloatArray, floor: float) -> bool:
         """Whether a vector of at least the size `floor` is independent; if so, it is added."""
-        left = self.rest(vector)
+        left = self.remainder(vector)
         size = float(np.linalg.norm(left))
         independent = size > max(floor, DEPENDENT * float(np.linalg.norm(vector)))
         if independent:
@@ -253,7 +253,7 @@ class _At:
     def on_level(self, level: Sequence[sp.Expr], span: _Span) -> bool:
         """Whether the state lies on a level, which deviations within the span keep."""
         return vanish(self.system, level, self.state[0], self.parameters, self.sizes) and all(
-            np.linalg.norm(span.rest(row)) <= DEPENDENT * np.linalg.norm(row)
+            np.linalg.norm(span.remainder(row)) <= DEPENDENT * np.linalg.norm(row)
             for row in self.slopes(level)[0]
         )
 

@@ -226,7 +226,7 @@ def _extrema(moved: FloatArray, noise: float) -> Displacement:
     def at(place: float, order: int) -> float:
         return float((share * powers**order * np.exp(powers * place)).real.sum())
 
-    found = []
+    extrema = []
     for start, sign in ((int(moved.argmin()), 1.0), (int(moved.argmax()), -1.0)):
         place = start / count
         for _ in range(30):
@@ -239,8 +239,8 @@ def _extrema(moved: FloatArray, noise: float) -> Displacement:
         best = min(
             (at(place, 0), place), (float(moved[start]), start / count), key=lambda b: sign * b[0]
         )
-        found.append(best)
-    (least, low), (greatest, high) = found
+        extrema.append(best)
+    (least, low), (greatest, high) = extrema
     return Displacement(least, greatest, (low % 1.0, high % 1.0), noise, float(moved.mean()))
 
 
@@ -279,14 +279,14 @@ def locked_interval(
         )
 
     def edge(name: str) -> float:
-        found: float = brentq(
+        end: float = brentq(
             lambda value: getattr(displacement(maps, value, fraction, accuracy), name),
             low,
             high,
             xtol=1e-15 * max(abs(low), abs(high)),
             rtol=4 * np.finfo(float).eps,
         )
-        return found
+        return end
 
     names = ("greatest", "least") if rising else ("least", "greatest")
     edges = edge(names[0]), edge(names[1])
@@ -326,28 +326,28 @@ def plateaus(
     if not len(finite):
         raise InputError("stairs: no rotation number is known")
     lowest, highest = float(finite.min()), float(finite.max())
-    found = []
+    plateaux = []
     for q in range(1, longest + 1):
         for p in range(int(np.ceil(lowest * q)), int(np.floor(highest * q)) + 1):
             if gcd(p, q) == 1 and (not wanted or p in wanted):
-                found.extend(_around(maps, stairs, Fraction(p, q)))
-    return sorted(found, key=lambda step: step.low)
+                plateaux.extend(_plateaus_of(maps, stairs, Fraction(p, q)))
+    return sorted(plateaux, key=lambda step: step.low)
 
 
-def _around(maps: CircleMaps, stairs: DevilsStaircase, fraction: Fraction) -> list[Plateau]:
+def _plateaus_of(maps: CircleMaps, stairs: DevilsStaircase, fraction: Fraction) -> list[Plateau]:
     """The plateaus of a fraction, one for each time the staircase passes it."""
     known = np.flatnonzero(np.isfinite(stairs.rotations))
     values, excess = stairs.values[known], stairs.rotations[known] - float(fraction)
     # an orbit that nearly stands still has a poor average
     unsure = np.abs(excess) <= np.maximum(1e-9, 4 * stairs.errors[known])
     clear = np.flatnonzero(~unsure)
-    found = []
+    plateaux = []
     for i, j in pairwise(clear):
         if excess[i] * excess[j] < 0:
             low, high = _outwards(maps, values, (int(i), int(j)), fraction)
             if low >= 0 and high < len(values):
-                found.append(locked_interval(maps, fraction, (values[low], values[high])))
-    return found
+                plateaux.append(locked_interval(maps, fraction, (values[low], values[high])))
+    return plateaux
 
 
 def _outwards(

@@ -165,11 +165,11 @@ def follow(
     InputError
         If a name is unknown, or if orbits are a family of more dimensions than one.
     """
-    held = held_values(made, orbit.points[0], hold)
+    values = held_values(made, orbit.points[0], hold)
     start = held_values(made, orbit.points[0], [varied])[varied]
-    if varied in held:
+    if varied in values:
         raise InputError(f"hold: {varied} cannot be held and varied")
-    follower = _Follower(Equations(made, held, made.sizes(orbit.points)), varied)
+    follower = _Follower(Equations(made, values, made.sizes(orbit.points)), varied)
     here = follower.place(orbit.points, orbit.error, None)
     if (until - start) * here.speed < 0:
         here = _Place(here.orbit, -here.tangent, -here.speed)
@@ -179,11 +179,11 @@ def follow(
         if advanced is None:
             reason = "no orbit was found however short the step"
             break
-        there, taken = advanced
+        there, length_taken = advanced
         turn = _turn(here, there)
-        events.extend(_events(follower, here, there, taken))
-        end = _located(
-            follower, here, there, taken, lambda p: p.orbit.values[varied] - until, "passed"
+        events.extend(_events(follower, here, there, length_taken))
+        end = _location(
+            follower, here, there, length_taken, lambda p: p.orbit.values[varied] - until, "passed"
         )
         if end is not None:
             places.append(there if end.orbit is there.orbit else _Place(end.orbit, here.tangent, 0))
@@ -193,7 +193,7 @@ def follow(
         if len(places) > 2 and _passes(here, there, places[0], follower.equations.sizes):
             reason = "the branch is closed"
             break
-        length = taken * (LONGER if turn < _STRAIGHT else 1.0)
+        length = length_taken * (LONGER if turn < _STRAIGHT else 1.0)
         here = there
         places.append(here)
     orbits = tuple(place.orbit for place in places)
@@ -233,17 +233,17 @@ def _passes(here: _Place, there: _Place, first: _Place, sizes: FloatArray) -> bo
     return False
 
 
-def _at_one(found: Multipliers, sign: float) -> tuple[float, float]:
+def _at_one(multipliers: Multipliers, sign: float) -> tuple[float, float]:
     """∏(μ − sign), which changes its sign where a multiplier goes through ±1, and its error."""
-    factors = found.values - sign
+    factors = multipliers.values - sign
     value = float(np.prod(factors).real)
-    return value, _spread(factors, found.errors)
+    return value, _spread(factors, multipliers.errors)
 
 
-def _on_circle(found: Multipliers) -> tuple[float, float]:
+def _on_circle(multipliers: Multipliers) -> tuple[float, float]:
     """∏(μ_i μ_j − 1) over pairs of complex conjugates, and its error; 1 if there are none."""
-    pairs = found.values[found.values.imag > 0]
-    errors = found.errors[found.values.imag > 0]
+    pairs = multipliers.values[multipliers.values.imag > 0]
+    errors = multipliers.errors[multipliers.values.imag > 0]
     factors = np.abs(pairs) ** 2 - 1
     return float(np.prod(factors)), _spread(factors, 2 * np.abs(pairs) * errors)
 
@@ -255,14 +255,14 @@ def _spread(factors: FloatArray, errors: FloatArray) -> float:
 
 
 def _events(follower: _Follower, here: _Place, there: _Place, length: float) -> list[Event]:
-    found = []
-    fold = _located(follower, here, there, length, lambda p: p.speed, "fold")
+    events = []
+    fold = _location(follower, here, there, length, lambda p: p.speed, "fold")
     tests: dict[str, Callable[[Multipliers], tuple[float, float]]] = {
         "doubling": lambda m: _at_one(m, -1.0),
         "torus": _on_circle,
     }
     if fold is not None:
-        found.append(fold)
+        events.append(fold)
     else:
         tests["branch"] = lambda m: _at_one(m, 1.0)
     for kind, test in tests.items():
@@ -274,10 +274,10 @@ def _events(follower: _Follower, here: _Place, there: _Place, length: float) -> 
             def value(place: _Place, test: Callable[..., tuple[float, float]] = test) -> float:
                 return test(place.orbit.multipliers)[0]
 
-            event = _located(follower, here, there, length, value, kind)
+            event = _location(follower, here, there, length, value, kind)
             if event is not None:
-                found.append(event)
-    return found
+                events.append(event)
+    return events
 
 
 def _same_pairs(kind: str, here: _Place, there: _Place) -> bool:
@@ -286,7 +286,7 @@ def _same_pairs(kind: str, here: _Place, there: _Place) -> bool:
     return kind != "torus" or counts[0] == counts[1] > 0
 
 
-def _located(
+def _location(
     follower: _Follower,
     here: _Place,
     there: _Place,

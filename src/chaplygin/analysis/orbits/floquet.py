@@ -113,8 +113,8 @@ def multipliers(made: Map, point: FloatArray, slope: FloatArray) -> Multipliers:
         if size <= DEPENDENT * float(np.linalg.norm(gradient)):
             continue
         forced.append(name)
-        kept = gradient @ slope @ basis - across
-        defect = max(defect, float(np.linalg.norm(kept)) / size)
+        mapped = gradient @ slope @ basis - across
+        defect = max(defect, float(np.linalg.norm(mapped)) / size)
         basis = basis @ complement(across[None])
     matrix = basis.T @ slope @ basis
     values, vectors = np.linalg.eig(matrix)
@@ -133,8 +133,8 @@ def complement(rows: FloatArray) -> FloatArray:
         return np.eye(rows.shape[1])
     _, sizes, other = np.linalg.svd(rows)
     rank = int((sizes > DEPENDENT * sizes[0]).sum())
-    found: FloatArray = other[rank:].T
-    return found
+    basis: FloatArray = other[rank:].T
+    return basis
 
 
 def _conditions(vectors: FloatArray) -> FloatArray:
@@ -143,5 +143,5 @@ def _conditions(vectors: FloatArray) -> FloatArray:
         return np.zeros(0)
     # for a double eigenvalue the inverse is meaningless, and its size says so
     left = np.linalg.pinv(vectors, rcond=1e-15)
-    found: FloatArray = np.linalg.norm(left, axis=1) * np.linalg.norm(vectors, axis=0)
-    return found
+    conditions: FloatArray = np.linalg.norm(left, axis=1) * np.linalg.norm(vectors, axis=0)
+    return conditions

@@ -67,9 +67,9 @@ def refine_orbit(
     NoOrbitError
         If the iteration does not come to rest.
     """
-    held = held_values(made, orbit.points[0], hold)
+    values = held_values(made, orbit.points[0], hold)
     sizes = np.append(made.sizes(orbit.points[:1]), orbit.duration)
-    problem = _Problem(made, held, sizes)
+    problem = _Problem(made, values, sizes)
     with mpmath.workdps(_DIGITS):
         point = [mpmath.mpf(float(x)) for x in orbit.points[0]]
         duration = mpmath.mpf(orbit.duration)
@@ -108,17 +108,17 @@ class _Problem:
         rough = np.array([float(x) for x in point])
         whole = float(duration)
         flow = gauss_integrator(system, rough, parameters, digits=30)
-        found = flow.until(np.array([point], dtype=object), [whole], parameters)
-        end = from_pairs(found.states[0, 0], found.rest[0, 0])
-        if found.outcome[0] != 0:
-            raise NoOrbitError(flow.reason(int(found.outcome[0])), rough[None])
+        motion = flow.until(np.array([point], dtype=object), [whole], parameters)
+        end = from_pairs(motion.states[0, 0], motion.rest[0, 0])
+        if motion.outcome[0] != 0:
+            raise NoOrbitError(flow.reason(int(motion.outcome[0])), rough[None])
         moved = batch_integrator(system, deviations=size).until(
             rough[None], [whole], parameters, deviations=np.eye(size)[None]
         )
         (rates, _) = self._numbers(system.rates, end)
-        rest = duration - mpmath.mpf(whole)
+        remainder = duration - mpmath.mpf(whole)
         # the flow for what the duration is longer than a double
-        misses = [e + rest * r - x for e, r, x in zip(end, rates, point, strict=True)]
+        misses = [e + remainder * r - x for e, r, x in zip(end, rates, point, strict=True)]
         turns = periodic_difference(np.array([float(m) for m in misses]), self.made.periods)[1]
         whole_turns = [
             mpmath.mpf(0) if t == 0 else int(t) * self._period(i) for i, t in enumerate(turns)
@@ -146,8 +146,8 @@ class _Problem:
         values, rows = self._numbers([to_components(f) for f in wanted], point)
         targets = [0.0] * (len(wanted) - len(self.held)) + list(self.held.values())
         excess = [float(v - mpmath.mpf(t)) for v, t in zip(values, targets, strict=True)]
-        made = [[float(rows[i, j]) for j in range(len(point))] for i in range(len(wanted))]
-        return np.array(excess), np.array(made)
+        slopes = [[float(rows[i, j]) for j in range(len(point))] for i in range(len(wanted))]
+        return np.array(excess), np.array(slopes)
 
     def _numbers(
         self, formulas: Sequence[sp.Expr], point: Sequence[mpmath.mpf] | npt.NDArray[np.object_]

@@ -15,7 +15,7 @@ import numpy as np
 
 from ...core.arrays import FloatArray
 
-__all__ = ["Image", "Kept", "Map", "Plain", "measured", "slope_of"]
+__all__ = ["ConservedFunctions", "Image", "Map", "Plain", "measured", "slope_of"]
 
 Function = Callable[[FloatArray], FloatArray]
 
@@ -43,7 +43,7 @@ class Image:
 
 
 @dataclass(frozen=True)
-class Kept:
+class ConservedFunctions:
     """Functions that a map leaves as they are.
 
     Attributes
@@ -60,7 +60,9 @@ class Kept:
     slopes: Function
 
 
-NOTHING = Kept((), lambda x: np.zeros((len(x), 0)), lambda x: np.zeros((len(x), 0, x.shape[1])))
+NOTHING = ConservedFunctions(
+    (), lambda x: np.zeros((len(x), 0)), lambda x: np.zeros((len(x), 0, x.shape[1]))
+)
 
 
 class Map(Protocol):
@@ -72,9 +74,9 @@ class Map(Protocol):
         The coordinates.
     periods : array (size,)
         The period of a coordinate that is an angle; infinite for the others.
-    domain : Kept
+    domain : ConservedFunctions
         Functions that vanish on the set that is mapped: relations and the section.
-    integrals : Kept
+    integrals : ConservedFunctions
         Functions with a value of their own on each orbit.
     forced : tuple of str
         Multipliers one that are left out beforehand, by what forces them: the flow itself.
@@ -91,12 +93,12 @@ class Map(Protocol):
         ...
 
     @property
-    def domain(self) -> Kept:
+    def domain(self) -> ConservedFunctions:
         """See above."""
         ...
 
     @property
-    def integrals(self) -> Kept:
+    def integrals(self) -> ConservedFunctions:
         """See above."""
         ...
 
@@ -169,7 +171,7 @@ class Plain:
     step: Function
     angles: Mapping[str, float] = field(default_factory=dict)
     keeps: Mapping[str, Function] = field(default_factory=dict)
-    domain: Kept = NOTHING
+    domain: ConservedFunctions = NOTHING
     forced: tuple[str, ...] = ()
 
     @property
@@ -178,7 +180,7 @@ class Plain:
         return np.array([self.angles.get(name, np.inf) for name in self.names])
 
     @property
-    def integrals(self) -> Kept:
+    def integrals(self) -> ConservedFunctions:
         """The functions of `keeps`."""
         if not self.keeps:
             return NOTHING
@@ -186,7 +188,7 @@ class Plain:
         def values(points: FloatArray) -> FloatArray:
             return np.stack([function(points) for function in self.keeps.values()], axis=1)
 
-        return Kept(tuple(self.keeps), values, slope_of(values))
+        return ConservedFunctions(tuple(self.keeps), values, slope_of(values))
 
     def sizes(self, points: FloatArray) -> FloatArray:
         """All ones: coordinates of formulas are taken as they are."""

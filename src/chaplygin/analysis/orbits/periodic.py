@@ -231,7 +231,7 @@ def newton_solution(
         size, scale = float(np.abs(step).max()), 1.0 + float(np.abs(points / sizes).max())
         if size >= 0.9 * last and size < 1e-10 * scale:
             break
-        moved = _damped(
+        moved = _damped_step(
             equations, evaluated, points, step * sizes, float(np.linalg.norm(residuals))
         )
         if moved is None:
@@ -247,7 +247,7 @@ def newton_solution(
     return points, float(np.abs(last_step).max())
 
 
-def _damped(
+def _damped_step(
     equations: Equations,
     evaluated: Callable[[FloatArray], tuple[FloatArray, FloatArray]],
     points: FloatArray,
@@ -314,10 +314,10 @@ def find(
         )
     sizes = made.sizes(points)
     points = onto(made, points, sizes)
-    held = held_values(made, points[0], hold)
+    values = held_values(made, points[0], hold)
     while len(points) < period:
         points = np.concatenate([points, made.image(points[-1:]).points])
-    points, error = newton_solution(Equations(made, held, sizes), points)
+    points, error = newton_solution(Equations(made, values, sizes), points)
     return orbit_from_points(made, points, error)
 
 

@@ -65,8 +65,8 @@ class Reversor:
     def words(self, system: System) -> str:
         """What changes its sign, whole vectors by their names, and what that needs."""
         whole = [name for name in system.state if set(flat((name,))) <= set(self.odd)]
-        rest = [s for s in self.odd if s not in flat(whole)]
-        names = [text(name) for name in (*whole, *rest)]
+        scalars = [s for s in self.odd if s not in flat(whole)]
+        names = [text(name) for name in (*whole, *scalars)]
         needs = "".join(f"{text(symbol)} = " for symbol in self.vanishing)
         verb = "changes" if len(names) == 1 else "change"
         return f"{', '.join(names)} {verb} sign" + (f" where {needs}0" if needs else "")
@@ -97,22 +97,23 @@ def reversors(system: System) -> tuple[Reversor, ...]:
     --------
     >>> import chaplygin as ch
     >>> ball = ch.from_catalogue("unbalanced-ball")
-    >>> [found.words(ball) for found in ch.reversors(ball)][:2]
+    >>> [reversor.words(ball) for reversor in ch.reversors(ball)][:2]
     ['M changes sign', 'M₁, γ₁ change sign where c₁ = 0']
     """
-    found: list[Reversor] = []
-    for made in sorted(_candidates(system), key=lambda r: (len(r.vanishing), len(r.odd))):
+    accepted: list[Reversor] = []
+    for candidate in sorted(_candidates(system), key=lambda r: (len(r.vanishing), len(r.odd))):
         weaker = any(
-            old.odd == made.odd and set(old.vanishing) <= set(made.vanishing) for old in found
+            old.odd == candidate.odd and set(old.vanishing) <= set(candidate.vanishing)
+            for old in accepted
         )
-        if not weaker and reverses(system, {*made.odd, *made.vanishing}):
-            found.append(made)
-    return tuple(found)
+        if not weaker and reverses(system, {*candidate.odd, *candidate.vanishing}):
+            accepted.append(candidate)
+    return tuple(accepted)
 
 
 def _candidates(system: System) -> Iterator[Reversor]:
     """Changes of signs that reverse the equations at some states, by numbers."""
-    loose = [p.symbol for p in system.parameters if _signed(p)]
+    loose = [p.symbol for p in system.parameters if _sign_change(p)]
     units = [(s,) for s in (*system.symbols, *loose)]
     if len(units) > SIGNS:
         units = [flat((name,)) for name in system.state]
@@ -127,8 +128,8 @@ def _candidates(system: System) -> Iterator[Reversor]:
             column[flip] = -1.0
     rates = Formulas(system, system.rates)
     good = np.ones(len(choices), dtype=bool)
-    for point, given, rate in _points(system, loose, rates):
-        turned = rates(states * point, {s: signs * given[s] for s, signs in constants.items()})
+    for point, values, rate in _points(system, loose, rates):
+        turned = rates(states * point, {s: signs * values[s] for s, signs in constants.items()})
         with np.errstate(invalid="ignore"):
             missed = np.abs(turned + states * rate).max(axis=1)
             good &= missed <= CLOSE * np.abs(rate).max()
@@ -139,7 +140,7 @@ def _candidates(system: System) -> Iterator[Reversor]:
         )
 
 
-def _signed(parameter: Parameter) -> bool:
+def _sign_change(parameter: Parameter) -> bool:
     """Whether a parameter may have either sign."""
     conditions = [sp.sympify(c).subs(parameter.symbol, -SMALL) for c in parameter.admissible]
     return all(condition != sp.false for condition in conditions)
@@ -151,10 +152,10 @@ def _points(system: System, loose: list[sp.Symbol], rates: Formulas) -> Iterator
     count = 0
     for _ in range(DRAWS):
         state = random.uniform(0.1, 0.9, size=len(system.symbols))
-        given = {s: SMALL * random.uniform(0.5, 1.5) for s in loose}
-        (rate,) = rates([state], given)
+        values = {s: SMALL * random.uniform(0.5, 1.5) for s in loose}
+        (rate,) = rates([state], values)
         if np.isfinite(rate).all() and np.any(rate):
             count += 1
-            yield state, given, rate
+            yield state, values, rate
         if count == POINTS:
             return

@@ -101,8 +101,8 @@ def average(values: FloatArray) -> tuple[FloatArray, FloatArray]:
 def _weights(count: int) -> FloatArray:
     place = (np.arange(count) + 0.5) / count
     weight = np.exp(-1 / (place * (1 - place)))
-    found: FloatArray = weight / weight.sum()
-    return found
+    weights: FloatArray = weight / weight.sum()
+    return weights
 
 
 def unwrapped_turns(angles: FloatArray, period: float = 2 * np.pi) -> FloatArray:
@@ -133,8 +133,8 @@ def unwrapped_turns(angles: FloatArray, period: float = 2 * np.pi) -> FloatArray
     order = np.sort(advance)
     gaps = np.diff(np.append(order, order[0] + 1))
     widest = int(gaps.argmax())
-    rest = np.delete(gaps, widest)
-    if gaps[widest] < 0.02 or (len(rest) and gaps[widest] < 2 * rest.max()):
+    others = np.delete(gaps, widest)
+    if gaps[widest] < 0.02 or (len(others) and gaps[widest] < 2 * others.max()):
         raise InputError(
             "angles: the advance in one step covers the whole circle, so that the angle has no "
             "lift; take another angle or section"
@@ -282,10 +282,10 @@ def rotation_number(
                 f"orbit({count}): it must give {count + 1} numbers, the angle before each step "
                 "and after the last"
             )
-        found = rotation(turns, target, longest)
-        settled = found.error <= target and found.verdict != "undecided"
+        number = rotation(turns, target, longest)
+        settled = number.error <= target and number.verdict != "undecided"
         if settled or 2 * count > most:
-            return found
+            return number
         count *= 2
 
 

@@ -156,25 +156,25 @@ class ScanGrid:
         known |= {self.x.symbol: x, self.y.symbol: y}
         starts = np.tile(np.array(self.base), (count, 1))
         parameters: dict[sp.Symbol, FloatArray] = {}
-        for symbol, given in self.set:
-            value = _evaluated(given, known, count)
+        for symbol, formula_value in self.set:
+            value = _numbers_of(formula_value, known, count)
             if symbol in self.system.defaults:
                 known[symbol] = parameters[symbol] = value
             else:
                 starts[:, self.given.symbols.index(symbol)] = value
-        targets = [_evaluated(value, known, count) for _, value in self.levels]
+        targets = [_numbers_of(value, known, count) for _, value in self.levels]
         good = np.isfinite(starts).all(axis=1) & _admissible(self.system, known, count)
         reasons = np.where(good, 0, INADMISSIBLE)
         starts[~good] = np.nan
         for symbol, value in parameters.items():
             value[~good] = self.system.defaults[symbol]
-        starts, met = self._placed(starts, targets, parameters)
+        starts, met = self._projected_starts(starts, targets, parameters)
         reasons[good & ~met] = NO_STATE
         states = Formulas(self.given, self.system.symbols)(starts, parameters)
         states[reasons != 0] = np.nan
         return GridCells(states, parameters, reasons)
 
-    def _placed(
+    def _projected_starts(
         self,
         starts: FloatArray,
         targets: Sequence[FloatArray],
@@ -231,41 +231,43 @@ def scan_grid(
     InputError
         If a name or a formula is wrong, or an axis is of no consequence.
     """
-    given, base = _given(system, start)
+    described, base = _described_system(system, start)
     if x.name == y.name:
         raise InputError(f"{x.name}: the two axes need names that differ")
     texts = dict(formulas or {})
-    symbols = {str(s): s for s in (*given.symbols, *system.defaults)}
+    symbols = {str(s): s for s in (*described.symbols, *system.defaults)}
     for item in (x, y):
         if item.name in texts:
             raise InputError(f"{item.name}: it is an axis and cannot be given by a formula besides")
     known = {str(s): s for s in system.defaults} | {a.name: a.symbol for a in (x, y)}
     values: dict[str, sp.Expr] = {n: parse(t, known, f"{n} = {t}") for n, t in texts.items()}
     used = {s for value in values.values() for s in value.free_symbols}
-    levels = {str(s) for s, _ in given.steps} | quantities_by_name(given).keys()
+    levels = {str(s) for s, _ in described.steps} | quantities_by_name(described).keys()
     for item in (x, y):
         if item.name in symbols.keys() | levels:
             values = {item.name: item.symbol, **values}
         elif item.symbol not in used:
             raise InputError(
                 f"{item.name}: {system.name} has neither parameter, variable nor quantity of this "
-                f"name, and no formula uses it{nearest(item.name, _useful(given))}"
+                f"name, and no formula uses it{nearest(item.name, _useful(described))}"
             )
-    made: list[tuple[sp.Symbol, sp.Expr]] = []
-    asked: list[tuple[sp.Expr, sp.Expr]] = []
+    assignments: list[tuple[sp.Symbol, sp.Expr]] = []
+    conditions: list[tuple[sp.Expr, sp.Expr]] = []
     for name, value in values.items():
         if name in symbols:
-            made.append((symbols[name], value))
+            assignments.append((symbols[name], value))
         elif name in levels:
-            asked.append((formula(given, name), value))
+            conditions.append((formula(described, name), value))
         else:
             raise InputError(
                 f"{name}: {system.name} has neither parameter, variable nor quantity of this name"
-                f"{nearest(name, _useful(given))}"
+                f"{nearest(name, _useful(described))}"
             )
     # parameters first: formulas of the start may use them
-    made.sort(key=lambda pair: pair[0] not in system.defaults)
-    return ScanGrid(system, given, base, x, y, tuple(made), tuple(asked), _held(given, held))
+    assignments.sort(key=lambda pair: pair[0] not in system.defaults)
+    return ScanGrid(
+        system, described, base, x, y, tuple(assignments), tuple(conditions), _held(described, held)
+    )
 
 
 def _useful(system: System) -> list[str]:
@@ -275,21 +277,23 @@ def _useful(system: System) -> list[str]:
     )
 
 
-def _held(given: System, held: Collection[str]) -> tuple[sp.Symbol, ...]:
-    parts = {str(name): flat([name]) for name in given.state}
-    parts |= {str(symbol): (symbol,) for symbol in given.symbols}
+def _held(system: System, held: Collection[str]) -> tuple[sp.Symbol, ...]:
+    parts = {str(name): flat([name]) for name in system.state}
+    parts |= {str(symbol): (symbol,) for symbol in system.symbols}
     for name in held:
         if name not in parts:
             raise InputError(f"{name}: no variable of the start{nearest(name, parts)}")
     return tuple(symbol for name in held for symbol in parts[name])
 
 
-def _given(system: System, start: Mapping[str, npt.ArrayLike]) -> tuple[System, tuple[float, ...]]:
+def _described_system(
+    system: System, start: Mapping[str, npt.ArrayLike]
+) -> tuple[System, tuple[float, ...]]:
     """A system in the variables in which its start is given, and the start in flat order."""
     names = [name for name in system.state if str(name) in start]
     if len(names) < len(system.state):
-        made = _by_velocity(system, start)
-        names, system = list(made.state), made
+        described = _by_velocity(system, start)
+        names, system = list(described.state), described
     numbers = [np.atleast_1d(np.asarray(start[str(name)], dtype=np.float64)) for name in names]
     for name, values in zip(names, numbers, strict=True):
         if len(values) != len(flat([name])):
@@ -331,13 +335,13 @@ def directions(system: System) -> set[sp.Symbol]:
     return set(flat(unit))
 
 
-def _evaluated(value: sp.Expr, known: Mapping[sp.Symbol, FloatArray], count: int) -> FloatArray:
+def _numbers_of(value: sp.Expr, known: Mapping[sp.Symbol, FloatArray], count: int) -> FloatArray:
     """A formula at arrays; not a number where it has no value."""
     names = sorted(value.free_symbols, key=str)
     function = sp.lambdify(names, value, "numpy")
     with np.errstate(all="ignore"):
-        found = function(*(known[name] for name in names))
-    return np.array(np.broadcast_to(np.asarray(found, dtype=np.float64), (count,)))
+        numbers = function(*(known[name] for name in names))
+    return np.array(np.broadcast_to(np.asarray(numbers, dtype=np.float64), (count,)))
 
 
 def _admissible(system: System, known: Mapping[sp.Symbol, FloatArray], count: int) -> BoolArray:

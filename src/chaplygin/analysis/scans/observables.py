@@ -140,8 +140,8 @@ class Minimum:
     ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
         turned = Maximum(self.system, self.until, -self.formula, self.samples, self.tolerance)
-        found = turned(starts, parameters)
-        return {**found, "value": -found["value"]}
+        maximum = turned(starts, parameters)
+        return {**maximum, "value": -maximum["value"]}
 
 
 @dataclass(frozen=True)
@@ -243,8 +243,8 @@ def observe(
     times = np.linspace(0.0, until, samples + 1)
     states = np.array(starts, dtype=np.float64)
     outcome, ended = np.zeros(len(states), dtype=np.int64), np.zeros(len(states))
-    found = np.full((len(states), samples + 1), np.nan)
-    found[:, 0] = values(flow.system, [formula], states, parameters)[:, 0]
+    series = np.full((len(states), samples + 1), np.nan)
+    series[:, 0] = values(flow.system, [formula], states, parameters)[:, 0]
     for first in range(0, samples, KEPT):
         some = slice(first + 1, min(first + KEPT, samples) + 1)
         live = np.flatnonzero(outcome == 0)
@@ -252,7 +252,7 @@ def observe(
             break
         chosen = select_parameters(parameters, live)
         run = flow.until(states[live], times[some] - times[first], chosen)
-        found[live, some] = values(flow.system, [formula], run.states, chosen)[..., 0]
+        series[live, some] = values(flow.system, [formula], run.states, chosen)[..., 0]
         outcome[live], states[live] = run.outcome, run.states[:, -1]
         ended[live] = times[first] + run.ended
-    return ObservedSeries(found, outcome, ended)
+    return ObservedSeries(series, outcome, ended)

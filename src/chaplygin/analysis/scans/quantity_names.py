@@ -123,12 +123,12 @@ def quantity_from_text(
             kind.make(system, until, tolerance=tolerance), word, kind.title, kind.unit
         )
     value: Any = formula(system, quantity)
-    made = kind.make(system, until, value, tolerance=tolerance)
+    rule = kind.make(system, until, value, tolerance=tolerance)
     measured = meaning(system, quantity, variables or {})[1] or "unknown"
     if kind.make is Frequency:
         _require_angle(system, text, value, measured)
     unit = kind.unit.format(measured)
-    return NamedQuantity(made, word, kind.title.format(quantity), unit)
+    return NamedQuantity(rule, word, kind.title.format(quantity), unit)
 
 
 def _require_angle(system: System, text: str, value: Any, unit: str) -> None:
@@ -154,5 +154,5 @@ def _rotation(
             f"rotation:{text} on gamma_3"
         )
     where = poincare_section(system, place.strip())
-    made = kind.make(system, until, formula(system, angle.strip()), where, tolerance=tolerance)
-    return NamedQuantity(made, "rotation", kind.title.format(text), kind.unit)
+    rule = kind.make(system, until, formula(system, angle.strip()), where, tolerance=tolerance)
+    return NamedQuantity(rule, "rotation", kind.title.format(text), kind.unit)

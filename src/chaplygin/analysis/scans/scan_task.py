@@ -84,10 +84,10 @@ class Scan:
         outcome = cells.reasons.astype(np.int16)
         if len(good):
             parameters = {symbol: numbers[good] for symbol, numbers in cells.parameters.items()}
-            found = self.rule(cells.starts[good], parameters)
-            outcome[good] = found["outcome"]
+            results = self.rule(cells.starts[good], parameters)
+            outcome[good] = results["outcome"]
             for name, key in (*self.numbers.items(), ("ended", "ended")):
-                arrays[name][good] = found[key]
+                arrays[name][good] = results[key]
             outcome[(outcome == 0) & ~np.isfinite(arrays[self.name])] = NO_NUMBER
         shape = (last - first, self.plane.x.count)
         arrays["outcome"] = outcome
@@ -146,8 +146,8 @@ def scan(made: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
             "number": made.name,
             "until": rule.until,
             "tolerance": rule.tolerance,
-            "parameters": _listed(plane.system.defaults),
-            "start": _listed(dict(zip(plane.given.symbols, plane.base, strict=True))),
+            "parameters": _text_rows(plane.system.defaults),
+            "start": _text_rows(dict(zip(plane.given.symbols, plane.base, strict=True))),
             "formulas": [f"{symbol} = {value}" for symbol, value in plane.set],
             "levels": [f"{quantity} = {value}" for quantity, value in plane.levels],
             "held": [str(symbol) for symbol in plane.held],
@@ -165,7 +165,7 @@ def _coordinate(item: Axis) -> Coordinate:
     return Coordinate((item.name,), item.values, _attributes(item.meaning or item.name, item.unit))
 
 
-def _listed(values: Mapping[sp.Symbol | str, float]) -> list[str]:
+def _text_rows(values: Mapping[sp.Symbol | str, float]) -> list[str]:
     return [f"{name} = {value!r}" for name, value in values.items()]
 
 

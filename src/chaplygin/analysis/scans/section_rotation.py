@@ -53,11 +53,11 @@ class Winding:
         returning = PoincareMap(
             self.system, self.section, dict(parameters), self.tolerance, until=self.until
         )
-        found = rotations(returning, starts, self.formula, self.count)
+        result = rotations(returning, starts, self.formula, self.count)
         return {
-            "value": found.values,
-            "error": found.errors,
+            "value": result.values,
+            "error": result.errors,
             # an angle without a lift has no rotation number: nothing has ended the motion
-            "outcome": np.maximum(found.outcome, 0),
+            "outcome": np.maximum(result.outcome, 0),
             "ended": np.full(len(starts), np.nan),
         }

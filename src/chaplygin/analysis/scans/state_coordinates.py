@@ -87,13 +87,13 @@ class StateCoordinates:
         """
         rows = self._rows(points, len(self.names))
         which, states = self._every(rows.T)
-        found = np.full((len(rows), len(self.system.symbols)), np.nan)
+        chosen = np.full((len(rows), len(self.system.symbols)), np.nan)
         first = np.searchsorted(which, np.arange(len(rows)))
         many = np.bincount(which, minlength=len(rows))
         place = branch if branch >= 0 else many + branch
         there = np.flatnonzero((place >= 0) & (place < many))
-        found[there] = states.T[(first + place)[there]]
-        return found
+        chosen[there] = states.T[(first + place)[there]]
+        return chosen
 
     def solutions(self, points: FloatArray) -> IntArray:
         """How many states belong to each of the points (n, d); int array (n,)."""
@@ -136,10 +136,10 @@ class StateCoordinates:
         """The same chart with some coordinates held at given values."""
         for name in values:
             self._place(name)
-        kept = [i for i, name in enumerate(self.names) if name not in values]
+        free = [i for i, name in enumerate(self.names) if name not in values]
 
         def every(points: FloatArray) -> tuple[IntArray, FloatArray]:
-            return self._every(self._filled(kept, points, values))
+            return self._every(self._all_coordinates(free, points, values))
 
         def span(name: str, known: Mapping[str, float]) -> tuple[float, float]:
             return self._range(name, {**known, **values})
@@ -147,11 +147,11 @@ class StateCoordinates:
         text = "".join(f", {name} = {value:.6g}" for name, value in values.items())
         return replace(
             self,
-            names=tuple(self.names[i] for i in kept),
-            periods=tuple(self.periods[i] for i in kept),
+            names=tuple(self.names[i] for i in free),
+            periods=tuple(self.periods[i] for i in free),
             domain=self.domain + text,
             _every=every,
-            _point=lambda states: self._point(states)[kept],
+            _point=lambda states: self._point(states)[free],
             _range=span,
         )
 
@@ -179,15 +179,15 @@ class StateCoordinates:
             raise InputError(
                 f"{self.system.name} has no integral {integral!r}; it has {', '.join(laws)}"
             )
-        kept = [i for i in range(len(self.names)) if i != place]
+        free = [i for i in range(len(self.names)) if i != place]
         search = _Search(self, place, Formulas(self.system, [laws[integral]]), value)
         return replace(
             self,
-            names=tuple(self.names[i] for i in kept),
-            periods=tuple(self.periods[i] for i in kept),
+            names=tuple(self.names[i] for i in free),
+            periods=tuple(self.periods[i] for i in free),
             domain=f"{self.domain}, and {integral} = {value:.6g} for some {name}",
             _every=search.every,
-            _point=lambda states: self._point(states)[kept],
+            _point=lambda states: self._point(states)[free],
             _single=False,
         )
 
@@ -202,18 +202,18 @@ class StateCoordinates:
         return self.names.index(name)
 
     def _rows(self, rows: FloatArray, width: int) -> FloatArray:
-        made = np.atleast_2d(np.asarray(rows, dtype=float))
-        if made.shape[1] != width:
+        array = np.atleast_2d(np.asarray(rows, dtype=float))
+        if array.shape[1] != width:
             raise InputError(
-                f"{self.system.name}: rows of {width} numbers are needed, not of {made.shape[1]}"
+                f"{self.system.name}: rows of {width} numbers are needed, not of {array.shape[1]}"
             )
-        return made
+        return array
 
-    def _filled(
-        self, kept: Sequence[int], points: FloatArray, values: Mapping[str, float]
+    def _all_coordinates(
+        self, free: Sequence[int], points: FloatArray, values: Mapping[str, float]
     ) -> FloatArray:
         whole = np.empty((len(self.names), points.shape[1]))
-        whole[list(kept)] = points
+        whole[list(free)] = points
         for name, value in values.items():
             whole[self.names.index(name)] = value
         return whole
@@ -360,7 +360,7 @@ class _Search:
         nodes = np.linspace(0.0, 1.0, _PIECES + 1)
         nodes[0], nodes[-1] = 2 * _STEP, 1 - 2 * _STEP
         which, way = crossings(along, count, nodes)
-        solved = self._polished(points[:, which], at(which, way)[0])
+        solved = self._newton_refined(points[:, which], at(which, way)[0])
         owner, states = chart._every(self._whole(points[:, which], solved))
         return which[owner], states
 
@@ -370,8 +370,8 @@ class _Search:
     def _defect(self, points: FloatArray, solved: FloatArray) -> FloatArray:
         owner, states = self.chart._every(self._whole(points, solved))
         defect = np.full(solved.size, np.nan)
-        found = self.formula(np.ascontiguousarray(states.T), self.chart.parameters)[:, 0]
-        defect[owner] = found - self.value
+        values = self.formula(np.ascontiguousarray(states.T), self.chart.parameters)[:, 0]
+        defect[owner] = values - self.value
         return defect
 
     def _scale(self, points: FloatArray, low: FloatArray) -> FloatArray:
@@ -382,7 +382,7 @@ class _Search:
             reach = np.sqrt((abs(self.value) + 1e-3) / growth)
         return np.where(np.isfinite(reach) & (reach > 0), reach, 1.0)
 
-    def _polished(self, points: FloatArray, solved: FloatArray) -> FloatArray:
+    def _newton_refined(self, points: FloatArray, solved: FloatArray) -> FloatArray:
         for _ in range(_NEWTON):
             step = _STEP * (1e-3 + np.abs(solved))
             rise = self._defect(points, solved + step) - self._defect(points, solved - step)
