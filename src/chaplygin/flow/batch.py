@@ -194,7 +194,7 @@ class BatchIntegrator:
         parameters: Parameters,
         deviations: npt.ArrayLike | None,
     ) -> tuple[FloatArray, FloatArray]:
-        """Starts with deviations (motions, numbers, words), and parameters with their words."""
+        """Starts with deviations (motions, numbers, words); parameters in words."""
         words = reduced_rows(self.system, self._words("starts", starts))
         points = words[..., 0]
         check_state_shape(self.system, points)
@@ -232,7 +232,7 @@ class BatchIntegrator:
     def _split(
         self, numbers: FloatArray
     ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
-        """States, deviations and low words of the states, of (motions, times, numbers, words)."""
+        """States, deviations, low words of states; from (motions, times, numbers, words)."""
         states = numbers[:, :, : self.size, 0]
         low = numbers[:, :, : self.size, 1] if self.words == 2 else None
         if self.deviations == 0:
@@ -289,7 +289,7 @@ def batch_integrator(
     backward: bool = False,
     digits: Literal[16, 30] = 16,
 ) -> BatchIntegrator:
-    """The flow of a system as vector code for this processor, from the cache if possible.
+    """The flow of a system as vector code for this processor.
 
     Parameters
     ----------

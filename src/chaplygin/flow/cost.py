@@ -38,7 +38,7 @@ class TooMuchError(InputError):
 
 @dataclass(frozen=True)
 class Pace:
-    """How fast a computation goes on, from the moment this is made."""
+    """The pace of a computation, from the creation of this object on."""
 
     began: float = field(default_factory=time.perf_counter)
 
@@ -48,9 +48,9 @@ class Pace:
         Parameters
         ----------
         fraction : float
-            What is done by now, of 1.
+            The share that is done by now, of 1.
         what : str
-            What is computed, with what should be smaller: the beginning of the sentence.
+            The computation, with its size: the beginning of the sentence.
 
         Raises
         ------
@@ -75,9 +75,9 @@ def require_room(size: float, folder: Path | None, what: str) -> None:
     size : float
         In bytes.
     folder : Path or None
-        Where it is to be written; in memory if None.
+        The result is to be written there; in memory if None.
     what : str
-        What is computed: the beginning of the sentence.
+        The computation: the beginning of the sentence.
 
     Raises
     ------

@@ -1,7 +1,7 @@
 """Single motions to the last digit of a double, or to 30 digits.
 
-Where a System has integrals, the state is held on their level: without that the rounding errors
-of every method in doubles add up to a hundred times more.
+The state is held on the level of the integrals of a System, if there are any: without that the
+rounding errors of every method in doubles add up to a hundred times more.
 """
 
 from __future__ import annotations
@@ -56,8 +56,8 @@ class GaussTrajectories:
     states : array (motions, times, size)
         In flat order; not-a-number after the end of a motion.
     rest : array (motions, times, size)
-        What is to be added: the next 16 digits, of which 14 are right with 30 digits; with 16
-        digits they only say how the last digit was rounded.
+        The next 16 digits of the states, to be added to them; 14 are right with 30 digits, and
+        with 16 digits they only give the rounding error of the last one.
     outcome, ended, steps : arrays (motions,)
         As in :class:`chaplygin.flow.batch.BatchTrajectories`.
     """
@@ -275,7 +275,7 @@ def _candidates(system: System) -> list[tuple[str, Term]]:
 def _conserved_names(
     system: System, point: tuple[float, ...], parameters: tuple[float, ...]
 ) -> tuple[str, ...]:
-    """Names of the integrals and relations that are constant along motions near a state.
+    """Names of the integrals and relations that are constant near a state.
 
     A relation that is constant only on its zero level is marked with "=".
     """

@@ -33,8 +33,9 @@ def collocate(
     digits: Literal[16, 30] = 16,
     on_liftoff: Literal["stop", "warn"] = "stop",
 ) -> Trajectory:
-    """Integrate a system with all digits; see :func:`chaplygin.flow.integrator.integrate`.
+    """Integrate a system to the last digit by collocation.
 
+    See :func:`chaplygin.flow.integrator.integrate`.
     The state is held on the level of its relations and integrals.  With 30 digits the states are
     numbers of mpmath and what is recorded has 16.
 

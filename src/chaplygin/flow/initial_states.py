@@ -1,4 +1,4 @@
-"""Starts: many at once by name, and one in whichever of the ways in which it may be given."""
+"""Initial states: many at once by name, or one by name or in flat order."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def reduced_start(
     start: Mapping[str, npt.ArrayLike] | Sequence[WorkingNumber],
     parameters: Parameters = None,
 ) -> tuple[WorkingNumber, ...]:
-    """The state of a system without what belongs to its motion in space, in flat order.
+    """The state of a system without its motion in space, in flat order.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ def whole_start(
 ) -> tuple[WorkingNumber, ...]:
     """The state of a system with its motion in space, where it has one, in flat order.
 
-    What a start leaves out begins at zero, and the attitude so that ζ, or else γ, points upward.
+    Variables that a start leaves out begin at zero; the attitude turns ζ, or else γ, upward.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def whole_start(
 
 
 def upright(vertical: Sequence[WorkingNumber]) -> list[mpmath.mpf]:
-    """The quaternion that takes a unit vector (body) to the vertical along the shortest way."""
+    """The quaternion of the shortest turn of a unit vector (body) to the vertical."""
     with mpmath.workdps(_DIGITS):
         # float also turns numbers of NumPy into ones that repr writes as digits
         decimals = (repr(float(v)) if isinstance(v, float) else v for v in vertical)
@@ -105,7 +105,7 @@ def upright(vertical: Sequence[WorkingNumber]) -> list[mpmath.mpf]:
 
 
 def reduced_rows(system: System, rows: FloatArray) -> FloatArray:
-    """Starts (motions, size, …) without the columns that belong to the motion in space."""
+    """Starts (motions, size, …) without the columns of the motion in space."""
     whole = system.motion is not None and rows.ndim > 1
     if whole and rows.shape[1] == len(system.lifted().symbols):
         return rows[:, : len(system.symbols)]
@@ -113,7 +113,7 @@ def reduced_rows(system: System, rows: FloatArray) -> FloatArray:
 
 
 def _require_size(system: System, count: int) -> None:
-    """Refuse a start of another size than the state, or the state with the motion in space."""
+    """Refuse a start whose size is not that of the state, reduced or in space."""
     size = len(system.symbols)
     whole = system.lifted() if system.motion else system
     if count in (size, len(whole.symbols)):
@@ -194,7 +194,7 @@ def _checked_shape(system: System, name: str, array: FloatArray, size: int) -> F
 def _of_spin(
     system: System, arrays: Mapping[str, FloatArray], parameters: Parameters
 ) -> dict[str, Any]:
-    """The variables of the state that follow from ω and γ, and those that are given besides."""
+    """The variables of the state that follow from ω and γ, and the others."""
     if not system.start and omega not in system.state:
         raise InputError(f"{system.name}: its state does not follow from omega; give the state")
     if "gamma" not in arrays:
@@ -219,7 +219,7 @@ def _of_spin(
 
 @lru_cache(maxsize=16)
 def _spinning(system: System) -> tuple[System, tuple[sp.Symbol, ...]]:
-    """ω and γ as a state of their own, in which the variables that follow are definitions."""
+    """A system with the state ω, γ, of which the other variables are definitions."""
     state: Sequence[Vector | sp.Symbol] = (omega, gamma)
     still = {name: sp.ImmutableMatrix([0, 0, 0]) for name in state}
     known = flat(state)

@@ -44,7 +44,7 @@ def _columns(vectors: Sequence[mpmath.matrix], size: int) -> mpmath.matrix:
 def _orthonormal(
     vectors: Sequence[mpmath.matrix], beside: Sequence[mpmath.matrix] = ()
 ) -> list[mpmath.matrix]:
-    """Gram and Schmidt, twice over; the longest remainder goes next, dependent ones drop out."""
+    """An orthonormal basis by Gram and Schmidt, twice over, longest remainder first."""
     basis: list[mpmath.matrix] = []
     remainders = [+v for v in vectors]
     scale = max((mpmath.norm(v) for v in remainders), default=mpmath.mpf(1))
@@ -60,7 +60,7 @@ def _orthonormal(
 
 
 def _remainder(vector: mpmath.matrix, span: Sequence[mpmath.matrix]) -> mpmath.matrix:
-    """What is left of a vector without its part in an orthonormal span."""
+    """A vector less its projection onto an orthonormal span."""
     for _ in range(2):
         for e in span:
             vector = vector - (e.T * vector)[0] * e

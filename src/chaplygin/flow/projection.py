@@ -38,7 +38,7 @@ class Block:
 
 
 def call(function: hy.cfunc, state: WorkingArray, parameters: WorkingArray) -> WorkingArray:
-    """A compiled function at states (size,) or (size, n): array (values,) or (values, n)."""
+    """Values (m,) or (m, n) of a compiled function at states (size,) or (size, n)."""
     # heyoka counts the parameters up to the last one that occurs in the formulas
     result: WorkingArray = function(state, pars=parameters[: function.nparams])
     return result
@@ -72,7 +72,7 @@ class Projector:
         return np.concatenate([call(b.residual, state, self.parameters) for b in self.blocks])
 
     def defect(self, state: WorkingArray) -> WorkingArray:
-        """How far the residuals are from their targets."""
+        """The residuals less their targets."""
         values = self.values(state)
         return values if self.target is None else values - self.target
 

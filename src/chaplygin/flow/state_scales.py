@@ -1,4 +1,4 @@
-"""How large the vectors of a state are along a motion: a measure that no choice of units changes.
+"""Sizes of the vectors of a state along a motion, covariant under a change of units.
 
 A momentum of 1e-10 kg m²/s beside the unit vector γ is not small, and a deviation of γ by one is
 not large beside one of the momentum by 1e-10.  Deviations are therefore measured with each vector

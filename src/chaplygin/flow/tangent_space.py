@@ -30,7 +30,7 @@ from .level_projection import REDUNDANT, select_parameters
 __all__ = ["Stretch", "TangentSpace", "orthonormal", "propagate"]
 
 
-#: What is left of a vector, relative to its length, when it counts as dependent on others.
+#: A vector whose remainder is shorter than this share of it counts as dependent on others.
 DEPENDENT = 1e-12
 #: A state is put back on its level when it misses it by more than this, relatively.
 DRIFTED = 1e-11
@@ -60,7 +60,7 @@ def orthonormal(
     frames : (n, d, size) array
         A vector that depends on those before it becomes zero.
     lengths : (n, d) array
-        What was left of each vector: the diagonal of R in the QR decomposition.
+        Lengths of the remainders: the diagonal of R in the QR decomposition.
     """
     frame = np.array(vectors, dtype=np.float64)
     lengths = np.empty(frame.shape[:2])
@@ -79,7 +79,7 @@ def orthonormal(
 
 
 def _take_out(vector: FloatArray, others: FloatArray) -> None:
-    """Take out of each vector (n, size), in place, its parts along others (n, k, size)."""
+    """Subtract from vectors (n, size), in place, projections onto others (n, k, size)."""
     for other in np.moveaxis(others, 1, 0):
         vector -= _dot(vector, other)[:, None] * other
 
@@ -112,7 +112,7 @@ class TangentSpace:
 
     @property
     def dimension(self) -> int:
-        """How many independent deviations are left."""
+        """The number of independent deviations."""
         return len(self.system.symbols) - len(self.conditions) - len(self.mixed)
 
     @cached_property
@@ -146,7 +146,7 @@ class TangentSpace:
         parameters: Parameters = None,
         sizes: FloatArray = ONE,
     ) -> FloatArray:
-        """States put back on the level of the conditions where they have drifted off, (n, size)."""
+        """States (n, size), moved back onto the level of the conditions after drift."""
         normals = self.normals(states, parameters, sizes)
         reach = np.abs(level) + np.sqrt((normals**2).sum(axis=2))
         missed = np.abs(self.level(states, parameters) - level)
@@ -217,7 +217,7 @@ class TangentSpace:
         states : (n, size) array
         parameters : mapping, optional
         count : int, optional
-            How many; `dimension` if left out.
+            Number of deviations; `dimension` if left out.
         sizes : (size,) or (n, size) array, optional
             By which deviations are measured.
 
@@ -294,7 +294,7 @@ def propagate(
     nodes: FloatArray | None = None,
     threads: int | None = None,
 ) -> Iterator[Stretch]:
-    """Deviations along motions, made orthonormal at the end of each interval, without end.
+    """Deviations along motions, orthonormalised after each of endless intervals.
 
     Parameters
     ----------

@@ -231,5 +231,5 @@ def compile_system(
 
 @lru_cache(maxsize=32)
 def _plan(system: System, tolerance: float, precision: Precision, direction: Direction) -> _Plan:
-    """The plan of a system, cached because its name takes longer to compute than code to read."""
+    """The plan of a system, cached because its name takes long to compute."""
     return _Plan(system, tolerance, precision, direction)

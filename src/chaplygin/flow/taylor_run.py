@@ -133,7 +133,7 @@ class TaylorRun:
         self.good = (moment, self._with_quadratures(self.stepper.state))
 
     def _scale_events(self, state: WorkingArray) -> None:
-        """Give the events their factors: powers of two, which bring large guards down to one."""
+        """Set the factors of the events: powers of two, which scale large guards to one."""
         if not self.code.watched:
             return
         first = np.array([float(x) for x in self.first_guards])
@@ -261,7 +261,7 @@ class TaylorRun:
                 yield float(now - moments[0]) / length
 
     def _is_pressed(self, now: WorkingNumber, log: RunLog, on_liftoff: str) -> bool:
-        """Record a normal force that is negative at the start; return whether to begin at all."""
+        """Record a normal force negative at the start; return whether to begin."""
         go_on = True
         for guard, value in zip(self.system.guards, self.first_guards, strict=True):
             if guard.lift_off and not float(value) > 0:
@@ -282,8 +282,8 @@ class TaylorRun:
     def _break_down(self, log: RunLog, reason: str) -> None:
         """End at a singularity: in failure, unless a guard says what has happened.
 
-        Where a shape flattens, the contact point runs away as the root of the time that is left,
-        so that no step gets past the guard that vanishes there.
+        At a flat point of a shape, the contact point runs away as the root of the time that is
+        left, so that no step gets past the guard that vanishes there.
         """
         now, state = self.good
         guards = zip(self.system.guards, self.first_guards, self._guards(state), strict=True)
@@ -368,7 +368,7 @@ def _dense(log: RunLog, kind: type[WorkingNumber]) -> DenseOutput | None:
 
 
 def too_extreme(numbers: Sequence[float], finite: Callable[[Sequence[float]], bool]) -> list[int]:
-    """The indices of the numbers whose size is the reason for a value that is not finite.
+    """Indices of the numbers whose sizes make a value infinite or undefined.
 
     Parameters
     ----------

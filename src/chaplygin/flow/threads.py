@@ -29,7 +29,7 @@ def available_threads() -> int:
 
 
 def run_in_threads(compute: Callable[[int, int], None], count: int, threads: int | None) -> None:
-    """Call ``compute(first, last)`` on consecutive ranges that together are 0, …, count − 1.
+    """Call ``compute(first, last)`` on ranges that together are 0, …, count − 1.
 
     Parameters
     ----------

@@ -38,7 +38,7 @@ Number = TypeVar("Number", bound=np.generic)
 
 
 def by_name(system: System, states: npt.NDArray[Number], name: str) -> npt.NDArray[Number]:
-    """A state variable of states (n, size) by its name: (n, components), or (n,) for a scalar.
+    """A variable of states (n, size) by name: (n, components), (n,) for a scalar.
 
     Raises
     ------
@@ -71,7 +71,7 @@ class Event:
 
 @dataclass(frozen=True)
 class Statistics:
-    """How a trajectory was computed."""
+    """Method, cost and accuracy of an integration."""
 
     steps: int
     order: int
@@ -91,7 +91,7 @@ class DenseOutput:
     Attributes
     ----------
     begins, ends : array (steps,)
-        Where each step begins and ends.
+        Times at which each step begins and ends.
     coefficients : array (steps, state, order + 1)
         Of the powers of the time since the step began.
     """

@@ -1,4 +1,4 @@
-"""What an engine is given: starts and times, read and refused where they cannot be used."""
+"""Checks of starts and times before an integration."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SLACK, LEAST = 1e-9, 1e-13
 
 
 def moments(times: npt.ArrayLike, backward: bool = False) -> FloatArray:
-    """Times at which motions are looked at, counted from 0 in the direction of the motion.
+    """Sampling times, counted from 0 in the direction of the motion.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Which laws of a system count everywhere, which on a level, and which do not."""
+"""The proven laws of a system by domain: everywhere, on a level, or nowhere."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ __all__ = ["DynamicalStructure", "classes_and_dynamics"]
 
 @dataclass(frozen=True)
 class DynamicalStructure:
-    """What is proven of a phase space.
+    """The proven structure of a phase space.
 
     Attributes
     ----------
@@ -24,7 +24,7 @@ class DynamicalStructure:
     count : int
         Independent first integrals.
     integrals : tuple of Fact
-        What gives them.
+        The facts that give them.
     measures : tuple of Density
     absence : str
         Why no measure has a density on the configuration, if that is shown.
@@ -40,7 +40,7 @@ class DynamicalStructure:
     reductions : tuple of Fact
         Proven reductions and separations of variables.
     open : tuple of str
-        What would give a measure but is not proven without conditions, and how it stands.
+        Laws that would give a measure but are not proven without conditions, with their verdicts.
     """
 
     dimension: int
@@ -107,7 +107,7 @@ def classes_and_dynamics(
 
 
 def _pairing(facts: DynamicalStructure) -> list[Statement]:
-    """What reversibility says where attraction is not excluded."""
+    """Consequences of reversibility if attraction is not excluded."""
     if not facts.reversal:
         return []
     changed = ", ".join(f"{name} ↦ −{name}" for name in facts.reversal)
@@ -194,7 +194,7 @@ def _hamiltonian(facts: DynamicalStructure) -> list[IntegrabilityClass]:
 
 
 def _lacking(facts: DynamicalStructure) -> str:
-    """What the theorem of Euler and Jacobi lacks."""
+    """The missing conditions of the theorem of Euler and Jacobi."""
     missing = []
     if facts.remaining > 2:
         missing.append(f"{_number(facts.remaining - 2, 'further integral')}")

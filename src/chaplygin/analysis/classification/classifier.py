@@ -67,7 +67,7 @@ def _in_angles(place: Classification, more: int) -> Classification:
 
 
 def _reversed_variables(system: System) -> tuple[str, ...]:
-    """What changes sign when time runs backwards; that of a sine alone is that of its angle."""
+    """Variables that change sign with time; angles in place of their sines."""
     names = reversal(system)
     return tuple(
         text(real_symbol(str(n).removeprefix("sin_")))
@@ -125,7 +125,7 @@ def _place_with_levels(
 
 
 def _open_questions(system: System, verdicts: Mapping[str, Verdict]) -> tuple[str, ...]:
-    """Laws that would give a measure and are neither proven nor refuted, and how they stand."""
+    """Undecided laws that would give a measure, with their verdicts."""
     giving = [law for law in system.laws if isinstance(law, Measure | ConformallyHamiltonian)]
     stands = ((law.name, verdicts.get(law.name)) for law in giving)
     return tuple(
@@ -231,7 +231,7 @@ def classify(
         For the proofs needed besides: that symmetries leave the integrals alone, that integrals
         are in involution, laws of the targets of isomorphisms, laws restricted to a level.
     given : Rolling or Mechanism, optional
-        What moves, with its numbers.  Where no measure is proven of its equations, it is then
+        The mechanical model with its numbers.  If no measure of its equations is proven, it is
         decided whether there is one whose density depends on the configuration alone.
 
     Returns
@@ -260,5 +260,5 @@ def classify(
 
 
 def classify_quickly(system: System, given: Rolling | Mechanism | None = None) -> Classification:
-    """The place of a system by what can be proven with little effort, in a few seconds."""
+    """The classification of a system with little effort, in a few seconds."""
     return classify(system, given=given)

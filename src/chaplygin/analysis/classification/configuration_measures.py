@@ -27,7 +27,7 @@ _OPEN = "whether one has a density that depends on the configuration alone"
 
 @dataclass(frozen=True)
 class MeasureFacts:
-    """What is known of measures with a density on the configuration space.
+    """Results on measures with a density on the configuration space.
 
     Attributes
     ----------
@@ -45,12 +45,12 @@ class MeasureFacts:
 
 
 def configuration_measure(given: Rolling | Mechanism | None, patience: ProofBudget) -> MeasureFacts:
-    """Whether what moves keeps a measure whose density depends on the configuration alone.
+    """Whether a model preserves a measure with a density on the configuration space.
 
     Parameters
     ----------
     given : Rolling or Mechanism, optional
-        What moves, with its numbers; nothing can be said without it.  The parameters of a
+        The mechanical model with its numbers; nothing can be said without it.  The parameters of a
         mechanism have their present values, as exact decimals.
     patience : ProofBudget
     """
@@ -76,7 +76,7 @@ def configuration_measure(given: Rolling | Mechanism | None, patience: ProofBudg
 
 
 def _at_present(mechanism: Mechanism) -> Mechanism:
-    """A mechanism with numbers for its parameters: other values of them are not asked for."""
+    """A mechanism with the present numbers in place of its parameters."""
     values = {p.symbol: exact_number(p.default) for p in mechanism.parameters}
     bare = replace(mechanism, parameters=(), observables=(), guards=(), laws=())
     mechanism_with_numbers: Mechanism = _with_numbers(bare, values)
@@ -101,7 +101,7 @@ def _fact(existence: Existence) -> Fact:
 
 
 def _witness(existence: Existence) -> str:
-    """What fails, and where."""
+    """The obstruction to a measure, and the point at which it was found."""
     if not existence.obstruction:
         return existence.reason
     point: dict[str, str] = existence.obstruction["point"]

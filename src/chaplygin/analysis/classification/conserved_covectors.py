@@ -1,4 +1,4 @@
-"""What is constant along the motion, as covectors that annihilate the field of the system.
+"""Constants of the motion, as covectors that annihilate the field of the system.
 
 Besides first integrals these are Casimir functions, reductions to linear equations (whose solutions
 are integrals, though no elementary functions), and the integrals of a system onto which an
@@ -55,7 +55,7 @@ def casimirs(law: ConformallyHamiltonian) -> tuple[sp.Expr, ...]:
 
 
 def sources(laws: Iterable[Law]) -> list[AnnihilatingCovectors]:
-    """What the proven laws of a system say is constant; single-valued functions alone."""
+    """Annihilating covectors of proven laws; single-valued functions alone."""
     laws = list(laws)
     covectors = [_function(fact_of(law), law.value) for law in laws if isinstance(law, Integral)]
     for law in laws:
@@ -72,7 +72,7 @@ def sources(laws: Iterable[Law]) -> list[AnnihilatingCovectors]:
 
 
 def pulled_back(law: Isomorphism, source: AnnihilatingCovectors) -> AnnihilatingCovectors:
-    """What is constant for the target of an isomorphism, as something constant here."""
+    """The pullback of a covector of the target of an isomorphism."""
     text = source.fact
     system = text.system or law.target.title
     fact = Fact(law.name, text.words, text.source, system, text.functions)
@@ -84,7 +84,7 @@ def _function(fact: Fact, value: sp.Expr) -> AnnihilatingCovectors:
 
 
 def _linear(law: Reduction) -> AnnihilatingCovectors | None:
-    """A reduction to linear equations q̇ᵢ = u̇ Σ aᵢⱼ(u) qⱼ, as the covectors dqᵢ − Σ aᵢⱼ qⱼ du.
+    """The covectors dqᵢ − Σ aᵢⱼ qⱼ du of linear equations q̇ᵢ = u̇ Σ aᵢⱼ(u) qⱼ.
 
     The constants of integration are integrals wherever the aᵢⱼ(u) are regular.
     """
@@ -126,7 +126,7 @@ def _homogeneous(
     moving: list[sp.Symbol],
     named: Mapping[sp.Symbol, sp.Expr],
 ) -> bool:
-    """Whether the slopes are linear in the moving quantities, with coefficients of u alone."""
+    """Whether slopes are linear in the moving quantities, with coefficients in u."""
     others = set(named) - {variable, *moving}
     for slope in slopes.values():
         factors = [sp.diff(slope, q) for q in moving]

@@ -40,7 +40,7 @@ def density(sample: RankSample, law: Measure) -> Density:
 
 
 def measures(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) -> tuple[Density, ...]:
-    """The proven measures; where none is stated, whether the volume is invariant is tried."""
+    """The proven measures; without any, the volume is tried."""
     densities = tuple(density(sample, law) for law in laws if isinstance(law, Measure))
     if densities:
         return densities
@@ -51,7 +51,7 @@ def measures(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) -> 
 
 
 def hamiltonian(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) -> Forms:
-    """The proven Hamiltonian forms; and enough integrals in involution for one, if there are.
+    """The proven Hamiltonian forms; and complete integrals in involution, if any.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ def _involution(
     wanted: int,
     patience: ProofBudget,
 ) -> tuple[Integral, ...] | None:
-    """Integrals in involution whose Hamiltonian fields, with that of H, span `wanted` dimensions.
+    """Integrals in involution whose fields, with that of H, span `wanted` dimensions.
 
     An integral is in involution with H, as it is constant along the field of H.
     """
@@ -149,7 +149,7 @@ def _commute(
     other: Integral,
     patience: ProofBudget,
 ) -> bool:
-    """Whether two integrals are in involution: the field of one leaves the other alone; proven."""
+    """Whether two integrals are proven to be in involution."""
     system = sample.ground.system
     formula = sample.expanded(to_components(one.value))
     gradient = sp.Matrix([sp.diff(formula, s) for s in system.symbols])

@@ -23,9 +23,9 @@ Components = dict[sp.Symbol, Any]
 
 
 def fields(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) -> list[Symmetry]:
-    """The proven symmetry fields that are independent of the motion and of one another.
+    """The proven symmetry fields, independent of the motion and of one another.
 
-    Where none is stated, rotations about the body axes are tried at the present parameters.
+    If none is stated, rotations about the body axes are tried at the present parameters.
     """
     stated = [law for law in laws if isinstance(law, Symmetry)]
     if not stated and not sample.on:
@@ -69,7 +69,7 @@ def lie(
 
 
 def _rotations(sample: RankSample, on: tuple[sp.Expr, ...]) -> list[Symmetry]:
-    """Rotations about the three body axes, as candidates; none where the state has scalars."""
+    """Rotations about the body axes, as candidates; none if the state has scalars."""
     state = sample.system.state
     names = [name for name in state if isinstance(name, Vector) and len(name.symbols) == 3]
     if len(names) != len(state):
@@ -85,7 +85,7 @@ def _rotations(sample: RankSample, on: tuple[sp.Expr, ...]) -> list[Symmetry]:
 
 
 def _full(sample: RankSample, law: Symmetry) -> Components:
-    """The components of a symmetry field along all state variables, in the state alone."""
+    """The components of a symmetry field as formulas in the state alone."""
     named = components(law.field, sample.ground)
     return {s: sample.expanded(named.get(s, sp.S.Zero)) for s in sample.system.symbols}
 
@@ -129,7 +129,7 @@ def _tangent(
 
 
 def _as_rotation(sample: RankSample, field: Components) -> Turning | None:
-    """The rotation about a body axis that a field is, if it is one and shown a symmetry."""
+    """The rotation about a body axis that equals a field, if a proven symmetry."""
     for axis, law in enumerate(_rotations(sample, ())):
         if _full(sample, law) == field:
             return is_rotation_invariant(sample, axis)
@@ -137,7 +137,7 @@ def _as_rotation(sample: RankSample, field: Components) -> Turning | None:
 
 
 def _solvable(sample: RankSample, laws: Sequence[Symmetry]) -> bool:
-    """Whether some fields span a solvable Lie algebra, with constant coefficients; exact."""
+    """Whether fields span a solvable Lie algebra over the constants; exact."""
     fields = [_full(sample, law) for law in laws]
     structure = _structure(fields, sample.system.symbols)
     if structure is None:

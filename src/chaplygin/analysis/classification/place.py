@@ -1,6 +1,6 @@
 """The place of a system in the hierarchy of dynamics (§3, §4).
 
-What is proven of a system tells what its motions can be.
+Proven laws restrict the motions that a system can have.
 
 A place is built on verdicts alone.  What is undecided or refuted does not count, and is named; what
 holds on a level counts on that level; what holds for special parameters counts where the present
@@ -50,7 +50,7 @@ class Classification(WithOverview):
     integrals : tuple of Fact
         Independent first integrals.
     count : int
-        How many functions these are: a reduction to linear equations gives several.
+        Number of these functions: a reduction to linear equations gives several.
     dependent : tuple of Fact
         Further integrals, functions of the others as far as the rank tells.
     measures : tuple of Density
@@ -66,7 +66,7 @@ class Classification(WithOverview):
         Further proven reductions, separations, isomorphisms.
     kinds : tuple of Kind
     dynamics : tuple of Statement
-        What its motions can be.
+        The motions that are possible.
     uncounted : tuple of Uncounted
     levels : tuple of Place
         Levels on which more is proven.
@@ -105,7 +105,7 @@ class Classification(WithOverview):
 
     @property
     def uncounted_by_reason(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
-        """Why laws do not count, each reason with the names of the laws."""
+        """Reasons why laws do not count, each with the names of the laws."""
         laws: dict[str, tuple[str, ...]] = {}
         for entry in self.uncounted:
             laws[entry.why] = (*laws.get(entry.why, ()), entry.law)
@@ -117,7 +117,7 @@ class Classification(WithOverview):
         return record(self)
 
     def overview(self) -> Overview:
-        """What is counted and what follows, without the levels on which more is proven."""
+        """Laws and consequences, without the levels on which more is proven."""
         where = f", on {self.level}" if self.level else ""
         counted = (
             (label, "; ".join(one.text.removesuffix(".") for one in statements))
@@ -138,7 +138,7 @@ def listing(facts: Iterable[Fact]) -> str:
 
 
 def rows(place: Classification) -> list[tuple[str, list[Statement]]]:
-    """What is counted: headings with statements."""
+    """Headings with the statements below them."""
     if place.reason:
         return [("class", [Statement(kind.text, kind.by) for kind in place.kinds])]
     return [

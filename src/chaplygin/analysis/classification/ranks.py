@@ -44,12 +44,12 @@ SEED = 20130400
 
 
 def rational_parameters(system: System) -> dict[sp.Symbol, sp.Rational]:
-    """The present values of all parameters as the rational numbers that their decimals say."""
+    """The values of all parameters as rational numbers, exactly their decimals."""
     return {p.symbol: exact_number(p.default) for p in system.parameters}
 
 
 def with_numeric_parameters(system: System, values: Mapping[sp.Symbol, Number]) -> System:
-    """A system whose parameters are numbers: they become definitions with a constant value."""
+    """A system whose parameters are definitions with constant values."""
     return System(
         name=system.name,
         title=system.title,
@@ -62,7 +62,7 @@ def with_numeric_parameters(system: System, values: Mapping[sp.Symbol, Number]) 
 
 @dataclass(frozen=True)
 class View:
-    """The phase space near one of its points, as an observer there sees it.
+    """Formulas with their derivatives at one point of the phase space.
 
     Attributes
     ----------
@@ -90,7 +90,7 @@ class View:
         return [slopes.get(i, self.field.zero) for i in range(self.size)]
 
     def through(self, law: Isomorphism) -> View:
-        """The same point seen in the variables of the target of an isomorphism."""
+        """The view of this point in the variables of the target of an isomorphism."""
         own = self.ground
         named = [*components((*law.map, *law.constants), own).items()]
         values = {s: self.evaluate(f) for s, f in named}
@@ -138,7 +138,7 @@ class RankSample:
         return self.ground.expanded(sp.sympify(formula))
 
     def at_points(self, compute: Callable[[View], T]) -> list[T]:
-        """What is computed at some points of the level, inside the domain of the equations.
+        """Results at some points of the level, inside the domain of the equations.
 
         Raises
         ------
@@ -186,7 +186,7 @@ class RankSample:
         return len(self.system.symbols) - max(ranks)
 
     def independent(self, rows: Sequence[Covectors]) -> tuple[list[int], int]:
-        """Which covectors are independent of the conditions and of those before them.
+        """Covectors that are independent of the conditions and of earlier ones.
 
         Parameters
         ----------
@@ -216,7 +216,7 @@ class RankSample:
         return max(self.at_points(chosen), key=lambda pair: pair[1])
 
     def full(self, wanted: int, rows: Covectors) -> bool:
-        """Whether vectors span as many dimensions as wanted, at a point and so at almost all."""
+        """Whether vectors span enough dimensions at one point, so at almost all."""
         return max(self.at_points(lambda view: rank(view.field, rows(view)))) >= wanted
 
     def vanishes(self, condition: sp.Expr) -> bool:

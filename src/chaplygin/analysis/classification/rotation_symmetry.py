@@ -22,7 +22,7 @@ LARGEST = 1500
 
 
 def is_rotation_invariant(sample: RankSample, axis: int) -> Turning | None:
-    """The rotation of all vectors of the state about a body axis, where it is shown a symmetry.
+    """The rotation about a body axis, if it is proven to be a symmetry.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ def is_rotation_invariant(sample: RankSample, axis: int) -> Turning | None:
 
 
 class Turning:
-    """How every symbol changes under an infinitesimal rotation, as far as it is known."""
+    """The change of every symbol under an infinitesimal rotation, as far as known."""
 
     def __init__(self, sample: RankSample, axis: int) -> None:
         self.hat = sp.ImmutableMatrix(3, 3, lambda i, j: -sp.LeviCivita(axis, i, j))
@@ -72,7 +72,7 @@ class Turning:
         return formula.xreplace(self.equal)
 
     def follows(self, name: sp.Expr, formula: sp.Expr) -> bool:
-        """Whether a definition changes as its kind must; if so, its symbols do from here on."""
+        """Whether a definition transforms by its kind; if so, its symbols do so too."""
         symbols, parts = zip(*flat_pairs(((name, formula),)), strict=True)
         values = [self.written(part) for part in parts]
         if isinstance(name, Symmetric):
@@ -115,7 +115,7 @@ def _square(entries: Sequence[sp.Expr]) -> sp.ImmutableMatrix:
 
 
 def vanishes(formula: sp.Expr) -> bool:
-    """Whether a formula is zero: as it stands, or its numerator over a common denominator."""
+    """Whether a formula is zero, if need be over a common denominator."""
     if sp.count_ops(formula) > LARGEST:
         return False
     if sp.expand(formula) == 0:

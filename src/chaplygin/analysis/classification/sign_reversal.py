@@ -22,7 +22,7 @@ LARGEST = 6
 
 
 def reversal(system: System) -> tuple[Name, ...]:
-    """The fewest state variables whose change of sign, with that of the time, keeps the equations.
+    """The fewest variables whose sign changes with the time in a reversing symmetry.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ def reversal(system: System) -> tuple[Name, ...]:
 
 
 def reverses(system: System, odd: Set[sp.Symbol]) -> bool:
-    """Whether the equations keep their form when some symbols and the time change sign; exact.
+    """Whether a change of sign of some symbols reverses the equations; exact.
 
     Parameters
     ----------

@@ -63,7 +63,7 @@ def _sign_of(sample: RankSample, formula: sp.Expr) -> Sign:
 
 
 def _divides(sample: RankSample, formula: sp.Expr) -> bool:
-    """Whether a formula is a root by which the equations divide: positive where they hold."""
+    """Whether a formula is a root by which the equations divide, thus positive."""
     steps = dict(sample.system.steps)
     inner = steps.get(formula, formula)
     if not (inner.is_Pow and inner.exp == sp.Rational(1, 2)):
@@ -74,7 +74,7 @@ def _divides(sample: RankSample, formula: sp.Expr) -> bool:
 
 
 def _bounds(sample: RankSample, names: set[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
-    """Bounds of state variables whose squares, with positive weights, add up to a number."""
+    """Bounds of variables from relations Σ wᵢ xᵢ² = const with positive weights."""
     bounds: dict[sp.Symbol, sp.Expr] = {}
     for condition in sample.ground.moving:
         group = sorted(condition.free_symbols, key=str)

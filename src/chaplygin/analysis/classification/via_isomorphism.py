@@ -1,4 +1,4 @@
-"""What is proven of the systems onto which proven isomorphisms carry a system.
+"""Results that proven isomorphisms carry over from their targets.
 
 Functions that are constant there are constant here.  A Hamiltonian form there is one here, up to
 the change of time, where the map is a local diffeomorphism.
@@ -33,7 +33,7 @@ DEPTH = 2
 
 @dataclass(frozen=True)
 class TargetResults:
-    """What the targets of isomorphisms give."""
+    """Results from the targets of isomorphisms."""
 
     sources: tuple[AnnihilatingCovectors, ...] = ()
     brackets: tuple[Bracket, ...] = ()
@@ -44,7 +44,7 @@ class TargetResults:
 def through_isomorphisms(
     sample: RankSample, laws: Sequence[Law], patience: ProofBudget, depth: int = DEPTH
 ) -> TargetResults:
-    """What is proven of the targets of the isomorphisms among some proven laws.
+    """Results from the targets of the isomorphisms among some proven laws.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def through_isomorphisms(
     patience : ProofBudget
         For the proofs of the laws of the targets.
     depth : int
-        How many isomorphisms may follow one another.
+        Number of isomorphisms that may follow one another.
     """
     results = TargetResults()
     for law in laws:
@@ -77,7 +77,7 @@ def _through(
     there = RankSample(target, values=values)
     laws = sorted_laws(there, patience.verdicts(target)).general
     if moving:
-        # what holds at one value of a parameter need not hold along all of them
+        # a law at one value of a parameter need not hold at all values
         laws = tuple(each for each in laws if not each.on)
     beyond = TargetResults() if moving else through_isomorphisms(there, laws, patience, depth - 1)
     constant = tuple(pulled_back(law, s) for s in (*sources(laws), *beyond.sources))
@@ -126,7 +126,7 @@ def _bracket(sample: RankSample, law: Isomorphism, bracket: Bracket) -> Bracket:
 def _constants(
     sample: RankSample, law: Isomorphism
 ) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Symbol]]:
-    """Values of the parameters of the target, and those of them that depend on the state.
+    """Values of the parameters of the target, and those that depend on the state.
 
     For the latter the value is an example.
     """
@@ -146,7 +146,7 @@ def _constants(
 def _diffeomorphic(
     sample: RankSample, there: RankSample, law: Isomorphism, moving: Sequence[sp.Symbol]
 ) -> bool:
-    """Whether the map, with the constants that it gives, has an inverse near almost every point.
+    """Whether the map is a local diffeomorphism near almost every point.
 
     The constants are Casimir functions of what is carried over.
     """

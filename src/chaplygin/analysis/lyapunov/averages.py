@@ -33,7 +33,7 @@ class Average:
         Half the 95 % confidence interval from the means of 16 batches, by Student's t: the error
         if the batches are independent, as they are on a chaotic motion that is long enough.
     wandering : float
-        How far the sum strays from growing evenly, divided by the time: the error of a regular
+        Deviation of the sum from even growth, divided by the time: the error of a regular
         motion, where what comes back and forth stays bounded.
     resolution : float
         The rate that growth like the square of the time would show.
@@ -65,7 +65,7 @@ class Average:
 
 
 def batch_means(series: FloatArray, batches: int = BATCHES) -> FloatArray:
-    """The means of equal batches of a series (m, ...) along its first axis, (batches, ...).
+    """Means (batches, ...) of equal batches of a series (m, ...).
 
     The first few members are left out where the division leaves a rest.
 
@@ -86,7 +86,7 @@ def batch_means(series: FloatArray, batches: int = BATCHES) -> FloatArray:
 
 
 def resolution(span: float, began: float) -> float:
-    """The rate that growth like the square of the time shows over a time `span` from `began`."""
+    """The rate that quadratic growth shows over a time `span` from `began`."""
     return POWER * float(np.log1p(span / began)) / span
 
 
@@ -96,7 +96,7 @@ def average(growth: FloatArray, interval: float, began: float) -> Average:
     Parameters
     ----------
     growth : (m,) array
-        What is added in each interval.
+        The increment of each interval.
     interval : float
         Its length.
     began : float

@@ -66,7 +66,7 @@ def lyapunov_spectrum(
     parameters : mapping of Symbol or name to number, optional
         Parameters that replace the defaults.
     until : float
-        How long to follow the motion (s); the first fifth is not counted.
+        Length of the motion (s); the first fifth is not counted.
     intervals : int
         Into how many intervals to divide it, at least; their number is doubled as long as
         deviations grow too far apart within one.
@@ -120,7 +120,7 @@ def lyapunov_spectrum(
     except _StoppedError as stop:
         run = stop.run
         length = run.interval * len(run.lengths)
-        # where more would have to be left out, the motion would have to be followed again
+        # if more had to be left out, the motion would have to be integrated again
         if len(run.lengths) < LEAST or set(_not_forced(directions, run)) - set(fading):
             raise InterruptionError("interrupted", length) from None
         partial = _spectrum(system, directions, run, length, tolerance, parameters, fading)
@@ -156,7 +156,7 @@ def _motion_record(
 
 
 def _not_forced(directions: TrivialDirections, run: MotionRecord) -> tuple[str, ...]:
-    """Names of fields and integrals whose size does not last: their exponent is not zero.
+    """Names of fading fields and integrals, whose exponents need not vanish.
 
     So it is with the flow where the motion comes to rest.
     """
@@ -214,7 +214,7 @@ def _run(
             lengths.append(stretch.lengths[0])
             sizes.append(stretch.sizes[0])
     except KeyboardInterrupt:
-        # what is appended last is there of complete intervals alone
+        # the last entries exist for complete intervals alone
         n = len(sizes) - 1
         if n == 0:
             raise

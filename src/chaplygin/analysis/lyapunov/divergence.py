@@ -1,4 +1,4 @@
-"""How volumes change along a motion: the divergence, what it must agree with, and measures."""
+"""Growth of volumes along a motion: the divergence, its checks, and measures."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ PIECE = 512
 
 @dataclass(frozen=True)
 class MotionRecord:
-    """What was recorded along a motion, interval by interval."""
+    """The record of a motion, interval by interval."""
 
     interval: float
     nodes: FloatArray
@@ -39,7 +39,7 @@ class MotionRecord:
 
 @dataclass(frozen=True)
 class Volume:
-    """How volumes on the phase space change along the motion, and what this must agree with.
+    """The growth of phase-space volumes along a motion, with its checks.
 
     Attributes
     ----------
@@ -93,7 +93,7 @@ def divergence_average(
 def _densities(
     system: System, ends: FloatArray, sizes: FloatArray, parameters: Parameters
 ) -> Iterator[tuple[str, float]]:
-    """For each invariant measure, the growth of volumes that it allows between two states."""
+    """For each invariant measure, its growth of volumes between two states."""
     moving = set(system.symbols) | {symbol for symbol, _ in system.steps}
     relations = [to_components(relation) for relation in system.relations]
     gradients = Formulas(system, relations).slopes(ends, parameters) * sizes

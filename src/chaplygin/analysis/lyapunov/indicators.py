@@ -1,4 +1,4 @@
-"""How fast neighbours of many motions part: numbers for charts.
+"""Chaos indicators of many motions, for scans.
 
 One deviation, or several, is carried along each motion and made of length one after each interval.
 The logarithms of the lengths lost add up to L(t): the largest exponent is the slope of L, the fast
@@ -52,13 +52,13 @@ APART, PARTED = 16.0, 64
 
 @dataclass(frozen=True)
 class ChaosIndicator(ABC):
-    """A number that tells how neighbours of a motion part.
+    """An indicator of the divergence of neighbouring motions.
 
     Attributes
     ----------
     system : System
     until : float
-        How long motions are followed.
+        Length of the motions.
     tolerance : float
         See :func:`chaplygin.flow.batch.batch_integrator`.
     intervals : int
@@ -89,7 +89,7 @@ class ChaosIndicator(ABC):
     def normalised(
         self, deviations: FloatArray, basis: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
-        """Deviations of length one, and the lengths lost; what is in the span of a basis goes."""
+        """Deviations of length one and the lengths lost, without the span of a basis."""
         return orthonormal(deviations, basis)
 
 
@@ -128,7 +128,7 @@ def tangent(system: System) -> TangentSpace:
 def transverse_space(system: System) -> TangentSpace:
     """Those tangent to the integrals that hold everywhere as well, modulo the flow.
 
-    What is left out has the exponent zero in any case.
+    The omitted directions have the exponent zero in any case.
     """
     integrals = tuple(to_components(law.value) for law in system.integrals if not law.on)
     free = tangent(system)
@@ -161,7 +161,7 @@ def tangent_growth(
     space : TangentSpace
         Deviations that count.
     deviations : int
-        How many.
+        Number of deviations.
     starts : (n, size) array
         In flat order, on the phase space.
     parameters : mapping of Symbol or name to number or (n,) array
@@ -183,7 +183,7 @@ def tangent_growth(
 
 
 def _lost(growth: _Arrays) -> BoolArray:
-    """Motions that were followed to their end, while deviations became too short beside others."""
+    """Complete motions with deviations too short beside others."""
     _, _, outcome, _, shrunk = growth
     result: BoolArray = (outcome == 0) & ~(shrunk <= APART)
     return result
@@ -196,7 +196,7 @@ def _growth_arrays(
     begin: tuple[FloatArray, FloatArray],
     parameters: Parameters,
 ) -> _Arrays:
-    """Logarithms, frames, outcomes, times reached, and how far deviations shrank beside others.
+    """Logarithms, frames, outcomes, times reached, and relative shrinking.
 
     Parameters
     ----------
@@ -260,7 +260,7 @@ class MaximalExponent(ChaosIndicator):
 class ExponentSum(ChaosIndicator):
     """The sum of all exponents that relations, integrals and the flow leave.
 
-    Where a measure is preserved it is zero; where it is negative the motion is attracted.
+    It is zero if a measure is preserved; if it is negative, the motion is attracted.
     """
 
     further: ClassVar[Mapping[str, str]] = {"error": "error of the sum of exponents"}
@@ -302,7 +302,7 @@ class FastLyapunovIndicator(ChaosIndicator):
 class Megno(ChaosIndicator):
     """The mean of MEGNO: 2 on a regular motion, λ/2 times the time on a chaotic one.
 
-    Where all neighbours keep their distance (equal frequencies, a stable rest) it is 0.
+    It is 0 if all neighbours keep their distance (equal frequencies, a stable equilibrium).
 
     Y(t) = (2/t) ∫ (d ln|ξ|/ds) s ds = 2 (L(t) − the mean of L until t), by the trapezoidal rule
     over the intervals.

@@ -47,12 +47,12 @@ class Spectrum(WithOverview):
     exponents : tuple of Average
         The genuine ones, the largest first.
     removed : tuple of (Removed, float or None)
-        What was removed, with the rate at which it was seen to grow, which is to vanish; None for
+        Removed directions, with the observed rate of growth, which is to vanish; None for
         relations.
     dependent : tuple of str
         Integrals and symmetries that force nothing at this start.
     fading : tuple of str
-        What would force a zero if it kept its size, and does not: the flow of a motion that comes
+        Directions that would force a zero if they kept their size: the flow of a motion that comes
         to rest.  It is not removed.
     total : Average
         The sum of the genuine exponents.
@@ -129,7 +129,7 @@ class Spectrum(WithOverview):
 
     @property
     def running(self) -> FloatArray:
-        """What each exponent would have been if the motion had ended earlier.
+        """Running averages: each exponent as if the motion had ended earlier.
 
         (intervals, exponents); not a number before anything is counted.
         """
@@ -176,7 +176,7 @@ def kaplan_yorke(exponents: Sequence[float] | FloatArray) -> float:
 
 
 def word(item: Average) -> str:
-    """What an exponent says."""
+    """An exponent in a word."""
     if not item.settled:
         return "not converged"
     if item.zero:
@@ -214,7 +214,7 @@ def remarks(spectrum: Spectrum, reversors: Sequence[Reversor] = ()) -> Iterator[
 
 
 def _is_undecided(spectrum: Spectrum) -> bool:
-    """Whether an error is no smaller than what deviations grow and shrink by on the way."""
+    """Whether an error is no smaller than the fluctuations of the growth."""
     counted = spectrum.growth[round(spectrum.began / spectrum.interval) :]
     rates = counted.std(axis=0) / spectrum.interval
     return any(

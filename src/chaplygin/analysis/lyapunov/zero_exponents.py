@@ -70,13 +70,13 @@ class TrivialExponent:
 
     @property
     def reason(self) -> str:
-        """Why it has no genuine exponent."""
+        """The reason why it has no genuine exponent."""
         return _REASONS[self.kind]
 
 
 @dataclass(frozen=True)
 class TrivialDirections:
-    """What has to be removed along a motion, and what is left.
+    """The directions with trivial exponents along a motion, and the others.
 
     Attributes
     ----------
@@ -184,7 +184,7 @@ def vanish(
 
 
 def _floor(vectors: FloatArray) -> float:
-    """The length below which the first of some vectors counts as zero beside those near by."""
+    """The length below which the first of some vectors counts as zero."""
     lengths = np.linalg.norm(vectors, axis=1)
     return ZERO * float(np.fmax.reduce(lengths, initial=0.0))
 
@@ -205,14 +205,14 @@ class _Span:
     basis: list[FloatArray] = field(default_factory=list)
 
     def remainder(self, vector: FloatArray) -> FloatArray:
-        """What of a vector does not lie in the span."""
+        """A vector less its projection onto the span."""
         for _ in range(2):
             for other in self.basis:
                 vector = vector - (vector @ other) * other
         return vector
 
     def take(self, vector: FloatArray, floor: float) -> bool:
-        """Whether a vector of at least the size `floor` is independent; if so, it is added."""
+        """Add a vector to the basis if it is independent; return whether it is."""
         left = self.remainder(vector)
         size = float(np.linalg.norm(left))
         independent = size > max(floor, DEPENDENT * float(np.linalg.norm(vector)))
@@ -232,7 +232,7 @@ class _At:
 
     @cached_property
     def places(self) -> FloatArray:
-        """The state, and some near by, which show how large a vector is that vanishes here."""
+        """The state and some near it, for the usual sizes of vectors that vanish here."""
         moves = np.random.default_rng(SEED).standard_normal((BESIDE, self.state.shape[1]))
         return np.concatenate([self.state, self.state + NEAR * self.sizes * moves])
 

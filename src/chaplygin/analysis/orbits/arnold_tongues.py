@@ -96,7 +96,7 @@ class Displacement:
     where : pair of float
         Their places, turns.
     noise : float
-        How far errors of the map may have moved the extrema: its accuracy, and the size of the
+        Effect of errors of the map on the extrema: its accuracy, and the size of the
         coefficients that should be zero.
     mean : float
     """
@@ -118,7 +118,7 @@ class Plateau:
     low, high : float
         Its edges.
     error : float
-        How far errors of the map may have moved each.
+        Effect of errors of the map on each end.
     slope : float
         The rate at which the mean displacement grows with the parameter.
     middle : Displacement
@@ -151,14 +151,14 @@ def staircase(
     target: float = 1e-10,
     most: int = 1 << 14,
 ) -> DevilsStaircase:
-    """Rotation numbers for many values of a parameter, each with as many steps as it takes.
+    """Rotation numbers at many values of a parameter, each with enough steps.
 
     Parameters
     ----------
     maps : CircleMaps
     values : array (n,)
     start : float
-        Where all orbits begin, turns.
+        The initial point of all orbits, in turns.
     target : float
         The error to be reached.
     most : int
@@ -207,7 +207,7 @@ def displacement(
         sizes = np.abs(np.fft.rfft(moved)) / count
         tail = float(sizes[-count // 8 :].max())
         rounding = accuracy * fraction.denominator
-        # what does not fall when points are added is the noise of the map
+        # a level that does not fall with more points is the noise of the map
         flat = tail > before / 4 and (tail < NOISE * float(sizes.max()) or count >= MANY)
         if flat or tail <= max(KNOWN * float(sizes.max()), rounding):
             return _extrema(moved, tail * float(np.sqrt(count)) + rounding)
@@ -235,7 +235,7 @@ def _extrema(moved: FloatArray, noise: float) -> Displacement:
             place += float(np.clip(step, -0.5 / count, 0.5 / count))
             if abs(step) < 1e-12:
                 break
-        # where rounding is all there is, a sample is as good as any place
+        # within rounding errors any sample will do
         best = min(
             (at(place, 0), place), (float(moved[start]), start / count), key=lambda b: sign * b[0]
         )
@@ -309,7 +309,7 @@ def _slope(
 def plateaus(
     maps: CircleMaps, stairs: DevilsStaircase, longest: int, turns: Iterable[int] = ()
 ) -> list[Plateau]:
-    """All steps that a staircase passes, of cycles up to a length, in the order of the parameter.
+    """The plateaus of a devil's staircase, of cycles up to a length.
 
     Parameters
     ----------

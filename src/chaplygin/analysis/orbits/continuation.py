@@ -42,7 +42,7 @@ CLEAR = 100.0
 
 @dataclass(frozen=True)
 class Event:
-    """What happens on a branch.
+    """A bifurcation, fold or end on a branch.
 
     Attributes
     ----------
@@ -88,7 +88,7 @@ class Branch:
 
 @dataclass(frozen=True)
 class _Place:
-    """An orbit of the branch with its tangent, a unit vector in the measured space of points."""
+    """An orbit of the branch with its unit tangent."""
 
     orbit: Orbit
     tangent: FloatArray
@@ -101,7 +101,7 @@ class _Follower:
     varied: str
 
     def place(self, points: FloatArray, error: float, ahead: FloatArray | None) -> _Place:
-        """The place at the points of an orbit; its tangent makes no sharp turn from `ahead`."""
+        """The place of an orbit, with the tangent in the direction of `ahead`."""
         _, slopes, _ = self.equations(points)
         _, sizes, other = np.linalg.svd(slopes)
         free = points.size - int((sizes > FAMILY * sizes[0]).sum())
@@ -147,7 +147,7 @@ def follow(
     ----------
     made : Map
     orbit : Orbit
-        Where it begins.
+        The first orbit.
     varied : str
         An integral or promoted parameter whose value changes.
     until : float
@@ -234,14 +234,14 @@ def _passes(here: _Place, there: _Place, first: _Place, sizes: FloatArray) -> bo
 
 
 def _at_one(multipliers: Multipliers, sign: float) -> tuple[float, float]:
-    """∏(μ − sign), which changes its sign where a multiplier goes through ±1, and its error."""
+    """∏(μ − sign), whose sign changes if a multiplier passes ±1, and its error."""
     factors = multipliers.values - sign
     value = float(np.prod(factors).real)
     return value, _spread(factors, multipliers.errors)
 
 
 def _on_circle(multipliers: Multipliers) -> tuple[float, float]:
-    """∏(μ_i μ_j − 1) over pairs of complex conjugates, and its error; 1 if there are none."""
+    """∏(μ_i μ_j − 1) over complex pairs, and its error; 1 if there are none."""
     pairs = multipliers.values[multipliers.values.imag > 0]
     errors = multipliers.errors[multipliers.values.imag > 0]
     factors = np.abs(pairs) ** 2 - 1
@@ -249,7 +249,7 @@ def _on_circle(multipliers: Multipliers) -> tuple[float, float]:
 
 
 def _spread(factors: FloatArray, errors: FloatArray) -> float:
-    """How far errors of its factors may move a product."""
+    """The error of a product from those of its factors."""
     sizes = np.abs(factors)
     return float(np.prod(sizes + errors) - np.prod(sizes))
 
@@ -281,7 +281,7 @@ def _events(follower: _Follower, here: _Place, there: _Place, length: float) -> 
 
 
 def _same_pairs(kind: str, here: _Place, there: _Place) -> bool:
-    """Whether as many multipliers are complex at both ends, without which circles mean nothing."""
+    """Whether as many multipliers are complex at both ends."""
     counts = [int((p.orbit.multipliers.values.imag > 0).sum()) for p in (here, there)]
     return kind != "torus" or counts[0] == counts[1] > 0
 
@@ -294,7 +294,7 @@ def _location(
     test: Callable[[_Place], float],
     kind: str,
 ) -> Event | None:
-    """Where a function changes its sign between two places, by the Illinois method."""
+    """The zero of a function between two places, by the Illinois method."""
     ends = [(0.0, test(here), here), (length, test(there), there)]
     if ends[0][1] * ends[1][1] > 0 or ends[0][1] == 0:
         return None

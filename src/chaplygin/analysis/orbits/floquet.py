@@ -33,9 +33,9 @@ class Multipliers:
     values : complex array (d,)
         On the level of all integrals, greatest first.
     forced : tuple of str
-        What forces each of the others to be one: ``"flow"``, integrals, promoted parameters.
+        The reason of each trivial multiplier: ``"flow"``, integrals, promoted parameters.
     errors : array (d,)
-        How far rounding and integration may have moved each.
+        Effect of rounding and integration on each.
     matrix : array (d, d)
         The derivative of the return, on an orthonormal basis of the level, each vector of the
         state being measured by its size.

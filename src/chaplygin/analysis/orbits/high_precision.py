@@ -91,7 +91,7 @@ def refine_orbit(
 
 @dataclass(frozen=True)
 class _Problem:
-    """What a point and a duration satisfy: closure, relations, the section, held integrals.
+    """The equations of an orbit: closure, relations, the section, held integrals.
 
     Point and duration are measured by `sizes`.
     """

@@ -30,7 +30,7 @@ _FINE = 0.02
 
 @dataclass(frozen=True)
 class Cycle:
-    """What bounds say of the motions that begin in an interval.
+    """The enclosure of the return map on an interval.
 
     Attributes
     ----------
@@ -130,7 +130,7 @@ def _ball(name: str, value: arb | str | float) -> arb:
 
 
 def _parts(whole: arb) -> list[arb]:
-    """A ball cut in small ones that cover it: bounds on each are nearer than those on all of it."""
+    """A cover of a ball by small ones, on which bounds are closer."""
     count = int(float(whole.rad()) / _FINE) + 1
     half = whole.rad() / count
     return [whole.mid() + (2 * k + 1 - count) * half + arb(0, 1) * half for k in range(count)]
@@ -147,7 +147,7 @@ def enclose_limit_cycle(
     steps: int = 4000,
     steepest: float = 8.0,
 ) -> Cycle:
-    """Whether there is a limit cycle through an interval, with bounds of its multiplier.
+    """A proof of a limit cycle through an interval, with bounds of its multiplier.
 
     Parameters
     ----------

@@ -25,14 +25,14 @@ _STEP = 1e-100
 
 @dataclass(frozen=True)
 class Image:
-    """Where a map takes points.
+    """The images of points under a map.
 
     Attributes
     ----------
     points : array (n, size)
         Not a number where a point has no image.
     times : array (n,)
-        How long the way was; zero for a map without time.
+        Times of flight; zero for a map without time.
     slopes : array (n, size, size) or None
         Derivatives: entry [k, i, j] of image coordinate i by coordinate j of point k.
     """
@@ -66,7 +66,7 @@ NOTHING = ConservedFunctions(
 
 
 class Map(Protocol):
-    """What orbits are found of.
+    """A map whose periodic orbits can be computed.
 
     Attributes
     ----------
@@ -108,7 +108,7 @@ class Map(Protocol):
         ...
 
     def sizes(self, points: FloatArray) -> FloatArray:
-        """By which coordinates are measured about points (n, size), so that units do not matter."""
+        """Units of the coordinates about points (n, size)."""
         ...
 
     def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:
@@ -119,7 +119,7 @@ class Map(Protocol):
 def measured(
     values: FloatArray, slopes: FloatArray, sizes: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Values (..., r) and slopes (..., r, size) of functions, divided by their measured slopes."""
+    """Values (..., r) and slopes (..., r, size) of functions, normalised by slopes."""
     local = slopes * sizes
     lengths = np.sqrt((local**2).sum(axis=-1))
     lengths[lengths == 0] = 1.0

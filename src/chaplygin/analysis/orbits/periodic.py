@@ -43,7 +43,7 @@ ROUGH = 1e-8
 
 
 class NoOrbitError(RunError):
-    """There is no orbit where one was sought; `partial` holds the points where the search ended."""
+    """No orbit was found; `partial` holds the points where the search ended."""
 
     def __init__(self, reason: str, points: FloatArray) -> None:
         super().__init__(reason, 0.0, points)
@@ -99,7 +99,7 @@ class Orbit:
 
 @dataclass(frozen=True)
 class Equations:
-    """What the points of an orbit satisfy.
+    """The equations of the points of an orbit.
 
     Parameters
     ----------
@@ -115,7 +115,7 @@ class Equations:
     sizes: FloatArray
 
     def __call__(self, points: FloatArray) -> tuple[FloatArray, FloatArray, Image]:
-        """Residuals, their derivatives by all measured coordinates of all points, and the images.
+        """Residuals, their derivatives by all coordinates, and the images.
 
         The residual of a function is the measured distance to where it has its value, to first
         order.
@@ -198,7 +198,7 @@ def onto(made: Map, points: FloatArray, sizes: FloatArray) -> FloatArray:
 def newton_solution(
     equations: Equations, points: FloatArray, row: tuple[FloatArray, float] | None = None
 ) -> tuple[FloatArray, float]:
-    """Points that satisfy equations, by damped Newton steps, and the size of the last step.
+    """A solution by damped Newton steps, and the size of the last step.
 
     Parameters
     ----------
@@ -254,7 +254,7 @@ def _damped_step(
     step: FloatArray,
     norm: float,
 ) -> tuple[FloatArray, FloatArray, FloatArray] | None:
-    """The step, or the greatest half, quarter, … of it that makes the residuals smaller."""
+    """The step, or half, a quarter, … of it, that reduces the residuals."""
     for power in range(HALVINGS):
         place = onto(equations.map, points + step * 0.5**power, equations.sizes)
         try:

@@ -127,7 +127,7 @@ class ReturnMap:
         )
 
     def _holds(self, law: Integral) -> bool:
-        """Whether an integral needs no condition but on the parameters, which they satisfy."""
+        """Whether an integral has no condition but on parameters, which they satisfy."""
         system = self.section.system
         parameters = {str(name): value for name, value in self.section.parameters.items()}
         values = {s: parameters.get(str(s), default) for s, default in system.defaults.items()}
@@ -144,7 +144,7 @@ class ReturnMap:
         return scales
 
     def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:
-        """Where points (n, size) return for the time numbered `count`."""
+        """The returns number `count` of points (n, size)."""
         if slopes:
             derivative = self.section.derivative(points, count)
             return Image(derivative.images, derivative.times, derivative.matrices)
@@ -216,7 +216,7 @@ class Rotations:
 
 
 def rotations(section: PoincareMap, starts: FloatArray, angle: Any, count: int = 1000) -> Rotations:
-    """Rotation numbers of an angle on a section, for many starts and parameters of each.
+    """Rotation numbers of an angle on a section, for many starts and parameters.
 
     Parameters
     ----------

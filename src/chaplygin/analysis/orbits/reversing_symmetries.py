@@ -63,7 +63,7 @@ class Reversor:
         return all(values[str(symbol)] == 0 for symbol in self.vanishing)
 
     def words(self, system: System) -> str:
-        """What changes its sign, whole vectors by their names, and what that needs."""
+        """The variables that change sign, and the conditions, in words."""
         whole = [name for name in system.state if set(flat((name,))) <= set(self.odd)]
         scalars = [s for s in self.odd if s not in flat(whole)]
         names = [text(name) for name in (*whole, *scalars)]
@@ -74,7 +74,7 @@ class Reversor:
 
 @arguments_checked
 def reversors(system: System) -> tuple[Reversor, ...]:
-    """All changes of signs that are proven to reverse a system, each with the fewest conditions.
+    """All changes of sign that are proven to reverse a system.
 
     Parameters
     ----------

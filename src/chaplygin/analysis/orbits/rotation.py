@@ -146,7 +146,7 @@ def unwrapped_turns(angles: FloatArray, period: float = 2 * np.pi) -> FloatArray
 
 
 def frequency(turns: FloatArray, times: FloatArray) -> tuple[float, float]:
-    """Turns per unit of time of an angle of a flow, from a lift at equal times, and the error.
+    """The frequency (turns per unit of time) of an angle of a flow, and its error.
 
     Parameters
     ----------
@@ -226,7 +226,7 @@ def _around(turns: FloatArray, fraction: Fraction) -> tuple[str, float | None]:
 
 
 def _passes(turns: FloatArray, value: float, longest: int) -> bool:
-    """Whether an orbit passes all short cycles: no point returns to itself, or turns about it."""
+    """Whether an orbit lies on no short cycle."""
     for steps in range(1, longest + 1):
         misses = turns[steps:] - turns[:-steps] - round(value * steps)
         if misses.min() <= ROUNDING and misses.max() >= -ROUNDING:

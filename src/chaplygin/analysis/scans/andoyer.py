@@ -42,7 +42,7 @@ class Andoyer:
         self.momentum, self.normal = momentum_of(system)
 
     def states(self, points: FloatArray) -> tuple[IntArray, FloatArray]:
-        """Which points (5, k) have a state, and these states (size, n)."""
+        """Indices of the points (5, k) with a state, and these states (size, n)."""
         l, x, g, G, H = points
         here = np.flatnonzero((G > 0) & (np.abs(H) <= G) & (np.abs(x) <= 1))
         l, x, g, G, H = points[:, here]
@@ -62,7 +62,7 @@ class Andoyer:
         return here, states
 
     def points(self, states: FloatArray) -> FloatArray:
-        """(l, L/G, g, G, H) of states (size, k); angles not-a-number where they are undefined."""
+        """(l, L/G, g, G, H) of states (size, k); undefined angles are not-a-number."""
         M, gamma = states[self.momentum], states[self.normal]
         with np.errstate(invalid="ignore", divide="ignore"):
             G = np.sqrt((M * M).sum(axis=0))

@@ -26,7 +26,7 @@ __all__ = ["Directions"]
 
 #: Below this the sine of an angle is rounding.
 _FLAT = 1e-7
-#: How nearly a linear condition must be one on the component along γ.
+#: Tolerance for a linear condition on the component along γ.
 _ALONG = 1e-12
 
 
@@ -85,7 +85,7 @@ class Directions:
             )
 
     def states(self, points: FloatArray) -> tuple[IntArray, FloatArray]:
-        """Which points (4, k) have a state, and these states (size, n)."""
+        """Indices of the points (4, k) with a state, and these states (size, n)."""
         theta, phi, psi, energy = points
         gamma, rising, turning = frame(theta, phi)
         base = np.zeros((self.fibration.size, theta.size))

@@ -123,7 +123,7 @@ class ScanGrid:
     system : System
         Whose motions they are.
     given : System
-        The same phase space in the variables in which a start is given; its definitions give
+        The system in the variables in which a start is given; its definitions give
         the state of `system`.
     base : tuple of float
         The start that is varied, in flat order of `given`.
@@ -289,7 +289,7 @@ def _held(system: System, held: Collection[str]) -> tuple[sp.Symbol, ...]:
 def _described_system(
     system: System, start: Mapping[str, npt.ArrayLike]
 ) -> tuple[System, tuple[float, ...]]:
-    """A system in the variables in which its start is given, and the start in flat order."""
+    """A system in the variables of its start, and the start in flat order."""
     names = [name for name in system.state if str(name) in start]
     if len(names) < len(system.state):
         described = _by_velocity(system, start)
@@ -302,7 +302,7 @@ def _described_system(
 
 
 def _by_velocity(system: System, start: Mapping[str, npt.ArrayLike]) -> System:
-    """The same phase space described by ω and γ, of which the state consists or follows."""
+    """The system with the state ω, γ, from which the other variables follow."""
     follow = [(name, value) for name, value in system.start if name in system.state]
     words = {str(name): name for name, _ in system.definitions}
     words |= {str(name): name for name in system.state}
@@ -345,7 +345,7 @@ def _numbers_of(value: sp.Expr, known: Mapping[sp.Symbol, FloatArray], count: in
 
 
 def _admissible(system: System, known: Mapping[sp.Symbol, FloatArray], count: int) -> BoolArray:
-    """Where all parameters are finite and satisfy what is asked of them."""
+    """Cells in which all parameters are finite and admissible."""
     good = np.ones(count, dtype=bool)
     for parameter in system.parameters:
         good &= np.isfinite(known[parameter.symbol])

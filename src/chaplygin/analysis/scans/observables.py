@@ -40,7 +40,7 @@ TOTAL = sp.Symbol("integral_in_time", real=True)
 
 @dataclass(frozen=True)
 class SurvivalTime:
-    """How long a motion lasts: until a guard of the system or a failure ends it.
+    """The survival time of a motion: until a guard of the system or a failure ends it.
 
     Attributes
     ----------
@@ -126,7 +126,7 @@ class Maximum:
 
 @dataclass(frozen=True)
 class Minimum:
-    """The least value of a formula among equidistant samples of a motion; see `Highest`."""
+    """The least value of a formula among samples of a motion; see `Maximum`."""
 
     system: System
     until: float
@@ -146,7 +146,7 @@ class Minimum:
 
 @dataclass(frozen=True)
 class Frequency:
-    """Turns of an angle per unit of time, by a weighted average; and an estimate of its error.
+    """The frequency of an angle by a weighted average, with an error estimate.
 
     The rate of the angle is integrated along with the motion, so that no turn is lost.
 
@@ -237,7 +237,7 @@ def observe(
     until : float
         The last time.
     samples : int
-        How many times after the start.
+        Number of times after the start.
     parameters : mapping of Symbol or name to number or (n,) array
     """
     times = np.linspace(0.0, until, samples + 1)

@@ -36,9 +36,9 @@ class NamedQuantity:
     ----------
     rule : Rule
     name : str
-        What its variable is called.
+        The name of its variable.
     title, unit : str
-        What it is, in words, and its unit.
+        Its meaning in words, and its unit.
     """
 
     rule: Rule
@@ -49,7 +49,7 @@ class NamedQuantity:
 
 @dataclass(frozen=True)
 class _Kind:
-    """A kind of number: how it is made, from a formula or without, its title and its unit."""
+    """A kind of number: its class, title and unit."""
 
     make: Callable[..., Rule]
     title: str
@@ -93,7 +93,7 @@ def quantity_from_text(
     text : str
         A word of `KINDS`, followed by a colon and a formula where it is a number of a formula.
     until : float
-        How long motions are followed.
+        Length of the motions.
     tolerance : float
         Error allowed in a step.
     variables : mapping of str to (str, str), optional

@@ -31,7 +31,7 @@ AT_ONCE = 2048
 
 
 class Rule(Protocol):
-    """A number of motions; a value that can be pickled, and no motion disturbs its neighbours."""
+    """A quantity of motions, computed for many of them independently."""
 
     @property
     def system(self) -> System:
@@ -39,20 +39,20 @@ class Rule(Protocol):
 
     @property
     def until(self) -> float:
-        """How long they are followed."""
+        """The length of the motions."""
 
     @property
     def tolerance(self) -> float:
-        """How exactly."""
+        """The tolerance of the integration."""
 
     @property
     def further(self) -> Mapping[str, str]:
-        """What else it gives, such as an error: names, and meanings."""
+        """Names and meanings of further numbers, such as an error."""
 
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> Mapping[str, FloatArray | IntArray]:
-        """The number (``"value"``), ``"outcome"`` and time reached (``"ended"``), (n,) each."""
+        """Arrays (n,): the number ``"value"``, ``"outcome"``, time reached ``"ended"``."""
 
 
 @dataclass(frozen=True)
@@ -65,9 +65,9 @@ class Scan:
     rule : Rule
         The number.
     name : str
-        What it is to be called.
+        The name of the variable.
     title, unit : str
-        What it is, in words, and its unit.
+        Its meaning in words, and its unit.
     """
 
     plane: ScanGrid
@@ -100,7 +100,9 @@ class Scan:
 
 
 def scan(made: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
-    """The task that computes a chart; see :func:`chaplygin.flow.ensemble.compute.compute`.
+    """The task of a scan.
+
+    See :func:`chaplygin.flow.ensemble.compute.compute`.
 
     Parameters
     ----------
@@ -170,7 +172,7 @@ def _text_rows(values: Mapping[sp.Symbol | str, float]) -> list[str]:
 
 
 def _outcomes(rule: Rule) -> dict[str, object]:
-    """What outcomes mean: numbers, and as many words for them, with underscores for blanks."""
+    """Attributes of the outcome codes, by the CF conventions."""
     flow = batch_integrator(rule.system, tolerance=rule.tolerance)
     reasons = {0: "followed to the end", -1: "not computed yet", **REASONS}
     reasons |= {

@@ -21,7 +21,7 @@ __all__ = ["Winding"]
 
 @dataclass(frozen=True)
 class Winding:
-    """Turns of an angle from return to return, by a weighted average; and an estimate of its error.
+    """The winding number of an angle per return, with an error estimate.
 
     Attributes
     ----------
@@ -31,7 +31,7 @@ class Winding:
     formula : sympy.Expr
         An angle, in radians, up to whole turns.
     section : Section
-        Where the motion is looked at.
+        The section.
     tolerance : float
         See :func:`chaplygin.flow.batch.batch_integrator`.
     count : int

@@ -9,7 +9,7 @@ integral::
     plane = variables.fixed({"g": pi / 2, "H": 0.3}).solved("G", "energy", 1.0)
     states = plane.state([[0.5, 0.1]])
 
-Where there is no state, or none that formulas can tell (G = |L|), the answer is not-a-number;
+If there is no state, or none that formulas determine (G = |L|), the result is not-a-number;
 :meth:`Chart.require` turns that into a sentence.
 """
 
@@ -56,7 +56,7 @@ class StateCoordinates:
     periods : tuple of float
         2π for an angle, 0 for what is none.
     domain : str
-        Where the coordinates are defined, in words.
+        The domain of the coordinates, in words.
     """
 
     system: System
@@ -96,7 +96,7 @@ class StateCoordinates:
         return chosen
 
     def solutions(self, points: FloatArray) -> IntArray:
-        """How many states belong to each of the points (n, d); int array (n,)."""
+        """The number of states (n,) of each of the points (n, d)."""
         rows = self._rows(points, len(self.names))
         return np.bincount(self._every(rows.T)[0], minlength=len(rows))
 
@@ -133,7 +133,7 @@ class StateCoordinates:
             raise InputError(f"{self.system.name}: no state at {place}; {self.domain}")
 
     def fixed(self, values: Mapping[str, float]) -> StateCoordinates:
-        """The same chart with some coordinates held at given values."""
+        """The chart with some coordinates held at given values."""
         for name in values:
             self._place(name)
         free = [i for i, name in enumerate(self.names) if name not in values]
@@ -314,7 +314,7 @@ def _directions(
     )
 
 
-#: What :func:`chart` knows.
+#: The charts by name.
 CHARTS: Mapping[
     str, Callable[[System, Mapping[str, float], Mapping[Any, Any]], StateCoordinates]
 ] = {

@@ -38,11 +38,12 @@ def compute(
         block by block, and begun or gone on with, as it is found.  Without it everything is kept
         in memory.
     client : dask.distributed.Client, str or int, optional
-        Who computes: a Dask client, the address of a scheduler (``"tcp://host:8786"``), a number
+        The cluster that computes: a Dask client, the address of a scheduler
+        (``"tcp://host:8786"``), a number
         of processes of this machine, or ``"local"`` for as many as it has processors.  Without
         it this process does.
     progress : callable, optional
-        Told how much is done, from 0 to 1.
+        Called with the fraction that is done.
 
     Returns
     -------
@@ -63,7 +64,7 @@ def compute(
 
 
 def _require_room(task: Task, where: str | Path | None) -> None:
-    """Refuse a task whose result finds no room where it is to be; what is there takes none."""
+    """Refuse a task whose result is too large for the memory or the disk."""
     sizes = [
         (task.size * math.prod(variable.shape), np.dtype(variable.dtype).itemsize)
         for variable in task.variables.values()
@@ -75,7 +76,7 @@ def _require_room(task: Task, where: str | Path | None) -> None:
 
 
 def _silent(done: float) -> None:
-    """Progress of which nobody wants to hear."""
+    """Ignore progress."""
 
 
 def _results(

@@ -27,10 +27,10 @@ __all__ = ["results"]
 #: Blocks waiting at each thread of the workers, besides the one it is at.
 _WAITING = 1
 
-#: How often Dask may give a block up before it is given up here.
+#: Times that Dask may give up a block before it is given up here.
 _BLAMED = 3
 
-#: How long a scheduler may take to answer.
+#: The time within which a scheduler must answer.
 PATIENCE = "10s"
 
 
@@ -113,7 +113,7 @@ def results(
 
 
 def _compute(packed: bytes, first: int, last: int) -> Arrays:
-    """A block, in a thread of a worker: it stands for one processor, unless its user says more."""
+    """A block, in a thread of a worker, on CHAPLYGIN_THREADS processors (1)."""
     from ..threads import THREADS
 
     before = THREADS.set(int(os.environ.get("CHAPLYGIN_THREADS", "1")))

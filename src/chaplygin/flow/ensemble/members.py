@@ -1,4 +1,4 @@
-"""Who takes part in an ensemble: lists and products of starts and parameters, and random starts.
+"""Members of an ensemble: lists and products of starts and parameters, and random starts.
 
 >>> everyone = sampled(100, {"energy": 1.0}, seed=7) * grid(a=[0.1, 0.2])
 >>> everyone.size
@@ -48,7 +48,7 @@ class SampledMembers:
     Parameters
     ----------
     size : int
-        How many.
+        Number of starts.
     level : mapping of str to float
         Values of the integrals held.
     seed : int
@@ -109,11 +109,11 @@ class Members:
 
     @property
     def draw(self) -> SampledMembers | None:
-        """How starts are drawn, if they are."""
+        """The random starts, if there are any."""
         return next((factor for factor in self.factors if isinstance(factor, SampledMembers)), None)
 
     def rows(self, first: int, last: int) -> tuple[dict[str, FloatArray], IntArray | None]:
-        """What members first, …, last − 1 are given.
+        """Values of the members first, …, last − 1.
 
         Returns
         -------
@@ -134,7 +134,7 @@ class Members:
 
 
 def from_lists(**values: npt.ArrayLike) -> Members:
-    """One member for every row: the first of everything, then the second of everything.
+    """One member for every row: the first value of each name, then the second.
 
     Parameters
     ----------

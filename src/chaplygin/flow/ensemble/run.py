@@ -77,7 +77,7 @@ def ensemble(
     block : int, optional
         Members computed, written and lost at once; chosen by their size unless given.
     where, client, progress
-        A store on disk, a cluster, who is told; see
+        A store on disk, a cluster, a function that is called with the progress; see
         :func:`~chaplygin.flow.ensemble.compute.compute`.
 
     Returns
@@ -175,7 +175,7 @@ def _times(times: npt.ArrayLike) -> tuple[float, ...]:
 
 
 def _constants(system: System, parameters: Parameters) -> dict[str, float]:
-    """Values of parameters by name, without those that are the default: they say nothing new."""
+    """Values of parameters by name, without those that equal the default."""
     constants, defaults = {}, dict(system.constants)
     for name, value in (parameters or {}).items():
         number = as_float_array(f"{system.name}: {name}", value)
@@ -189,7 +189,7 @@ def _constants(system: System, parameters: Parameters) -> dict[str, float]:
 
 
 def _variables(work: EnsembleWork, drawn: bool) -> dict[str, Variable]:
-    """Everything that `Motions` gives."""
+    """The variables that `EnsembleWork` computes."""
     system, moments = work.system, len(work.times)
     text = {str(p.symbol): p for p in system.parameters}
     variables = {
@@ -254,7 +254,7 @@ def _coordinates(work: EnsembleWork, variables: Mapping[str, Variable]) -> dict[
 
 
 def _attributes(work: EnsembleWork) -> dict[str, object]:
-    """What is told of the whole ensemble."""
+    """Attributes of the whole ensemble."""
     system = work.system
     constants = {str(p.symbol): p.default for p in system.parameters} | dict(work.parameters)
     text = [f"{s} = {float(v)!r}" for s, v in constants.items() if s not in work.varied]
@@ -275,7 +275,7 @@ def _attributes(work: EnsembleWork) -> dict[str, object]:
 
 
 def _draw(work: EnsembleWork, parameters: Mapping[str, npt.ArrayLike]) -> dict[str, object]:
-    """Seed and measure of the starts drawn; `parameters` are those of the first member."""
+    """Seed and measure of random starts, at the parameters of the first member."""
     draw = work.members.draw
     if draw is None:
         return {}

@@ -59,7 +59,7 @@ class EnsembleWork:
     members : Members
     times : tuple of float
     parameters : mapping of str to float
-        The same for all members.
+        Values that all members share.
     tolerance : float
     record : tuple of str
         Observables and integrals, by name.
@@ -110,7 +110,7 @@ class EnsembleWork:
         return {name: np.ascontiguousarray(array) for name, array in arrays.items()}
 
     def part(self, first: int, last: int) -> EnsembleWork:
-        """The work for these members alone, without the rows of others; starts drawn have none."""
+        """The work for these members alone, without the listed rows of others."""
         if self.members.draw is not None:
             return self
         rows, _ = self.members.rows(first - self.offset, last - self.offset)
@@ -119,7 +119,7 @@ class EnsembleWork:
     def starts(
         self, first: int, last: int
     ) -> tuple[FloatArray, dict[str, float | FloatArray], IntArray | None]:
-        """States at time 0, parameters, and numbers among the starts drawn, of some members."""
+        """Initial states, parameters, and numbers of the random starts, of some members."""
         rows, points = self.members.rows(first - self.offset, last - self.offset)
         varied = {name: rows.pop(name) for name in self.varied}
         parameters: dict[str, float | FloatArray] = {**self.parameters, **varied}
@@ -135,7 +135,7 @@ class EnsembleWork:
     def _drawn(
         self, draw: SampledMembers, varied: Mapping[str, FloatArray], points: IntArray
     ) -> FloatArray:
-        """Starts by their numbers, on the levels at the parameters of each."""
+        """Random starts by number, each on the level at its own parameters."""
         starts = np.empty((len(points), len(self.system.symbols)))
         rows = np.column_stack([np.zeros(len(points)), *varied.values()])
         sets, which = np.unique(rows, axis=0, return_inverse=True)
@@ -149,7 +149,7 @@ class EnsembleWork:
         return starts
 
     def level(self, varied: Mapping[str, float]) -> LevelSampler:
-        """The level on which starts are drawn, at given values of the parameters that vary."""
+        """The level from which starts are drawn, at values of the varying parameters."""
         level = self.members.draw.level if self.members.draw is not None else {}
         values = {**self.parameters, **varied}
         return _level(self.system, tuple(level.items()), tuple(values.items()))

@@ -61,7 +61,7 @@ class Store:
     Parameters
     ----------
     task : Task
-        What it is to hold, in the blocks that it has.
+        The computation whose result it holds, in the blocks of the store.
     folder : Path
     arrays : mapping of str to zarr.Array
     done : ndarray of bool
@@ -123,7 +123,7 @@ def _chunk(folder: Path, name: str, block: int, dimensions: int) -> Path:
 
 
 def _write_chunk_table(folder: Path, block: int, chunks: Sequence[Path]) -> None:
-    """Write sizes and times of change of the chunks of a block, and wait until they are on disk."""
+    """Write sizes and times of change of the chunks of a block to the disk."""
     row = np.array([_status(chunk) for chunk in chunks], dtype="<i8").tobytes()
     handle = os.open(folder / DONE / CHUNK_TABLE, os.O_WRONLY | os.O_CREAT, 0o666)
     try:
@@ -134,7 +134,7 @@ def _write_chunk_table(folder: Path, block: int, chunks: Sequence[Path]) -> None
 
 
 def _chunk_table(folder: Path, blocks: int, variables: int) -> IntArray:
-    """Sizes and times of change (blocks, variables, 2) of chunks; zeros where none are written."""
+    """Sizes and times of change (blocks, variables, 2) of chunks; zero if unwritten."""
     table = np.zeros((blocks, variables, 2), dtype="<i8")
     with contextlib.suppress(OSError):
         content = (folder / DONE / CHUNK_TABLE).read_bytes()[: table.nbytes]
@@ -302,7 +302,7 @@ def _fill_value(dtype: np.dtype[np.generic]) -> float:
 
 
 def _description(task: Task) -> dict[str, str]:
-    """Digests of all that distinguishes this experiment from others; its blocks do not."""
+    """Digests of all that distinguishes this experiment from others, save its blocks."""
     return {
         **{f"attribute {name}": digest(item) for name, item in task.attributes.items()},
         **{f"{name} of the work": value for name, value in field_digests(task.work).items()},
@@ -410,7 +410,7 @@ def _sole_writer(folder: Path) -> Iterator[None]:
 
 @contextmanager
 def _lock(folder: Path, operation: int) -> Iterator[None]:
-    """Lock a folder for this process; the lock ends with the process, however that ends."""
+    """Lock a folder; the lock ends with the process, however that ends."""
     handle = os.open(folder, os.O_RDONLY)
     try:
         try:

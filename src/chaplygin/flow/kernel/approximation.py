@@ -34,7 +34,7 @@ class Approximation:
 
 
 def _odd(name: str) -> SmoothPart:
-    """(f(√t)/√t − 1)/t: what an odd function f(x) = x + x³ (…) has in place of the dots."""
+    """The factor g = (f(√t)/√t − 1)/t of an odd function f(x) = x + x³ g(x²)."""
 
     def smooth(mp: MPContext, t: mpmath.mpf) -> mpmath.mpf:
         x = mp.sqrt(t)

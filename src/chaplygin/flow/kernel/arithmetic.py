@@ -1,4 +1,4 @@
-"""What lanes compute with: doubles, and pairs of doubles."""
+"""Arithmetics of the vector code: doubles, and pairs of doubles."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Value: TypeAlias = Any
 
 
 class Arithmetic(Protocol):
-    """What the lanes compute with."""
+    """An arithmetic whose operations are written as vector instructions."""
 
     def __init__(self, writer: IRWriter) -> None: ...
 
@@ -205,7 +205,7 @@ class Pair:
         return s, error
 
     def fast_sum(self, a: str, b: str) -> Value:
-        """The same where a is the larger (Dekker)."""
+        """The sum of two doubles without error, if a is the larger (Dekker)."""
         w = self.writer
         s = w.op("fadd", a, b)
         return s, w.op("fsub", b, w.op("fsub", s, a))
@@ -239,7 +239,7 @@ class Pair:
     def plus(self, a: Value, b: Value) -> Value:
         """a + b in half the operations.
 
-        Where a and b nearly cancel the error is below 2⁻¹⁰⁴ of these and not of what is left:
+        If a and b nearly cancel, the error is below 2⁻¹⁰⁴ of these and not of the difference:
         rounded numbers are uncertain by as much.
         """
         w = self.writer

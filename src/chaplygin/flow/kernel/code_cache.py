@@ -78,7 +78,7 @@ _in_memory: dict[Path, tuple[object, tuple[int, int] | None]] = {}
 
 
 def remember(name: str, compute: Callable[[], Entry]) -> tuple[Entry, bool]:
-    """The entry called `name`, computed and stored unless there is one, and whether there was."""
+    """The entry called `name`, computed if there is none, and whether there was one."""
     path = folder() / f"{name}.code"
     if path in _in_memory and _in_memory[path][1] == _file_version(path):
         return cast("Entry", _in_memory[path][0]), True

@@ -97,7 +97,7 @@ def _compute(
 
 
 def parameter_only_terms(terms: Sequence[Term]) -> list[Term]:
-    """Terms that depend on parameters alone and are used by those that depend on the state.
+    """Terms in the parameters alone that are used by terms in the state.
 
     They are computed once for a trajectory; numbers are not among them.
     """
@@ -120,7 +120,7 @@ def functions(
     lanes: int,
     prepare: str = "prepare",
 ) -> tuple[str, int]:
-    """The text of the functions that compute formulas, and how many constants they share.
+    """The text of functions that compute formulas, and the number of shared constants.
 
     ``@prepare(constants, parameters)`` computes once what depends on parameters alone;
     ``@<piece>(result, state, constants)`` everything else.
@@ -129,7 +129,7 @@ def functions(
     ----------
     arithmetic : Double or Pair
     pieces : mapping of str to sequence of Term
-        What each function computes, by its name.
+        The formulas of each function, by its name.
     lanes : int
     prepare : str
         The name of the first function.

@@ -1,4 +1,4 @@
-"""Numbers kept as a head and a rest, and tricks with the bits of doubles."""
+"""Numbers as sums of a head and a tail, and operations on the bits of doubles."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ MAGIC = 1.5 * 2.0**52
 
 
 class HeadTail(NamedTuple):
-    """A number as a sum of a rounded number and a small rest."""
+    """A number as the sum of a rounded number and a small remainder."""
 
     head: Value
     rest: Value
@@ -65,12 +65,12 @@ def integers(w: IRWriter, name: str, a: str, b: int) -> str:
 
 
 def is_negative(w: IRWriter, a: str) -> str:
-    """Where the sign bit is set."""
+    """The mask of negative numbers, by their sign bit."""
     return w.emit(f"icmp slt {w.whole} {as_integers(w, a)}, zeroinitializer")
 
 
 def is_odd(w: IRWriter, bits: str) -> str:
-    """Where an integer is odd."""
+    """The mask of odd integers."""
     return w.emit(f"trunc {w.whole} {bits} to {w.mask}")
 
 
@@ -102,7 +102,7 @@ def fast_sum(k: Arithmetic, a: Value, b: Value) -> HeadTail:
 
 
 def any_sum(k: Arithmetic, a: Value, b: Value) -> HeadTail:
-    """The same whichever is the larger (Knuth)."""
+    """a + b without error (Knuth)."""
     head = k.add(a, b)
     moved = k.sub(head, a)
     return HeadTail(head, k.add(k.sub(a, k.sub(head, moved)), k.sub(b, moved)))
@@ -165,7 +165,7 @@ def constant(k: Arithmetic, name: str, factor: Fraction) -> HeadTail:
 
 
 def where(k: Arithmetic, x: Value, relation: str, limit: float) -> str:
-    """Where x has a relation to a number."""
+    """The mask of the lanes in which x has a relation to a number."""
     w = k.writer
     return w.compare(relation, k.leading(x), w.constant(limit))
 
@@ -183,7 +183,9 @@ def copy_sign(k: Arithmetic, x: Value, magnitude: Value) -> Value:
 def reduce_argument(
     k: Arithmetic, x: Value, name: str, factor: Fraction
 ) -> tuple[HeadTail, str, str]:
-    """x less the nearest multiple n of a constant; n as a double, and in the lowest bits.
+    """x less the nearest multiple of a constant, and the multiplier n.
+
+    n is given as a double, and as an integer in the lowest bits.
 
     Multiples of short pieces of the constant are taken off one after another, all but the last
     two without error (Cody and Waite 1980; with fused products Boldo, Daumas and Li 2009).

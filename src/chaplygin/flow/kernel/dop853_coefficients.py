@@ -66,12 +66,12 @@ class Table(NamedTuple):
 
 @lru_cache
 def trees(order: int) -> tuple[Tree, ...]:
-    """All rooted trees with a number of nodes, each with its branches in a fixed order."""
+    """All rooted trees with a number of nodes."""
     return tuple(_forests(order - 1, order - 1))
 
 
 def _forests(nodes: int, largest: int) -> Iterator[Tree]:
-    """Collections of trees with so many nodes together, none larger than the one before."""
+    """Forests with a number of nodes, their trees in falling order of size."""
     if nodes == 0:
         yield ()
     for size in range(min(nodes, largest), 0, -1):
@@ -97,7 +97,7 @@ def _density(tree: Tree) -> int:
 
 
 def weights(a: Numbers, b: Numbers, order: int) -> Numbers:
-    """What each order condition requires to be 1: γ(t) Σ b_i Φ_i(t).
+    """The left sides γ(t) Σ b_i Φ_i(t) of the order conditions, which require 1.
 
     Parameters
     ----------
@@ -110,7 +110,7 @@ def weights(a: Numbers, b: Numbers, order: int) -> Numbers:
     known: dict[Tree, Any] = {}
 
     def branch(tree: Tree) -> Numbers:
-        """What a tree adds where it hangs: A Φ(t)."""
+        """The factor A Φ(t) of a tree that is a branch of another."""
         if tree not in known:
             known[tree] = a @ stages(tree)
         result: Numbers = known[tree]

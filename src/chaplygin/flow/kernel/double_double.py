@@ -15,7 +15,7 @@ __all__ = ["as_pairs", "from_pairs", "parameter_pairs"]
 
 
 def as_pairs(name: str, values: npt.ArrayLike) -> FloatArray:
-    """Numbers as pairs of doubles, the second what rounding to the first leaves: (..., 2).
+    """Numbers as pairs (..., 2) of doubles: the rounded number and its error.
 
     Raises
     ------

@@ -66,7 +66,7 @@ FARTHEST = 2.0**40
 
 
 def _circular(k: Arithmetic, x: Value) -> tuple[HeadTail, HeadTail, str]:
-    """Sine and cosine of x − n π/2, at most π/4 in magnitude, and n in the lowest bits."""
+    """Sine and cosine of x − n π/2, |x − n π/2| ≤ π/4, and n in the lowest bits."""
     (r, tail), _, quadrant = reduce_argument(k, x, "pi", Fraction(1, 2))
     t = k.mul(r, r)
     sine = HeadTail(r, k.fma(k.mul(r, t), polynomial(k, "sin", t), tail))
@@ -119,7 +119,7 @@ def tan(k: Arithmetic, x: Value) -> Value:
 
 
 def _arcsine(k: Arithmetic, x: Value) -> tuple[HeadTail, str]:
-    """The arcsine of what is at most ½: of |x|, or of √((1 − |x|)/2) where the mask is set."""
+    """The arcsine of |x| ≤ ½, or of √((1 − |x|)/2) where the mask is set; the mask."""
     size = absolute(k, x)
     large = where(k, size, "ogt", 0.5)
     t = k.mul(k.sub(unit(k), size), k.number(Fraction(1, 2)))
@@ -183,7 +183,7 @@ def atan2(k: Arithmetic, y: Value, x: Value) -> Value:
 
 
 def _proper(k: Arithmetic, a: Value, b: Value, swapped: str) -> tuple[Value, Value]:
-    """Two magnitudes with the same ratio, the smaller first, neither huge nor tiny nor 0/0."""
+    """Two magnitudes in the same ratio, the smaller first, scaled to usual size."""
     one = unit(k)
     above, below = k.choose(swapped, b, a), k.choose(swapped, a, b)
     factor = where_constant(k, where(k, below, "olt", 2.0**-500), 2.0**600, one)
@@ -204,7 +204,7 @@ def atan(k: Arithmetic, x: Value) -> Value:
 
 # --- exponentials -----------------------------------------------------------------------------
 
-#: Where the results of exp and of sinh and cosh end, and where exp is nothing any more.
+#: Arguments at which exp, and sinh and cosh, overflow, and at which exp underflows.
 HIGHEST, HIGHEST_HYPERBOLIC, LOWEST = 709.782712893384, 710.4758600739439, -746.0
 #: From here on the hyperbolic tangent is 1 to 106 bits.
 SATURATED = 40.0

@@ -1,4 +1,4 @@
-"""What machine code is made of: the formulas of a System, of its deviations and of a section."""
+"""The formulas of a System, of its variations and of a section, for code generation."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ __all__ = [
 
 @dataclass(frozen=True)
 class Section:
-    """Where a motion is looked at: a function vanishes.
+    """A Poincaré section: the zeros of a function, at which motions are recorded.
 
     Attributes
     ----------
@@ -130,7 +130,7 @@ class Equations:
 
     @property
     def pieces(self) -> dict[str, tuple[Term, ...]]:
-        """What is evaluated, by the name of the function that does it."""
+        """The formulas of each generated function, by its name."""
         pieces = {"rates": self.rates}
         if self.section is not None and self.slope is not None:
             where = () if self.where is None else (self.where,)
@@ -196,7 +196,7 @@ def groups(system: System) -> tuple[tuple[int, ...], ...]:
 
 
 def serial(equations: Equations) -> str:
-    """All that the code depends on, as a text."""
+    """All on which the code depends, as a text."""
     pieces = equations.pieces
     heads = [f"{name} {len(piece)}" for name, piece in pieces.items()]
     terms = serial_terms([term for piece in pieces.values() for term in piece])

@@ -250,7 +250,7 @@ class _Loop:
         return self.w.emit(f"call double @llvm.{name}.f64({listed})")
 
     def _guess(self, step: str) -> None:
-        """First rates: the polynomial of the step before goes on, or the start stands still."""
+        """First rates: those of the polynomial of the last step, or of the start."""
         w = self.w
         before = w.load("double", self.last_step)
         off = self._call("fabs", self._scalar("fsub", step, before))
@@ -347,7 +347,7 @@ class _Loop:
             p.store(p.whole(rate), self.at("fine_before"), i)
 
     def _iterate_fine(self, h: str, columns: Sequence[str]) -> str:
-        """Correct them, each time by what the rates have changed; the place of a bit: at rest."""
+        """Correct them by the changes of the rates; the address of a bit: converged."""
         w, p, d = self.w, self.p, self.d
         convergence = _Convergence(self, h, 1e-65, 1e-58)
         with w.forever() as leave:
@@ -367,7 +367,7 @@ class _Loop:
         return convergence.place
 
     def relative(self, h: str, changes: Sequence[str]) -> str:
-        """The largest squared change of a vector of the state by rates, relative to its size."""
+        """The largest squared relative change of a vector of the state by rates."""
         w, d = self.w, self.d
         square = w.op("fmul", h, h)
         worst = w.constant(0.0)
@@ -481,7 +481,7 @@ class _Loop:
                     w.store("i64", str(len(STATUS_MESSAGES) + i), reason)
 
     def _plan_taken(self, step: str, factor: str, estimate: str, bound: str) -> None:
-        """The next step: at first as the estimate says; later longer only after a calm while."""
+        """The next step: first by the estimate, later longer only after many easy steps."""
         w = self.w
         done = w.emit(f"add i64 {w.load('i64', self.accepted_steps)}, 1")
         w.store("i64", done, self.accepted_steps)
@@ -591,7 +591,7 @@ def gauss_loop(
     equations : Equations
         Without a section.
     projection : ProjectionTerms or None
-        What the state is moved to keep.
+        The functions on whose level the state is held.
     refine : bool
         Whether the stages are found to 32 digits.
     """

@@ -10,7 +10,7 @@ __all__ = ["cubic", "dipping", "hence", "root"]
 def cubic(
     w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str
 ) -> tuple[str, str, str, str]:
-    """a, b, c and d: g + a x + c x² + d x³ goes through both ends, b is its slope at 1."""
+    """a, b, c, d of the cubic g + a x + c x² + d x³ through both ends; b: slope at 1."""
     a, b = w.op("fmul", step, gdot), w.op("fmul", step, gdot_new)
     rise = w.op("fsub", g_new, g)
     d = w.op("fsub", w.op("fadd", a, b), w.op("fmul", w.constant(2.0), rise))
@@ -18,7 +18,7 @@ def cubic(
 
 
 def root(w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> str:
-    """Where in a step the cubic through values and slopes at both ends vanishes."""
+    """The zero in a step of the cubic through values and slopes at both ends."""
     a, _, c, d = cubic(w, step, g, g_new, gdot, gdot_new)
     low, high = w.constant(0.0), w.constant(1.0)
     x = w.op("fdiv", g, w.op("fsub", g, g_new))
@@ -41,7 +41,7 @@ def root(w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -
 def dipping(
     w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str
 ) -> tuple[str, str]:
-    """Where the cubic has the same sign at both ends but another where it turns in between.
+    """The mask of cubics with one sign at the ends and another at an extremum.
 
     The second result is the step to that turn: taken, it leaves one crossing on each side.
     """

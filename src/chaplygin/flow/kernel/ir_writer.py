@@ -51,7 +51,7 @@ class IRWriter:
     # --- memory and control ------------------------------------------------------------------
 
     def variable(self, kind: str, value: str) -> str:
-        """A place for a value that changes (made in the first block, whatever loop this is in)."""
+        """The address of a variable, allocated in the first block even inside a loop."""
         place = f"%{self.name()}"
         self.entry.append(f"  {place} = alloca {kind}, align 64")
         self.store(kind, value, place)
@@ -76,7 +76,7 @@ class IRWriter:
 
     @contextmanager
     def when(self, condition: str) -> Iterator[None]:
-        """What is written inside happens only if a bit is set."""
+        """A branch: instructions inside are executed only if a bit is set."""
         inside, after = self.name(), self.name()
         self.line(f"br i1 {condition}, label %{inside}, label %{after}")
         self.lines.append(f"{inside}:")
@@ -120,7 +120,7 @@ class IRWriter:
         return self.emit(f"call {self.type} @llvm.{name}.v{self.lanes}f64({listed})")
 
     def compare(self, relation: str, a: str, b: str) -> str:
-        """A mask: where an ordered relation (``"olt"``, ``"ole"``, …) holds; never for a NaN."""
+        """The mask of an ordered relation (``"olt"``, ``"ole"``, …); unset for a NaN."""
         return self.op(f"fcmp {relation}", a, b)
 
     def choose(self, mask: str, yes: str, no: str) -> str:
@@ -129,15 +129,15 @@ class IRWriter:
         return self.emit(f"select {self.mask} {mask}, {kind} {yes}, {kind} {no}")
 
     def both(self, a: str, b: str) -> str:
-        """Where both masks are set."""
+        """The mask that is set where both are."""
         return self.emit(f"and {self.mask} {a}, {b}")
 
     def either(self, a: str, b: str) -> str:
-        """Where at least one of two masks is set."""
+        """The mask that is set where at least one of two is."""
         return self.emit(f"or {self.mask} {a}, {b}")
 
     def unless(self, a: str) -> str:
-        """Where a mask is not set."""
+        """The complement of a mask."""
         return self.emit(f"xor {self.mask} {a}, splat (i1 true)")
 
     def any(self, mask: str) -> str:
@@ -145,7 +145,7 @@ class IRWriter:
         return self.emit(f"call i1 @llvm.vector.reduce.or.v{self.lanes}i1({self.mask} {mask})")
 
     def inverse_root(self, value: str, degree: int) -> str:
-        """About value^(−1/degree), to a hundredth, from the exponent's bits; degree a power of 2.
+        """value^(−1/degree) to a hundredth, from the exponent's bits; degree a power of 2.
 
         The bits of a double, as an integer, are about 2⁵² (1023 + log₂ x).
         """

@@ -1,4 +1,4 @@
-"""How to move a state so that integrals and relations keep their values."""
+"""The projection of a state onto a level of integrals and relations, as terms."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class ProjectionTerms:
     Attributes
     ----------
     residuals : tuple of Term
-        What vanishes; the values to be kept are state variables after the last one.
+        Functions that vanish; the values of the level are state variables after the last one.
     correction : tuple of Term
         The change of each state variable that makes them vanish; the residuals are state
         variables after the last one.
@@ -35,7 +35,7 @@ def projection_terms(
     groups: Sequence[Sequence[int]],
     size: int,
 ) -> ProjectionTerms:
-    """How to move a state so that functions keep their values, and others vanish.
+    """The projection onto values of some functions and zeros of others.
 
     The change is the shortest in which each vector of the state counts relative to its length:
     −D Gᵀ(G D Gᵀ)⁻¹ c, with G the gradients, c the residuals and D the squared lengths.  Where
@@ -72,7 +72,7 @@ def _dot(graph: Graph, a: Sequence[Term], b: Sequence[Term]) -> Term:
 
 
 def _solution(graph: Graph, matrix: list[list[Term]], right: list[Term]) -> list[Term]:
-    """The solution of symmetric equations, leaving out rows that depend on those before."""
+    """The solution of symmetric equations without rows that depend on earlier ones."""
     size = len(right)
     rows = [[*row, b] for row, b in zip(matrix, right, strict=True)]
     pivots = []

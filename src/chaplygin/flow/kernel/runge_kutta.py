@@ -40,7 +40,7 @@ _KEPT = (
     "mode fault event fresh index samples"
 )
 
-# what has to be looked at in a lane
+# events that a lane may have to handle
 _SAMPLE, _POINT, _END = 1.0, 2.0, 3.0
 
 # which stage of its life a lane is in
@@ -49,7 +49,7 @@ _EMPTY, _RUNNING, _REFINING = 0.0, 1.0, 2.0
 
 @dataclass
 class Workspace:
-    """Where things lie in the memory of one thread, counted in vectors."""
+    """The layout of the memory of one thread, in vectors."""
 
     size: int = 0
     places: dict[str, int] = field(default_factory=dict)
@@ -73,7 +73,7 @@ class _March:
         self.dimension = len(equations.rates)
         self.pieces, constants = functions(arithmetic, equations.pieces, lanes)
         self.space = Workspace()
-        #: What each variable changes by, over the length of the step.
+        #: The change of each variable, divided by the length of the step.
         self.results: dict[int, Value] = {}
         words = self.n.words
         for name, count in (
@@ -259,7 +259,7 @@ class _March:
             w.store("double", value, w.at("double", w.at("double", "%states", start), i))
 
     def _begin_fresh(self) -> None:
-        """What a lane needs before its first step."""
+        """Initialise a lane before its first step."""
         w, n, zero = self.w, self.n, self.w.constant(0.0)
         fresh = w.compare("ogt", self.get("fresh"), zero)
         w.line(f"call void @prepare(ptr {self.place('constants')}, ptr {self.place('parameters')})")
@@ -432,7 +432,7 @@ class _March:
         return total
 
     def _apart(self, weights: Sequence[Fraction], *members: int) -> Value:
-        """The same from the sum that gives the result, where few weights differ from its own."""
+        """A linear combination, from the sum of the result if few weights differ."""
         others = [weight - b for weight, b in zip(weights, self.method.b, strict=True)]
         nothing = Fraction(0)
         if len(members) > 1 or others.count(nothing) <= list(weights).count(nothing):
@@ -490,7 +490,7 @@ class _March:
             y = self._added([n.leading(self._y(i)) for i in members])
             k = self._added([n.leading(n.load(self.place("rates"), i)) for i in members])
             size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
-            # what cancels here is as small as the tolerance: in pairs, doubles would not do
+            # the sums cancel to the size of the tolerance: pairs need all their digits here
             a = n.leading(self._sum(self.method.e5, *members))
             b = n.leading(self._apart(self.method.e3, *members))
             e5, e3 = w.call("fma", a, a, e5), w.call("fma", b, b, e3)
@@ -558,19 +558,19 @@ class _March:
         event = w.choose(counted, w.constant(_POINT), event)
         following = w.choose(back, saved, following)
         mode = w.choose(back, w.constant(_RUNNING), mode)
-        # where the section lies, for what writes the point down
+        # the position of the section, for the code that records the point
         saved = w.choose(counted, left, saved)
         self.put("saved", saved)
         self.put("mode", mode)
         self.put("tries", tries)
-        # what has just been crossed is not crossed again, but may be crossed back
+        # a section that was just crossed is not crossed again, but may be crossed back
         self.put("g", w.choose(moved, w.choose(back, hence(w, gdot_new), g_new), g))
         self.put("g_here", w.choose(moved, g_new, self.get("g_here")))
         self.put("gdot", w.choose(moved, gdot_new, gdot))
         return moved, following, event, fault
 
     def _wavering(self, step: str) -> str:
-        """The square of how far the section's function is from the cubic through both ends.
+        """The squared distance of the section's function from the cubic of the step.
 
         Up to 1 it crosses zero where the cubic does; beyond, it may have turned unseen in between.
         """

@@ -35,7 +35,10 @@ class Explicit:
 
 @lru_cache
 def explicit() -> Explicit:
-    """Dormand and Prince's method of order 8 with 12 stages (Hairer, Nørsett, Wanner 1993)."""
+    """Dormand and Prince's method of order 8 with 12 stages.
+
+    Hairer, Nørsett, Wanner 1993, II.5.
+    """
     from scipy.integrate import DOP853
 
     stages = len(DOP853.B)
@@ -49,7 +52,7 @@ def explicit() -> Explicit:
 
 @lru_cache
 def explicit_fine() -> Explicit:
-    """The same method with coefficients of 60 digits."""
+    """Dormand and Prince's method with coefficients of 60 digits."""
     from .dop853_coefficients import explicit_table
 
     table = explicit_table()

@@ -27,7 +27,7 @@ def philox(
 ) -> tuple[
     npt.NDArray[np.uint64], npt.NDArray[np.uint64], npt.NDArray[np.uint64], npt.NDArray[np.uint64]
 ]:
-    """Four random words of 32 bits, as uint64, from a key and arrays of counters of 32 bits."""
+    """Four random 32-bit words, as uint64, from a key and arrays of 32-bit counters."""
     a, b, c, d = (np.asarray(word, dtype=np.uint64) for word in counter)
     for turn in range(_ROUNDS):
         first, second = (
@@ -52,7 +52,7 @@ def uniforms(
     members, attempts : int arrays (k,)
         Whose numbers they are, and for which of its attempts.
     many : int
-        How many for each.
+        Numbers for each.
 
     Returns
     -------

@@ -36,7 +36,7 @@ __all__ = ["LevelSampler", "level_sampler", "sample_level"]
 
 #: Attempts looked at together.
 _BATCH = 1 << 14
-#: What is put on top of the largest density that was met.
+#: The bound of the density, relative to the largest value that was met.
 _MARGIN = 1.15
 #: Attempts from which their yield is estimated.
 _TRIAL = 1 << 11
@@ -62,7 +62,7 @@ def sample_level(
     ----------
     system : System
     count : int
-        How many.
+        Number of points.
     level : mapping of str to float
         Values of the held integrals by name; the relations of the system hold anyway.
     parameters : mapping of Symbol or name to float, optional
@@ -161,7 +161,7 @@ class LevelSampler:
         weighted_points = self._proposal.weighted_points(gauss[:many])
         density = self.density(weighted_points)
         thresholds = self._bound * ndtr(gauss[many])
-        # of the points of a throw at most one is taken, each as often as its density says
+        # at most one point of a proposal is accepted, each with the frequency of its density
         rank = np.arange(weighted_points.which.size) - np.searchsorted(
             weighted_points.which, weighted_points.which
         )
@@ -190,11 +190,11 @@ class LevelSampler:
         )
 
     def density(self, weighted_points: WeightedPoints) -> FloatArray:
-        """The density to be drawn by, relative to that of the throws."""
+        """The target density, relative to that of the proposals."""
         return weighted_points.volume * self._weight(weighted_points.states)
 
     def _weight(self, states: FloatArray) -> FloatArray:
-        """The density to be drawn by, relative to ∏ δ(relations) ∏ δ(held integrals) dx."""
+        """The target density, relative to ∏ δ(relations) ∏ δ(held integrals) dx."""
         if self._density is not None:
             density: FloatArray = np.abs(self._density(states, self.parameters)[0])
             return density
@@ -258,7 +258,7 @@ def _density(
     proposal: Proposal,
     values: FloatArray,
 ) -> tuple[Measure | None, Compiled | None]:
-    """The invariant measure that holds here and has one sign on the level, and its density."""
+    """The invariant measure that has one sign on the level, and its density."""
     states = proposal.weighted_points(
         counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
     ).states
@@ -277,7 +277,7 @@ def _proposal(
     level: Mapping[str, float],
     values: FloatArray,
 ) -> Proposal:
-    """What throws points onto the level; refuse a level that is empty."""
+    """The proposal of points on the level; refuse a level that is empty."""
 
     def room(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
         places = fibration.normed(gauss)
@@ -333,7 +333,7 @@ def _empty(system: System, level: Mapping[str, float], names: set[str], reach: s
 
 
 def _with_bound_on_density(level: LevelSampler) -> LevelSampler:
-    """The level with a bound of what the densities of the points of one throw add up to."""
+    """The level with a bound of the total density of the points of one proposal."""
     proposal = level._proposal
 
     def height(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:

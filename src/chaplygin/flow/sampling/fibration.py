@@ -87,7 +87,7 @@ class Fibration:
 
     @property
     def balls(self) -> tuple[slice, ...]:
-        """The unit vectors among the numbers y that make a point: of the base, and of the ray."""
+        """Slices of the unit vectors in the numbers y of a point: base and ray."""
         sizes = [*map(len, self.spheres)]
         ends = [sum(sizes[: i + 1]) for i in range(len(sizes))]
         start = len(self.base)
@@ -96,11 +96,11 @@ class Fibration:
 
     @property
     def numbers(self) -> int:
-        """How many numbers y make a point of the level."""
+        """The number of coordinates y of a point of the level."""
         return len(self.base) + len(self.fibre)
 
     def normed(self, gauss: FloatArray) -> FloatArray:
-        """Points y, uniform on the product of spheres and circles, from normal numbers (y, k).
+        """Uniform points on the product of spheres and circles from normal numbers (y, k).
 
         Angles come by the normal distribution function, uniform in (0, 2π).
         """
@@ -182,7 +182,7 @@ class Fibration:
         )
 
     def parts(self, states: FloatArray, parameters: FloatArray) -> tuple[FloatArray, ...]:
-        """What the conditions are in the fibres over base points.
+        """Coefficients of the conditions in the fibres over base points.
 
         Slopes (k, m, f) and values (k, m) of the linear conditions at zero fibre; second
         derivatives (k, f, f), slopes (k, f) and values (k,) of the quadratic one.
@@ -204,12 +204,12 @@ class FibrePoints:
     states : array (size, k)
         Not-a-number in the fibre where there is no point.
     excess : array (k,)
-        How far the quadratic integral is above its least value in the fibre; negative where no
+        The level of the quadratic integral less its least value in the fibre; negative if no
         point lies above this point of the base.
     volume : array (k,)
         The volume δ(conditions) d(fibre) for a unit solid angle of rays; zero where no point is.
     centre, pull : arrays (k, f), (k, m)
-        Where the quadratic integral is least in the fibre, and the multipliers of the linear
+        The minimum of the quadratic integral in the fibre, and the multipliers of the linear
         conditions there.
     ray, length : arrays (k, f), (k,)
         Unit vectors and lengths of the rays.

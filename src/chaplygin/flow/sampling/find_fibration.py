@@ -1,4 +1,4 @@
-"""How a level of the integrals of a System lies over a base: found from its formulas."""
+"""The fibration of a level of the integrals of a System, found from its formulas."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ __all__ = ["find_fibration"]
 _BOUNDING = ("energy", "hamiltonian")
 #: Base points at which boundedness is looked at.
 _SAMPLE = 256
-#: What counts as no change.
+#: Changes below this count as none.
 _SAME = 1e-10
 #: Least ratio of the axes of an ellipsoid, squared.
 _DEFINITE = 1e-12
@@ -32,7 +32,7 @@ _DEFINITE = 1e-12
 def find_fibration(
     system: System, sheet: SystemFormulas, level: Mapping[str, float], values: FloatArray
 ) -> Fibration:
-    """How a level of the integrals lies over a base.
+    """The fibration of a level of the integrals over a compact base.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def _with_bound(
     bound: LevelCondition,
     others: list[LevelCondition],
 ) -> Fibration | None:
-    """The bundle in which `bound` is the quadratic condition; None where that cannot be."""
+    """The fibration with `bound` as its quadratic condition, if there is one."""
     fibre, angles = _loose(system, spheres), list[int]()
     terms = [bound.term, *(relation.term for relation in relations)]
     while curved := sheet.depends(_second(sheet, terms, fibre)) & set(fibre):
@@ -155,7 +155,7 @@ def _periodic(fibration: Fibration, states: FloatArray, values: FloatArray) -> b
 
 
 def _is_bounded(fibration: Fibration, values: FloatArray) -> bool:
-    """Whether the quadratic condition is definite on the fibres over a sample of base points."""
+    """Whether the quadratic condition is definite over a sample of base points."""
     states = _at_random(fibration)
     if not _periodic(fibration, states, values):
         return False
@@ -170,7 +170,7 @@ def _is_bounded(fibration: Fibration, values: FloatArray) -> bool:
 def _ellipsoids(
     system: System, values: FloatArray
 ) -> tuple[dict[tuple[int, ...], tuple[float, ...]], list[sp.Expr]]:
-    """The variables that lie on ellipsoids with their half axes; and the relations left.
+    """The variables on ellipsoids with their half axes, and the other relations.
 
     δ(∑ xᵢ²/aᵢ² − 1) dx is the uniform measure of the unit vectors xᵢ/aᵢ, up to a constant.
     """

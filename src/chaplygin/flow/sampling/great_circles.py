@@ -29,9 +29,9 @@ PIECES = 1
 #: than this, relative to the largest value on the curve.
 _HALVINGS = 10
 _CUBIC = 0.01
-#: How fine a crossing is found; the state is then settled on its level.
+#: Accuracy of a crossing, before the state is moved onto its level.
 _FINE = 1e-12
-#: Where a piece that ends at the edge of the level is looked at first, in its own parameter.
+#: First argument in a piece that ends at the edge of the level, in its own parameter.
 _EDGE = 1e-5
 
 #: From curves and parameters on them to values and slopes.
@@ -82,7 +82,7 @@ class GreatCircleProposal:
     # --- values and slopes ---------------------------------------------------------------------
 
     def excess(self, places: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """How far the level reaches over base points, and its slopes in y (k, y)."""
+        """The excess of the level over base points, and its slopes in y (k, y)."""
         rays = self.fibration.over(places, self.parameters)
         base, _ = self._central(rays)
         slopes = np.zeros(places.shape[::-1])
@@ -142,7 +142,7 @@ class GreatCircleProposal:
         return table[..., 0], table[..., 1:]
 
     def _tangent(self, places: FloatArray, slopes: FloatArray) -> FloatArray:
-        """Slopes in y, of slopes in the variables of the base and the direction of the ray."""
+        """Slopes in y from those in the base variables and the direction of the ray."""
         tangents = slopes.copy()
         tangents[:, : len(self.fibration.axes)] *= self.fibration.axes
         return self._across(places, tangents)
@@ -155,11 +155,11 @@ class GreatCircleProposal:
             tangents[:, part] = own - row_dots(own, unit)[:, None] * unit
         return tangents
 
-    # --- throws ------------------------------------------------------------------------------
+    # --- proposals ---------------------------------------------------------------------------
 
     @property
     def numbers(self) -> int:
-        """How many normal numbers a throw takes: a point y and a direction."""
+        """The number of normal numbers of a proposal: a point y and a direction."""
         return 2 * self.fibration.numbers
 
     @property
@@ -168,7 +168,7 @@ class GreatCircleProposal:
         return 3.0
 
     def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
-        """The points where the geodesics thrown by normal numbers (numbers, k) meet the level."""
+        """Points of the level on the geodesics of normal numbers (numbers, k)."""
         which, places = self.crossings(*self.curves(gauss))
         _, slopes, rays = self.value(places)
         with np.errstate(invalid="ignore", divide="ignore"):
@@ -184,7 +184,7 @@ class GreatCircleProposal:
     # --- curves ----------------------------------------------------------------------------------
 
     def curves(self, gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Uniform points y and uniform unit tangent vectors (y, k) from normal numbers (2 y, k)."""
+        """Uniform points and unit tangent vectors (y, k) from normal numbers (2 y, k)."""
         half = gauss.shape[0] // 2
         places = self.fibration.normed(gauss[:half])
         pushes = self._across(places, np.ascontiguousarray(gauss[half:].T)).T
@@ -204,7 +204,7 @@ class GreatCircleProposal:
         return there, speed
 
     def crossings(self, places: FloatArray, pushes: FloatArray) -> tuple[IntArray, FloatArray]:
-        """Where geodesics meet the hypersurface: numbers of the curves, and points y (y, n)."""
+        """Intersections of geodesics with the level: curve numbers, points y (y, n)."""
 
         def reach(which: IntArray, way: FloatArray) -> tuple[FloatArray, FloatArray]:
             there, speed = self.moved(places[:, which], pushes[:, which], way)
@@ -244,7 +244,7 @@ def _parts(reach: Along, count: int) -> tuple[IntArray, FloatArray, FloatArray]:
 
 @dataclass(frozen=True)
 class Steps:
-    """Intervals of functions: whose they are, their ends, values and slopes there (2, n)."""
+    """Intervals of functions: owner, ends, values and slopes at the ends (2, n)."""
 
     owner: IntArray
     ends: FloatArray
@@ -287,7 +287,7 @@ def crossings(along: Along, count: int, nodes: FloatArray) -> tuple[IntArray, Fl
     along : callable
         Numbers of functions (n,) and arguments (n,) ↦ values (n,) and slopes (n,).
     count : int
-        How many functions.
+        Number of functions.
     nodes : array
         Arguments to begin with; intervals in which a function is no cubic are halved.
 
@@ -330,12 +330,12 @@ def _cubic_steps(along: Along, count: int, nodes: FloatArray) -> Steps:
 
 
 def _may_dip(steps: Steps) -> BoolArray:
-    """Where a function of one sign may go to zero and come back inside an interval."""
+    """Intervals in which a function of one sign may touch zero."""
     sign = np.sign(steps.values[0])
     left, right = sign * steps.values
     down, up = sign * steps.slopes
     with np.errstate(invalid="ignore", divide="ignore"):
-        # where the tangents at both ends meet; a curve that bends one way stays above
+        # intersection of the tangents at both ends; a convex curve stays above it
         meet = (right - left - up * np.diff(steps.ends, axis=0)[0]) / (down - up)
         lowest = left + down * meet
         result: BoolArray = (

@@ -1,4 +1,4 @@
-"""What may be held on a level: which integrals are there, and which measure is invariant."""
+"""Integrals that can define a level, and the invariant measures on it."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def validate_level(system: System, level: Mapping[str, float], values: FloatArra
 def _vanishes(
     system: System, formula: sp.Expr, level: Mapping[str, float], values: FloatArray
 ) -> bool:
-    """Whether a formula is zero at these parameters, or an integral that is held at zero."""
+    """Whether a formula is zero at these parameters, or an integral with value zero."""
     written = to_components(formula)
     parameters = [p.symbol for p in system.parameters]
     if written.free_symbols <= set(parameters):

@@ -30,12 +30,12 @@ class WeightedPoints:
     Attributes
     ----------
     which : int array (n,)
-        The throw from which each came, in rising order.
+        The index of the proposal of each, in rising order.
     places : array (y, n)
         Their unit vectors and angles; see :class:`~chaplygin.flow.sampling.fibration.Fibration`.
     states : array (size, n)
     volume : array (n,)
-        δ(relations and held integrals) dx over the density of the throws, up to a constant.
+        δ(relations and held integrals) dx over the density of the proposals, up to a constant.
     """
 
     which: IntArray
@@ -45,37 +45,37 @@ class WeightedPoints:
 
 
 class Proposal(Protocol):
-    """What makes points of a level of normal numbers."""
+    """A map from normal numbers to weighted points of a level."""
 
     @property
     def fibration(self) -> Fibration:
-        """How the level lies over its base."""
+        """The fibration of the level over its base."""
 
     @property
     def numbers(self) -> int:
-        """How many normal numbers a throw takes."""
+        """The number of normal numbers of a proposal."""
 
     @property
     def most(self) -> float:
-        """How many points of the greatest density a throw may give, near enough."""
+        """The number of points of the greatest density in a proposal, roughly."""
 
     def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
-        """The points that throws (numbers, k) give."""
+        """The points of proposals (numbers, k)."""
 
     def near(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
-        """Throws that come close to places made of `gauss` (y, k); `fresh` (numbers, k)."""
+        """Proposals near the points of `gauss` (y, k), with fresh numbers (numbers, k)."""
 
 
 @dataclass(frozen=True)
 class RayProposal:
-    """The ends of rays of random direction over random base points: where nothing else is held."""
+    """The ends of random rays over random base points, if nothing further is held."""
 
     fibration: Fibration
     parameters: FloatArray
 
     @property
     def numbers(self) -> int:
-        """How many normal numbers a throw takes."""
+        """The number of normal numbers of a proposal."""
         return self.fibration.numbers
 
     @property
@@ -84,7 +84,7 @@ class RayProposal:
         return 1.0
 
     def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
-        """The points that throws (numbers, k) give."""
+        """The points of proposals (numbers, k)."""
         places = self.fibration.normed(gauss)
         rays = self.fibration.over(places, self.parameters)
         real = np.flatnonzero(rays.volume > 0)
@@ -92,7 +92,7 @@ class RayProposal:
         return WeightedPoints(real, places[:, real], states, rays.volume[real])
 
     def near(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
-        """The same throws again."""
+        """The normal numbers themselves, unchanged."""
         return gauss
 
 
@@ -111,15 +111,15 @@ def maximise(
     height : callable
         Throws (many, k) ↦ places (y, n) and values (n,), n whatever comes of them.
     start : callable
-        (places as normal numbers (y, k), normal numbers (many, k)) ↦ throws near these places.
+        (places as normal numbers (y, k), normal numbers (many, k)) ↦ proposals near these points.
     many : int
     first : array (y, k), optional
-        Places to begin with besides those of random throws.
+        Points to begin with besides random ones.
 
     Returns
     -------
     float, array (y,)
-        Minus infinity where no throw gives anything.
+        Minus infinity if no proposal has a point.
     """
     places, values = height(counter_normals(_SEED, np.arange(_PILOT), np.zeros(_PILOT), many))
     if first is not None:

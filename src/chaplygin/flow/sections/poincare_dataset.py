@@ -43,7 +43,7 @@ class Quantity:
         In state, definitions and parameters.
     meaning, unit : str
     label : str
-        What figures call it, in place of the name.
+        The label in figures, in place of the name.
     """
 
     name: str
@@ -54,14 +54,14 @@ class Quantity:
 
 
 class Columns(Protocol):
-    """Functions on the section that are no formulas, such as coordinates found by cases.
+    """Functions on the section without a formula, such as coordinates by cases.
 
     A frozen dataclass with ``__call__``, so that it can be pickled and named.
     """
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
-        """What they are; formulas are not looked at."""
+        """Names, meanings and units; their formulas are ignored."""
 
     def __call__(self, states: FloatArray) -> FloatArray:
         """The columns (n, quantities) at states (n, size)."""
@@ -144,9 +144,9 @@ def section_task(
     count : int
         Returns of each motion.
     quantities : sequence of Quantity, optional
-        What to record besides.
+        Further quantities to record.
     columns : Columns, optional
-        The same, of functions that are no formulas.
+        Further functions without a formula.
     attributes : mapping, optional
         Further attributes of the result, such as a seed.
     meanings : mapping of str to (str, str), optional
@@ -222,7 +222,7 @@ def _notes(meaning: str, unit: str, source: str = "") -> dict[str, str]:
 
 
 def _outcome(returns: PoincareMap) -> dict[str, object]:
-    """Why a run ended, told by its numbers as in the CF conventions."""
+    """Attributes of the codes with which a run ends, by the CF conventions."""
     reasons = {0: "all its points"}
     reasons |= {
         code: returns.reason(code)

@@ -1,4 +1,4 @@
-"""A section of a flow as a map: where a motion goes through a surface again.
+"""The Poincaré map of a flow: the first return to a surface.
 
 Let a motion ẋ = f(x) leave a point x of the surface g = 0 and come back to it, through it in the
 same direction, after the time T(x).  P(x) = φ_T(x), the first return, is a map of the surface
@@ -44,7 +44,7 @@ class Derivative:
     Attributes
     ----------
     images : array (n, size)
-        Where the points return; NaN for those that do not.
+        The returns of the points; NaN for those that do not return.
     times : array (n,)
         Times of return.
     matrices : array (n, size, size)
@@ -70,7 +70,7 @@ class PoincareMap:
     system : System
         Points are its states in flat order; a system lifted to space carries its attitude along.
     section : Section
-        Where the motion is looked at.
+        The section at which motions are recorded.
     parameters : mapping of Symbol or name to number or array (n,), optional
         Values that replace the defaults; an array has one for every point.
     tolerance : float
@@ -189,7 +189,7 @@ class PoincareMap:
 
     @arguments_checked
     def reason(self, code: int) -> str:
-        """What an outcome of `returns` means, in words; nothing for 0."""
+        """The reason why a motion of `returns` ended, in words; empty for 0."""
         return self._lanes(0).reason(code)
 
     def residual(self, points: npt.ArrayLike) -> FloatArray:
@@ -259,7 +259,7 @@ class PoincareMap:
 
 
 def slab(section: Section, quantity: sp.Expr, width: float) -> Section:
-    """A section where only crossings with |quantity| < width count; see `PoincareMap.within`.
+    """The section with the condition |quantity| < width; see `PoincareMap.within`.
 
     Raises
     ------
