@@ -139,7 +139,7 @@ class TangentSpace:
         result: FloatArray = self._conditions(states, parameters)
         return result
 
-    def kept(
+    def on_level(
         self,
         states: FloatArray,
         level: FloatArray,
@@ -177,7 +177,7 @@ class TangentSpace:
         mixed = [sum(c * fields[:, j] for j, c in enumerate(row)) for row in self.mixed]
         return (np.stack(mixed, axis=1) if mixed else fields[:, :0]) / sizes[..., None, :]
 
-    def excluded(
+    def excluded_basis(
         self, states: FloatArray, parameters: Parameters = None, sizes: FloatArray = ONE
     ) -> tuple[FloatArray, FloatArray]:
         """An orthonormal basis of what is no deviation that counts.
@@ -228,7 +228,7 @@ class TangentSpace:
         shape = (self.dimension if count is None else count, len(self.system.symbols))
         chosen = np.random.default_rng(SEED).standard_normal(shape)
         vectors = np.broadcast_to(chosen, (len(states), *shape))
-        return orthonormal(vectors, self.excluded(states, parameters, sizes)[0])[0]
+        return orthonormal(vectors, self.excluded_basis(states, parameters, sizes)[0])[0]
 
     def divergence(
         self,
@@ -327,8 +327,8 @@ def propagate(
     while True:
         carried = frames * measures if frames.shape[1] else None
         run = lanes.until(states, times, parameters, deviations=carried, threads=threads)
-        states = space.kept(run.states[:, -1], level, parameters, sizes)
-        basis, excluded = space.excluded(states, parameters, sizes)
+        states = space.on_level(run.states[:, -1], level, parameters, sizes)
+        basis, excluded = space.excluded_basis(states, parameters, sizes)
         if run.deviations is not None:
             frames = run.deviations[:, -1] / measures
         frames, lengths = orthonormal(frames, basis)

@@ -87,12 +87,12 @@ class _Plan:
     direction: Direction
 
     @cached_property
-    def lifted(self) -> System:
+    def system_in_space(self) -> System:
         return self.system.lifted() if self.system.motion else self.system
 
     @cached_property
     def name(self) -> str:
-        system = self.lifted
+        system = self.system_in_space
         # each part in a list of its own: an observable is compiled otherwise than a guard
         shape = [
             self.system.symbols,
@@ -111,7 +111,7 @@ class _Plan:
         return cache.code_name(*formulas, repr(self.tolerance), self.precision, self.direction)
 
     def compile(self) -> CompiledSystem:
-        system, kind = self.lifted, number_type(self.precision)
+        system, kind = self.system_in_space, number_type(self.precision)
         translate = Translator(system)
         variables = translate.variables
         # heyoka looks at the derivative in time, whichever way it runs

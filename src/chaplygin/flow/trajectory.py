@@ -240,12 +240,12 @@ class RecordedQuantity:
 @lru_cache(maxsize=32)
 def recorded_quantities(system: System) -> tuple[RecordedQuantity, ...]:
     """The observables of a system, and its integrals as ``law_<name>``."""
-    quantities = [_recorded(item.name, item.frame, item) for item in system.observables]
-    quantities += [_recorded(f"law_{law.name}", "", law) for law in system.integrals]
+    quantities = [_quantity(item.name, item.frame, item) for item in system.observables]
+    quantities += [_quantity(f"law_{law.name}", "", law) for law in system.integrals]
     return tuple(quantities)
 
 
-def _recorded(name: str, frame: str, item: Observable | Integral) -> RecordedQuantity:
+def _quantity(name: str, frame: str, item: Observable | Integral) -> RecordedQuantity:
     formula = to_components(sp.sympify(item.value))
     is_vector = isinstance(formula, sp.MatrixBase)
     components = tuple(formula) if is_vector else (formula,)

@@ -227,7 +227,7 @@ def test_marks_are_on_the_disk_before_a_block_counts(
     def settle(chunk: Path) -> None:
         settled.append(chunk.relative_to(tmp_path / "a.zarr").parts[0])
 
-    monkeypatch.setattr("chaplygin.flow.ensemble.zarr_store._settle", settle)
+    monkeypatch.setattr("chaplygin.flow.ensemble.zarr_store.flush", settle)
     compute(task(block=35), tmp_path / "a.zarr")
     assert set(settled[:-1]) == set(task().variables)
     assert settled[-1] == "done"
@@ -323,7 +323,7 @@ def test_a_table_is_on_the_disk_before_the_mark(
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr("chaplygin.flow.ensemble.zarr_store._write_chunk_table", stop)
+        patch.setattr("chaplygin.flow.ensemble.zarr_store.write_chunk_table", stop)
         with pytest.raises(KeyboardInterrupt):
             compute(task(log=str(log)), place)
     assert not zarr.open_group(place)["done"][:].any()

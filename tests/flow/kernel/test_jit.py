@@ -30,7 +30,7 @@ _P = ctypes.c_void_p
 def doubling(lanes_of: int, factor: str = "2.0") -> Any:
     """Code that multiplies a vector by a number."""
     w = IRWriter(lanes_of)
-    place = w.at(w.type, "%given", 0)
+    place = w.address(w.type, "%given", 0)
     w.store(w.type, w.op("fmul", w.load(w.type, place), w.constant(float(factor))), place)
     text = w.text("void @doubled(ptr %given)", "#0")
     return native.load_code(text, lambda: (text, lanes_of), {"doubled": (_P,)})

@@ -25,7 +25,7 @@ def same(gauss: Any, _: Any) -> Any:
 
 def test_a_narrow_peak_is_found() -> None:
     def height(gauss: Any) -> tuple[Any, Any]:
-        places = MADE.normed(gauss)
+        places = MADE.uniform_points(gauss)
         off = places[:3] - PEAK[:, None]
         return places, np.exp(-1000 * (off * off).sum(axis=0))
 

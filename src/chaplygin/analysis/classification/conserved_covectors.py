@@ -141,7 +141,9 @@ def _rows(
     named: Mapping[sp.Symbol, sp.Expr], variable: sp.Symbol, slopes: Mapping[sp.Symbol, sp.Expr]
 ) -> Covectors:
     def rows(view: View) -> list[list[Element]]:
-        names = {s: without_rates(to_components(f), view.ground, named) for s, f in named.items()}
+        names = {
+            s: without_rates(to_components(f), view.level_set, named) for s, f in named.items()
+        }
         reading = view.evaluate.with_steps(names)
         along = view.differential(names[variable])
         covectors = []

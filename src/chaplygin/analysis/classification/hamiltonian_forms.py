@@ -150,7 +150,7 @@ def _commute(
     patience: ProofBudget,
 ) -> bool:
     """Whether two integrals are proven to be in involution."""
-    system = sample.ground.system
+    system = sample.level_set.system
     formula = sample.expanded(to_components(one.value))
     gradient = sp.Matrix([sp.diff(formula, s) for s in system.symbols])
     field = dict(zip(system.symbols, to_components(law.structure.matrix) * gradient, strict=True))

@@ -86,7 +86,7 @@ def _rotations(sample: RankSample, on: tuple[sp.Expr, ...]) -> list[Symmetry]:
 
 def _full(sample: RankSample, law: Symmetry) -> Components:
     """The components of a symmetry field as formulas in the state alone."""
-    named = components(law.field, sample.ground)
+    named = components(law.field, sample.level_set)
     return {s: sample.expanded(named.get(s, sp.S.Zero)) for s in sample.system.symbols}
 
 
@@ -95,8 +95,8 @@ def _independent(sample: RankSample, laws: Sequence[Symmetry]) -> list[Symmetry]
         return []
     fields = [_full(sample, law) for law in laws]
 
-    def chosen(view: View) -> list[int]:
-        rows = [[view.jet(rate).value for rate in sample.ground.system.rates]]
+    def independent_indices(view: View) -> list[int]:
+        rows = [[view.jet(rate).value for rate in sample.level_set.system.rates]]
         indices = []
         for index, field in enumerate(fields):
             more = [view.jet(component).value for component in field.values()]
@@ -105,7 +105,7 @@ def _independent(sample: RankSample, laws: Sequence[Symmetry]) -> list[Symmetry]
                 indices.append(index)
         return indices
 
-    return [laws[i] for i in max(sample.at_points(chosen), key=len)]
+    return [laws[i] for i in max(sample.at_points(independent_indices), key=len)]
 
 
 def _tangent(
@@ -118,7 +118,7 @@ def _tangent(
     if not all(source.functions for source in chosen):
         return False
     field = _full(sample, law)
-    moved = replace(sample.ground.system, field=field)
+    moved = replace(sample.level_set.system, field=field)
     turn = _as_rotation(sample, field)
     return all(
         (turn and turn.keeps(formula))

@@ -69,7 +69,7 @@ class View:
     field : Rationals or Balls
     evaluate : Evaluator
         Values with their partial derivatives by the state variables.
-    ground : Ground
+    level_set : LevelSet
         Of the system whose formulas are read.
     size : int
         Number of state variables of the system that is observed.
@@ -77,12 +77,12 @@ class View:
 
     field: Rationals | Balls
     evaluate: Evaluator
-    ground: LevelSet
+    level_set: LevelSet
     size: int
 
     def jet(self, formula: sp.Expr) -> Jet:
         """A formula of the system with its derivatives."""
-        return self.evaluate(without_rates(to_components(sp.sympify(formula)), self.ground))
+        return self.evaluate(without_rates(to_components(sp.sympify(formula)), self.level_set))
 
     def differential(self, formula: sp.Expr) -> list[Element]:
         """The partial derivatives of a function by the state variables."""
@@ -91,7 +91,7 @@ class View:
 
     def through(self, law: Isomorphism) -> View:
         """The view of this point in the variables of the target of an isomorphism."""
-        own = self.ground
+        own = self.level_set
         named = [*components((*law.map, *law.constants), own).items()]
         values = {s: self.evaluate(f) for s, f in named}
         for parameter in law.target.parameters:
@@ -124,7 +124,7 @@ class RankSample:
     values: Mapping[sp.Symbol, Number] | None = None
 
     @cached_property
-    def ground(self) -> LevelSet:
+    def level_set(self) -> LevelSet:
         """The level, with parameters that are numbers."""
         return LevelSet(with_numeric_parameters(self.system, self.parameters), self.on)
 
@@ -135,7 +135,7 @@ class RankSample:
 
     def expanded(self, formula: sp.Expr) -> sp.Expr:
         """A formula in the state alone: definitions written out, parameters as numbers."""
-        return self.ground.expanded(sp.sympify(formula))
+        return self.level_set.expanded(sp.sympify(formula))
 
     def at_points(self, compute: Callable[[View], T]) -> list[T]:
         """Results at some points of the level, inside the domain of the equations.
@@ -149,21 +149,21 @@ class RankSample:
         results: list[T] = []
         with ball_precision():
             for attempt in range(ATTEMPTS):
-                values, exact = self.ground.point(generator)
-                if attempt < ATTEMPTS // 2 and not self.ground.inside(values, exact):
+                values, exact = self.level_set.point(generator)
+                if attempt < ATTEMPTS // 2 and not self.level_set.inside(values, exact):
                     continue
-                results += self._computed(compute, values, exact)
+                results += self._results(compute, values, exact)
                 if len(results) == POINTS:
                     return results
         raise OutOfReachError("no point was found at which the laws could be evaluated")
 
-    def _computed(
+    def _results(
         self, compute: Callable[[View], T], values: Mapping[str, Number], exact: bool
     ) -> list[T]:
         for rational in (True, False) if exact else (False,):
-            field = self.ground.numbers(values, rational)
-            partial = self.ground.partial(field)
-            view = View(field, partial, self.ground, len(self.system.symbols))
+            field = self.level_set.numbers(values, rational)
+            partial = self.level_set.partial(field)
+            view = View(field, partial, self.level_set, len(self.system.symbols))
             try:
                 return [compute(view)]
             except NotExactError:
@@ -174,7 +174,7 @@ class RankSample:
 
     def bounds(self, view: View) -> list[list[Element]]:
         """Differentials of the relations and of the level."""
-        return [view.differential(condition) for condition in self.ground.moving]
+        return [view.differential(condition) for condition in self.level_set.moving]
 
     @cached_property
     def dimension(self) -> int:
@@ -200,7 +200,7 @@ class RankSample:
             covectors that they add; the largest found at a point, exact or certain.
         """
 
-        def chosen(view: View) -> tuple[list[int], int]:
+        def independent_indices(view: View) -> tuple[list[int], int]:
             covectors = self.bounds(view)
             first = reached = rank(view.field, covectors)
             indices = []
@@ -213,7 +213,7 @@ class RankSample:
                     reached = now
             return indices, reached - first
 
-        return max(self.at_points(chosen), key=lambda pair: pair[1])
+        return max(self.at_points(independent_indices), key=lambda pair: pair[1])
 
     def full(self, wanted: int, rows: Covectors) -> bool:
         """Whether vectors span enough dimensions at one point, so at almost all."""
@@ -232,8 +232,8 @@ class RankSample:
         signs: set[int] = set()
         with ball_precision():
             for _ in range(points):
-                values, exact = self.ground.point(generator)
-                signs.update(self._computed(lambda view: _sign(view, formula), values, exact))
+                values, exact = self.level_set.point(generator)
+                signs.update(self._results(lambda view: _sign(view, formula), values, exact))
         return signs - {0}
 
 

@@ -43,12 +43,14 @@ def is_rotation_invariant(sample: RankSample, axis: int) -> Turning | None:
     if not vectors:
         return None
     for name in system.state:
-        turning.motion.update(zip(name.symbols, turning.turned(name.symbols), strict=True))
+        turning.motion.update(zip(name.symbols, turning.rotation(name.symbols), strict=True))
     if not all(turning.follows(name, formula) for name, formula in system.definitions):
         return None
-    rates = [turning.written(rate) for rate in system.rates]
+    rates = [turning.expanded(rate) for rate in system.rates]
     wanted = [
-        component for i in range(0, len(rates), 3) for component in turning.turned(rates[i : i + 3])
+        component
+        for i in range(0, len(rates), 3)
+        for component in turning.rotation(rates[i : i + 3])
     ]
     shown = all(map(turning.keeps, system.relations)) and turning.agree(rates, wanted)
     return turning if shown else None
@@ -63,25 +65,25 @@ class Turning:
         self.motion: dict[sp.Symbol, sp.Expr] = {}
         self.equal: dict[sp.Symbol, sp.Expr] = dict(sample.parameters)
 
-    def turned(self, triple: Sequence[sp.Expr]) -> list[sp.Expr]:
+    def rotation(self, triple: Sequence[sp.Expr]) -> list[sp.Expr]:
         """The change of a vector: e × x."""
         return list(self.hat * sp.Matrix(triple))
 
-    def written(self, formula: sp.Expr) -> sp.Expr:
+    def expanded(self, formula: sp.Expr) -> sp.Expr:
         """A formula with numbers for parameters and one symbol for what is equal."""
         return formula.xreplace(self.equal)
 
     def follows(self, name: sp.Expr, formula: sp.Expr) -> bool:
         """Whether a definition transforms by its kind; if so, its symbols do so too."""
         symbols, parts = zip(*flat_pairs(((name, formula),)), strict=True)
-        values = [self.written(part) for part in parts]
+        values = [self.expanded(part) for part in parts]
         if isinstance(name, Symmetric):
             here, there = (_square(t) for t in (values, symbols))
             wanted, change = (
                 Symmetric.independent(self.hat * t - t * self.hat) for t in (here, there)
             )
         elif isinstance(name, Vector) and len(symbols) == 3:
-            wanted, change = tuple(self.turned(values)), tuple(self.turned(symbols))
+            wanted, change = tuple(self.rotation(values)), tuple(self.rotation(symbols))
         elif isinstance(name, Diagonal | sp.Symbol):
             wanted = change = (sp.S.Zero,) * len(symbols)
         else:
@@ -96,7 +98,7 @@ class Turning:
 
     def keeps(self, formula: sp.Expr) -> bool:
         """Whether a scalar formula is shown not to change."""
-        return vanishes(self._change(self.written(to_components(sp.sympify(formula)))))
+        return vanishes(self._change(self.expanded(to_components(sp.sympify(formula)))))
 
     def agree(self, values: Sequence[sp.Expr], wanted: Sequence[sp.Expr]) -> bool:
         """Whether formulas change as they must."""

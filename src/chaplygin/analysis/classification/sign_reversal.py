@@ -76,7 +76,7 @@ def reverses(system: System, odd: Set[sp.Symbol]) -> bool:
 
 def _parity(formula: sp.Expr, signs: dict[sp.Symbol, int]) -> int | None:
     """1 for an even formula, −1 for an odd one; None if it is shown neither."""
-    seen = _seen(formula, signs)
+    seen = _parity_of_operands(formula, signs)
     if seen is not None:
         return seen
     other = formula.xreplace({s: -s for s in formula.free_symbols if signs.get(s) == -1})
@@ -85,11 +85,11 @@ def _parity(formula: sp.Expr, signs: dict[sp.Symbol, int]) -> int | None:
     return -1 if vanishes(other + formula) else None
 
 
-def _seen(formula: sp.Expr, signs: dict[sp.Symbol, int]) -> int | None:
+def _parity_of_operands(formula: sp.Expr, signs: dict[sp.Symbol, int]) -> int | None:
     """The parity that follows from those of the parts, without computation."""
     if formula.is_Symbol or not formula.args:
         return signs.get(formula, 1)
-    parts = [_seen(part, signs) for part in formula.args]
+    parts = [_parity_of_operands(part, signs) for part in formula.args]
     if all(part == 1 for part in parts):
         return 1
     if None in parts:

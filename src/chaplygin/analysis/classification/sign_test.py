@@ -76,7 +76,7 @@ def _divides(sample: RankSample, formula: sp.Expr) -> bool:
 def _bounds(sample: RankSample, names: set[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
     """Bounds of variables from relations Σ wᵢ xᵢ² = const with positive weights."""
     bounds: dict[sp.Symbol, sp.Expr] = {}
-    for condition in sample.ground.moving:
+    for condition in sample.level_set.moving:
         group = sorted(condition.free_symbols, key=str)
         weights = [sp.diff(condition, s, 2) / 2 for s in group]
         remainder = condition.xreplace(dict.fromkeys(group, sp.S.Zero))
@@ -96,7 +96,7 @@ def _is_covered(sample: RankSample, formula: sp.Expr, expanded: sp.Expr) -> bool
     if not names <= set(bounds):
         return False
     order = sorted(bounds, key=str)
-    conditions = [c for c in sample.ground.moving if c.free_symbols <= set(bounds)]
+    conditions = [c for c in sample.level_set.moving if c.free_symbols <= set(bounds)]
     # a little wider than the bound itself, which need not be a binary fraction
     waiting = [tuple((arb(0), arb(float(bounds[s])) * arb("1.0001")) for s in order)]
     with ball_precision():
@@ -114,9 +114,9 @@ def _is_covered(sample: RankSample, formula: sp.Expr, expanded: sp.Expr) -> bool
 
 def _is_nonzero_on(sample: RankSample, formula: sp.Expr, values: Mapping[str, arb]) -> bool:
     """Whether a formula is certainly not zero, and finite, on a box."""
-    field = sample.ground.numbers(values, False)
+    field = sample.level_set.numbers(values, False)
     try:
-        value = sample.ground.evaluator(field).value(formula)
+        value = sample.level_set.evaluator(field).value(formula)
     except (ZeroDivisionError, NotExactError):
         return False
     return bool(value.is_finite()) and 0 not in value

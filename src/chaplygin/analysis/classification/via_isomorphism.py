@@ -130,7 +130,7 @@ def _constants(
 
     For the latter the value is an example.
     """
-    named = dict(components(law.constants, sample.ground))
+    named = dict(components(law.constants, sample.level_set))
     state = set(sample.system.symbols)
     values = rational_parameters(law.target)
     moving = []
@@ -150,8 +150,8 @@ def _diffeomorphic(
 
     The constants are Casimir functions of what is carried over.
     """
-    named = dict(components(law.constants, sample.ground))
-    images = list(components(law.map, sample.ground).values())
+    named = dict(components(law.constants, sample.level_set))
+    images = list(components(law.map, sample.level_set).values())
     constants = [named[s] for s in moving]
 
     def rows(view: View) -> list[list[Element]]:

@@ -194,7 +194,7 @@ def _run(
     inner = interval * (1 + places) / 2
     first = np.array([start], dtype=np.float64)
     states, nodes = [first[0]], []
-    lengths, sizes = [], [space.excluded(first, parameters, directions.sizes)[1][0]]
+    lengths, sizes = [], [space.excluded_basis(first, parameters, directions.sizes)[1][0]]
     stretches = propagate(
         machine, space, first, interval, parameters, sizes=directions.sizes, nodes=inner, threads=1
     )

@@ -225,8 +225,8 @@ def _growth_arrays(
         going = run.outcome == 0
         live, chosen = live[going], select_parameters(chosen, going)
         level = np.zeros((len(live), len(relations.conditions)))
-        states[live] = relations.kept(run.states[going, 0], level, chosen, sizes[live])
-        basis, _ = space.excluded(states[live], chosen, sizes[live])
+        states[live] = relations.on_level(run.states[going, 0], level, chosen, sizes[live])
+        basis, _ = space.excluded_basis(states[live], chosen, sizes[live])
         tangents = np.asarray(run.deviations)[going, 0] / sizes[live, None]
         frames[live], lengths = rule.normalised(tangents, basis)
         with np.errstate(divide="ignore"):

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...core.arrays import FloatArray
-from .maps import Map, measured
+from .maps import Map, normalised
 
 __all__ = ["Multipliers", "multipliers", "stability"]
 
@@ -96,7 +96,7 @@ def multipliers(made: Map, point: FloatArray, slope: FloatArray) -> Multipliers:
     """
     sizes = made.sizes(point[None])
     slope = slope * sizes / sizes[:, None]
-    _, domain = measured(
+    _, domain = normalised(
         np.zeros(len(made.domain.names)), made.domain.slopes(point[None])[0], sizes
     )
     basis = complement(domain)

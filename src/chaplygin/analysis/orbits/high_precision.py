@@ -20,7 +20,7 @@ from ...flow.batch import batch_integrator
 from ...flow.gauss import gauss_integrator
 from ...flow.kernel.double_double import from_pairs
 from ...formulas.multiprecision import slopes
-from .maps import measured
+from .maps import normalised
 from .periodic import NoOrbitError, Orbit, held_values, periodic_difference, shortest
 from .return_map import ReturnMap
 
@@ -125,7 +125,7 @@ class _Problem:
         ]
         gaps = [float(m - t) for m, t in zip(misses, whole_turns, strict=True)]
         sizes = self.sizes[:-1]
-        excess, rows = measured(*self._levels(point), sizes)
+        excess, rows = normalised(*self._levels(point), sizes)
         closing = np.column_stack(
             [np.asarray(moved.deviations)[0, 0].T - np.eye(size), [float(r) for r in rates]]
         )
@@ -154,9 +154,9 @@ class _Problem:
     ) -> tuple[mpmath.matrix, mpmath.matrix]:
         """Formulas and their slopes with all digits."""
         section = self.made.section
-        given = {str(name): value for name, value in section.parameters.items()}
+        parameters = {str(name): value for name, value in section.parameters.items()}
         constants = {
-            s: mpmath.mpmathify(given.get(str(s), default))
+            s: mpmath.mpmathify(parameters.get(str(s), default))
             for s, default in section.system.defaults.items()
         }
         symbols = section.system.symbols

@@ -15,7 +15,7 @@ import numpy as np
 
 from ...core.arrays import FloatArray
 
-__all__ = ["ConservedFunctions", "Image", "Map", "Plain", "measured", "slope_of"]
+__all__ = ["ConservedFunctions", "Image", "Map", "Plain", "normalised", "slope_of"]
 
 Function = Callable[[FloatArray], FloatArray]
 
@@ -116,7 +116,7 @@ class Map(Protocol):
         ...
 
 
-def measured(
+def normalised(
     values: FloatArray, slopes: FloatArray, sizes: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Values (..., r) and slopes (..., r, size) of functions, normalised by slopes."""

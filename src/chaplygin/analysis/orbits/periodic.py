@@ -17,7 +17,7 @@ import numpy as np
 from ...core.arrays import FloatArray
 from ...errors import InputError, RunError
 from .floquet import Multipliers, multipliers
-from .maps import Image, Map, measured
+from .maps import Image, Map, normalised
 
 __all__ = [
     "Equations",
@@ -132,13 +132,13 @@ class Equations:
             closing[k, :, (k + 1) % count] += np.eye(size)
         domain = self.map.domain
         places = np.zeros((count, len(domain.names), count, size))
-        missed, local = measured(domain.values(points), domain.slopes(points), self.sizes)
+        missed, local = normalised(domain.values(points), domain.slopes(points), self.sizes)
         for k, slope in enumerate(local):
             places[k, :, k] = slope
         rows = [self.map.integrals.names.index(name) for name in self.held]
         levels = np.zeros((len(rows), count, size))
         excess = self.map.integrals.values(points[:1])[0, rows] - list(self.held.values())
-        excess, levels[:, 0] = measured(
+        excess, levels[:, 0] = normalised(
             excess, self.map.integrals.slopes(points[:1])[0, rows], self.sizes
         )
         residuals = np.concatenate([(gaps / self.sizes).ravel(), missed.ravel(), excess])
@@ -187,7 +187,7 @@ def shortest(slopes: FloatArray, residuals: FloatArray) -> FloatArray:
 def onto(made: Map, points: FloatArray, sizes: FloatArray) -> FloatArray:
     """The points of the domain of a map that are next to given ones, to rounding."""
     for _ in range(8):
-        misses, slopes = measured(made.domain.values(points), made.domain.slopes(points), sizes)
+        misses, slopes = normalised(made.domain.values(points), made.domain.slopes(points), sizes)
         if not misses.size or np.abs(misses).max() < 1e-15:
             break
         inverse = np.linalg.pinv(slopes, rcond=FAMILY)
@@ -215,7 +215,7 @@ def newton_solution(
     """
     sizes = equations.sizes
 
-    def evaluated(place: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def scaled_residuals(place: FloatArray) -> tuple[FloatArray, FloatArray]:
         residuals, slopes, _ = equations(place)
         if row is not None:
             direction, value = row
@@ -224,7 +224,7 @@ def newton_solution(
         return residuals, slopes
 
     points = onto(equations.map, points, sizes)
-    residuals, slopes = evaluated(points)
+    residuals, slopes = scaled_residuals(points)
     last = np.inf
     for _ in range(STEPS):
         step = shortest(slopes, residuals).reshape(points.shape)
@@ -232,7 +232,7 @@ def newton_solution(
         if size >= 0.9 * last and size < 1e-10 * scale:
             break
         moved = _damped_step(
-            equations, evaluated, points, step * sizes, float(np.linalg.norm(residuals))
+            equations, scaled_residuals, points, step * sizes, float(np.linalg.norm(residuals))
         )
         if moved is None:
             break
@@ -249,7 +249,7 @@ def newton_solution(
 
 def _damped_step(
     equations: Equations,
-    evaluated: Callable[[FloatArray], tuple[FloatArray, FloatArray]],
+    scaled_residuals: Callable[[FloatArray], tuple[FloatArray, FloatArray]],
     points: FloatArray,
     step: FloatArray,
     norm: float,
@@ -258,7 +258,7 @@ def _damped_step(
     for power in range(HALVINGS):
         place = onto(equations.map, points + step * 0.5**power, equations.sizes)
         try:
-            residuals, slopes = evaluated(place)
+            residuals, slopes = scaled_residuals(place)
         except NoOrbitError:
             continue
         if np.linalg.norm(residuals) < norm or norm < ROUGH:

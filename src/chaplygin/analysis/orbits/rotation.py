@@ -188,14 +188,14 @@ def rotation(turns: FloatArray, target: float = 1e-10, longest: int = 64) -> Rot
     longest = min(longest, (len(turns) - 1) // ROUNDS)
     verdict, approach = "undecided", None
     if fraction.denominator <= longest:
-        verdict, approach = _around(turns, fraction)
+        verdict, approach = _windings_around(turns, fraction)
     elif error <= target and _passes(turns, value, longest):
         verdict = "quasi-periodic"
     near = fraction if verdict in ("locked", "closed") else None
     return Rotation(value, error, verdict, near, approach, longest, len(turns) - 1)
 
 
-def _around(turns: FloatArray, fraction: Fraction) -> tuple[str, float | None]:
+def _windings_around(turns: FloatArray, fraction: Fraction) -> tuple[str, float | None]:
     """Whether an orbit is or approaches a cycle, and how fast."""
     misses = np.abs(
         turns[fraction.denominator :] - turns[: -fraction.denominator] - fraction.numerator

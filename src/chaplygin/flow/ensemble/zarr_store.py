@@ -15,13 +15,12 @@ appears at once too, under a provisional name first.
 
 from __future__ import annotations
 
-import contextlib
 import errno
 import fcntl
 import os
 import shutil
 import warnings
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -29,10 +28,11 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ...core.arrays import BoolArray, IntArray
+from ...core.arrays import BoolArray
 from ...core.source_digest import computation_digest
 from ...errors import InputError
 from ...formulas.digest import digest, field_digests
+from .chunks import chunk_path, damaged_blocks, flush, write_chunk_table
 from .task import Arrays, IncompleteError, Task
 
 if TYPE_CHECKING:
@@ -45,10 +45,6 @@ __all__ = ["Store", "open_store", "read_store"]
 
 #: The array of the marks of complete blocks.
 DONE = "done"
-
-#: The table of sizes and times of change of all chunks, in the folder of the marks: a row of pairs
-#: of 64-bit numbers for each block.
-CHUNK_TABLE = "chunks"
 
 #: An attribute of every store, by which other stores are recognised.
 FORMAT = "chaplygin blocks 1"
@@ -91,17 +87,17 @@ class Store:
         try:
             for name, array in arrays.items():
                 self.arrays[name][first:last] = array
-                _settle(_chunk(self.folder, name, block, array.ndim))
+                flush(chunk_path(self.folder, name, block, array.ndim))
             chunks = [
-                _chunk(self.folder, name, block, array.ndim)
+                chunk_path(self.folder, name, block, array.ndim)
                 for name, array in self.arrays.items()
                 if name != DONE
             ]
-            _write_chunk_table(self.folder, block, chunks)
+            write_chunk_table(self.folder, block, chunks)
             marked = self.done.copy()
             marked[block] = True
             self.arrays[DONE][:] = marked
-            _settle(_chunk(self.folder, DONE, 0, 1))
+            flush(chunk_path(self.folder, DONE, 0, 1))
         except OSError as problem:
             raise self._incomplete_error(problem) from problem
         self.done = marked
@@ -115,50 +111,6 @@ class Store:
 
 def _reason(problem: OSError) -> str:
     return "the disk is full" if problem.errno == errno.ENOSPC else problem.strerror or str(problem)
-
-
-def _chunk(folder: Path, name: str, block: int, dimensions: int) -> Path:
-    """The file that holds an array's share of a block."""
-    return folder.joinpath(name, "c", str(block), *["0"] * (dimensions - 1))
-
-
-def _write_chunk_table(folder: Path, block: int, chunks: Sequence[Path]) -> None:
-    """Write sizes and times of change of the chunks of a block to the disk."""
-    row = np.array([_status(chunk) for chunk in chunks], dtype="<i8").tobytes()
-    handle = os.open(folder / DONE / CHUNK_TABLE, os.O_WRONLY | os.O_CREAT, 0o666)
-    try:
-        os.pwrite(handle, row, block * len(row))
-        os.fsync(handle)
-    finally:
-        os.close(handle)
-
-
-def _chunk_table(folder: Path, blocks: int, variables: int) -> IntArray:
-    """Sizes and times of change (blocks, variables, 2) of chunks; zero if unwritten."""
-    table = np.zeros((blocks, variables, 2), dtype="<i8")
-    with contextlib.suppress(OSError):
-        content = (folder / DONE / CHUNK_TABLE).read_bytes()[: table.nbytes]
-        rows = len(content) // 8
-        table.reshape(-1)[:rows] = np.frombuffer(content[: 8 * rows], dtype="<i8")
-    return table
-
-
-def _status(chunk: Path) -> tuple[int, int]:
-    """Size and time of change (ns) of a file; zeros if there is none."""
-    try:
-        status = chunk.stat()
-    except (FileNotFoundError, NotADirectoryError):
-        return 0, 0
-    return status.st_size, status.st_mtime_ns
-
-
-def _settle(chunk: Path) -> None:
-    """Wait until a file is on the disk itself, so that no mark gets there before it."""
-    handle = os.open(chunk, os.O_RDONLY)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)
 
 
 @contextmanager
@@ -198,7 +150,7 @@ def read_store(folder: str | Path) -> xr.Dataset:
 
     path = Path(folder)
     group = _group(path)
-    damaged = _damaged_blocks(path, group, _marks(path, group))
+    damaged = damaged_blocks(path, _variables(group), _marks(path, group))
     if damaged:
         raise InputError(
             f"{path} is damaged: of its finished blocks {len(damaged)} have lost a part, the first "
@@ -340,6 +292,12 @@ def _array(group: zarr.Group, name: str) -> ZarrArray:
     return array
 
 
+def _variables(group: zarr.Group) -> list[ZarrArray]:
+    """The arrays of the variables of the task, in its order."""
+    texts = (name.partition("variable ") for name in _notes(group)["task"])
+    return [_array(group, name) for before, prefix, name in texts if prefix and not before]
+
+
 def _marks(folder: Path, group: zarr.Group) -> BoolArray:
     """The marks (blocks,) of complete blocks."""
     try:
@@ -351,48 +309,9 @@ def _marks(folder: Path, group: zarr.Group) -> BoolArray:
         ) from problem
 
 
-def _damaged_blocks(folder: Path, group: zarr.Group, done: BoolArray) -> list[int]:
-    """Blocks that are marked, but of which a chunk is missing, empty or damaged."""
-    texts = (name.partition("variable ") for name in _notes(group)["task"])
-    arrays = [_array(group, name) for before, prefix, name in texts if prefix and not before]
-    table = _chunk_table(folder, len(done), len(arrays)).tolist()
-    return [
-        block
-        for block in np.flatnonzero(done).tolist()
-        if not all(
-            _is_complete(folder, array, block, tuple(status))
-            for array, status in zip(arrays, table[block], strict=True)
-        )
-    ]
-
-
 def _notes(group: zarr.Group) -> Mapping[str, Any]:
     """The attributes of the marks: format, blocks, task and program of a store."""
     return group[DONE].attrs
-
-
-def _is_complete(folder: Path, array: ZarrArray, block: int, status: tuple[int, ...]) -> bool:
-    """Whether an array's chunk of a block is the one that was written.
-
-    Parameters
-    ----------
-    folder : Path
-    array : zarr.Array
-    block : int
-    status : (int, int)
-        Size and time of change when it was written; a chunk with others is read.
-    """
-    chunk = _chunk(folder, array.basename, block, array.ndim)
-    present = _status(chunk)
-    if present[0] == 0 or present == status:
-        return present[0] > 0
-    first = block * array.chunks[0]
-    try:
-        array[first : first + array.chunks[0]]
-    except Exception:
-        # damage may make the library raise anything
-        return False
-    return True
 
 
 @contextmanager
@@ -433,7 +352,7 @@ def _resumed_store(task: Task, folder: Path, group: zarr.Group) -> Store:
         if wanted.get(name) != stored.get(name):
             raise InputError(f"{folder} holds another experiment: {_difference(name, task, group)}")
     done = _marks(folder, group)
-    done[_damaged_blocks(folder, group, done)] = False
+    done[damaged_blocks(folder, _variables(group), done)] = False
     if notes.get("program") != computation_digest() and not done.all():
         raise InputError(
             f"{folder} was begun by another version of the program, whose numbers may differ in "

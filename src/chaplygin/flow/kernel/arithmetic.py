@@ -56,7 +56,7 @@ class Arithmetic(Protocol):
         """a + b with an error measured by the larger of the two."""
         ...
 
-    def fused(self, a: Value, b: Value, c: Value) -> Value:
+    def multiply_add(self, a: Value, b: Value, c: Value) -> Value:
         """a b + c with an error measured by the larger of product and c."""
         ...
 
@@ -104,12 +104,12 @@ class Double:
     def load(self, base: str, index: str | int) -> Value:
         """An element of an array of vectors."""
         w = self.writer
-        return w.load(w.type, w.at(w.type, base, index))
+        return w.load(w.type, w.address(w.type, base, index))
 
     def store(self, value: Value, base: str, index: str | int) -> None:
         """Write an element of an array of vectors."""
         w = self.writer
-        w.store(w.type, value, w.at(w.type, base, index))
+        w.store(w.type, value, w.address(w.type, base, index))
 
     def add(self, a: Value, b: Value) -> Value:
         """a + b."""
@@ -131,7 +131,7 @@ class Double:
         """a + b."""
         return self.add(a, b)
 
-    def fused(self, a: Value, b: Value, c: Value) -> Value:
+    def multiply_add(self, a: Value, b: Value, c: Value) -> Value:
         """a b + c, rounded once."""
         return self.fma(a, b, c)
 
@@ -186,15 +186,15 @@ class Pair:
         """An element of an array of pairs of vectors."""
         w = self.writer
         kind = f"[2 x {w.type}]"
-        place = w.at(kind, base, index)
-        return w.load(w.type, place), w.load(w.type, w.at(w.type, place, 1))
+        place = w.address(kind, base, index)
+        return w.load(w.type, place), w.load(w.type, w.address(w.type, place, 1))
 
     def store(self, value: Value, base: str, index: str | int) -> None:
         """Write an element of an array of pairs of vectors."""
         w = self.writer
-        place = w.at(f"[2 x {w.type}]", base, index)
+        place = w.address(f"[2 x {w.type}]", base, index)
         w.store(w.type, value[0], place)
-        w.store(w.type, value[1], w.at(w.type, place, 1))
+        w.store(w.type, value[1], w.address(w.type, place, 1))
 
     def two_sum(self, a: str, b: str) -> Value:
         """The sum of two doubles without error (Knuth)."""
@@ -246,7 +246,7 @@ class Pair:
         s, error = self.two_sum(a[0], b[0])
         return self.fast_sum(s, w.op("fadd", error, w.op("fadd", a[1], b[1])))
 
-    def fused(self, a: Value, b: Value, c: Value) -> Value:
+    def multiply_add(self, a: Value, b: Value, c: Value) -> Value:
         """a b + c with an error measured by the larger of product and c."""
         return self.plus(self.mul(a, b), c)
 

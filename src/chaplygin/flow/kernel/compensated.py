@@ -26,9 +26,9 @@ __all__ = [
     "polynomial",
     "power_of_two",
     "quotient",
-    "recombined",
     "reduce_argument",
     "select",
+    "total_of",
     "unit",
     "where",
     "where_constant",
@@ -43,7 +43,7 @@ class HeadTail(NamedTuple):
     """A number as the sum of a rounded number and a small remainder."""
 
     head: Value
-    rest: Value
+    tail: Value
 
 
 # --- bits -------------------------------------------------------------------------------------
@@ -108,14 +108,14 @@ def any_sum(k: Arithmetic, a: Value, b: Value) -> HeadTail:
     return HeadTail(head, k.add(k.sub(a, k.sub(head, moved)), k.sub(b, moved)))
 
 
-def recombined(k: Arithmetic, a: HeadTail) -> Value:
+def total_of(k: Arithmetic, a: HeadTail) -> Value:
     """As one number."""
-    return k.add(a.head, a.rest)
+    return k.add(a.head, a.tail)
 
 
 def select(k: Arithmetic, mask: str, yes: HeadTail, no: HeadTail) -> HeadTail:
     """`yes` where the mask is set, else `no`."""
-    return HeadTail(k.choose(mask, yes.head, no.head), k.choose(mask, yes.rest, no.rest))
+    return HeadTail(k.choose(mask, yes.head, no.head), k.choose(mask, yes.tail, no.tail))
 
 
 def quotient(k: Arithmetic, a: HeadTail, b: HeadTail) -> HeadTail:
@@ -123,7 +123,7 @@ def quotient(k: Arithmetic, a: HeadTail, b: HeadTail) -> HeadTail:
     inverse = k.recip(b.head)
     head = k.mul(a.head, inverse)
     minus = k.neg(head)
-    left = k.fma(minus, b.rest, k.add(k.fma(minus, b.head, a.head), a.rest))
+    left = k.fma(minus, b.tail, k.add(k.fma(minus, b.head, a.head), a.tail))
     return HeadTail(head, k.mul(left, inverse))
 
 
@@ -155,7 +155,7 @@ def polynomial(k: Arithmetic, name: str, t: Value) -> Value:
 def difference(k: Arithmetic, a: HeadTail, b: HeadTail) -> HeadTail:
     """a − b, where a is the larger or zero."""
     total = fast_sum(k, a.head, k.neg(b.head))
-    return HeadTail(total.head, k.add(total.rest, k.sub(a.rest, b.rest)))
+    return HeadTail(total.head, k.add(total.tail, k.sub(a.tail, b.tail)))
 
 
 def constant(k: Arithmetic, name: str, factor: Fraction) -> HeadTail:

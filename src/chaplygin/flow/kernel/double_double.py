@@ -49,12 +49,12 @@ def parameter_pairs(system: System, parameters: Parameters, count: int) -> Float
     return pairs
 
 
-def from_pairs(first: FloatArray, rest: FloatArray) -> npt.NDArray[np.object_]:
+def from_pairs(first: FloatArray, second: FloatArray) -> npt.NDArray[np.object_]:
     """The numbers that pairs stand for, as an array of mpmath numbers."""
     with mpmath.workdps(40):
         sums = [
             mpmath.mpf(float(a)) + mpmath.mpf(float(b))
-            for a, b in zip(np.ravel(first), np.ravel(rest), strict=True)
+            for a, b in zip(np.ravel(first), np.ravel(second), strict=True)
         ]
     numbers = np.empty(len(sums), dtype=object)
     numbers[:] = sums

@@ -3,7 +3,7 @@
 Every function is written once over an arithmetic, so that doubles and pairs of doubles share it.
 The argument is reduced to a short interval; there the function is its leading part, exact, and a
 polynomial times something small.  Both are kept apart as long as anything is done with them (a
-`Split` number, head and rest), so that rounding is felt hardly more than once: results are
+`Split` number, head and tail), so that rounding is felt hardly more than once: results are
 within 0.9 units in the last place for doubles, and to 10⁻³¹ for pairs.  Circular functions of
 more than 2⁴⁰ are not a number.
 """
@@ -30,9 +30,9 @@ from .compensated import (
     polynomial,
     power_of_two,
     quotient,
-    recombined,
     reduce_argument,
     select,
+    total_of,
     unit,
     where,
     where_constant,
@@ -72,7 +72,7 @@ def _circular(k: Arithmetic, x: Value) -> tuple[HeadTail, HeadTail, str]:
     sine = HeadTail(r, k.fma(k.mul(r, t), polynomial(k, "sin", t), tail))
     top = fast_sum(k, unit(k), k.mul(t, k.number(Fraction(-1, 2))))
     small = k.fma(k.mul(t, t), polynomial(k, "cos", t), k.neg(k.mul(r, tail)))
-    return sine, HeadTail(top.head, k.add(top.rest, small)), quadrant
+    return sine, HeadTail(top.head, k.add(top.tail, small)), quadrant
 
 
 def _shifted_sine(k: Arithmetic, x: Value, quarters: int) -> Value:
@@ -80,7 +80,7 @@ def _shifted_sine(k: Arithmetic, x: Value, quarters: int) -> Value:
     w = k.writer
     sine, cosine, quadrant = _circular(k, x)
     quadrant = integers(w, "add", quadrant, quarters)
-    value = recombined(k, select(k, is_odd(w, quadrant), cosine, sine))
+    value = total_of(k, select(k, is_odd(w, quadrant), cosine, sine))
     other = is_odd(w, integers(w, "lshr", quadrant, 1))
     return _within(k, x, k.choose(other, k.neg(value), value))
 
@@ -111,7 +111,7 @@ def tan(k: Arithmetic, x: Value) -> Value:
     odd = is_odd(k.writer, quadrant)
     above, below = select(k, odd, cosine, sine), select(k, odd, sine, cosine)
     below = fast_sum(k, *below)
-    ratio = recombined(k, quotient(k, fast_sum(k, *above), below))
+    ratio = total_of(k, quotient(k, fast_sum(k, *above), below))
     return _through_zero(k, x, _within(k, x, k.choose(odd, k.neg(ratio), ratio)))
 
 
@@ -130,7 +130,7 @@ def _arcsine(k: Arithmetic, x: Value) -> tuple[HeadTail, str]:
     s = select(k, large, HeadTail(root, safe), HeadTail(size, zero))
     square = k.choose(large, t, k.mul(size, size))
     cubic = k.mul(k.mul(s.head, square), polynomial(k, "asin", square))
-    return HeadTail(s.head, k.add(s.rest, cubic)), large
+    return HeadTail(s.head, k.add(s.tail, cubic)), large
 
 
 def asin(k: Arithmetic, x: Value) -> Value:
@@ -138,7 +138,7 @@ def asin(k: Arithmetic, x: Value) -> Value:
     s, large = _arcsine(k, x)
     twice = HeadTail(*(k.add(part, part) for part in s))
     far = difference(k, constant(k, "pi", Fraction(1, 2)), twice)
-    return copy_sign(k, x, recombined(k, select(k, large, far, s)))
+    return copy_sign(k, x, total_of(k, select(k, large, far, s)))
 
 
 def acos(k: Arithmetic, x: Value) -> Value:
@@ -152,7 +152,7 @@ def acos(k: Arithmetic, x: Value) -> Value:
     zero = k.number(Fraction(0))
     end = select(k, negative, constant(k, "pi", Fraction(1)), HeadTail(zero, zero))
     middle = constant(k, "pi", Fraction(1, 2))
-    return recombined(k, difference(k, select(k, large, end, middle), s))
+    return total_of(k, difference(k, select(k, large, end, middle), s))
 
 
 def atan2(k: Arithmetic, y: Value, x: Value) -> Value:
@@ -167,7 +167,7 @@ def atan2(k: Arithmetic, y: Value, x: Value) -> Value:
     slope = quotient(k, HeadTail(top, zero), bottom)
     t = k.mul(slope.head, slope.head)
     cubic = k.mul(k.mul(slope.head, t), polynomial(k, "atan", t))
-    angle = HeadTail(slope.head, k.add(slope.rest, cubic))
+    angle = HeadTail(slope.head, k.add(slope.tail, cubic))
 
     behind = is_negative(w, k.leading(x))
     backward = w.emit(f"xor {w.mask} {steep}, {behind}")
@@ -177,9 +177,9 @@ def atan2(k: Arithmetic, y: Value, x: Value) -> Value:
     eighth = constant(k, "pi", Fraction(1, 4))
     head = k.mul(eighths, eighth.head)
     lost = k.fma(eighths, eighth.head, k.neg(head))
-    turned = HeadTail(head, k.fma(eighths, eighth.rest, lost))
+    turned = HeadTail(head, k.fma(eighths, eighth.tail, lost))
     minus = HeadTail(*(k.choose(backward, part, k.neg(part)) for part in angle))
-    return copy_sign(k, y, recombined(k, difference(k, turned, minus)))
+    return copy_sign(k, y, total_of(k, difference(k, turned, minus)))
 
 
 def _proper(k: Arithmetic, a: Value, b: Value, swapped: str) -> tuple[Value, Value]:
@@ -221,13 +221,13 @@ def _exponential(k: Arithmetic, x: Value, halvings: int) -> HeadTail:
     first, _ = nearest(w, turns, Fraction(1, 2))
     powers = (first, w.op("fsub", turns, first))
     near, far = (k.whole(power_of_two(w, power)) for power in powers)
-    mantissa = fast_sum(k, top.head, k.add(top.rest, small))
+    mantissa = fast_sum(k, top.head, k.add(top.tail, small))
     return HeadTail(*(k.mul(k.mul(part, near), far) for part in mantissa))
 
 
 def exp(k: Arithmetic, x: Value) -> Value:
     """Exponential function."""
-    value = recombined(k, _exponential(k, x, 0))
+    value = total_of(k, _exponential(k, x, 0))
     value = where_constant(k, where(k, x, "ogt", HIGHEST), INFINITY, value)
     return where_constant(k, where(k, x, "olt", LOWEST), 0.0, value)
 
@@ -236,7 +236,7 @@ def _hyperbolic(k: Arithmetic, x: Value) -> tuple[HeadTail, HeadTail]:
     """Hyperbolic sine and cosine of a magnitude."""
     large = _exponential(k, x, 1)
     inverse = k.recip(large.head)
-    left = k.fma(k.neg(inverse), large.rest, k.fma(k.neg(inverse), large.head, unit(k)))
+    left = k.fma(k.neg(inverse), large.tail, k.fma(k.neg(inverse), large.head, unit(k)))
     quarter = k.number(Fraction(1, 4))
     small = HeadTail(k.mul(inverse, quarter), k.mul(k.mul(inverse, left), quarter))
     t = k.mul(x, x)
@@ -251,7 +251,7 @@ def sinh(k: Arithmetic, x: Value) -> Value:
     size = absolute(k, x)
     sine, _ = _hyperbolic(k, size)
     far = where(k, size, "ogt", HIGHEST_HYPERBOLIC)
-    return copy_sign(k, x, where_constant(k, far, INFINITY, recombined(k, sine)))
+    return copy_sign(k, x, where_constant(k, far, INFINITY, total_of(k, sine)))
 
 
 def cosh(k: Arithmetic, x: Value) -> Value:
@@ -259,7 +259,7 @@ def cosh(k: Arithmetic, x: Value) -> Value:
     size = absolute(k, x)
     _, cosine = _hyperbolic(k, size)
     return where_constant(
-        k, where(k, size, "ogt", HIGHEST_HYPERBOLIC), INFINITY, recombined(k, cosine)
+        k, where(k, size, "ogt", HIGHEST_HYPERBOLIC), INFINITY, total_of(k, cosine)
     )
 
 
@@ -267,7 +267,7 @@ def tanh(k: Arithmetic, x: Value) -> Value:
     """Hyperbolic tangent."""
     size = absolute(k, x)
     sine, cosine = _hyperbolic(k, size)
-    ratio = recombined(k, quotient(k, fast_sum(k, *sine), cosine))
+    ratio = total_of(k, quotient(k, fast_sum(k, *sine), cosine))
     return copy_sign(k, x, where_constant(k, where(k, size, "ogt", SATURATED), 1.0, ratio))
 
 
@@ -296,8 +296,8 @@ def log(k: Arithmetic, x: Value) -> Value:
     # short, so that its multiples are exact
     high, low = parts("ln2", (k.bits - 11,))
     total = fast_sum(k, k.mul(k.whole(n), k.number(high)), twice.head)
-    tail = k.add(twice.rest, k.fma(k.whole(n), k.number(low), cubic))
-    value = k.add(total.head, k.add(total.rest, tail))
+    tail = k.add(twice.tail, k.fma(k.whole(n), k.number(low), cubic))
+    value = k.add(total.head, k.add(total.tail, tail))
     value = where_constant(k, where(k, x, "olt", 0.0), float("nan"), value)
     value = where_constant(k, where(k, x, "oeq", INFINITY), INFINITY, value)
     return where_constant(k, where(k, x, "oeq", 0.0), -INFINITY, value)

@@ -65,7 +65,7 @@ class IRWriter:
         """Write a place."""
         self.line(f"store {kind} {value}, ptr {place}, align {_align(kind)}")
 
-    def at(self, kind: str, base: str, index: str | int) -> str:
+    def address(self, kind: str, base: str, index: str | int) -> str:
         """The address of an element of an array."""
         return self.emit(f"getelementptr {kind}, ptr {base}, i64 {index}")
 
@@ -75,7 +75,7 @@ class IRWriter:
         self.lines.append(f"{name}:")
 
     @contextmanager
-    def when(self, condition: str) -> Iterator[None]:
+    def branch(self, condition: str) -> Iterator[None]:
         """A branch: instructions inside are executed only if a bit is set."""
         inside, after = self.name(), self.name()
         self.line(f"br i1 {condition}, label %{inside}, label %{after}")
@@ -128,15 +128,15 @@ class IRWriter:
         kind = self.type
         return self.emit(f"select {self.mask} {mask}, {kind} {yes}, {kind} {no}")
 
-    def both(self, a: str, b: str) -> str:
+    def conjunction(self, a: str, b: str) -> str:
         """The mask that is set where both are."""
         return self.emit(f"and {self.mask} {a}, {b}")
 
-    def either(self, a: str, b: str) -> str:
+    def disjunction(self, a: str, b: str) -> str:
         """The mask that is set where at least one of two is."""
         return self.emit(f"or {self.mask} {a}, {b}")
 
-    def unless(self, a: str) -> str:
+    def complement(self, a: str) -> str:
         """The complement of a mask."""
         return self.emit(f"xor {self.mask} {a}, splat (i1 true)")
 

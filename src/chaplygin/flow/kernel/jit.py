@@ -125,11 +125,11 @@ def load_code(
     """
     name = cache.code_name(key, _processor())
 
-    def compiled() -> tuple[bytes, int]:
+    def object_code() -> tuple[bytes, int]:
         assembly, work_size = text()
         return _compile(assembly), work_size
 
-    (code, work_size), from_cache = cache.remember(name, compiled)
+    (code, work_size), from_cache = cache.remember(name, object_code)
     library = llvm.JITLibraryBuilder().add_object_img(code).add_current_process()
     for symbol in signatures:
         library = library.export_symbol(symbol)

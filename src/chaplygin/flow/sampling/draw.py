@@ -94,7 +94,7 @@ def sample_level(
 
 @dataclass(frozen=True)
 class LevelSampler:
-    """A level of the integrals from which points can be drawn; made by `prepared`.
+    """A level of the integrals from which points can be drawn; see `level_sampler`.
 
     Attributes
     ----------
@@ -279,14 +279,14 @@ def _proposal(
 ) -> Proposal:
     """The proposal of points on the level; refuse a level that is empty."""
 
-    def room(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
-        places = fibration.normed(gauss)
+    def excess(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
+        places = fibration.uniform_points(gauss)
         return places, fibration.over(places, values).excess
 
     def same(gauss: FloatArray, _: FloatArray) -> FloatArray:
         return gauss
 
-    spare, top = maximise(fibration, room, same, fibration.numbers)
+    spare, top = maximise(fibration, excess, same, fibration.numbers)
     if not spare > 0:
         names = {c.name for c in (fibration.quadratic, *fibration.further)}
         raise _empty(
@@ -302,12 +302,12 @@ def _proposal(
             f"{system.name}: {' and '.join(c.name for c in fibration.further)} cannot both be held "
             f"besides {fibration.quadratic.name}; one of them can"
         )
-    slice_ = GreatCircleProposal.of(fibration, sheet, values)
+    slice_ = GreatCircleProposal.from_fibration(fibration, sheet, values)
     (further,) = fibration.further
 
-    def signed(sign: float) -> Callable[[FloatArray], tuple[FloatArray, FloatArray]]:
+    def height_of(sign: float) -> Callable[[FloatArray], tuple[FloatArray, FloatArray]]:
         def height(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
-            places = fibration.normed(gauss)
+            places = fibration.uniform_points(gauss)
             difference = sign * slice_.value(places)[0]
             real = np.isfinite(difference)
             return places[:, real], difference[real]
@@ -316,7 +316,7 @@ def _proposal(
 
     low, high = (
         further.target
-        + sign * maximise(fibration, signed(sign), same, fibration.numbers, top[:, None])[0]
+        + sign * maximise(fibration, height_of(sign), same, fibration.numbers, top[:, None])[0]
         for sign in (-1.0, 1.0)
     )
     if not low < further.target < high:
@@ -340,7 +340,7 @@ def _with_bound_on_density(level: LevelSampler) -> LevelSampler:
         weighted_points = proposal.weighted_points(gauss)
         return weighted_points.places, level.density(weighted_points)
 
-    top, _ = maximise(proposal.fibration, height, proposal.near, proposal.numbers)
+    top, _ = maximise(proposal.fibration, height, proposal.perturbed, proposal.numbers)
     bound = _MARGIN * proposal.most * top
     trial = counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
     share = height(trial)[1].sum() / (_TRIAL * bound)

@@ -99,7 +99,7 @@ class Fibration:
         """The number of coordinates y of a point of the level."""
         return len(self.base) + len(self.fibre)
 
-    def normed(self, gauss: FloatArray) -> FloatArray:
+    def uniform_points(self, gauss: FloatArray) -> FloatArray:
         """Uniform points on the product of spheres and circles from normal numbers (y, k).
 
         Angles come by the normal distribution function, uniform in (0, 2π).
@@ -118,7 +118,7 @@ class Fibration:
         return np.array(self.axes)[:, None] * places[: len(self.base)]
 
     def gauss(self, places: FloatArray) -> FloatArray:
-        """Numbers of which `normed` makes the points y."""
+        """Numbers of which `uniform_points` makes the points y."""
         from scipy.special import ndtri
 
         numbers = places.copy()

@@ -56,8 +56,8 @@ def find_fibration(
         LevelCondition(name, sheet.read(formulas[name]), float(level[name])) for name in level
     ]
     for bound in sorted(conditions, key=lambda condition: condition.name not in _BOUNDING):
-        rest = [condition for condition in conditions if condition is not bound]
-        fibration = _with_bound(system, sheet, spheres, relations, bound, rest)
+        further = [condition for condition in conditions if condition is not bound]
+        fibration = _with_bound(system, sheet, spheres, relations, bound, further)
         if fibration is not None and _is_bounded(fibration, values):
             return fibration
     text = " and ".join(f"{name} = {value:.6g}" for name, value in level.items())
@@ -142,7 +142,7 @@ def _at_random(fibration: Fibration) -> FloatArray:
     """States over random points of the base, their fibre zero."""
     gauss = counter_normals(0, np.arange(_SAMPLE), np.zeros(_SAMPLE), fibration.numbers)
     states = np.zeros((fibration.size, _SAMPLE))
-    states[list(fibration.base)] = fibration.base_states(fibration.normed(gauss))
+    states[list(fibration.base)] = fibration.base_states(fibration.uniform_points(gauss))
     return states
 
 

@@ -61,7 +61,7 @@ class GreatCircleProposal:
     central: Compiled
 
     @staticmethod
-    def of(
+    def from_fibration(
         fibration: Fibration, sheet: SystemFormulas, parameters: FloatArray
     ) -> GreatCircleProposal:
         """The slice of a bundle that has one further condition."""
@@ -177,7 +177,7 @@ class GreatCircleProposal:
         states = np.ascontiguousarray(rays.states[:, real])
         return WeightedPoints(which[real], places[:, real], states, volume[real])
 
-    def near(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
+    def perturbed(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
         """Geodesics that begin at places made of `gauss` (y, k)."""
         return np.concatenate([gauss, fresh[self.fibration.numbers :]])
 
@@ -186,11 +186,11 @@ class GreatCircleProposal:
     def curves(self, gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Uniform points and unit tangent vectors (y, k) from normal numbers (2 y, k)."""
         half = gauss.shape[0] // 2
-        places = self.fibration.normed(gauss[:half])
+        places = self.fibration.uniform_points(gauss[:half])
         pushes = self._across(places, np.ascontiguousarray(gauss[half:].T)).T
         return places, pushes / np.sqrt(norm_squared_columns(pushes))
 
-    def moved(
+    def geodesic_points(
         self, places: FloatArray, pushes: FloatArray, way: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
         """Points and velocities on geodesics, after a way (k,) at unit speed."""
@@ -207,7 +207,7 @@ class GreatCircleProposal:
         """Intersections of geodesics with the level: curve numbers, points y (y, n)."""
 
         def reach(which: IntArray, way: FloatArray) -> tuple[FloatArray, FloatArray]:
-            there, speed = self.moved(places[:, which], pushes[:, which], way)
+            there, speed = self.geodesic_points(places[:, which], pushes[:, which], way)
             value, slopes = self.excess(there)
             return value, row_dots(slopes, speed.T)
 
@@ -217,7 +217,9 @@ class GreatCircleProposal:
             # at the edge of the level rays shrink like a square root, which the cosine smooths
             half = (high[index] - low[index]) / 2
             way = low[index] + half * (1 - np.cos(np.pi * angle))
-            there, speed = self.moved(places[:, which[index]], pushes[:, which[index]], way)
+            there, speed = self.geodesic_points(
+                places[:, which[index]], pushes[:, which[index]], way
+            )
             value, slopes, _ = self.value(there)
             return value, row_dots(slopes, speed.T) * half * np.pi * np.sin(np.pi * angle)
 
@@ -226,7 +228,9 @@ class GreatCircleProposal:
         index, angle = crossings(along, which.size, nodes)
         half = (high[index] - low[index]) / 2
         way = low[index] + half * (1 - np.cos(np.pi * angle))
-        return which[index], self.moved(places[:, which[index]], pushes[:, which[index]], way)[0]
+        return which[index], self.geodesic_points(
+            places[:, which[index]], pushes[:, which[index]], way
+        )[0]
 
 
 def _parts(reach: Along, count: int) -> tuple[IntArray, FloatArray, FloatArray]:
@@ -256,7 +260,7 @@ class Steps:
             self.owner[chosen], self.ends[:, chosen], self.values[:, chosen], self.slopes[:, chosen]
         )
 
-    def joined(self, other: Steps) -> Steps:
+    def union(self, other: Steps) -> Steps:
         """These and others."""
         return Steps(
             np.append(self.owner, other.owner),
@@ -276,7 +280,7 @@ class Steps:
         outer = (self.ends, self.values, self.slopes)
         left = Steps(self.owner, *(np.stack([o[0], i]) for o, i in zip(outer, inner, strict=True)))
         right = Steps(self.owner, *(np.stack([i, o[1]]) for o, i in zip(outer, inner, strict=True)))
-        return left.joined(right), np.tile(np.abs(value - cubic), 2)
+        return left.union(right), np.tile(np.abs(value - cubic), 2)
 
 
 def crossings(along: Along, count: int, nodes: FloatArray) -> tuple[IntArray, FloatArray]:
@@ -305,9 +309,9 @@ def crossings(along: Along, count: int, nodes: FloatArray) -> tuple[IntArray, Fl
     owner = np.concatenate([sure.owner, dips.owner[past], dips.owner[past]])
     low = np.concatenate([sure.ends[0], dips.ends[0, past], turn[past]])
     high = np.concatenate([sure.ends[1], turn[past], dips.ends[1, past]])
-    found = _zero(lambda which, s: along(owner[which], s)[0], low, high)
-    order = np.lexsort((found, owner))
-    return owner[order], found[order]
+    zeros = _zero(lambda which, s: along(owner[which], s)[0], low, high)
+    order = np.lexsort((zeros, owner))
+    return owner[order], zeros[order]
 
 
 def _cubic_steps(along: Along, count: int, nodes: FloatArray) -> Steps:
@@ -325,8 +329,8 @@ def _cubic_steps(along: Along, count: int, nodes: FloatArray) -> Steps:
     for _ in range(_HALVINGS):
         steps, missed = steps.halves(along)
         rough = missed > _CUBIC * scale[steps.owner]
-        done, steps = done.joined(steps[np.flatnonzero(~rough)]), steps[np.flatnonzero(rough)]
-    return done.joined(steps)
+        done, steps = done.union(steps[np.flatnonzero(~rough)]), steps[np.flatnonzero(rough)]
+    return done.union(steps)
 
 
 def _may_dip(steps: Steps) -> BoolArray:

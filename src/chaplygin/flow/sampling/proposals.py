@@ -62,7 +62,7 @@ class Proposal(Protocol):
     def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
         """The points of proposals (numbers, k)."""
 
-    def near(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
+    def perturbed(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
         """Proposals near the points of `gauss` (y, k), with fresh numbers (numbers, k)."""
 
 
@@ -85,13 +85,13 @@ class RayProposal:
 
     def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
         """The points of proposals (numbers, k)."""
-        places = self.fibration.normed(gauss)
+        places = self.fibration.uniform_points(gauss)
         rays = self.fibration.over(places, self.parameters)
         real = np.flatnonzero(rays.volume > 0)
         states = np.ascontiguousarray(rays.states[:, real])
         return WeightedPoints(real, places[:, real], states, rays.volume[real])
 
-    def near(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
+    def perturbed(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
         """The normal numbers themselves, unchanged."""
         return gauss
 

@@ -143,7 +143,7 @@ class PoincareMap:
         threads : int, optional
             All cores if left out; the result does not depend on it.
         """
-        return self._lanes(0).returns(
+        return self._integrator(0).returns(
             points, count, self.parameters, until=self.until, threads=threads
         )
 
@@ -174,7 +174,7 @@ class PoincareMap:
         if count < 1:
             raise InputError(f"a derivative of {count} returns: there must be one at least")
         frame = np.broadcast_to(np.eye(self.size), (len(starts), self.size, self.size))
-        crossed = self._lanes(self.size).returns(
+        crossed = self._integrator(self.size).returns(
             starts, count, self.parameters, until=self.until, deviations=frame.copy()
         )
         images, times = crossed.states[:, -1], crossed.times[:, -1]
@@ -190,7 +190,7 @@ class PoincareMap:
     @arguments_checked
     def reason(self, code: int) -> str:
         """The reason why a motion of `returns` ended, in words; empty for 0."""
-        return self._lanes(0).reason(code)
+        return self._integrator(0).reason(code)
 
     def residual(self, points: npt.ArrayLike) -> FloatArray:
         """The section's value at points (..., size): zero on it."""
@@ -240,7 +240,7 @@ class PoincareMap:
 
     # --- inner parts -----------------------------------------------------------------------
 
-    def _lanes(self, deviations: int) -> BatchIntegrator:
+    def _integrator(self, deviations: int) -> BatchIntegrator:
         return batch_integrator(
             self.system,
             tolerance=self.tolerance,
