@@ -297,8 +297,8 @@ class _LinearisedSystem:
 
 
 def _working(digits: int) -> int:
-    """Digits to compute with."""
-    if digits < 5 or digits > 1000:
+    """Digits of the computation."""
+    if not 5 <= digits <= 1000:
         raise InputError(f"digits = {digits}: it must lie between 5 and 1000")
     return 4 * digits + 20
 
@@ -311,8 +311,7 @@ def _clean(value: mpmath.mpc, floor: mpmath.mpf) -> mpmath.mpc:
 
 
 def _brief(formula: sp.Expr) -> str:
-    text = str(formula)
-    return text if len(text) <= 60 else f"{text[:57]}..."
+    return text if len(text := str(formula)) <= 60 else f"{text[:57]}..."
 
 
 def _relations(system: System) -> list[sp.Expr]:
@@ -343,17 +342,13 @@ def essential_variables(system: System) -> tuple[sp.Symbol, ...]:
         formulas = [*rates.values(), *_relations(system)]
         used = {s for formula in formulas for s in formula.free_symbols}
         used |= {s for _, value in system.needed(formulas) for s in value.free_symbols}
-        idle = [s for s in rates if s not in used]
-        if not idle:
-            break
-        for symbol in idle:
-            del rates[symbol]
-    return tuple(rates)
+        if rates.keys() <= used:
+            return tuple(rates)
+        rates = {symbol: rate for symbol, rate in rates.items() if symbol in used}
 
 
 def _variables(system: System) -> tuple[sp.Symbol, ...]:
-    variables = essential_variables(system)
-    if not variables:
+    if not (variables := essential_variables(system)):
         raise InputError(f"{system.name}: no rate depends on the state; nothing can be linearised")
     return variables
 

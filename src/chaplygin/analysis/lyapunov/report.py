@@ -9,7 +9,6 @@ from math import floor, log10
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
 from ...core.arrays import FloatArray
 from ...core.overview import Overview, WithOverview
@@ -23,7 +22,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
 __all__ = ["Spectrum", "dataset", "kaplan_yorke", "record", "remarks", "rounded", "word"]
-
 
 #: Draws of the bootstrap, and its seed.
 DRAWS, SEED = 400, 20080830
@@ -361,10 +359,8 @@ def dataset(spectrum: Spectrum) -> xr.Dataset:
 
     from ..._version import __version__
 
-    def variable(
-        dims: str | tuple[str, ...], values: npt.ArrayLike, long_name: str, units: str = "1/s"
-    ) -> tuple[str | tuple[str, ...], npt.ArrayLike, dict[str, str]]:
-        return dims, values, {"long_name": long_name, "units": units, "source": ""}
+    def variable(dims: object, values: object, name: str, units: str = "1/s") -> tuple[object, ...]:
+        return dims, values, {"long_name": name, "units": units, "source": ""}
 
     rates = [np.nan if rate is None else rate for _, rate in spectrum.removed]
     kinds = [item.kind for item, _ in spectrum.removed]

@@ -332,10 +332,9 @@ class _Loop:
         self._fine_rates()
 
     def _fine_rates(self) -> None:
-        self.w.line(
-            f"call void @fine_rates(ptr {self.address('fine_rates')}, ptr {self.address('fine_stage')}, "
-            f"ptr {self.address('fine_constants')})"
-        )
+        names = ("fine_rates", "fine_stage", "fine_constants")
+        arguments = ", ".join(f"ptr {self.address(name)}" for name in names)
+        self.w.line(f"call void @fine_rates({arguments})")
 
     def _begin_fine(self, whole: Value) -> None:
         """Stages of 32 digits from rates of 16."""
