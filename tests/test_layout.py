@@ -20,8 +20,6 @@ Graph = Mapping[str, set[str]]
 #: to be parted.
 LINES = 400
 LONGER = {
-    "flow/batch.py",
-    "flow/integrator.py",
     "flow/kernel/gauss_legendre.py",
     "flow/kernel/runge_kutta.py",
     "mechanics/rolling/shapes.py",

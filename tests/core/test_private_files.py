@@ -11,12 +11,13 @@ import subprocess
 import sys
 import tempfile
 from dataclasses import replace
+from importlib.metadata import version
 from pathlib import Path
 from random import Random
 
 import pytest
 
-from chaplygin.core import private_files, source_digest as provenance
+from chaplygin.core import cache as core_cache, private_files, source_digest as provenance
 from chaplygin.flow.kernel import code_cache as cache
 from chaplygin.proof import verdict_cache as memory
 from chaplygin.proof.verdict import Verdict
@@ -31,8 +32,8 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A cache of the test's own."""
     chosen = tmp_path / "cache"
     monkeypatch.setenv("CHAPLYGIN_CACHE", str(chosen))
-    monkeypatch.setattr(cache, "_version", lambda path: object())
-    private_files._say.cache_clear()
+    monkeypatch.setattr(cache, "_file_version", lambda path: object())
+    private_files._warn_once.cache_clear()
     return chosen
 
 
@@ -173,7 +174,7 @@ def test_no_damage_is_read(kept: Path) -> None:
 
 def test_an_altered_verdict_is_no_proof(place: Path) -> None:
     memory.store_verdict("law", replace(PROVEN, decision="undecided", reason="too large"))
-    (path,) = memory.folder().iterdir()
+    (path,) = place.iterdir()
     text = path.read_text()
     path.write_text(text.replace("undecided", "proven"))
     assert path.read_text() != text
@@ -184,7 +185,7 @@ def test_an_altered_verdict_is_no_proof(place: Path) -> None:
 
 def test_a_verdict_of_one_law_is_not_taken_for_another(place: Path) -> None:
     memory.store_verdict("one", PROVEN)
-    (path,) = memory.folder().iterdir()
+    (path,) = place.iterdir()
     path.rename(path.with_name("other.json"))
     assert memory.load_verdict("other") is None
     memory.store_verdict("other", PROVEN)
@@ -194,7 +195,7 @@ def test_a_verdict_of_one_law_is_not_taken_for_another(place: Path) -> None:
 def test_a_verdict_of_another_version_is_not_there(place: Path) -> None:
     """One with a field that this version does not know, or without one that it needs."""
     for content in ({"law": "x", "decision": "proven", "mood": 1}, {"law": "x"}, [1], "x", None):
-        private_files.write_private(memory.folder() / "name.json", json.dumps(content).encode())
+        private_files.write_private(place / "name.json", json.dumps(content).encode())
         assert memory.load_verdict("name") is None
 
 
@@ -207,19 +208,40 @@ def test_code_of_another_version_is_compiled_again(place: Path) -> None:
 
 
 def test_another_version_of_a_library_makes_other_names(monkeypatch: pytest.MonkeyPatch) -> None:
-    code, verdict = cache.digest("x"), memory.digest("x")
-    for module in (cache, memory):
-        monkeypatch.setattr(module, "version", lambda name: "0.0")
-    assert cache.digest("x") != code
-    assert memory.digest("x") != verdict
+    code, verdict = cache.code_name("x"), core_cache.entry_name("x")
+    for library in core_cache.LIBRARIES:
+
+        def changed(name: str, library: str = library) -> str:
+            return "0.0" if name == library else version(name)
+
+        core_cache._versions.cache_clear()
+        monkeypatch.setattr(core_cache, "version", changed)
+        assert cache.code_name("x") != code
+        assert core_cache.entry_name("x") != verdict
+    monkeypatch.setattr(core_cache, "version", version)
+    core_cache._versions.cache_clear()
+    assert cache.code_name("x") == code
+
+
+def test_where_one_text_ends_and_the_next_begins_counts() -> None:
+    texts = [("a", "b"), ("ab",), ("ab", ""), ("b", "a")]
+    assert len({core_cache.entry_name(*parts) for parts in texts}) == len(texts)
+
+
+def test_code_goes_by_the_machine_and_verdicts_do_not(monkeypatch: pytest.MonkeyPatch) -> None:
+    code, verdict = cache.code_name("x"), core_cache.entry_name("x")
+    monkeypatch.setattr(cache, "_machine", lambda: "another one")
+    assert cache.code_name("x") != code
+    assert core_cache.entry_name("x") == verdict
 
 
 WRITER = """
 import sys
+from chaplygin.core.cache import folder
 from chaplygin.flow.kernel import code_cache as cache
 from chaplygin.proof import verdict_cache as memory
 from chaplygin.proof.verdict import Verdict
-cache._version = lambda path: object()
+cache._file_version = lambda path: object()
 for turn in range(60):
     name = f"name{turn % 3}"
     value = (name.encode() * 40_000, turn % 3)
@@ -230,7 +252,7 @@ for turn in range(60):
     kept = memory.load_verdict(name)
     assert kept == verdict, turn
     if turn % 7 == 0:
-        (cache.folder() / f"{name}.code").unlink(missing_ok=True)
+        (folder() / f"{name}.code").unlink(missing_ok=True)
 """
 
 
@@ -245,8 +267,8 @@ def test_six_processes_write_at_once(place: Path) -> None:
         _, said = process.communicate(timeout=120)
         assert process.returncode == 0, said
     names = {path.name for path in place.iterdir()}
-    assert names <= {"verdicts", *(f"name{k}.code" for k in range(3))}
-    assert {p.name for p in memory.folder().iterdir()} == {f"name{k}.json" for k in range(3)}
+    verdicts = {f"name{k}.json" for k in range(3)}
+    assert verdicts <= names <= verdicts | {f"name{k}.code" for k in range(3)}
 
 
 def test_on_a_full_disk_nothing_is_kept_and_nothing_left(place: Path) -> None:

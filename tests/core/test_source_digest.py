@@ -9,7 +9,13 @@ from pathlib import Path
 import pytest
 
 import chaplygin
-from chaplygin.core.source_digest import APART, core, module_digests, text_digest, whole
+from chaplygin.core.source_digest import (
+    PRESENTATION,
+    computation_digest,
+    module_digests,
+    package_digest,
+    text_digest,
+)
 
 HOME = Path(chaplygin.__file__).parent
 
@@ -42,22 +48,22 @@ def copy(tmp_path: Path) -> Path:
     ],
 )
 def test_a_change_of_any_module_that_computes_changes_the_digest(copy: Path, name: str) -> None:
-    assert text_digest(module_digests(copy), APART) == core()
+    assert text_digest(module_digests(copy), PRESENTATION) == computation_digest()
     with (copy / name).open("a") as stream:
         stream.write("# mended\n")
-    assert text_digest(module_digests(copy), APART) != core()
-    assert text_digest(module_digests(copy)) != whole()
+    assert text_digest(module_digests(copy), PRESENTATION) != computation_digest()
+    assert text_digest(module_digests(copy)) != package_digest()
 
 
 def test_a_module_that_comes_goes_or_moves_changes_the_digest(copy: Path) -> None:
-    seen = {text_digest(module_digests(copy), APART)}
+    seen = {text_digest(module_digests(copy), PRESENTATION)}
     (copy / "proof" / "new.py").write_text("")
-    seen.add(text_digest(module_digests(copy), APART))
+    seen.add(text_digest(module_digests(copy), PRESENTATION))
     (copy / "proof" / "new.py").rename(copy / "flow" / "new.py")
-    seen.add(text_digest(module_digests(copy), APART))
+    seen.add(text_digest(module_digests(copy), PRESENTATION))
     (copy / "flow" / "new.py").unlink()
     (copy / "flow" / "kernel" / "jit.py").unlink()
-    seen.add(text_digest(module_digests(copy), APART))
+    seen.add(text_digest(module_digests(copy), PRESENTATION))
     assert len(seen) == 4
 
 
@@ -65,7 +71,7 @@ def test_claims_and_reports_change_only_the_digest_of_the_whole(copy: Path) -> N
     before = text_digest(module_digests(copy))
     with (copy / "borisov_mamaev" / "section_12" / "section_12.py").open("a") as stream:
         stream.write("# mended\n")
-    assert text_digest(module_digests(copy), APART) == core()
+    assert text_digest(module_digests(copy), PRESENTATION) == computation_digest()
     assert text_digest(module_digests(copy)) != before
 
 
@@ -99,11 +105,11 @@ def imported(path: Path) -> set[str]:
 
 @pytest.mark.slow
 def test_what_computes_imports_nothing_that_is_left_apart() -> None:
-    modules = [p for p in HOME.rglob("*.py") if p.relative_to(HOME).parts[0] not in APART]
+    modules = [p for p in HOME.rglob("*.py") if p.relative_to(HOME).parts[0] not in PRESENTATION]
     assert len(modules) > 300
     assert imported(HOME / "cli" / "study.py") >= {"report"}
     assert imported(HOME / "report" / "write.py") >= {"experiment"}
-    wrong = {str(p) for p in modules if imported(p) & set(APART)}
+    wrong = {str(p) for p in modules if imported(p) & set(PRESENTATION)}
     assert wrong == set()
 
 
@@ -120,11 +126,14 @@ def test_names_on_disk_hold_the_digest(place: str, monkeypatch: pytest.MonkeyPat
     system = entry("veselova").system()
     name = {
         "proof.verdict_cache": lambda: fingerprint(system, system.laws[0]),
-        "flow.kernel.code_cache": lambda: cache.digest("formulas"),
+        "flow.kernel.code_cache": lambda: cache.code_name("formulas"),
         "borisov_mamaev.audit": lambda: _name(claims(12)[0][1], "printed"),
     }[place]
     before = name()
     assert name() == before
-    digest = "whole" if place == "borisov_mamaev.audit" else "core"
-    monkeypatch.setattr(f"chaplygin.{place}.{digest}", lambda: "mended")
-    assert name() != before
+    monkeypatch.setattr("chaplygin.core.cache.computation_digest", lambda: "mended")
+    other = name()
+    assert other != before
+    if place == "borisov_mamaev.audit":
+        monkeypatch.setattr("chaplygin.borisov_mamaev.audit.package_digest", lambda: "mended")
+        assert name() not in (before, other)

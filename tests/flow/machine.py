@@ -11,7 +11,7 @@ import numpy as np
 
 from chaplygin.flow.kernel.arithmetic import Arithmetic, Value
 from chaplygin.flow.kernel.ir_writer import IRWriter
-from chaplygin.flow.kernel.jit import aligned, load_code
+from chaplygin.flow.kernel.jit import aligned_zeros, load_code
 
 HEAD = "void @numbers(ptr %given, ptr %found, i64 %count)"
 
@@ -52,9 +52,9 @@ def run(
 
     blocks = -(-n // lanes)
     filled = np.concatenate([given, np.ones((blocks * lanes - n, variables, words))])
-    source = aligned(filled.size)
+    source = aligned_zeros(filled.size)
     source[:] = filled.reshape(blocks, lanes, variables, words).transpose(0, 2, 3, 1).ravel()
-    target = aligned(blocks * lanes * len(results) * words)
+    target = aligned_zeros(blocks * lanes * len(results) * words)
     native.functions["numbers"](source.ctypes.data, target.ctypes.data, blocks)
     made = target.reshape(blocks, len(results), words, lanes).transpose(0, 3, 1, 2)
     return np.ascontiguousarray(made.reshape(-1, len(results), words)[:n])

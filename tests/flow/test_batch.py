@@ -16,14 +16,13 @@ from scipy.special import ellipj
 from chaplygin.core.system import Parameter, System
 from chaplygin.errors import InputError
 from chaplygin.flow.batch import (
-    THREADS,
     BatchIntegrator,
-    available_threads,
     batch_integrator,
     poincare_section,
 )
 from chaplygin.flow.integrator import integrate
-from chaplygin.flow.kernel.double_double import unpaired
+from chaplygin.flow.kernel.double_double import from_pairs
+from chaplygin.flow.threads import THREADS, available_threads
 from chaplygin.formulas.evaluate import values
 from flow.small import (
     BODIES,
@@ -124,7 +123,7 @@ def test_thirty_digits(name: str) -> None:
     with mpmath.workdps(40):
         decimals = {s: mpmath.mpf(repr(value)) for s, value in system.defaults.items()}
     found = batch_integrator(system, tolerance=1e-27, digits=30).until(exact, [0.5], decimals)
-    states = unpaired(found.states[:, 0], found.rest[:, 0])
+    states = from_pairs(found.states[:, 0], found.rest[:, 0])
     for start, state in zip(exact, states, strict=True):
         motion = integrate(system, start, [0.0, 0.5], precision="quad")
         with mpmath.workdps(40):

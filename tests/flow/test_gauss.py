@@ -14,7 +14,7 @@ from chaplygin.core.laws import Integral
 from chaplygin.errors import InputError
 from chaplygin.flow.gauss import GaussTrajectories, gauss_integrator
 from chaplygin.flow.integrator import integrate
-from chaplygin.flow.kernel.double_double import unpaired
+from chaplygin.flow.kernel.double_double import from_pairs
 from chaplygin.formulas.evaluate import values
 from flow.small import (
     BODIES,
@@ -34,7 +34,7 @@ PERICENTRE = [1 - E, 0.0, 0.0, float(np.sqrt((1 + E) / (1 - E)))]
 
 def exact(found: GaussTrajectories) -> Any:
     """States with all their digits."""
-    return unpaired(found.states, found.rest)
+    return from_pairs(found.states, found.rest)
 
 
 # --- accuracy ---------------------------------------------------------------------------------

@@ -46,6 +46,12 @@ def test_parameters_count() -> None:
         assert np.array_equal(found[i], alone[0])
 
 
+def test_numbers_of_numpy_are_decimals_too() -> None:
+    """In a list they are NumPy's own scalars, which print themselves with their type."""
+    state = flat_starts(BALL, {"omega": OMEGA[:1], "gamma": GAMMA[:1]})[0]
+    assert whole_start(BALL, list(state)) == whole_start(BALL, state.tolist())
+
+
 def test_by_variables_and_by_components() -> None:
     whole = np.arange(12.0).reshape(2, 6)
     named = {"gamma": whole[:, 3:], "M": whole[:, :3]}

@@ -312,7 +312,7 @@ def test_a_witness_is_a_point_of_the_level_where_the_law_fails(name):
 
 
 def kept(folder: Path) -> set[str]:
-    return {path.name for path in (folder / "verdicts").glob("*.json")}
+    return {path.name for path in folder.glob("*.json")}
 
 
 def test_a_verdict_is_kept_and_read_again(own_cache):
@@ -337,5 +337,5 @@ def test_what_cannot_be_read_is_decided_again(own_cache):
     law = Integral("spoilt", SQUARE**2)
     names = kept(own_cache)
     prove(TOP, law)
-    (own_cache / "verdicts" / (kept(own_cache) - names).pop()).write_text("{")
+    (own_cache / (kept(own_cache) - names).pop()).write_text("{")
     assert prove(TOP, law).decision == "proven"

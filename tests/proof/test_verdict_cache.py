@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 
 from chaplygin.catalogue import entry
+from chaplygin.core import cache as core_cache
 from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.laws import Integral
 from chaplygin.core.system import Guard, Parameter, System
 from chaplygin.core.vectors import real_symbol
-from chaplygin.proof import verdict_cache as memory
 from chaplygin.proof.prover import prove
 from chaplygin.proof.verdict import Verdict
 from chaplygin.proof.verdict_cache import fingerprint, load_verdict, store_verdict
@@ -78,7 +78,7 @@ def test_the_target_of_an_isomorphism_counts_as_much(what: str) -> None:
 
 def test_another_program_makes_another_name(monkeypatch: pytest.MonkeyPatch) -> None:
     before = fingerprint(OSCILLATOR, ENERGY)
-    monkeypatch.setattr(memory, "core", lambda: "mended")
+    monkeypatch.setattr(core_cache, "computation_digest", lambda: "mended")
     assert fingerprint(OSCILLATOR, ENERGY) != before
 
 
@@ -157,6 +157,6 @@ def test_what_little_effort_led_to_is_not_taken_for_what_more_leads_to() -> None
 def test_what_cannot_be_read_is_not_there(tmp_path: Path) -> None:
     store_verdict("name", Verdict("law", "proven", effort=1), 2)
     assert load_verdict("name", 2)
-    (path,) = memory.folder().iterdir()
+    (path,) = tmp_path.iterdir()
     path.write_text("{")
     assert load_verdict("name", 2) is None

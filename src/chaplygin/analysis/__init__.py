@@ -1,1 +1,1 @@
-"""What a system can do: its place in the hierarchy of dynamics."""
+"""Analysis of the dynamics: Lyapunov exponents, orbits, scans, classification."""

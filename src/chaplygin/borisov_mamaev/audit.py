@@ -21,14 +21,15 @@ from typing import Any
 
 from .._version import __version__
 from ..arguments import arguments_checked
-from ..core.source_digest import whole
+from ..core.cache import entry_name
+from ..core.source_digest import package_digest
 from ..errors import InputError
 from ..flow.ensemble.task import IncompleteError
 from ..printing.mathml import mathml
 from ..proof.fields.budget import EFFORT
 from ..proof.prover import prove
 from ..proof.verdict import Decision, Verdict
-from ..proof.verdict_cache import digest, load_verdict, store_verdict
+from ..proof.verdict_cache import load_verdict, store_verdict
 from . import Case, Claim, claims, remarks
 
 __all__ = ["DECISIONS", "TITLES", "Judgement", "audit", "counts", "page"]
@@ -129,7 +130,7 @@ def judge(number: int, section: int | None) -> tuple[Verdict, Verdict | None]:
 
 
 def _name(claim: Claim, form: str) -> str:
-    return digest(claim.source, claim.statement, form, whole())
+    return entry_name(claim.source, claim.statement, form, package_digest())
 
 
 @arguments_checked

@@ -1,16 +1,16 @@
-"""Files kept between processes, believed only where nobody but this user can write.
+"""Files that outlive a process, trusted only where nobody but this user can write.
 
-Machine code and proofs are kept here, so a file counts only if
+They hold machine code and verdicts, so a file is read only if
 
 - every folder on the way to it, links followed, belongs to this user or to root, and nobody else
   can write to it (save in folders such as ``/tmp``, where the sticky bit keeps others from
   removing or renaming what is not theirs);
 - the folder it is in and the file itself belong to this user, and nobody else can write to them;
-- its first line is the digest of its name and of the rest, so that what was cut, changed or
-  renamed by accident is not there at all.
+- its first line is the digest of its name and content, so that a file that was truncated, changed
+  or renamed by accident is not read.
 
-The digest is no signature: whoever can write as this user, or as root, can make one, and can
-change the program as well.  A file that does not count is no error: what it held is made again.
+The digest is no signature: whoever can write as this user, or as root, can compute one, and can
+change the program as well.  An untrusted file is no error: its content is computed again.
 """
 
 from __future__ import annotations
@@ -24,41 +24,33 @@ import tempfile
 from functools import cache
 from pathlib import Path
 
-import platformdirs
-
-__all__ = ["home", "read_private", "write_private"]
+__all__ = ["read_private", "write_private"]
 
 _OTHERS = stat.S_IWGRP | stat.S_IWOTH
-#: A link is not followed, and a pipe is not waited for.
-_PLAINLY = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
+#: Flags with which a link is not followed and a pipe is not waited for.
+_OPEN_FLAGS = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
 
 
-def home() -> Path:
-    """Where everything is kept; the variable CHAPLYGIN_CACHE overrides the user's own place."""
-    chosen = os.environ.get("CHAPLYGIN_CACHE")
-    return Path(chosen) if chosen else Path(platformdirs.user_cache_dir("chaplygin"))
-
-
-def _distrust(place: Path) -> str:
-    """Why files in a folder do not count, as the end of a sentence; empty where they do."""
+def _distrust(folder: Path) -> str:
+    """The reason why files in a folder are not read, to end a sentence; empty if they are."""
     us = os.geteuid()
-    for part in (place, *place.parents):
-        status = part.lstat()
-        if status.st_uid != us and (part == place or status.st_uid != 0):
-            return f"{part} belongs to another user"
-        sticky = part != place and status.st_mode & stat.S_ISVTX
+    for ancestor in (folder, *folder.parents):
+        status = ancestor.lstat()
+        if status.st_uid != us and (ancestor == folder or status.st_uid != 0):
+            return f"{ancestor} belongs to another user"
+        sticky = ancestor != folder and status.st_mode & stat.S_ISVTX
         if status.st_mode & _OTHERS and not sticky:
-            return f"others can write to {part} (chmod go-w mends it)"
+            return f"others can write to {ancestor} (chmod go-w mends it)"
     return ""
 
 
 def read_private(path: Path) -> bytes | None:
-    """What was written to a file, or None where there is none that counts."""
+    """The content of a file, or None if there is none that can be trusted."""
     try:
-        place = _usable(path.parent)
-        if place is None:
+        folder = _trusted(path.parent)
+        if folder is None:
             return None
-        handle = os.open(place / path.name, _PLAINLY)
+        handle = os.open(folder / path.name, _OPEN_FLAGS)
         with os.fdopen(handle, "rb") as stream:
             status = os.fstat(handle)
             plain = stat.S_ISREG(status.st_mode) and not status.st_mode & _OTHERS
@@ -71,17 +63,17 @@ def read_private(path: Path) -> bytes | None:
 
 
 def write_private(path: Path, content: bytes) -> bool:
-    """Keep a file, which appears complete or not at all; whether that was possible."""
+    """Write a file, which appears complete or not at all; return whether that was possible."""
     temporary = None
     try:
-        _make(path.parent)
-        place = _usable(path.parent)
-        if place is None:
+        _create(path.parent)
+        folder = _trusted(path.parent)
+        if folder is None:
             return False
-        with tempfile.NamedTemporaryFile(dir=place, delete=False) as stream:
+        with tempfile.NamedTemporaryFile(dir=folder, delete=False) as stream:
             temporary = Path(stream.name)
             stream.write(_seal(path, content) + b"\n" + content)
-        temporary.replace(place / path.name)
+        temporary.replace(folder / path.name)
     except (OSError, ValueError):
         if temporary is not None:
             with contextlib.suppress(OSError):
@@ -90,10 +82,10 @@ def write_private(path: Path, content: bytes) -> bool:
     return True
 
 
-def _make(folder: Path) -> None:
-    """A folder and those above it, for this user alone whatever the usual permissions are."""
+def _create(folder: Path) -> None:
+    """Create a folder and those above it, for this user alone whatever the umask."""
     if not folder.is_dir():
-        _make(folder.parent)
+        _create(folder.parent)
         folder.mkdir(mode=0o700, exist_ok=True)
 
 
@@ -101,16 +93,16 @@ def _seal(path: Path, content: bytes) -> bytes:
     return hashlib.sha256(path.name.encode() + b"\0" + content).hexdigest().encode()
 
 
-def _usable(folder: Path) -> Path | None:
-    """A folder, links followed, if files in it count; where they do not, that is said once."""
-    # followed once, so that nobody can turn a link round after the look at where it leads
-    place = folder.resolve(strict=True)
-    why = _distrust(place)
+def _trusted(folder: Path) -> Path | None:
+    """A folder, links resolved, if its files can be trusted; otherwise one warning says why not."""
+    # resolved once, so that nobody can redirect a link after the check of its target
+    resolved = folder.resolve(strict=True)
+    why = _distrust(resolved)
     if why:
-        _say(f"nothing is kept in {folder}, and nothing there is used: {why}")
-    return None if why else place
+        _warn_once(f"nothing is kept in {folder}, and nothing there is used: {why}")
+    return None if why else resolved
 
 
 @cache
-def _say(sentence: str) -> None:
+def _warn_once(sentence: str) -> None:
     logging.getLogger(__name__).warning(sentence)

@@ -1,8 +1,9 @@
-"""The program text on which everything kept on disk depends.
+"""Digests of the program text, on which every stored result depends.
 
-What is kept (verdicts, machine code, blocks of a long computation) goes by a name that holds a
-digest of this text, so that a mended mistake, wherever it was, leaves nothing standing that it led
-to.  To read and digest all of it takes some ten milliseconds, less than to follow the imports.
+Verdicts, machine code and blocks of a long computation are stored with a digest of the whole
+program text, so that a corrected mistake, wherever it was, invalidates all results that it may
+have affected.  Reading and digesting all of it takes some ten milliseconds, less than to follow
+the imports of each result.
 """
 
 from __future__ import annotations
@@ -12,14 +13,20 @@ from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 
-__all__ = ["APART", "core", "module_digests", "text_digest", "whole"]
+__all__ = [
+    "PRESENTATION",
+    "computation_digest",
+    "module_digests",
+    "package_digest",
+    "text_digest",
+]
 
-APART = ("__main__.py", "borisov_mamaev", "cli", "experiment", "report")
-"""What the rest never imports: what commands say, claims of the paper, reports."""
+PRESENTATION = ("__main__.py", "borisov_mamaev", "cli", "experiment", "report")
+"""Commands, claims of the paper and reports: no module that computes imports any of them."""
 
 
 def module_digests(home: Path) -> dict[str, str]:
-    """Digests of all modules of a package, by their place in it."""
+    """Digests of all modules of a package, by path below it."""
     return {
         path.relative_to(home).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
         for path in sorted(home.rglob("*.py"))
@@ -28,32 +35,32 @@ def module_digests(home: Path) -> dict[str, str]:
     }
 
 
-def text_digest(modules: Mapping[str, str], apart: tuple[str, ...] = ()) -> str:
+def text_digest(modules: Mapping[str, str], omitted: tuple[str, ...] = ()) -> str:
     """A digest of the modules of a package, by name and content.
 
     Parameters
     ----------
     modules : mapping of str to str
-        Their digests by place; see :func:`module_digests`.
-    apart : tuple of str
+        Their digests by path; see :func:`module_digests`.
+    omitted : tuple of str
         Folders that are left out.
     """
-    lines = (f"{n} {d}\n" for n, d in modules.items() if n.split("/")[0] not in apart)
+    lines = (f"{n} {d}\n" for n, d in modules.items() if n.split("/")[0] not in omitted)
     return hashlib.sha256("".join(lines).encode()).hexdigest()
 
 
-# taken when this is imported, that is together with what computes, and not when first asked for:
-# by then another text might have come into the files
+# computed on import, together with the modules themselves: by the first use the files might hold
+# another text than the one that runs
 _MODULES = module_digests(Path(__file__).parents[1])
 
 
 @cache
-def core() -> str:
-    """A digest of all that computes."""
-    return text_digest(_MODULES, APART)
+def computation_digest() -> str:
+    """A digest of all modules that compute."""
+    return text_digest(_MODULES, PRESENTATION)
 
 
 @cache
-def whole() -> str:
-    """A digest of the whole package."""
+def package_digest() -> str:
+    """A digest of all modules of the package."""
     return text_digest(_MODULES)

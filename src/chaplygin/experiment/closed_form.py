@@ -15,16 +15,14 @@ from flint import arb
 from markupsafe import Markup
 
 from ..core.arrays import FloatArray
-from ..core.system import System
-from ..core.vectors import real_symbol, to_components
+from ..core.vectors import real_symbol
 from ..errors import InputError, RunError
 from ..explicit.base.problem import Problem
 from ..explicit.base.solution import NamedConstant, Solution, checked
 from ..explicit.bifurcation import Diagram
 from ..explicit.bifurcation.diagram_of import diagram_of
 from ..explicit.recognise import solution_of
-from ..flow.trajectory import Statistics, Trajectory
-from ..parsing import Formula
+from ..flow.trajectory import Statistics, Trajectory, recorded_values
 from ..printing import numerals
 from ..printing.formula import text
 from ..printing.numerals import signed, unit
@@ -111,7 +109,7 @@ def evaluated(study: Study, solution: Solution, times: Sequence[float] | FloatAr
         system.defaults,
         moments,
         states,
-        _recorded_quantities(system, states),
+        recorded_values(system, states),
         (),
         Statistics(
             steps=0,
@@ -123,35 +121,6 @@ def evaluated(study: Study, solution: Solution, times: Sequence[float] | FloatAr
             from_cache=False,
         ),
     )
-
-
-def _recorded_quantities(system: System, states: FloatArray) -> dict[str, FloatArray]:
-    """Observables and integrals of a lifted system along states (n, size)."""
-    wanted = {item.name: to_components(item.value) for item in system.observables}
-    wanted |= {f"law_{law.name}": to_components(law.value) for law in system.integrals}
-    scalars = [s for value in wanted.values() for s in _scalars(value)]
-    steps = list(system.needed(scalars))
-    function = sp.lambdify(
-        [*system.symbols, *system.defaults], scalars, "numpy", cse=lambda e: (steps, e)
-    )
-    columns = (np.broadcast_to(x, len(states)) for x in function(*states.T, *_doubles(system)))
-    recorded: dict[str, FloatArray] = {}
-    for name, value in wanted.items():
-        parts = [next(columns) for _ in _scalars(value)]
-        recorded[name] = np.stack(parts, axis=1) if _is_vector(value) else np.array(parts[0])
-    return recorded
-
-
-def _doubles(system: System) -> list[float]:
-    return [float(value) for value in system.defaults.values()]
-
-
-def _is_vector(value: Formula) -> bool:
-    return isinstance(value, sp.MatrixBase)
-
-
-def _scalars(value: Formula) -> list[sp.Expr]:
-    return list(value) if _is_vector(value) else [value]
 
 
 def dataset(study: Study, trajectory: Trajectory, solution: Solution) -> xr.Dataset:

@@ -5,22 +5,23 @@ Sums run in a fixed order, which the reductions of NumPy do not promise.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
+
+from ..core.arrays import FloatArray
 
 __all__ = ["batched_matvec", "batched_solve", "norm_squared_columns", "row_dots"]
 
 
-def norm_squared_columns(columns: Any) -> Any:
+def norm_squared_columns(columns: FloatArray) -> FloatArray:
     """(v, v) for vectors in columns, array (n, k)."""
     total = columns[0] * columns[0]
     for row in columns[1:]:
         total = total + row * row
-    return total
+    result: FloatArray = total
+    return result
 
 
-def row_dots(left: Any, right: Any) -> Any:
+def row_dots(left: FloatArray, right: FloatArray) -> FloatArray:
     """(u, v) for vectors in rows, arrays (k, n)."""
     total = np.zeros(left.shape[0])
     for i in range(left.shape[1]):
@@ -28,19 +29,19 @@ def row_dots(left: Any, right: Any) -> Any:
     return total
 
 
-def batched_matvec(matrices: Any, vectors: Any) -> Any:
+def batched_matvec(matrices: FloatArray, vectors: FloatArray) -> FloatArray:
     """A v for matrices (k, m, n) and vectors (k, n): array (k, m)."""
-    made = np.zeros(matrices.shape[:2])
+    products = np.zeros(matrices.shape[:2])
     for i in range(matrices.shape[1]):
-        made[:, i] = row_dots(matrices[:, i], vectors)
-    return made
+        products[:, i] = row_dots(matrices[:, i], vectors)
+    return products
 
 
-def batched_solve(matrices: Any, right: Any) -> Any:
+def batched_solve(matrices: FloatArray, right: FloatArray) -> FloatArray:
     """A⁻¹ v for matrices (k, n, n) and vectors (k, n): array (k, n)."""
     if right.shape[1] == 0:
         return right
     if right.shape[1] == 1:
         return right / matrices[:, 0]
-    found = np.linalg.solve(matrices, right[:, :, None])
-    return found[:, :, 0]
+    solution = np.linalg.solve(matrices, right[:, :, None])
+    return np.asarray(solution[:, :, 0], dtype=np.float64)

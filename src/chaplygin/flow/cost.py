@@ -1,4 +1,4 @@
-"""What a computation would take, refused where that is years, or more room than there is."""
+"""Refusal of computations that would take years, or more memory or disk than there is."""
 
 from __future__ import annotations
 
@@ -10,13 +10,24 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from ..errors import InputError
+from .kernel.outcomes import STEPS
 
-__all__ = ["Pace", "TooMuchError", "in_words", "require_room"]
+__all__ = [
+    "FEW_STEPS",
+    "MOST_STEPS",
+    "Pace",
+    "TooMuchError",
+    "in_words",
+    "require_room",
+    "require_steps",
+]
 
 #: A computation that would take longer is refused: seconds in a year.
 YEAR = 365.25 * 86400.0
 #: After so many seconds the pace is known.
 _KNOWN = 0.5
+#: Steps that a motion may take, and steps by which the length of a motion is estimated.
+MOST_STEPS, FEW_STEPS = 100_000_000, 2_000
 _UNITS = ("bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB", "ZiB", "YiB")
 _KIBI = 1024.0
 
@@ -27,7 +38,7 @@ class TooMuchError(InputError):
 
 @dataclass(frozen=True)
 class Pace:
-    """How fast a computation goes on, from the moment this is made."""
+    """The pace of a computation, from the creation of this object on."""
 
     began: float = field(default_factory=time.perf_counter)
 
@@ -37,9 +48,9 @@ class Pace:
         Parameters
         ----------
         fraction : float
-            What is done by now, of 1.
+            The share that is done by now, of 1.
         what : str
-            What is computed, with what should be smaller: the beginning of the sentence.
+            The computation, with its size: the beginning of the sentence.
 
         Raises
         ------
@@ -64,9 +75,9 @@ def require_room(size: float, folder: Path | None, what: str) -> None:
     size : float
         In bytes.
     folder : Path or None
-        Where it is to be written; in memory if None.
+        The result is to be written there; in memory if None.
     what : str
-        What is computed: the beginning of the sentence.
+        The computation: the beginning of the sentence.
 
     Raises
     ------
@@ -83,6 +94,31 @@ def require_room(size: float, folder: Path | None, what: str) -> None:
     if size > room:
         raise TooMuchError(
             f"{what} would take {in_words(size)} of {place}, and there are {in_words(room)}"
+        )
+
+
+def require_steps(until: float, outcome: int, ended: float, steps: int) -> None:
+    """Refuse a time that needs more steps than are allowed, by the first few of them.
+
+    Parameters
+    ----------
+    until : float
+        The time.
+    outcome, ended, steps
+        Of a motion that was allowed few steps.
+
+    Raises
+    ------
+    TooMuchError
+        With the estimate.
+    """
+    if outcome != STEPS:
+        return
+    needed = steps * abs(until) / abs(float(ended)) if ended else math.inf
+    if needed > MOST_STEPS:
+        raise TooMuchError(
+            f"to follow a motion for {until:g} s would take about {needed:.1g} steps, and it is "
+            f"given up after {MOST_STEPS:.0e}: follow it for a shorter time"
         )
 
 

@@ -1,20 +1,21 @@
 """Single motions to the last digit of a double, or to 30 digits.
 
-Where a System has integrals, the state is held on their level: without that the rounding errors
-of every method in doubles add up to a hundred times more.
+The state is held on the level of the integrals of a System, if there are any: without that the
+rounding errors of every method in doubles add up to a hundred times more.
 """
 
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
+import numpy.typing as npt
 
 from ..arguments import Numbers, Parameters, arguments_checked
+from ..core.arrays import FloatArray, IntArray
 from ..core.system import System
 from ..errors import InputError
 from ..formulas.evaluate import (
@@ -25,14 +26,16 @@ from ..formulas.evaluate import (
     relation_terms,
 )
 from ..formulas.graph import Term
-from .batch import FEW_STEPS, MOST_STEPS, available_threads, reason, require_steps, run_in_threads
+from .cost import FEW_STEPS, MOST_STEPS, require_steps
 from .initial_states import reduced_rows
 from .kernel import jit as native
-from .kernel.double_double import paired, parameter_pairs
+from .kernel.double_double import as_pairs, parameter_pairs
 from .kernel.equations import equations_of, serial, serial_terms
 from .kernel.gauss_legendre import gauss_loop
+from .kernel.outcomes import outcome_message
 from .kernel.projection_terms import projection_terms
 from .kernel.tableaux import gauss
+from .threads import run_in_threads
 from .validation import check_state_shape, moments as read_moments, require_on_phase_space
 
 __all__ = ["GaussIntegrator", "GaussTrajectories", "gauss_integrator"]
@@ -53,17 +56,17 @@ class GaussTrajectories:
     states : array (motions, times, size)
         In flat order; not-a-number after the end of a motion.
     rest : array (motions, times, size)
-        What is to be added: the next 16 digits, of which 14 are right with 30 digits; with 16
-        digits they only say how the last digit was rounded.
+        The next 16 digits of the states, to be added to them; 14 are right with 30 digits, and
+        with 16 digits they only give the rounding error of the last one.
     outcome, ended, steps : arrays (motions,)
         As in :class:`chaplygin.flow.batch.BatchTrajectories`.
     """
 
-    states: Any
-    rest: Any
-    outcome: Any
-    ended: Any
-    steps: Any
+    states: FloatArray
+    rest: FloatArray
+    outcome: IntArray
+    ended: FloatArray
+    steps: IntArray
 
 
 @dataclass(frozen=True)
@@ -92,14 +95,14 @@ class GaussIntegrator:
         return relation_terms(self.system)
 
     def reason(self, code: int) -> str:
-        """What an outcome means, in words; nothing for 0."""
-        return reason(self.system, code)
+        """The reason why a motion ended, in words; empty for 0."""
+        return outcome_message(self.system, code)
 
     def until(
         self,
-        starts: Any,
-        times: Any,
-        parameters: Mapping[Any, Any] | None = None,
+        starts: npt.ArrayLike,
+        times: npt.ArrayLike,
+        parameters: Parameters = None,
         *,
         threads: int | None = None,
     ) -> GaussTrajectories:
@@ -125,47 +128,48 @@ class GaussIntegrator:
         return self._call(starts, moments, parameters, threads, MOST_STEPS)
 
     def require_reach(
-        self, start: Any, until: float, parameters: Mapping[Any, Any] | None = None
+        self, start: npt.ArrayLike, until: float, parameters: Parameters = None
     ) -> None:
-        """Refuse a time that a motion does not reach before it is given up.
+        """Refuse a time that a motion does not reach within the largest number of steps.
 
         Raises
         ------
         TooMuchError
-            With an estimate of the steps, from the first of them.
+            With an estimate from the first steps.
         """
-        found = self._call([start], np.array([abs(until)]), parameters, 1, FEW_STEPS)
-        require_steps(until, found.outcome[0], found.ended[0], found.steps[0])
+        first = np.asarray(start)[np.newaxis]
+        motion = self._call(first, np.array([abs(until)]), parameters, 1, FEW_STEPS)
+        require_steps(until, motion.outcome[0], motion.ended[0], motion.steps[0])
 
     def _call(
         self,
-        starts: Any,
-        moments: Any,
-        parameters: Mapping[Any, Any] | None,
+        starts: npt.ArrayLike,
+        moments: FloatArray,
+        parameters: Parameters,
         threads: int | None,
         most: int,
     ) -> GaussTrajectories:
-        rows = reduced_rows(self.system, paired("starts", starts))
+        rows = reduced_rows(self.system, as_pairs("starts", starts))
         size = len(self.system.symbols)
         check_state_shape(self.system, rows[..., 0])
         constants = parameter_pairs(self.system, parameters, len(rows))
         require_on_phase_space(self.system, self._relations, rows[..., 0], constants[..., 0])
         stride = constants[0].size if len(constants) > 1 else 0
-        number, wanted = len(rows), len(moments)
-        states = np.full((number, wanted, size, 2), np.nan)
-        outcome, steps = (np.zeros(number, dtype=np.int64) for _ in range(2))
-        ended = np.zeros(number)
+        motions, samples = len(rows), len(moments)
+        states = np.full((motions, samples, size, 2), np.nan)
+        outcome, steps = (np.zeros(motions, dtype=np.int64) for _ in range(2))
+        ended = np.zeros(motions)
         _, bound = _METHODS[self.digits]
 
-        def part(first: int, last: int) -> None:
-            work = native.aligned(self.code.room)
+        def compute(first: int, last: int) -> None:
+            work = native.aligned_zeros(self.code.work_size)
             self.code.functions["gauss"](
                 *(first, last, rows.ctypes.data, constants.ctypes.data, stride),
-                *(moments.ctypes.data, wanted, bound, most),
+                *(moments.ctypes.data, samples, bound, most),
                 *(a.ctypes.data for a in (states, outcome, ended, steps, work)),
             )
 
-        run_in_threads(part, number, available_threads() if threads is None else threads)
+        run_in_threads(compute, motions, threads)
         ended = -ended if self.backward else ended
         return GaussTrajectories(states[..., 0], states[..., 1], outcome, ended, steps)
 
@@ -186,8 +190,8 @@ def gauss_integrator(
     system : System
         As it is to be integrated; ``system.lifted()`` carries its motion in space along.
     start : array (size,)
-        A state near which the motions begin: integrals that are claimed of the system but do not
-        stand still there are not held.
+        A state near which the motions begin: integrals that are claimed of the system but are not
+        constant there are not held.
     parameters : mapping of Symbol or name to number, optional
     digits : 16 or 30
         With 30 the state is not moved onto any level: it begins where the start is.
@@ -226,32 +230,32 @@ def gauss_integrator(
             f"{system.name}: the start has the shape {point.shape}; one state is needed, {order}"
         )
     constants = parameter_rows(system, parameters, 1)[0]
-    names = () if digits == 30 else _standing(system, tuple(point), tuple(constants))
-    return _compiled(system, digits, backward, names)
+    names = () if digits == 30 else _conserved_names(system, tuple(point), tuple(constants))
+    return _compiled_integrator(system, digits, backward, names)
 
 
 @lru_cache(maxsize=64)
-def _compiled(
+def _compiled_integrator(
     system: System, digits: int, backward: bool, names: tuple[str, ...]
 ) -> GaussIntegrator:
     equations = equations_of(system, 0, None, backward)
     reader, _ = read_formulas(system)
-    held = dict(_candidates(system))
-    kept = None
+    terms = dict(_candidates(system))
+    projection = None
     if names:
-        kept = projection_terms(
+        projection = projection_terms(
             reader.graph,
-            [held[name] for name in names if not name.startswith("=")],
-            [held[name[1:]] for name in names if name.startswith("=")],
+            [terms[name] for name in names if not name.startswith("=")],
+            [terms[name[1:]] for name in names if name.startswith("=")],
             equations.groups,
             len(system.symbols),
         )
     stages, _ = _METHODS[digits]
-    levels = serial_terms([held[name.lstrip("=")] for name in names])
+    levels = serial_terms([terms[name.lstrip("=")] for name in names])
     key = f"gauss {stages} {digits} {serial(equations)} {names} {levels}"
     code = native.load_code(
         key,
-        lambda: gauss_loop(gauss(stages), equations, kept, digits == 30),
+        lambda: gauss_loop(gauss(stages), equations, projection, digits == 30),
         {"gauss": _SIGNATURE},
     )
     return GaussIntegrator(
@@ -262,17 +266,18 @@ def _compiled(
 def _candidates(system: System) -> list[tuple[str, Term]]:
     """Integrals and relations by name."""
     reader, _ = read_formulas(system)
-    found = [(law.name, reader(law.value)) for law in system.integrals]
-    return found + [(f"relation {k + 1}", reader(r)) for k, r in enumerate(system.relations)]
+    integrals = [(law.name, reader(law.value)) for law in system.integrals]
+    relations = [(f"relation {k + 1}", reader(r)) for k, r in enumerate(system.relations)]
+    return integrals + relations
 
 
 @lru_cache(maxsize=256)
-def _standing(
+def _conserved_names(
     system: System, point: tuple[float, ...], parameters: tuple[float, ...]
 ) -> tuple[str, ...]:
-    """Names of what stands still near a state: integrals and relations.
+    """Names of the integrals and relations that are constant near a state.
 
-    A relation that stands still only where it vanishes is marked with "=".
+    A relation that is constant only on its zero level is marked with "=".
     """
     reader, rates = read_formulas(system)
     graph = reader.graph
@@ -280,23 +285,23 @@ def _standing(
     constants = np.array(parameters)
     generator = np.random.default_rng(0)
     on_level = np.array([point])
-    beside = on_level * (1 + 0.01 * generator.normal(size=(4, size)))
+    off_level = on_level * (1 + 0.01 * generator.normal(size=(4, size)))
     relations = {f"relation {k + 1}" for k in range(len(system.relations))}
-    found = []
+    names = []
     for name, term in _candidates(system):
-        parts = []
+        summands: list[Term] = []
         for i in range(size):
             unit = {graph.state(k): graph.number(int(k == i)) for k in range(size)}
             (slope,) = graph.along([term], unit)
-            parts.append(slope * rates[i])
+            summands.append(slope * rates[i])
 
-        def still(points: Any, parts: list[Term] = parts) -> bool:
-            shares = numbers(parts, points, constants)
+        def constant(points: FloatArray, summands: list[Term] = summands) -> bool:
+            shares = numbers(summands, points, constants)
             total, size_of = np.abs(shares.sum(axis=1)), np.abs(shares).sum(axis=1)
             return bool(np.all(total <= 1e-11 * size_of) and np.all(np.isfinite(size_of)))
 
         if name in relations:
-            found.append(name if still(beside) else f"={name}")
-        elif still(on_level):
-            found.append(name)
-    return tuple(found)
+            names.append(name if constant(off_level) else f"={name}")
+        elif constant(on_level):
+            names.append(name)
+    return tuple(names)

@@ -3,38 +3,39 @@
 from __future__ import annotations
 
 import time as clock
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any, Literal
+from typing import Literal
 
 import mpmath
 import numpy as np
-import sympy as sp
 
+from ..arguments import Parameters
+from ..core.arrays import BoolArray, FloatArray
 from ..core.parameters import parameter_values
 from ..core.system import System
-from ..core.vectors import to_components
 from ..errors import InputError, RunError
-from ..formulas.evaluate import values
-from .gauss import GaussIntegrator, gauss_integrator
-from .kernel.double_double import unpaired
-from .kernel.runge_kutta import STATUS_MESSAGES
-from .trajectory import Event, Statistics, Trajectory
+from .gauss import GaussIntegrator, GaussTrajectories, gauss_integrator
+from .heyoka_expressions import WorkingArray, WorkingNumber
+from .kernel.double_double import from_pairs
+from .kernel.outcomes import STATUS_MESSAGES
+from .trajectory import Event, Statistics, Trajectory, recorded_values
 
 __all__ = ["collocate"]
 
 
 def collocate(
     system: System,
-    start: Sequence[Any],
+    start: Sequence[WorkingNumber],
     times: Sequence[float],
-    parameters: Mapping[Any, Any] | None = None,
+    parameters: Parameters = None,
     *,
     digits: Literal[16, 30] = 16,
     on_liftoff: Literal["stop", "warn"] = "stop",
 ) -> Trajectory:
-    """Integrate a system with all digits; see :func:`chaplygin.flow.integrator.integrate`.
+    """Integrate a system to the last digit by collocation.
 
+    See :func:`chaplygin.flow.integrator.integrate`.
     The state is held on the level of its relations and integrals.  With 30 digits the states are
     numbers of mpmath and what is recorded has 16.
 
@@ -74,60 +75,43 @@ def collocate(
         point = [_decimal(x) for x in start]
     flow = gauss_integrator(watched, point, constants, digits, backward=backward)
     flow.require_reach(point, float(moments[-1] - moments[0]), constants)
-    found = flow.until([point], moments - moments[0], constants)
-    outcome, reached = int(found.outcome[0]), float(found.ended[0] + moments[0])
+    motion = flow.until([point], moments - moments[0], constants)
+    outcome, reached = int(motion.outcome[0]), float(motion.ended[0] + moments[0])
     events: tuple[Event, ...] = ()
     if outcome >= len(STATUS_MESSAGES):
         guard = watched.guards[outcome - len(STATUS_MESSAGES)]
         events = (Event(reached, guard, True),)
         earlier = [t for t in moments if abs(t - moments[0]) < abs(reached - moments[0])]
         moments = np.array([*earlier, reached] if reached != moments[0] else [reached])
-        found = flow.until([point], moments - moments[0], constants)
-    good = np.isfinite(found.states[0]).all(axis=1)
-    trajectory = _recorded(lifted, constants, moments[good], _states(flow, found, good))
+        motion = flow.until([point], moments - moments[0], constants)
+    good = np.isfinite(motion.states[0]).all(axis=1)
+    states = _states(flow, motion, good)
+    doubles = {symbol: float(value) for symbol, value in constants.items()}
+    recorded = recorded_values(lifted, states.astype(float), doubles)
     statistics = Statistics(
-        steps=int(found.steps[0]),
+        steps=int(motion.steps[0]),
         order=16 if digits == 16 else 32,
         tolerance=1e-16 if digits == 16 else 1e-30,
         precision="double" if digits == 16 else "quad",
-        corrections=int(found.steps[0]) if flow.held else 0,
+        corrections=int(motion.steps[0]) if flow.held else 0,
         seconds=clock.perf_counter() - began,
-        from_cache=flow.code.found,
+        from_cache=flow.code.from_cache,
     )
-    trajectory = replace(trajectory, events=events, statistics=statistics)
+    trajectory = Trajectory(lifted, constants, moments[good], states, recorded, events, statistics)
     if 0 < outcome < len(STATUS_MESSAGES):
         raise RunError(f"{system.name}: {flow.reason(outcome)}", reached, trajectory)
     return trajectory
 
 
-def _states(flow: GaussIntegrator, found: Any, good: Any) -> Any:
-    states = found.states[0, good]
-    return states if flow.digits == 16 else unpaired(states, found.rest[0, good])
+def _states(flow: GaussIntegrator, motion: GaussTrajectories, good: BoolArray) -> WorkingArray:
+    """The states (times, size) of one motion, with all their digits."""
+    states: FloatArray = motion.states[0, good]
+    return states if flow.digits == 16 else from_pairs(states, motion.rest[0, good])
 
 
-def _decimal(number: Any) -> Any:
-    """A number with all its digits, a float as the decimal that it shows."""
+def _decimal(number: WorkingNumber) -> mpmath.mpf:
+    """A number with all its digits, a float as the decimal that is printed for it."""
     with mpmath.workdps(50):
         if isinstance(number, (int, float, np.number)):
             return mpmath.mpf(repr(float(number)))
         return mpmath.mpmathify(number)
-
-
-def _recorded(
-    system: System, constants: dict[sp.Symbol, Any], times: Any, states: Any
-) -> Trajectory:
-    """A trajectory with observables and integrals at its states."""
-    items = [(item.name, to_components(item.value)) for item in system.observables]
-    items += [(f"law_{law.name}", to_components(law.value)) for law in system.integrals]
-    parts = [list(v) if isinstance(v, sp.MatrixBase) else [v] for _, v in items]
-    numbers = states.astype(float)
-    doubles = {symbol: float(value) for symbol, value in constants.items()}
-    rows = values(system, [part for group in parts for part in group], numbers, doubles)
-    recorded: dict[str, Any] = {}
-    first = 0
-    for (name, value), components in zip(items, parts, strict=True):
-        block = rows[:, first : first + len(components)]
-        recorded[name] = block if isinstance(value, sp.MatrixBase) else block[:, 0]
-        first += len(components)
-    nothing = Statistics(0, 0, 0.0, "double", 0, 0.0, False)
-    return Trajectory(system, constants, times, states, recorded, (), nothing)

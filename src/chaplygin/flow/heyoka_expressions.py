@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from typing import Any, TypeAlias
 
 import heyoka as hy
+import numpy.typing as npt
 import sympy as sp
 
 from ..core.system import System
@@ -13,9 +14,13 @@ from ..core.vectors import to_components
 from ..errors import InputError
 from ..formulas.evaluation import Evaluation, numerator_and_denominator
 
-__all__ = ["Translator"]
+__all__ = ["Translator", "WorkingArray", "WorkingNumber"]
 
-_FUNCTIONS: Mapping[Any, Callable[..., Any]] = {
+#: A number of the working precision: a double, or one of heyoka's with 34 digits; and arrays.
+WorkingNumber: TypeAlias = Any
+WorkingArray: TypeAlias = npt.NDArray[Any]
+
+_FUNCTIONS: Mapping[type[sp.Function], Callable[..., hy.expression]] = {
     sp.sin: hy.sin,
     sp.cos: hy.cos,
     sp.tan: hy.tan,

@@ -1,4 +1,4 @@
-"""Starts: many at once by name, and one in whichever of the ways in which it may be given."""
+"""Initial states: many at once by name, or one by name or in flat order."""
 
 from __future__ import annotations
 
@@ -8,11 +8,15 @@ from typing import Any
 
 import mpmath
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 
+from ..arguments import Parameters
+from ..core.arrays import FloatArray
 from ..core.system import System, flat
 from ..core.vectors import Vector
 from ..errors import InputError
+from ..flow.heyoka_expressions import WorkingNumber
 from ..formulas.evaluate import values
 
 __all__ = ["flat_starts", "reduced_rows", "reduced_start", "upright", "whole_start"]
@@ -25,10 +29,10 @@ omega, gamma = Vector("omega"), Vector("gamma")
 
 def reduced_start(
     system: System,
-    start: Mapping[str, Any] | Sequence[Any],
-    parameters: Mapping[Any, Any] | None = None,
-) -> tuple[Any, ...]:
-    """The state of a system without what belongs to its motion in space, in flat order.
+    start: Mapping[str, npt.ArrayLike] | Sequence[WorkingNumber],
+    parameters: Parameters = None,
+) -> tuple[WorkingNumber, ...]:
+    """The state of a system without its motion in space, in flat order.
 
     Parameters
     ----------
@@ -45,21 +49,21 @@ def reduced_start(
         If a name or the number of numbers is wrong.
     """
     if isinstance(start, Mapping):
-        given = {name: np.array([value], dtype=float) for name, value in start.items()}
+        rows = {name: np.array([value], dtype=float) for name, value in start.items()}
         numbers = {str(key): value for key, value in (parameters or {}).items()}
-        return tuple(flat_starts(system, given, numbers)[0].tolist())
+        return tuple(flat_starts(system, rows, numbers)[0].tolist())
     _require_size(system, len(start))
     return tuple(start[: len(system.symbols)])
 
 
 def whole_start(
     system: System,
-    start: Mapping[str, Any] | Sequence[Any],
-    parameters: Mapping[Any, Any] | None = None,
-) -> tuple[Any, ...]:
+    start: Mapping[str, npt.ArrayLike] | Sequence[WorkingNumber],
+    parameters: Parameters = None,
+) -> tuple[WorkingNumber, ...]:
     """The state of a system with its motion in space, where it has one, in flat order.
 
-    What a start leaves out begins at zero, and the attitude so that ζ, or else γ, points upward.
+    Variables that a start leaves out begin at zero; the attitude turns ζ, or else γ, upward.
 
     Parameters
     ----------
@@ -78,19 +82,21 @@ def whole_start(
         return tuple(start)
     known = dict(zip(map(str, system.symbols), start, strict=True))
     up = next((n for n in (Vector("zeta"), gamma) if n in system.state), None)
-    found: list[Any] = list(start)
+    state: list[WorkingNumber] = list(start)
     for name, _ in system.motion.field:
         if str(name) == "attitude":
-            found += upright([known[str(s)] for s in up.symbols]) if up else [1.0, 0.0, 0.0, 0.0]
+            state += upright([known[str(s)] for s in up.symbols]) if up else [1.0, 0.0, 0.0, 0.0]
         else:
-            found += [0.0] * len(flat([name]))
-    return tuple(found)
+            state += [0.0] * len(flat([name]))
+    return tuple(state)
 
 
-def upright(vertical: Sequence[Any]) -> list[Any]:
-    """The quaternion that takes a unit vector (body) to the vertical along the shortest way."""
+def upright(vertical: Sequence[WorkingNumber]) -> list[mpmath.mpf]:
+    """The quaternion of the shortest turn of a unit vector (body) to the vertical."""
     with mpmath.workdps(_DIGITS):
-        x, y, z = (mpmath.mpf(repr(v)) if isinstance(v, float) else mpmath.mpf(v) for v in vertical)
+        # float also turns numbers of NumPy into ones that repr writes as digits
+        decimals = (repr(float(v)) if isinstance(v, float) else v for v in vertical)
+        x, y, z = map(mpmath.mpf, decimals)
         turn = [1 + z, y, -x, mpmath.mpf(0)]
         if not 1 + z > _TURNED:
             turn = [mpmath.mpf(0), mpmath.mpf(1), mpmath.mpf(0), mpmath.mpf(0)]
@@ -98,30 +104,30 @@ def upright(vertical: Sequence[Any]) -> list[Any]:
         return [part / length for part in turn]
 
 
-def reduced_rows(system: System, rows: Any) -> Any:
-    """Starts (motions, size, …) without the columns that belong to the motion in space."""
+def reduced_rows(system: System, rows: FloatArray) -> FloatArray:
+    """Starts (motions, size, …) without the columns of the motion in space."""
     whole = system.motion is not None and rows.ndim > 1
     if whole and rows.shape[1] == len(system.lifted().symbols):
         return rows[:, : len(system.symbols)]
     return rows
 
 
-def _require_size(system: System, given: int) -> None:
-    """Refuse a start of another size than the state, or the state with the motion in space."""
+def _require_size(system: System, count: int) -> None:
+    """Refuse a start whose size is not that of the state, reduced or in space."""
     size = len(system.symbols)
     whole = system.lifted() if system.motion else system
-    if given in (size, len(whole.symbols)):
+    if count in (size, len(whole.symbols)):
         return
     names = list(map(str, whole.symbols))
     more = f"; or {len(names)}, with {', '.join(names[size:])}" if len(names) > size else ""
     raise InputError(
-        f"start has {given} numbers: {size} are needed ({', '.join(names[:size])}{more})"
+        f"start has {count} numbers: {size} are needed ({', '.join(names[:size])}{more})"
     )
 
 
 def flat_starts(
-    system: System, given: Mapping[str, Any], parameters: Mapping[str, Any] | None = None
-) -> Any:
+    system: System, arrays: Mapping[str, FloatArray], parameters: Parameters = None
+) -> FloatArray:
     """States in flat order.
 
     Parameters
@@ -143,26 +149,26 @@ def flat_starts(
     InputError
         If a name is unknown, a shape is wrong, or something of the state is not given.
     """
-    if set(given) == {"state"}:
-        states = reduced_rows(system, np.asarray(given["state"], dtype=float))
-        return _shaped(system, "state", states, len(system.symbols))
-    if "omega" in given and ("gamma" in given or omega not in system.state):
-        return _placed(system, _of_spin(system, given, parameters))
-    return _placed(system, given)
+    if set(arrays) == {"state"}:
+        states = reduced_rows(system, np.asarray(arrays["state"], dtype=float))
+        return _checked_shape(system, "state", states, len(system.symbols))
+    if "omega" in arrays and ("gamma" in arrays or omega not in system.state):
+        return _flat_states(system, _of_spin(system, arrays, parameters))
+    return _flat_states(system, arrays)
 
 
-def _placed(system: System, given: Mapping[str, Any]) -> Any:
+def _flat_states(system: System, arrays: Mapping[str, FloatArray]) -> FloatArray:
     """The columns of the state, from variables and components by name."""
-    columns: dict[str, Any] = {}
+    columns: dict[str, FloatArray] = {}
     variables = {str(v): v for v in system.state}
     components = {str(s): s for s in system.symbols}
-    for name, array in given.items():
+    for name, array in arrays.items():
         if name in variables:
             symbols = flat([variables[name]])
-            block = _shaped(system, name, array, len(symbols))
+            block = _checked_shape(system, name, array, len(symbols))
             columns |= {str(s): block[:, i] for i, s in enumerate(symbols)}
         elif name in components:
-            columns[name] = _shaped(system, name, array, 1)[:, 0]
+            columns[name] = _checked_shape(system, name, array, 1)[:, 0]
         else:
             known = ", ".join([*variables, *(str(p.symbol) for p in system.parameters)])
             raise InputError(f"{system.name}: there is no {name}; it has {known}")
@@ -172,7 +178,7 @@ def _placed(system: System, given: Mapping[str, Any]) -> Any:
     return np.column_stack([columns[name] for name in components])
 
 
-def _shaped(system: System, name: str, array: Any, size: int) -> Any:
+def _checked_shape(system: System, name: str, array: FloatArray, size: int) -> FloatArray:
     """An array (n, size); scalars may be (n,)."""
     block = np.asarray(array, dtype=float)
     if size == 1 and block.ndim == 1:
@@ -186,35 +192,35 @@ def _shaped(system: System, name: str, array: Any, size: int) -> Any:
 
 
 def _of_spin(
-    system: System, given: Mapping[str, Any], parameters: Mapping[str, Any] | None
+    system: System, arrays: Mapping[str, FloatArray], parameters: Parameters
 ) -> dict[str, Any]:
-    """The variables of the state that follow from ω and γ, and those that are given besides."""
+    """The variables of the state that follow from ω and γ, and the others."""
     if not system.start and omega not in system.state:
         raise InputError(f"{system.name}: its state does not follow from omega; give the state")
-    if "gamma" not in given:
+    if "gamma" not in arrays:
         raise InputError(f"{system.name}: omega is given, but gamma is not")
-    turning = _shaped(system, "omega", given["omega"], 3)
-    normal = _shaped(system, "gamma", given["gamma"], 3)
+    turning = _checked_shape(system, "omega", arrays["omega"], 3)
+    normal = _checked_shape(system, "gamma", arrays["gamma"], 3)
     lengths = np.linalg.norm(normal, axis=1, keepdims=True)
     if not np.all(lengths > 0):
         raise InputError(f"{system.name}: gamma is zero: it must point along the normal")
     points = np.column_stack([turning, normal / lengths])
     auxiliary, symbols = _spinning(system)
-    found = values(auxiliary, symbols, points, parameters)
-    following = {str(s): found[:, i] for i, s in enumerate(symbols)}
-    others = {name: array for name, array in given.items() if name not in ("omega", "gamma")}
-    kept = {
+    numbers = values(auxiliary, symbols, points, parameters)
+    following = {str(s): numbers[:, i] for i, s in enumerate(symbols)}
+    others = {name: array for name, array in arrays.items() if name not in ("omega", "gamma")}
+    unchanged = {
         str(name): block
         for name, block in ((omega, points[:, :3]), (gamma, points[:, 3:]))
         if name in system.state
     }
-    return {**following, **kept, **others}
+    return {**following, **unchanged, **others}
 
 
 @lru_cache(maxsize=16)
 def _spinning(system: System) -> tuple[System, tuple[sp.Symbol, ...]]:
-    """ω and γ as a state of their own, in which the variables that follow are definitions."""
-    state: Sequence[Any] = (omega, gamma)
+    """A system with the state ω, γ, of which the other variables are definitions."""
+    state: Sequence[Vector | sp.Symbol] = (omega, gamma)
     still = {name: sp.ImmutableMatrix([0, 0, 0]) for name in state}
     known = flat(state)
     formulas = [formula for _, formula in system.start]

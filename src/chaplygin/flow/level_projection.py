@@ -5,14 +5,17 @@ Each state is moved by itself: where it ends does not depend on its neighbours.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
+import numpy.typing as npt
+import sympy as sp
 
+from ..arguments import Parameters
+from ..core.arrays import BoolArray, FloatArray
 from ..formulas.batch import Formulas
 
-__all__ = ["projected", "select_parameters"]
+__all__ = ["project_to_level", "select_parameters"]
 
 #: Steps of Newton's method, at most.
 STEPS = 60
@@ -22,13 +25,13 @@ MET = 1e-12
 REDUNDANT = 1e-9
 
 
-def projected(
+def project_to_level(
     formulas: Formulas,
-    states: Any,
-    targets: Any = 0.0,
-    parameters: Mapping[Any, Any] | None = None,
-    moved: Any = None,
-) -> tuple[Any, Any]:
+    states: FloatArray,
+    targets: npt.ArrayLike = 0.0,
+    parameters: Parameters = None,
+    moved: Sequence[bool] | BoolArray | None = None,
+) -> tuple[FloatArray, BoolArray]:
     """States moved along the shortest way until formulas have given values.
 
     Parameters
@@ -50,34 +53,40 @@ def projected(
     met : (n,) array of bool
         Whether the values are met there.
     """
-    found = np.array(states, dtype=np.float64)
-    free = np.flatnonzero(np.ones(found.shape[1], bool) if moved is None else moved)
-    wanted = np.broadcast_to(
-        np.asarray(targets, dtype=np.float64), (len(found), len(formulas.formulas))
+    moving = np.array(states, dtype=np.float64)
+    free = np.flatnonzero(np.ones(moving.shape[1], bool) if moved is None else moved)
+    values = np.broadcast_to(
+        np.asarray(targets, dtype=np.float64), (len(moving), len(formulas.formulas))
     )
-    scale = 1.0 + np.abs(wanted).max(axis=1, initial=0.0)
-    best, missed = found.copy(), np.full(len(found), np.inf)
-    pending = np.arange(len(found))
+    scale = 1.0 + np.abs(values).max(axis=1, initial=0.0)
+    best, missed = moving.copy(), np.full(len(moving), np.inf)
+    pending = np.arange(len(moving))
     for _ in range(STEPS):
-        defects = formulas(found[pending], select_parameters(parameters, pending)) - wanted[pending]
+        defects = (
+            formulas(moving[pending], select_parameters(parameters, pending)) - values[pending]
+        )
         size = np.abs(defects).max(axis=1, initial=0.0) / scale[pending]
         better = size < missed[pending]
-        best[pending[better]] = found[pending[better]]
+        best[pending[better]] = moving[pending[better]]
         missed[pending[better]] = size[better]
         # a state on its level is polished until nothing is gained any more
         going = np.isfinite(size) & (size > 0.0) & (better | (size > MET))
         pending, defects = pending[going], defects[going]
         if not len(pending) or not len(free):
             break
-        slopes = formulas.slopes(found[pending], select_parameters(parameters, pending))[:, :, free]
+        slopes = formulas.slopes(moving[pending], select_parameters(parameters, pending))[
+            :, :, free
+        ]
         usable = np.isfinite(slopes).all(axis=(1, 2))
         pending, defects = pending[usable], defects[usable]
         inverse = np.linalg.pinv(slopes[usable], rcond=REDUNDANT)
-        found[np.ix_(pending, free)] -= (inverse @ defects[:, :, None])[:, :, 0]
+        moving[np.ix_(pending, free)] -= (inverse @ defects[:, :, None])[:, :, 0]
     return best, missed <= MET
 
 
-def select_parameters(parameters: Mapping[Any, Any] | None, chosen: Any) -> dict[Any, Any]:
+def select_parameters(
+    parameters: Parameters, chosen: npt.NDArray[np.integer] | BoolArray
+) -> dict[sp.Symbol | str, FloatArray]:
     """The parameters of some of the motions: arrays are indexed, numbers stay."""
     return {
         name: value[chosen] if np.ndim(value) else value

@@ -17,17 +17,18 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeGuard
+from typing import Any, TypeAlias, TypeGuard
 
 import mpmath
 import sympy as sp
 
-from ..arguments import arguments_checked
+from ..arguments import Parameters, arguments_checked
 from ..core.laws import Law, Symmetry
 from ..core.parameters import parameter_values
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
+from ..flow.heyoka_expressions import WorkingNumber
 from ..formulas.multiprecision import number, slopes
 from .initial_states import reduced_start
 from .multiprecision_linalg import complement, shortest, without
@@ -41,6 +42,9 @@ __all__ = [
 ]
 
 NEWTON_STEPS = 60
+
+#: Numbers by variable, or in flat order.
+State: TypeAlias = Mapping[Any, Any] | Sequence[Any]
 
 
 @dataclass(frozen=True)
@@ -68,16 +72,16 @@ class Linearisation:
     """
 
     system: System
-    state: dict[sp.Symbol, Any]
+    state: dict[sp.Symbol, mpmath.mpf]
     variables: tuple[sp.Symbol, ...]
-    matrix: Any
-    basis: Any
-    reduced: Any
-    drift: dict[str, Any]
+    matrix: mpmath.matrix
+    basis: mpmath.matrix
+    reduced: mpmath.matrix
+    drift: dict[str, mpmath.mpf]
     digits: int
 
     @cached_property
-    def _modes(self) -> list[tuple[Any, Any]]:
+    def _modes(self) -> list[tuple[mpmath.mpc, mpmath.matrix]]:
         with mpmath.workdps(_working(self.digits)):
             values, vectors = mpmath.eig(self.reduced)
             modes = [(value, self.basis * vectors[:, i]) for i, value in enumerate(values)]
@@ -86,14 +90,14 @@ class Linearisation:
             return sorted(modes, key=lambda m: (-mpmath.nint(m[0].real / grain), -m[0].imag))
 
     @property
-    def eigenvalues(self) -> tuple[Any, ...]:
+    def eigenvalues(self) -> tuple[mpmath.mpc, ...]:
         """The growth rates (1/s), the largest real part first; complex numbers of mpmath."""
         with mpmath.workdps(self.digits):
             floor = mpmath.mpf(10) ** (-self.digits) * (1 + mpmath.mnorm(self.reduced, 1))
             return tuple(+_clean(value, floor) for value, _ in self._modes)
 
     @property
-    def modes(self) -> tuple[dict[sp.Symbol, Any], ...]:
+    def modes(self) -> tuple[dict[sp.Symbol, mpmath.mpc], ...]:
         """The deviation that belongs to each of `eigenvalues`, by state variable."""
         return tuple(dict(zip(self.variables, vector, strict=True)) for _, vector in self._modes)
 
@@ -106,7 +110,7 @@ class Linearisation:
 @arguments_checked
 def linear_stability(
     system: System,
-    state: Mapping[Any, Any] | Sequence[Any],
+    state: State,
     parameters: Mapping[Any, Any] | None = None,
     *,
     along: Iterable[Mapping[Any, Any]] = (),
@@ -151,18 +155,18 @@ def linear_stability(
     0.146647
     """
     with mpmath.workdps(_working(digits)):
-        frozen = _Frozen(system, state, parameters, digits)
-        matrix, drift = frozen.moving()
-        relations = frozen.slopes_of_relations()
-        tangent = complement(relations, len(frozen.variables))
-        family = [frozen.vector(direction, "along") for direction in along]
+        point = _LinearisedSystem(system, state, parameters, digits)
+        matrix, drift = point.moving()
+        relations = point.slopes_of_relations()
+        tangent = complement(relations, len(point.variables))
+        family = [point.vector(direction, "along") for direction in along]
         for direction in family:
-            _require_family(system, (matrix, relations), direction, frozen.tolerance)
+            _require_family(system, (matrix, relations), direction, point.tolerance)
         basis = without(tangent, family)
         return Linearisation(
             system=system,
-            state=frozen.point,
-            variables=frozen.variables,
+            state=point.point,
+            variables=point.variables,
             matrix=matrix,
             basis=basis,
             reduced=basis.T * matrix * basis,
@@ -173,12 +177,12 @@ def linear_stability(
 
 def relative_equilibrium(
     system: System,
-    guess: Mapping[Any, Any] | Sequence[Any],
-    parameters: Mapping[Any, Any] | None = None,
+    guess: State,
+    parameters: Parameters = None,
     *,
-    held: Iterable[Any] = (),
+    held: Iterable[sp.Symbol | str] = (),
     digits: int = 30,
-) -> dict[sp.Symbol, Any]:
+) -> dict[sp.Symbol, mpmath.mpf]:
     """A steady motion near a guess, by Newton's method along the shortest way.
 
     Parameters
@@ -203,8 +207,8 @@ def relative_equilibrium(
         variables = _variables(system)
         point = _state(system, guess, variables)
         constants = _constants(system, parameters)
-        kept = {_symbol(system, name, "held") for name in held}
-        loose = [i for i, s in enumerate(variables) if s not in kept]
+        fixed = {_symbol(system, name, "held") for name in held}
+        loose = [i for i, s in enumerate(variables) if s not in fixed]
         if not loose:
             raise InputError(f"{system.name}: all state variables are held; leave one to be found")
         formulas = [*_rates(system, variables), *_relations(system)]
@@ -222,14 +226,14 @@ def relative_equilibrium(
     )
 
 
-class _Frozen:
+class _LinearisedSystem:
     """A system at one state, with derivatives."""
 
     def __init__(
         self,
         system: System,
-        state: Mapping[Any, Any] | Sequence[Any],
-        parameters: Mapping[Any, Any] | None,
+        state: State,
+        parameters: Parameters,
         digits: int,
     ) -> None:
         self.system = system
@@ -240,7 +244,7 @@ class _Frozen:
         self.tolerance = mpmath.mpf(10) ** (-min(digits, 12))
         self._require_on_phase_space()
 
-    def _field(self, formulas: Sequence[sp.Expr]) -> tuple[Any, Any]:
+    def _field(self, formulas: Sequence[sp.Expr]) -> tuple[mpmath.matrix, mpmath.matrix]:
         return slopes(self.system, formulas, self.variables, self.values)
 
     def _require_on_phase_space(self) -> None:
@@ -263,15 +267,15 @@ class _Frozen:
             return False
         return all(abs(value) < self.tolerance for value in self._field(level)[0])
 
-    def slopes_of_relations(self) -> Any:
+    def slopes_of_relations(self) -> mpmath.matrix:
         """The differentials of the relations, one a row."""
         return self._field(_relations(self.system))[1]
 
-    def moving(self) -> tuple[Any, dict[str, Any]]:
+    def moving(self) -> tuple[mpmath.matrix, dict[str, mpmath.mpf]]:
         """A, and the speeds along the symmetries."""
         value, matrix = self._field(_rates(self.system, self.variables))
         symmetries = [law for law in self.system.laws if self._carries(law)]
-        drift: dict[str, Any] = {}
+        drift: dict[str, mpmath.mpf] = {}
         if symmetries and mpmath.norm(value, mpmath.inf) > self.tolerance:
             fields = [self._field(components(law, self.variables)) for law in symmetries]
             columns = mpmath.matrix([[u[i] for u, _ in fields] for i in range(len(value))])
@@ -287,20 +291,20 @@ class _Frozen:
                 )
         return matrix, drift
 
-    def vector(self, entries: Mapping[Any, Any], where: str) -> Any:
+    def vector(self, entries: Mapping[sp.Symbol | str, WorkingNumber], where: str) -> mpmath.matrix:
         """A direction as a column."""
         named = {_symbol(self.system, key, where): number(x, where) for key, x in entries.items()}
         return mpmath.matrix([named.get(s, mpmath.mpf(0)) for s in self.variables])
 
 
 def _working(digits: int) -> int:
-    """Digits to compute with."""
-    if digits < 5 or digits > 1000:
+    """Digits of the computation."""
+    if not 5 <= digits <= 1000:
         raise InputError(f"digits = {digits}: it must lie between 5 and 1000")
     return 4 * digits + 20
 
 
-def _clean(value: Any, floor: Any) -> Any:
+def _clean(value: mpmath.mpc, floor: mpmath.mpf) -> mpmath.mpc:
     """Without the rounding error of a part that is zero."""
     return mpmath.mpc(
         0 if abs(value.real) < floor else value.real, 0 if abs(value.imag) < floor else value.imag
@@ -308,8 +312,7 @@ def _clean(value: Any, floor: Any) -> Any:
 
 
 def _brief(formula: sp.Expr) -> str:
-    text = str(formula)
-    return text if len(text) <= 60 else f"{text[:57]}..."
+    return text if len(text := str(formula)) <= 60 else f"{text[:57]}..."
 
 
 def _relations(system: System) -> list[sp.Expr]:
@@ -340,22 +343,18 @@ def essential_variables(system: System) -> tuple[sp.Symbol, ...]:
         formulas = [*rates.values(), *_relations(system)]
         used = {s for formula in formulas for s in formula.free_symbols}
         used |= {s for _, value in system.needed(formulas) for s in value.free_symbols}
-        idle = [s for s in rates if s not in used]
-        if not idle:
-            break
-        for symbol in idle:
-            del rates[symbol]
-    return tuple(rates)
+        if rates.keys() <= used:
+            return tuple(rates)
+        rates = {symbol: rate for symbol, rate in rates.items() if symbol in used}
 
 
 def _variables(system: System) -> tuple[sp.Symbol, ...]:
-    found = essential_variables(system)
-    if not found:
+    if not (variables := essential_variables(system)):
         raise InputError(f"{system.name}: no rate depends on the state; nothing can be linearised")
-    return found
+    return variables
 
 
-def _symbol(system: System, name: Any, where: str) -> sp.Symbol:
+def _symbol(system: System, name: sp.Symbol | str, where: str) -> sp.Symbol:
     for symbol in system.symbols:
         if str(symbol) == str(name):
             return symbol
@@ -364,8 +363,8 @@ def _symbol(system: System, name: Any, where: str) -> sp.Symbol:
 
 
 def _state(
-    system: System, state: Mapping[Any, Any] | Sequence[Any], variables: Sequence[sp.Symbol]
-) -> dict[sp.Symbol, Any]:
+    system: System, state: State, variables: Sequence[sp.Symbol]
+) -> dict[sp.Symbol, mpmath.mpf]:
     if not isinstance(state, Mapping):
         state = dict(zip(system.symbols, reduced_start(system, state), strict=True))
     named = {_symbol(system, key, "state"): number(x, f"{key}") for key, x in state.items()}
@@ -375,11 +374,13 @@ def _state(
     return {s: named[s] for s in variables}
 
 
-def _constants(system: System, parameters: Mapping[Any, Any] | None) -> dict[sp.Symbol, Any]:
+def _constants(system: System, parameters: Parameters) -> dict[sp.Symbol, mpmath.mpf]:
     return {s: number(x, str(s)) for s, x in parameter_values(system, parameters).items()}
 
 
-def _require_family(system: System, forms: Sequence[Any], direction: Any, tolerance: Any) -> None:
+def _require_family(
+    system: System, forms: Sequence[mpmath.matrix], direction: mpmath.matrix, tolerance: mpmath.mpf
+) -> None:
     """Refuse a direction that A or the differentials of the relations do not annul."""
     size = mpmath.norm(direction)
     for form in forms:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import mpmath
 
 __all__ = ["complement", "shortest", "without"]
 
 
-def shortest(matrix: Any, right: Any) -> Any:
+def shortest(matrix: mpmath.matrix, right: mpmath.matrix) -> mpmath.matrix:
     """The shortest of the least-squares solutions of a x = b, whatever the rank."""
     left, sizes, other = mpmath.svd_r(matrix)
     floor = sizes[0] * mpmath.mpf(10) ** (-mpmath.mp.dps // 4)
@@ -20,46 +19,48 @@ def shortest(matrix: Any, right: Any) -> Any:
     return other.T * share
 
 
-def complement(rows: Any, size: int) -> Any:
+def complement(rows: mpmath.matrix, size: int) -> mpmath.matrix:
     """An orthonormal basis, in columns, of the vectors that all rows annul."""
     span = _orthonormal([rows[i, :].T for i in range(rows.rows)])
     units = [mpmath.matrix([int(i == j) for j in range(size)]) for i in range(size)]
     return _columns(_orthonormal(units, span), size)
 
 
-def without(basis: Any, family: Sequence[Any]) -> Any:
+def without(basis: mpmath.matrix, family: Sequence[mpmath.matrix]) -> mpmath.matrix:
     """A basis of the part of a space that is orthogonal to given vectors."""
     span = _orthonormal(family)
     columns = [basis[:, j] for j in range(basis.cols)]
     return _columns(_orthonormal(columns, span), basis.rows) if span else basis
 
 
-def _columns(vectors: Sequence[Any], size: int) -> Any:
-    made = mpmath.matrix(size, len(vectors))
+def _columns(vectors: Sequence[mpmath.matrix], size: int) -> mpmath.matrix:
+    matrix = mpmath.matrix(size, len(vectors))
     for j, v in enumerate(vectors):
         for i in range(size):
-            made[i, j] = v[i]
-    return made
+            matrix[i, j] = v[i]
+    return matrix
 
 
-def _orthonormal(vectors: Sequence[Any], beside: Sequence[Any] = ()) -> list[Any]:
-    """Gram and Schmidt, twice over; the longest remainder goes next, dependent ones drop out."""
-    found: list[Any] = []
-    left = [+v for v in vectors]
-    scale = max((mpmath.norm(v) for v in left), default=mpmath.mpf(1))
+def _orthonormal(
+    vectors: Sequence[mpmath.matrix], beside: Sequence[mpmath.matrix] = ()
+) -> list[mpmath.matrix]:
+    """An orthonormal basis by Gram and Schmidt, twice over, longest remainder first."""
+    basis: list[mpmath.matrix] = []
+    remainders = [+v for v in vectors]
+    scale = max((mpmath.norm(v) for v in remainders), default=mpmath.mpf(1))
     floor = scale * mpmath.mpf(10) ** (-mpmath.mp.dps // 4)
-    while left:
-        left = [_remainder(v, (*beside, *found)) for v in left]
-        longest = max(range(len(left)), key=lambda i: mpmath.norm(left[i]))
-        best = left.pop(longest)
+    while remainders:
+        remainders = [_remainder(v, (*beside, *basis)) for v in remainders]
+        longest = max(range(len(remainders)), key=lambda i: mpmath.norm(remainders[i]))
+        best = remainders.pop(longest)
         if mpmath.norm(best) <= floor:
             break
-        found.append(best / mpmath.norm(best))
-    return found
+        basis.append(best / mpmath.norm(best))
+    return basis
 
 
-def _remainder(vector: Any, span: Sequence[Any]) -> Any:
-    """What is left of a vector without its part in an orthonormal span."""
+def _remainder(vector: mpmath.matrix, span: Sequence[mpmath.matrix]) -> mpmath.matrix:
+    """A vector less its projection onto an orthonormal span."""
     for _ in range(2):
         for e in span:
             vector = vector - (e.T * vector)[0] * e

@@ -9,9 +9,11 @@ the dynamics.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
+import heyoka as hy
 import numpy as np
+
+from .heyoka_expressions import WorkingArray
 
 __all__ = ["Block", "Projector", "call"]
 
@@ -30,15 +32,16 @@ class Block:
         Number of residuals.
     """
 
-    residual: Any
-    slope: Any
+    residual: hy.cfunc
+    slope: hy.cfunc
     count: int
 
 
-def call(function: Any, state: Any, parameters: Any) -> Any:
-    """A compiled function at states (size,) or (size, n); it may know the first few parameters."""
+def call(function: hy.cfunc, state: WorkingArray, parameters: WorkingArray) -> WorkingArray:
+    """Values (m,) or (m, n) of a compiled function at states (size,) or (size, n)."""
     # heyoka counts the parameters up to the last one that occurs in the formulas
-    return function(state, pars=parameters[: function.nparams])
+    result: WorkingArray = function(state, pars=parameters[: function.nparams])
+    return result
 
 
 @dataclass(frozen=True)
@@ -60,20 +63,20 @@ class Projector:
 
     blocks: tuple[Block, ...]
     columns: slice
-    parameters: Any
+    parameters: WorkingArray
     threshold: float
-    target: Any = None
+    target: WorkingArray | None = None
 
-    def values(self, state: Any) -> Any:
+    def values(self, state: WorkingArray) -> WorkingArray:
         """All residual functions at a state."""
         return np.concatenate([call(b.residual, state, self.parameters) for b in self.blocks])
 
-    def defect(self, state: Any) -> Any:
-        """How far the residuals are from their targets."""
+    def defect(self, state: WorkingArray) -> WorkingArray:
+        """The residuals less their targets."""
         values = self.values(state)
         return values if self.target is None else values - self.target
 
-    def __call__(self, state: Any) -> bool:
+    def __call__(self, state: WorkingArray) -> bool:
         """Project `state` in place; return whether it had to be moved."""
         if not self.blocks:
             return False

@@ -1,4 +1,4 @@
-"""How large the vectors of a state are along a motion: a measure that no choice of units changes.
+"""Sizes of the vectors of a state along a motion, covariant under a change of units.
 
 A momentum of 1e-10 kg m²/s beside the unit vector γ is not small, and a deviation of γ by one is
 not large beside one of the momentum by 1e-10.  Deviations are therefore measured with each vector
@@ -7,11 +7,10 @@ of the state divided by a fixed size of its own.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any, TypeAlias
-
 import numpy as np
 
+from ..arguments import Parameters
+from ..core.arrays import FloatArray
 from ..core.system import System
 from ..formulas.batch import Formulas
 from .batch import batch_integrator
@@ -19,8 +18,6 @@ from .kernel.equations import groups
 
 __all__ = ["state_scales", "state_scales_at"]
 
-Array: TypeAlias = Any
-Values: TypeAlias = Mapping[Any, Any] | None
 
 #: Part of a motion over which its vectors are looked at, and how often.
 STRETCH, LOOKS = 0.1, 32
@@ -31,8 +28,12 @@ COUPLED = 1e-4
 
 
 def state_scales(
-    system: System, starts: Array, until: float, parameters: Values = None, tolerance: float = 1e-12
-) -> Array:
+    system: System,
+    starts: FloatArray,
+    until: float,
+    parameters: Parameters = None,
+    tolerance: float = 1e-12,
+) -> FloatArray:
     """The greatest sizes of the vectors of the state over the first tenth of motions.
 
     Parameters
@@ -43,7 +44,7 @@ def state_scales(
     until : float
         Length of the motions.
     parameters : mapping of Symbol or name to number or (n,) array, optional
-        Values that replace the defaults.
+        Parameters that replace the defaults.
     tolerance : float
         See :func:`chaplygin.flow.batch.batch_integrator`.
 
@@ -58,7 +59,9 @@ def state_scales(
     return state_scales_at(system, np.concatenate([first[:, None], run.states], axis=1), parameters)
 
 
-def state_scales_at(system: System, states: Array, parameters: Values = None) -> Array:
+def state_scales_at(
+    system: System, states: FloatArray, parameters: Parameters = None
+) -> FloatArray:
     """The greatest sizes of the vectors of the state among some states of each motion.
 
     A vector u that is zero beside others v has the size with which each acts on the other as
@@ -75,23 +78,23 @@ def state_scales_at(system: System, states: Array, parameters: Values = None) ->
     -------
     (n, size) array
     """
-    parts = groups(system)
+    vectors = groups(system)
     # component after component, so that no neighbour changes a bit
-    squares = [sum(states[..., i] ** 2 for i in part) for part in parts]
+    squares = [sum(states[..., i] ** 2 for i in part) for part in vectors]
     norms = np.stack([np.sqrt(np.fmax.reduce(square, axis=1)) for square in squares], axis=1)
     slopes = Formulas(system, system.rates).slopes(states[:, 0], parameters)
     acting = np.array(
-        [[np.abs(slopes[:, p][:, :, q]).max(axis=(1, 2)) for q in parts] for p in parts]
+        [[np.abs(slopes[:, p][:, :, q]).max(axis=(1, 2)) for q in vectors] for p in vectors]
     )
     back = np.swapaxes(acting, 0, 1)
     rates = np.sqrt(acting) * np.sqrt(back)
     coupled = rates > COUPLED * rates.max(axis=(0, 1))
-    coupled &= ~np.eye(len(parts), dtype=bool)[:, :, None]
+    coupled &= ~np.eye(len(vectors), dtype=bool)[:, :, None]
     ratios = np.sqrt(np.divide(acting, back, out=np.zeros_like(acting), where=coupled))
     balanced = ratios * norms.T
-    beside = balanced.max(axis=1).T
-    found = np.where(norms > SMALL * beside, norms, beside)
-    found = np.where(found > 0, found, 1.0)
+    neighbours = balanced.max(axis=1).T
+    scales = np.where(norms > SMALL * neighbours, norms, neighbours)
+    scales = np.where(scales > 0, scales, 1.0)
     return np.concatenate(
-        [np.repeat(found[:, i : i + 1], len(p), axis=1) for i, p in enumerate(parts)], axis=1
+        [np.repeat(scales[:, i : i + 1], len(p), axis=1) for i, p in enumerate(vectors)], axis=1
     )

@@ -13,13 +13,15 @@ gradients are those with respect to the measured variables.  See :mod:`chaplygin
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeAlias
 
 import numpy as np
+import sympy as sp
 
+from ..arguments import Parameters
+from ..core.arrays import FloatArray, IntArray
 from ..core.system import System
 from ..formulas.batch import Formulas
 from .batch import BatchIntegrator
@@ -27,10 +29,8 @@ from .level_projection import REDUNDANT, select_parameters
 
 __all__ = ["Stretch", "TangentSpace", "orthonormal", "propagate"]
 
-Array: TypeAlias = Any
-Values: TypeAlias = Mapping[Any, Any] | None
 
-#: What is left of a vector, relative to its length, when it counts as dependent on others.
+#: A vector whose remainder is shorter than this share of it counts as dependent on others.
 DEPENDENT = 1e-12
 #: A state is put back on its level when it misses it by more than this, relatively.
 DRIFTED = 1e-11
@@ -42,7 +42,9 @@ ONE = np.ones(1)
 SEED = 20080830
 
 
-def orthonormal(vectors: Array, given: Array | None = None) -> tuple[Array, Array]:
+def orthonormal(
+    vectors: FloatArray, basis: FloatArray | None = None
+) -> tuple[FloatArray, FloatArray]:
     """Vectors made orthonormal one after the other, for many states at once.
 
     By Gram and Schmidt, each projection done twice, after which it is exact to rounding.
@@ -58,33 +60,34 @@ def orthonormal(vectors: Array, given: Array | None = None) -> tuple[Array, Arra
     frames : (n, d, size) array
         A vector that depends on those before it becomes zero.
     lengths : (n, d) array
-        What was left of each vector: the diagonal of R in the QR decomposition.
+        Lengths of the remainders: the diagonal of R in the QR decomposition.
     """
-    found = np.array(vectors, dtype=np.float64)
-    lengths = np.empty(found.shape[:2])
-    for i in range(found.shape[1]):
-        vector = found[:, i]
+    frame = np.array(vectors, dtype=np.float64)
+    lengths = np.empty(frame.shape[:2])
+    for i in range(frame.shape[1]):
+        vector = frame[:, i]
         before = np.sqrt(_dot(vector, vector))
-        for others in (given, found[:, :i]) * 2:
+        for others in (basis, frame[:, :i]) * 2:
             if others is not None:
                 _take_out(vector, others)
         left = np.sqrt(_dot(vector, vector))
         dependent = left <= DEPENDENT * before
         lengths[:, i] = np.where(dependent, 0.0, left)
         unit = vector / np.where(dependent, 1.0, left)[:, None]
-        found[:, i] = np.where(dependent[:, None], 0.0, unit)
-    return found, lengths
+        frame[:, i] = np.where(dependent[:, None], 0.0, unit)
+    return frame, lengths
 
 
-def _take_out(vector: Array, others: Array) -> None:
-    """Take out of each vector (n, size), in place, its parts along others (n, k, size)."""
+def _take_out(vector: FloatArray, others: FloatArray) -> None:
+    """Subtract from vectors (n, size), in place, projections onto others (n, k, size)."""
     for other in np.moveaxis(others, 1, 0):
         vector -= _dot(vector, other)[:, None] * other
 
 
-def _dot(a: Array, b: Array) -> Array:
+def _dot(a: FloatArray, b: FloatArray) -> FloatArray:
     # a sum along each row, whose bits do not depend on other rows, as einsum's do
-    return (a * b).sum(axis=1)
+    result: FloatArray = (a * b).sum(axis=1)
+    return result
 
 
 @dataclass(frozen=True)
@@ -103,13 +106,13 @@ class TangentSpace:
     """
 
     system: System
-    conditions: tuple[Any, ...]
-    directions: tuple[tuple[Any, ...], ...]
-    mixed: Array
+    conditions: tuple[sp.Expr, ...]
+    directions: tuple[tuple[sp.Expr, ...], ...]
+    mixed: FloatArray
 
     @property
     def dimension(self) -> int:
-        """How many independent deviations are left."""
+        """The number of independent deviations."""
         return len(self.system.symbols) - len(self.conditions) - len(self.mixed)
 
     @cached_property
@@ -124,18 +127,26 @@ class TangentSpace:
     def _rates(self) -> Formulas:
         return Formulas(self.system, self.system.rates)
 
-    def normals(self, states: Array, parameters: Values = None, sizes: Array = ONE) -> Array:
+    def normals(
+        self, states: FloatArray, parameters: Parameters = None, sizes: FloatArray = ONE
+    ) -> FloatArray:
         """The gradients of the conditions, (n, conditions, size)."""
-        return self._conditions.slopes(states, parameters) * sizes[..., None, :]
+        result: FloatArray = self._conditions.slopes(states, parameters) * sizes[..., None, :]
+        return result
 
-    def level(self, states: Array, parameters: Values = None) -> Array:
+    def level(self, states: FloatArray, parameters: Parameters = None) -> FloatArray:
         """The values of the conditions, (n, conditions): zero for relations."""
-        return self._conditions(states, parameters)
+        result: FloatArray = self._conditions(states, parameters)
+        return result
 
-    def kept(
-        self, states: Array, level: Array, parameters: Values = None, sizes: Array = ONE
-    ) -> Array:
-        """States put back on the level of the conditions where they have drifted off, (n, size)."""
+    def on_level(
+        self,
+        states: FloatArray,
+        level: FloatArray,
+        parameters: Parameters = None,
+        sizes: FloatArray = ONE,
+    ) -> FloatArray:
+        """States (n, size), moved back onto the level of the conditions after drift."""
         normals = self.normals(states, parameters, sizes)
         reach = np.abs(level) + np.sqrt((normals**2).sum(axis=2))
         missed = np.abs(self.level(states, parameters) - level)
@@ -157,16 +168,18 @@ class TangentSpace:
             states[far] -= steps * measures[far]
         return states
 
-    def fields(self, states: Array, parameters: Values = None, sizes: Array = ONE) -> Array:
+    def fields(
+        self, states: FloatArray, parameters: Parameters = None, sizes: FloatArray = ONE
+    ) -> FloatArray:
         """The directions that are divided out, (n, mixed, size)."""
-        found = self._directions(states, parameters)
-        found = found.reshape(len(found), len(self.directions), len(self.system.symbols))
-        mixed = [sum(c * found[:, j] for j, c in enumerate(row)) for row in self.mixed]
-        return (np.stack(mixed, axis=1) if mixed else found[:, :0]) / sizes[..., None, :]
+        fields = self._directions(states, parameters)
+        fields = fields.reshape(len(fields), len(self.directions), len(self.system.symbols))
+        mixed = [sum(c * fields[:, j] for j, c in enumerate(row)) for row in self.mixed]
+        return (np.stack(mixed, axis=1) if mixed else fields[:, :0]) / sizes[..., None, :]
 
-    def excluded(
-        self, states: Array, parameters: Values = None, sizes: Array = ONE
-    ) -> tuple[Array, Array]:
+    def excluded_basis(
+        self, states: FloatArray, parameters: Parameters = None, sizes: FloatArray = ONE
+    ) -> tuple[FloatArray, FloatArray]:
         """An orthonormal basis of what is no deviation that counts.
 
         Parameters
@@ -192,11 +205,11 @@ class TangentSpace:
 
     def frames(
         self,
-        states: Array,
-        parameters: Values = None,
+        states: FloatArray,
+        parameters: Parameters = None,
         count: int | None = None,
-        sizes: Array = ONE,
-    ) -> Array:
+        sizes: FloatArray = ONE,
+    ) -> FloatArray:
         """Orthonormal deviations to start from, measured, the same at the same state.
 
         Parameters
@@ -204,7 +217,7 @@ class TangentSpace:
         states : (n, size) array
         parameters : mapping, optional
         count : int, optional
-            How many; `dimension` if left out.
+            Number of deviations; `dimension` if left out.
         sizes : (size,) or (n, size) array, optional
             By which deviations are measured.
 
@@ -215,15 +228,15 @@ class TangentSpace:
         shape = (self.dimension if count is None else count, len(self.system.symbols))
         chosen = np.random.default_rng(SEED).standard_normal(shape)
         vectors = np.broadcast_to(chosen, (len(states), *shape))
-        return orthonormal(vectors, self.excluded(states, parameters, sizes)[0])[0]
+        return orthonormal(vectors, self.excluded_basis(states, parameters, sizes)[0])[0]
 
     def divergence(
         self,
-        states: Array,
-        parameters: Values = None,
-        relations: Sequence[Any] = (),
-        sizes: Array = ONE,
-    ) -> Array:
+        states: FloatArray,
+        parameters: Parameters = None,
+        relations: Sequence[sp.Expr] = (),
+        sizes: FloatArray = ONE,
+    ) -> FloatArray:
         """The divergence of the equations on the surface where relations vanish, (n,).
 
         It is the rate of the logarithm of a volume of deviations tangent to `relations`.
@@ -234,7 +247,8 @@ class TangentSpace:
         gradients *= sizes[..., None, :]
         normals, _ = orthonormal(gradients)
         across = np.einsum("nki,nij,nkj->n", normals, jacobian, normals)
-        return np.einsum("nii->n", jacobian) - across
+        result: FloatArray = np.einsum("nii->n", jacobian) - across
+        return result
 
 
 @dataclass(frozen=True)
@@ -259,28 +273,28 @@ class Stretch:
         When, counted from the start of the interval.
     """
 
-    states: Array
-    ends: Array
-    frames: Array
-    lengths: Array
-    sizes: Array
-    outcome: Any
-    ended: Array
+    states: FloatArray
+    ends: FloatArray
+    frames: FloatArray
+    lengths: FloatArray
+    sizes: FloatArray
+    outcome: IntArray
+    ended: FloatArray
 
 
 def propagate(
     lanes: BatchIntegrator,
     space: TangentSpace,
-    starts: Array,
+    starts: FloatArray,
     interval: float,
-    parameters: Values = None,
+    parameters: Parameters = None,
     *,
-    sizes: Array = ONE,
-    frames: Array | None = None,
-    nodes: Array | None = None,
+    sizes: FloatArray = ONE,
+    frames: FloatArray | None = None,
+    nodes: FloatArray | None = None,
     threads: int | None = None,
 ) -> Iterator[Stretch]:
-    """Deviations along motions, made orthonormal at the end of each interval, without end.
+    """Deviations along motions, orthonormalised after each of endless intervals.
 
     Parameters
     ----------
@@ -313,8 +327,8 @@ def propagate(
     while True:
         carried = frames * measures if frames.shape[1] else None
         run = lanes.until(states, times, parameters, deviations=carried, threads=threads)
-        states = space.kept(run.states[:, -1], level, parameters, sizes)
-        basis, excluded = space.excluded(states, parameters, sizes)
+        states = space.on_level(run.states[:, -1], level, parameters, sizes)
+        basis, excluded = space.excluded_basis(states, parameters, sizes)
         if run.deviations is not None:
             frames = run.deviations[:, -1] / measures
         frames, lengths = orthonormal(frames, basis)

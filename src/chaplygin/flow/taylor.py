@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from typing import Any, Literal
+from typing import Literal
 
 import heyoka as hy
 import numpy as np
@@ -13,16 +14,16 @@ import sympy as sp
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
-from .heyoka_expressions import Translator
+from .heyoka_expressions import Translator, WorkingNumber
 from .kernel import code_cache as cache
 from .projection import Block
 
-__all__ = ["Compiled", "Direction", "Precision", "compile_system", "number_type"]
+__all__ = ["CompiledSystem", "Direction", "Precision", "compile_system", "number_type"]
 
 Precision = Literal["double", "quad"]
 Direction = Literal["forward", "backward"]
 
-# its warnings reach the terminal past Python; what they are about is said in errors of ours
+# warnings of heyoka bypass Python on their way to the terminal; errors say the same here
 hy.set_logger_level_error()
 
 #: Tolerances finer than this are beyond the working precision.
@@ -30,7 +31,7 @@ FINEST = {"double": np.finfo(float).eps, "quad": 2e-34}
 
 
 @dataclass(frozen=True)
-class Compiled:
+class CompiledSystem:
     """Native code for one system at one tolerance and precision.
 
     Parameters of the system are run-time values; the code is shared by all of them.
@@ -47,20 +48,20 @@ class Compiled:
         block each.
     watched : tuple of int
         Guards that can change during a motion; others are the same in every state.
-    found : bool
+    from_cache : bool
         Whether the code came from the cache.
     """
 
-    integrator: Any
-    outputs: Any
+    integrator: hy.taylor_adaptive
+    outputs: hy.cfunc
     core: tuple[Block, ...]
     lift: tuple[Block, ...]
     laws: tuple[Block, ...]
     watched: tuple[int, ...]
-    found: bool = False
+    from_cache: bool = False
 
 
-def number_type(precision: Precision) -> Any:
+def number_type(precision: Precision) -> type[WorkingNumber]:
     """The type of numbers of a precision: float, or 34 digits.
 
     Raises
@@ -70,14 +71,15 @@ def number_type(precision: Precision) -> Any:
     """
     if precision == "double":
         return float
-    if not hasattr(hy, "real128"):
+    wide: type[WorkingNumber] | None = getattr(hy, "real128", None)
+    if wide is None:
         raise InputError("precision 'quad' is not available on this machine; use 'double'")
-    return hy.real128
+    return wide
 
 
 @dataclass(frozen=True)
 class _Plan:
-    """What to compile, and the name under which to remember it."""
+    """A system to be compiled, and the name of its code in the cache."""
 
     system: System
     tolerance: float
@@ -85,12 +87,12 @@ class _Plan:
     direction: Direction
 
     @cached_property
-    def lifted(self) -> System:
+    def system_in_space(self) -> System:
         return self.system.lifted() if self.system.motion else self.system
 
     @cached_property
     def name(self) -> str:
-        system = self.lifted
+        system = self.system_in_space
         # each part in a list of its own: an observable is compiled otherwise than a guard
         shape = [
             self.system.symbols,
@@ -106,10 +108,10 @@ class _Plan:
         ]
         # srepr keeps every digit of a decimal number, which str does not
         formulas = (sp.srepr([to_components(item) for item in part]) for part in shape)
-        return cache.digest(*formulas, repr(self.tolerance), self.precision, self.direction)
+        return cache.code_name(*formulas, repr(self.tolerance), self.precision, self.direction)
 
-    def compile(self) -> Compiled:
-        system, kind = self.lifted, number_type(self.precision)
+    def compile(self) -> CompiledSystem:
+        system, kind = self.system_in_space, number_type(self.precision)
         translate = Translator(system)
         variables = translate.variables
         # heyoka looks at the derivative in time, whichever way it runs
@@ -146,7 +148,7 @@ class _Plan:
         lift = list(self.system.motion.relations) if self.system.motion else []
         laws = [law.value for law in system.integrals]
         constrain = _constraints(translate)
-        return Compiled(
+        return CompiledSystem(
             integrator,
             outputs,
             constrain(core, slice(0, size), kind),
@@ -156,15 +158,24 @@ class _Plan:
         )
 
 
-def hy_event(kind: Any) -> Any:
+def hy_event(kind: type[WorkingNumber]) -> Callable[..., hy.t_event]:
     """The constructor of terminal events for numbers of a type."""
     if kind is float:
-        return hy.t_event
-    return lambda expression, direction: hy.t_event(expression, direction=direction, fp_type=kind)
+        result: Callable[..., hy.t_event] = hy.t_event
+        return result
+
+    def constructor(expression: hy.expression, direction: hy.event_direction) -> hy.t_event:
+        return hy.t_event(expression, direction=direction, fp_type=kind)
+
+    return constructor
 
 
-def _constraints(translate: Translator) -> Any:
-    def build(relations: list[sp.Expr], columns: slice, kind: Any) -> tuple[Block, ...]:
+def _constraints(
+    translate: Translator,
+) -> Callable[[Sequence[sp.Expr], slice, type[WorkingNumber]], tuple[Block, ...]]:
+    def build(
+        relations: Sequence[sp.Expr], columns: slice, kind: type[WorkingNumber]
+    ) -> tuple[Block, ...]:
         if not relations:
             return ()
         residuals = translate.all(relations)
@@ -186,7 +197,7 @@ def compile_system(
     tolerance: float = 1e-15,
     precision: Precision = "double",
     direction: Direction = "forward",
-) -> Compiled:
+) -> CompiledSystem:
     """Compile a system, or fetch its code from the cache.
 
     Parameters
@@ -213,12 +224,12 @@ def compile_system(
             "precision 'quad'"
         )
     plan = _plan(system, tolerance, precision, direction)
-    code: Compiled
-    code, found = cache.remember(plan.name, plan.compile)
-    return replace(code, found=found)
+    code: CompiledSystem
+    code, from_cache = cache.remember(plan.name, plan.compile)
+    return replace(code, from_cache=from_cache)
 
 
 @lru_cache(maxsize=32)
 def _plan(system: System, tolerance: float, precision: Precision, direction: Direction) -> _Plan:
-    """The plan of a system, kept because its name takes longer to find than code to fetch."""
+    """The plan of a system, cached because its name takes long to compute."""
     return _Plan(system, tolerance, precision, direction)

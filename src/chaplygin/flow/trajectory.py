@@ -1,25 +1,44 @@
-"""What a run leaves behind: states, observables, events, the continuous trajectory."""
+"""Results of an integration: states, recorded quantities, events, the continuous trajectory."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from functools import lru_cache
+from typing import TypeVar
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 
-from ..arguments import arguments_checked
+from ..arguments import Parameters, arguments_checked
+from ..core.arrays import FloatArray
 from ..core.laws import Integral
 from ..core.overview import Overview, WithOverview
-from ..core.system import Guard, System
+from ..core.system import Guard, Observable, System
+from ..core.vectors import to_components
 from ..errors import InputError
+from ..formulas.evaluate import values
+from .heyoka_expressions import WorkingArray, WorkingNumber
 
-__all__ = ["DenseOutput", "Event", "Statistics", "Trajectory", "by_name"]
+__all__ = [
+    "DenseOutput",
+    "Event",
+    "RecordedQuantity",
+    "Statistics",
+    "Trajectory",
+    "by_name",
+    "columns_by_name",
+    "recorded_quantities",
+    "recorded_values",
+]
 
 
-def by_name(system: System, states: Any, name: str) -> Any:
-    """A state variable of states (n, size) by its name: (n, components), or (n,) for a scalar.
+Number = TypeVar("Number", bound=np.generic)
+
+
+def by_name(system: System, states: npt.NDArray[Number], name: str) -> npt.NDArray[Number]:
+    """A variable of states (n, size) by name: (n, components), (n,) for a scalar.
 
     Raises
     ------
@@ -31,7 +50,8 @@ def by_name(system: System, states: Any, name: str) -> Any:
         width = 1 if isinstance(variable, sp.Symbol) else len(variable.symbols)
         if str(variable) == name:
             block = states[:, first : first + width]
-            return block[:, 0] if isinstance(variable, sp.Symbol) else block
+            column: npt.NDArray[Number] = block[:, 0]
+            return column if isinstance(variable, sp.Symbol) else block
         first += width
     raise KeyError(name)
 
@@ -51,7 +71,7 @@ class Event:
 
 @dataclass(frozen=True)
 class Statistics:
-    """How a trajectory was computed."""
+    """Method, cost and accuracy of an integration."""
 
     steps: int
     order: int
@@ -71,31 +91,31 @@ class DenseOutput:
     Attributes
     ----------
     begins, ends : array (steps,)
-        Where each step begins and ends.
+        Times at which each step begins and ends.
     coefficients : array (steps, state, order + 1)
         Of the powers of the time since the step began.
     """
 
-    begins: Any
-    ends: Any
-    coefficients: Any
+    begins: WorkingArray
+    ends: WorkingArray
+    coefficients: WorkingArray
 
     @property
     def span(self) -> tuple[float, float]:
         """The two ends of the covered interval of time, in the direction of integration."""
         return float(self.begins[0]), float(self.ends[-1])
 
-    def __call__(self, times: Any) -> Any:
+    def __call__(self, times: npt.ArrayLike) -> WorkingArray:
         """States (times, state) at `times`; InputError outside the computed interval."""
-        wanted = np.atleast_1d(np.asarray(times, dtype=float))
+        moments = np.atleast_1d(np.asarray(times, dtype=float))
         low, high = sorted(self.span)
-        if np.any(wanted < low) or np.any(wanted > high):
+        if np.any(moments < low) or np.any(moments > high):
             raise InputError(f"time outside the computed interval from {low:g} to {high:g}")
         sign = 1.0 if self.ends[0] > self.begins[0] else -1.0
         begins = sign * self.begins.astype(float)
-        index = np.clip(np.searchsorted(begins, sign * wanted, side="right") - 1, 0, None)
-        step = wanted - self.begins[index]
-        value = self.coefficients[index, :, -1]
+        index = np.clip(np.searchsorted(begins, sign * moments, side="right") - 1, 0, None)
+        step = moments - self.begins[index]
+        value: WorkingArray = self.coefficients[index, :, -1]
         for order in range(self.coefficients.shape[2] - 2, -1, -1):
             value = value * step[:, None] + self.coefficients[index, :, order]
         return value
@@ -138,15 +158,15 @@ class Trajectory(WithOverview):
     """
 
     system: System
-    parameters: Mapping[sp.Symbol, Any]
-    times: Any
-    states: Any
-    recorded: Mapping[str, Any]
+    parameters: Mapping[sp.Symbol, WorkingNumber]
+    times: WorkingArray
+    states: WorkingArray
+    recorded: Mapping[str, WorkingArray]
     events: tuple[Event, ...]
     statistics: Statistics
     dense: DenseOutput | None = None
 
-    def __getitem__(self, name: str) -> Any:
+    def __getitem__(self, name: str) -> WorkingArray:
         """A state variable or an observable by name."""
         if name in self.recorded:
             return self.recorded[name]
@@ -181,10 +201,87 @@ class Trajectory(WithOverview):
         """Every `pieces`-th sample, and the last one."""
         require_pieces(pieces)
         last = len(self.times) - 1
-        kept = [*range(0, last, pieces), last]
+        indices = [*range(0, last, pieces), last]
         return replace(
             self,
-            times=self.times[kept],
-            states=self.states[kept],
-            recorded={name: values[kept] for name, values in self.recorded.items()},
+            times=self.times[indices],
+            states=self.states[indices],
+            recorded={name: values[indices] for name, values in self.recorded.items()},
         )
+
+
+# --- recorded quantities ----------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class RecordedQuantity:
+    """A quantity recorded along motions.
+
+    Attributes
+    ----------
+    name : str
+    formulas : tuple of sympy.Expr
+        Its components; one for a scalar.
+    is_vector : bool
+    frame : str
+        ``"body"`` or ``"space"`` for a vector given in these axes.
+    meaning, unit, source : str
+    """
+
+    name: str
+    formulas: tuple[sp.Expr, ...]
+    is_vector: bool
+    frame: str
+    meaning: str
+    unit: str
+    source: str
+
+
+@lru_cache(maxsize=32)
+def recorded_quantities(system: System) -> tuple[RecordedQuantity, ...]:
+    """The observables of a system, and its integrals as ``law_<name>``."""
+    quantities = [_quantity(item.name, item.frame, item) for item in system.observables]
+    quantities += [_quantity(f"law_{law.name}", "", law) for law in system.integrals]
+    return tuple(quantities)
+
+
+def _quantity(name: str, frame: str, item: Observable | Integral) -> RecordedQuantity:
+    formula = to_components(sp.sympify(item.value))
+    is_vector = isinstance(formula, sp.MatrixBase)
+    components = tuple(formula) if is_vector else (formula,)
+    return RecordedQuantity(
+        name, components, is_vector, frame, item.meaning, item.unit or "1", item.source
+    )
+
+
+def columns_by_name(system: System, columns: npt.NDArray[Number]) -> dict[str, npt.NDArray[Number]]:
+    """The recorded quantities whose components are columns, one after another.
+
+    Parameters
+    ----------
+    system : System
+    columns : array (components, n)
+        Of all quantities, in order; what follows them is ignored.
+
+    Returns
+    -------
+    dict of str to array
+        (n,) for a scalar, (n, components) for a vector.
+    """
+    recorded: dict[str, npt.NDArray[Number]] = {}
+    first = 0
+    for quantity in recorded_quantities(system):
+        block = columns[first : first + len(quantity.formulas)]
+        recorded[quantity.name] = block.T if quantity.is_vector else block[0]
+        first += len(quantity.formulas)
+    return recorded
+
+
+def recorded_values(
+    system: System, states: FloatArray, parameters: Parameters = None
+) -> dict[str, FloatArray]:
+    """Observables and integrals at states (n, size), by name; see `columns_by_name`."""
+    formulas = [
+        formula for quantity in recorded_quantities(system) for formula in quantity.formulas
+    ]
+    return columns_by_name(system, values(system, formulas, states, parameters).T)

@@ -1,12 +1,13 @@
-"""What an engine is given: starts and times, read and refused where they cannot be used."""
+"""Checks of starts and times before an integration."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
+from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
 from ..formulas.evaluate import as_float_array, numbers
@@ -18,25 +19,25 @@ __all__ = ["check_state_shape", "moments", "require_on_phase_space"]
 SLACK, LEAST = 1e-9, 1e-13
 
 
-def moments(times: Any, backward: bool = False) -> Any:
-    """Times at which motions are looked at, counted from 0 in the direction of the motion.
+def moments(times: npt.ArrayLike, backward: bool = False) -> FloatArray:
+    """Sampling times, counted from 0 in the direction of the motion.
 
     Raises
     ------
     InputError
         If there are none, or they do not go on from 0 in that direction.
     """
-    given = np.atleast_1d(as_float_array("times", times))
-    if given.ndim != 1 or not given.size or not np.all(np.isfinite(given)):
+    row = np.atleast_1d(as_float_array("times", times))
+    if row.ndim != 1 or not row.size or not np.all(np.isfinite(row)):
         raise InputError("times: there must be a row of at least one, and all finite numbers")
-    ahead = -given if backward else given
+    ahead = -row if backward else row
     if ahead[0] < 0 or np.any(np.diff(ahead) <= 0):
         way = "decrease from 0" if backward else "increase from 0"
         raise InputError(f"times: they must {way}, where the motion begins")
     return np.ascontiguousarray(ahead)
 
 
-def check_state_shape(system: System, points: Any) -> None:
+def check_state_shape(system: System, points: FloatArray) -> None:
     """Refuse starts that are not rows of a state each."""
     size = len(system.symbols)
     if points.ndim != 2 or points.shape[1] != size:
@@ -48,7 +49,7 @@ def check_state_shape(system: System, points: Any) -> None:
 
 
 def require_on_phase_space(
-    system: System, relations: Sequence[Term], points: Any, parameters: Any
+    system: System, relations: Sequence[Term], points: FloatArray, parameters: FloatArray
 ) -> None:
     """Refuse starts that miss a relation of the system.
 
@@ -62,8 +63,8 @@ def require_on_phase_space(
     """
     if not relations or not len(points):
         return
-    found = np.abs(numbers(relations, points, parameters))
-    missed, sizes = np.split(found, 2, axis=1)
+    magnitudes = np.abs(numbers(relations, points, parameters))
+    missed, sizes = np.split(magnitudes, 2, axis=1)
     excess = missed / (SLACK * sizes + LEAST)
     worst = np.unravel_index(np.argmax(np.nan_to_num(excess, nan=np.inf)), excess.shape)
     if not excess[worst] <= 1:

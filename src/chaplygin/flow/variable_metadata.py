@@ -1,4 +1,4 @@
-"""What is told of the variables of a state in a dataset: meaning, unit, source and axes."""
+"""Meaning, unit, source and axes of the variables of a state, for datasets."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ FRAMES = {
     "quaternion": ("quaternion", ("w", "x", "y", "z")),
 }
 
-#: What these axes are.
+#: Labels of these axes.
 LABELS = {
     "axis": "body axis",
     "space": "space axis",
@@ -29,7 +29,7 @@ _BODY = {
     "zeta": ("upward vertical", "1", ""),
 }
 
-#: The same where a body touches a surface.
+#: Vectors of a body that touches a surface.
 _TOUCHING = {
     **_BODY,
     "gamma": ("normal of the surface at the contact", "1", "(1.10)"),
@@ -43,7 +43,7 @@ UNKNOWN = "unknown"
 def variable_metadata(
     system: System, name: str, size: int, description: tuple[str, str] | None = None
 ) -> tuple[str, str, str, str]:
-    """What is known of a variable of the state; it follows from its name unless it is given.
+    """Meaning, unit, source and frame of a variable of the state, from its name.
 
     Parameters
     ----------

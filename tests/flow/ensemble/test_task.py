@@ -6,6 +6,7 @@ import errno
 import os
 import random
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -19,6 +20,7 @@ import pytest
 import xarray as xr
 import zarr
 
+import chaplygin
 import counted
 from chaplygin.errors import InputError
 from chaplygin.flow.ensemble.compute import compute
@@ -99,12 +101,15 @@ def test_a_mistake_in_a_block_keeps_the_others(tmp_path: Path) -> None:
 # --- killed ---------------------------------------------------------------------------------------
 
 
+TESTS, SOURCE = Path(counted.__file__).parent, Path(chaplygin.__file__).parents[1]
+
+
 def beginning(store: Path, log: Path, size: int, block: int) -> subprocess.Popen[bytes]:
     """Another process that is about to compute."""
     script = "import counted; counted.begin_when_told()"
     process = subprocess.Popen(
         [sys.executable, "-c", script, str(store), str(size), str(block), str(log)],
-        env={**os.environ, "PYTHONPATH": str(Path(counted.__file__).parent)},
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(map(str, (TESTS, SOURCE)))},
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
@@ -222,10 +227,108 @@ def test_marks_are_on_the_disk_before_a_block_counts(
     def settle(chunk: Path) -> None:
         settled.append(chunk.relative_to(tmp_path / "a.zarr").parts[0])
 
-    monkeypatch.setattr("chaplygin.flow.ensemble.zarr_store._settle", settle)
+    monkeypatch.setattr("chaplygin.flow.ensemble.zarr_store.flush", settle)
     compute(task(block=35), tmp_path / "a.zarr")
     assert set(settled[:-1]) == set(task().variables)
     assert settled[-1] == "done"
+
+
+# --- what opening looks at ------------------------------------------------------------------------
+
+
+@pytest.fixture
+def arrays_read(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Names of the arrays of which something is read."""
+    names: list[str] = []
+    read = zarr.Array.__getitem__
+
+    def watched(array: Any, selection: Any) -> Any:
+        names.append(array.basename)
+        return read(array, selection)
+
+    monkeypatch.setattr(zarr.Array, "__getitem__", watched)
+    return names
+
+
+def test_a_store_is_opened_without_reading_its_blocks(
+    tmp_path: Path, arrays_read: list[str]
+) -> None:
+    place, log = tmp_path / "a.zarr", tmp_path / "log"
+    compute(task(log=str(log)), place)
+    arrays_read.clear()
+    read_store(place)
+    compute(task(log=str(log)), place)
+    assert not set(arrays_read) & set(task().variables)
+    assert len(log.read_text().split()) == 4
+
+
+def bend(chunk: Path) -> None:
+    """Change one bit of a file."""
+    content = bytearray(chunk.read_bytes())
+    content[len(content) // 2] ^= 1
+    chunk.write_bytes(content)
+
+
+@pytest.mark.parametrize("damage", ["bit", "cut", "longer"])
+@pytest.mark.parametrize("table", ["there", "deleted", "cut"])
+def test_a_damaged_chunk_is_computed_again(damage: str, table: str, tmp_path: Path) -> None:
+    """Whether the table of the chunks can be read or not."""
+    place, log = tmp_path / "a.zarr", tmp_path / "log"
+    compute(task(log=str(log)), place)
+    chunk = place / "orbit" / "c" / "2" / "0" / "0"
+    content = chunk.read_bytes()
+    {
+        "bit": lambda: bend(chunk),
+        "cut": lambda: chunk.write_bytes(content[:-1]),
+        "longer": lambda: chunk.write_bytes(content + content[:7]),
+    }[damage]()
+    if table == "deleted":
+        (place / "done" / "chunks").unlink()
+    elif table == "cut":
+        (place / "done" / "chunks").write_bytes((place / "done" / "chunks").read_bytes()[:13])
+    with pytest.raises(InputError, match="of its finished blocks 1 have lost a part"):
+        read_store(place)
+    same(compute(task()), compute(task(log=str(log)), place))
+    assert log.read_text().split()[4:] == ["20"]
+
+
+def test_a_copy_with_other_times_is_read_once_more(tmp_path: Path, arrays_read: list[str]) -> None:
+    compute(task(), tmp_path / "a.zarr")
+    shutil.copytree(tmp_path / "a.zarr", tmp_path / "b.zarr", copy_function=shutil.copyfile)
+    arrays_read.clear()
+    same(compute(task()), read_store(tmp_path / "b.zarr"))
+    assert set(arrays_read) >= {"done", "orbit", "mass"}
+
+
+def test_damage_that_does_not_show_is_an_error_when_it_is_read(tmp_path: Path) -> None:
+    """One bit of the disk: size and time of change of the file stay."""
+    place = tmp_path / "a.zarr"
+    compute(task(), place)
+    chunk = place / "orbit" / "c" / "2" / "0" / "0"
+    status = chunk.stat()
+    bend(chunk)
+    os.utime(chunk, ns=(status.st_atime_ns, status.st_mtime_ns))
+    dataset = read_store(place)
+    with pytest.raises(RuntimeError):
+        dataset.orbit.load()
+
+
+def test_a_table_is_on_the_disk_before_the_mark(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Killed in between, the block is computed again."""
+    place, log = tmp_path / "a.zarr", tmp_path / "log"
+
+    def stop(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr("chaplygin.flow.ensemble.zarr_store.write_chunk_table", stop)
+        with pytest.raises(KeyboardInterrupt):
+            compute(task(log=str(log)), place)
+    assert not zarr.open_group(place)["done"][:].any()
+    same(compute(task()), compute(task(log=str(log)), place))
+    assert log.read_text().split() == ["0", "0", "10", "20", "30"]
 
 
 # --- what goes wrong with the store ---------------------------------------------------------------
@@ -366,12 +469,12 @@ def test_a_store_of_another_version(tmp_path: Path, monkeypatch: pytest.MonkeyPa
         compute(task(), tmp_path / "a.zarr")
     monkeypatch.undo()
     with monkeypatch.context() as patch:
-        patch.setattr("chaplygin.flow.ensemble.zarr_store.core", lambda: "newer")
+        patch.setattr("chaplygin.flow.ensemble.zarr_store.computation_digest", lambda: "newer")
         with pytest.raises(InputError, match=r"a\.zarr was begun by another version"):
             compute(task(), tmp_path / "a.zarr")
     whole = compute(task(), tmp_path / "a.zarr")
     # what is complete can be read by any version
-    monkeypatch.setattr("chaplygin.flow.ensemble.zarr_store.core", lambda: "newer")
+    monkeypatch.setattr("chaplygin.flow.ensemble.zarr_store.computation_digest", lambda: "newer")
     same(whole, compute(task(), tmp_path / "a.zarr"))
 
 

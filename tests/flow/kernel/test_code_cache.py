@@ -17,7 +17,7 @@ import platformdirs
 import pytest
 import sympy as sp
 
-from chaplygin.core import private_files
+from chaplygin.core import cache as core_cache, private_files
 from chaplygin.core.laws import Integral
 from chaplygin.core.system import Guard, Observable, Parameter, System
 from chaplygin.flow.integrator import integrate
@@ -48,7 +48,7 @@ def folder(tmp_path, monkeypatch):
 @pytest.fixture
 def place(folder, monkeypatch):
     """The same without what this process has at hand, so that files alone count."""
-    monkeypatch.setattr(cache, "_version", lambda path: object())
+    monkeypatch.setattr(cache, "_file_version", lambda path: object())
     return folder
 
 
@@ -61,7 +61,7 @@ def remember(name: str = "name", value: object = (1, 2)) -> tuple[object, bool]:
 
 
 def test_the_variable_chooses_the_folder(place):
-    assert cache.folder() == place
+    assert core_cache.folder() == place
     remember()
     assert entries(place) == [place / "name.code"]
 
@@ -72,7 +72,7 @@ def test_without_the_variable_it_is_the_users_own(monkeypatch, value):
         monkeypatch.delenv("CHAPLYGIN_CACHE", raising=False)
     else:
         monkeypatch.setenv("CHAPLYGIN_CACHE", value)
-    assert cache.folder() == Path(platformdirs.user_cache_dir("chaplygin")) / "compiled"
+    assert core_cache.folder() == Path(platformdirs.user_cache_dir("chaplygin"))
 
 
 def test_an_entry_is_made_once(place):
@@ -92,7 +92,7 @@ def test_a_second_process_finds_the_code(place):
     program = (
         "from chaplygin.catalogue import from_catalogue\n"
         "from chaplygin.flow.taylor import compile_system\n"
-        "print(compile_system(from_catalogue('veselova')).found)\n"
+        "print(compile_system(from_catalogue('veselova')).from_cache)\n"
     )
     found = [
         subprocess.run(
@@ -212,7 +212,7 @@ def test_a_folder_that_cannot_be_written_is_no_error(place, monkeypatch):
 
 
 def test_the_oldest_entries_go(place, monkeypatch):
-    monkeypatch.setattr(cache, "_KEEP", 3)
+    monkeypatch.setattr(cache, "_STORED", 3)
     now = time.time()
     for age, name in ((40, "a"), (30, "b"), (20, "c")):
         remember(name)
@@ -255,36 +255,36 @@ OTHERS = {
 
 @pytest.mark.parametrize("name", OTHERS)
 def test_other_formulas_are_other_code(place, name):
-    assert not compile_system(OSCILLATOR).found
-    assert compile_system(OSCILLATOR).found
-    assert not compile_system(OTHERS[name]).found
+    assert not compile_system(OSCILLATOR).from_cache
+    assert compile_system(OSCILLATOR).from_cache
+    assert not compile_system(OTHERS[name]).from_cache
 
 
 def test_the_last_digit_of_a_decimal_counts(place):
     def system(decimal: float) -> System:
         return System(name="linear", title="", field={x: sp.Float(decimal) * x})
 
-    assert not compile_system(system(0.3)).found
-    assert not compile_system(system(0.1 + 0.2)).found
-    assert compile_system(system(0.3)).found
+    assert not compile_system(system(0.3)).from_cache
+    assert not compile_system(system(0.1 + 0.2)).from_cache
+    assert compile_system(system(0.3)).from_cache
 
 
 def test_tolerance_precision_and_direction_are_other_code(place):
-    assert not compile_system(OSCILLATOR, 1e-15).found
-    assert not compile_system(OSCILLATOR, 1e-12).found
-    assert not compile_system(OSCILLATOR, 1e-15, "quad").found
-    assert not compile_system(OSCILLATOR, 1e-15, "double", "backward").found
+    assert not compile_system(OSCILLATOR, 1e-15).from_cache
+    assert not compile_system(OSCILLATOR, 1e-12).from_cache
+    assert not compile_system(OSCILLATOR, 1e-15, "quad").from_cache
+    assert not compile_system(OSCILLATOR, 1e-15, "double", "backward").from_cache
     assert len(entries(place)) == 4
-    assert compile_system(OSCILLATOR, 1e-12).found
+    assert compile_system(OSCILLATOR, 1e-12).from_cache
 
 
 def test_words_do_not_count(place):
-    assert not compile_system(OSCILLATOR).found
-    assert compile_system(replace(OSCILLATOR, name="other", title="Other", source="(1)")).found
+    assert not compile_system(OSCILLATOR).from_cache
+    assert compile_system(replace(OSCILLATOR, name="other", title="Other", source="(1)")).from_cache
 
 
 def test_parameters_share_the_code(place):
-    assert not compile_system(OSCILLATOR).found
+    assert not compile_system(OSCILLATOR).from_cache
     other = replace(OSCILLATOR, parameters=(Parameter(p, "square of the frequency", 4.0),))
     times = np.linspace(0, 1, 5)
     for motion, frequency in (
@@ -314,6 +314,6 @@ def test_an_entry_at_hand_yields_to_a_newer_file(folder):
 
 
 def test_few_entries_are_at_hand(folder):
-    for number in range(3 * cache._AT_HAND):
+    for number in range(3 * cache._IN_MEMORY):
         remember(f"name{number}", number)
-    assert len(cache._at_hand) <= cache._AT_HAND
+    assert len(cache._in_memory) <= cache._IN_MEMORY

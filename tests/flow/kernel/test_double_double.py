@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from chaplygin.errors import InputError
-from chaplygin.flow.kernel.double_double import paired, parameter_pairs, unpaired
+from chaplygin.flow.kernel.double_double import as_pairs, from_pairs, parameter_pairs
 from flow.small import OSCILLATOR
 
 DOUBLES = st.floats(-1e150, 1e150, allow_subnormal=False)
@@ -28,9 +28,9 @@ def test_a_pair_is_split_and_joined_to_the_bit(first: float, share: float) -> No
     rest = float(np.spacing(first) * share) if first else 0.0
     with mpmath.workdps(60):
         number = mpmath.mpf(first) + mpmath.mpf(rest)
-        found = paired("x", np.array([number], dtype=object))
+        found = as_pairs("x", np.array([number], dtype=object))
     assert found.tolist() == [[first, rest]]
-    (joined,) = unpaired(found[:, 0], found[:, 1])
+    (joined,) = from_pairs(found[:, 0], found[:, 1])
     with mpmath.workdps(60):
         assert abs(joined - number) <= abs(number) * mpmath.mpf(10) ** -38
 
@@ -39,7 +39,7 @@ def test_a_pair_is_split_and_joined_to_the_bit(first: float, share: float) -> No
 def test_digits_beyond_the_second_word_are_rounded(value: Fraction) -> None:
     with mpmath.workdps(60):
         number = mpmath.mpf(value.numerator) / value.denominator
-        pair = paired("x", np.array([number], dtype=object))[0]
+        pair = as_pairs("x", np.array([number], dtype=object))[0]
     assert abs(exact(pair) - value) <= abs(value) / 2**105
     assert pair[0] == float(value)
     assert pair[0] + pair[1] == pair[0]
@@ -47,18 +47,18 @@ def test_digits_beyond_the_second_word_are_rounded(value: Fraction) -> None:
 
 def test_shapes_and_doubles() -> None:
     numbers = np.arange(6.0).reshape(2, 3)
-    found = paired("x", numbers)
+    found = as_pairs("x", numbers)
     assert found.shape == (2, 3, 2)
     np.testing.assert_array_equal(found[..., 0], numbers)
     assert not found[..., 1].any()
     with mpmath.workdps(40):
         mixed = np.array([[1, mpmath.mpf("0.1")], [2.5, mpmath.mpf("0.3")]], dtype=object)
-    found = paired("x", mixed)
+    found = as_pairs("x", mixed)
     assert found.shape == (2, 2, 2)
     assert (found[:, 0, 1] == 0).all()
     assert (found[:, 1, 1] != 0).all()
-    assert unpaired(found[..., 0], found[..., 1]).shape == (2, 2)
-    assert paired("x", np.zeros((0, 3))).shape == (0, 3, 2)
+    assert from_pairs(found[..., 0], found[..., 1]).shape == (2, 2)
+    assert as_pairs("x", np.zeros((0, 3))).shape == (0, 3, 2)
 
 
 def test_parameters_keep_their_digits() -> None:
@@ -79,5 +79,5 @@ def test_parameters_keep_their_digits() -> None:
 @pytest.mark.parametrize("values", [["a", "b"], [[1, 2], [3]], [1j]])
 def test_what_is_no_number(values: list[object]) -> None:
     with pytest.raises(InputError) as caught:
-        paired("starts", values)
+        as_pairs("starts", values)
     assert str(caught.value) == "starts: all must be real numbers, in rows of one length"

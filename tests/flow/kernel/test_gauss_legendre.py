@@ -16,7 +16,7 @@ from chaplygin.flow.integrator import integrate
 from chaplygin.flow.kernel import jit as native
 from chaplygin.flow.kernel.equations import equations_of
 from chaplygin.flow.kernel.gauss_legendre import gauss_loop
-from chaplygin.flow.kernel.runge_kutta import COLLAPSED, NOT_A_NUMBER, STATUS_MESSAGES, STEPS
+from chaplygin.flow.kernel.outcomes import COLLAPSED, NOT_A_NUMBER, STATUS_MESSAGES, STEPS
 from chaplygin.flow.kernel.tableaux import Gauss, gauss
 from flow.small import FENCED, LOGARITHM, OSCILLATOR, RUNAWAY, starts
 

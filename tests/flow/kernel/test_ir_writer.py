@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from chaplygin.flow.kernel.ir_writer import IRWriter, literal
-from chaplygin.flow.kernel.jit import aligned, load_code
+from chaplygin.flow.kernel.jit import aligned_zeros, load_code
 
 WIDTHS = pytest.mark.parametrize("lanes", [1, 2, 4, 8, 16])
 _P = ctypes.c_void_p
@@ -23,7 +23,7 @@ def run(lanes: int, write: Callable[[IRWriter], None], given: list[float]) -> li
     write(w)
     text = w.text("void @work(ptr %data, i64 %count)", "#0")
     code = load_code(text, lambda: (text, 0), {"work": (_P, ctypes.c_int64)})
-    data = aligned(max(len(given), lanes))
+    data = aligned_zeros(max(len(given), lanes))
     data[: len(given)] = given
     code.functions["work"](data.ctypes.data, len(given))
     return data[: len(given)].tolist()
@@ -42,9 +42,9 @@ def test_loops_and_branches() -> None:
 
     def write(w: IRWriter) -> None:
         with w.count("%count") as i:
-            place = w.at("double", "%data", i)
+            place = w.address("double", "%data", i)
             even = w.emit(f"icmp eq i64 {w.emit(f'urem i64 {i}, 2')}, 0")
-            with w.when(even):
+            with w.branch(even):
                 value = w.load("double", place)
                 w.store("double", w.emit(f"fadd double {value}, {value}"), place)
             with w.count(3, 1):
@@ -57,7 +57,7 @@ def test_loops_and_branches() -> None:
 def test_a_loop_without_turns() -> None:
     def write(w: IRWriter) -> None:
         with w.count("%count", 7) as i:
-            w.store("double", literal(-1.0), w.at("double", "%data", i))
+            w.store("double", literal(-1.0), w.address("double", "%data", i))
 
     assert run(1, write, [1, 2, 3]) == [1, 2, 3]
 
@@ -71,7 +71,7 @@ def test_leaving_a_loop_from_several_places() -> None:
         with w.forever() as leave:
             i = w.load("i64", index)
             leave(w.emit(f"icmp sge i64 {i}, %count"))
-            more = w.load("double", w.at("double", "%data", i))
+            more = w.load("double", w.address("double", "%data", i))
             w.store("double", w.emit(f"fadd double {w.load('double', total)}, {more}"), total)
             w.store("i64", w.emit(f"add i64 {i}, 1"), index)
             leave(w.emit(f"fcmp ogt double {w.load('double', total)}, {literal(10.0)}"))
@@ -89,8 +89,8 @@ def test_masks(lanes: int) -> None:
         x = w.load(w.type, "%data")
         above = w.compare("ogt", x, w.constant(1.0))
         below = w.compare("olt", x, w.constant(3.0))
-        inside = w.both(above, below)
-        outside = w.both(w.unless(inside), w.either(above, below))
+        inside = w.conjunction(above, below)
+        outside = w.conjunction(w.complement(inside), w.disjunction(above, below))
         value = w.choose(inside, w.constant(10.0), w.choose(outside, w.constant(-10.0), x))
         w.store(w.type, value, "%data")
 
@@ -105,7 +105,7 @@ def test_any_and_splat(lanes: int) -> None:
 
     def write(w: IRWriter) -> None:
         x = w.load(w.type, "%data")
-        with w.when(w.any(w.compare("olt", x, w.constant(0.0)))):
+        with w.branch(w.any(w.compare("olt", x, w.constant(0.0)))):
             w.store(w.type, w.splat(w.load("double", "%data")), "%data")
 
     quiet = [float(k + 1) for k in range(lanes)]

@@ -15,9 +15,10 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from chaplygin.core import cache as core_cache
 from chaplygin.core.system import Guard, Parameter, System
 from chaplygin.flow.batch import batch_integrator
-from chaplygin.flow.gauss import _compiled
+from chaplygin.flow.gauss import _compiled_integrator
 from chaplygin.flow.kernel import code_cache as cache, jit as native
 from chaplygin.flow.kernel.equations import equations_of, poincare_section, serial
 from chaplygin.flow.kernel.ir_writer import IRWriter
@@ -29,15 +30,15 @@ _P = ctypes.c_void_p
 def doubling(lanes_of: int, factor: str = "2.0") -> Any:
     """Code that multiplies a vector by a number."""
     w = IRWriter(lanes_of)
-    place = w.at(w.type, "%given", 0)
+    place = w.address(w.type, "%given", 0)
     w.store(w.type, w.op("fmul", w.load(w.type, place), w.constant(float(factor))), place)
     text = w.text("void @doubled(ptr %given)", "#0")
     return native.load_code(text, lambda: (text, lanes_of), {"doubled": (_P,)})
 
 
 def run(code: native.Native) -> list[float]:
-    numbers = native.aligned(code.room)
-    numbers[:] = np.arange(code.room)
+    numbers = native.aligned_zeros(code.work_size)
+    numbers[:] = np.arange(code.work_size)
     code.functions["doubled"](numbers.ctypes.data)
     return numbers.tolist()
 
@@ -46,7 +47,7 @@ def run(code: native.Native) -> list[float]:
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """An empty cache of the test's own, without what this process has at hand."""
     monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path / "code"))
-    monkeypatch.setattr(cache, "_version", lambda path: object())
+    monkeypatch.setattr(cache, "_file_version", lambda path: object())
     return tmp_path / "code"
 
 
@@ -57,16 +58,16 @@ def test_code_runs_at_every_width(lanes_of: int) -> None:
 
 def test_code_is_found_the_second_time(folder: Path) -> None:
     first, second = doubling(4), doubling(4)
-    assert (first.found, second.found) == (False, True)
+    assert (first.from_cache, second.from_cache) == (False, True)
     assert run(first) == run(second)
-    assert first.room == second.room
+    assert first.work_size == second.work_size
     assert len(list(folder.iterdir())) == 1
 
 
 def test_other_text_is_other_code(folder: Path) -> None:
     doubling(4)
     other = doubling(4, "3.0")
-    assert not other.found
+    assert not other.from_cache
     assert run(other) == [0.0, 3.0, 6.0, 9.0]
     assert len(list(folder.iterdir())) == 2
 
@@ -86,9 +87,9 @@ def test_damaged_code_is_compiled_again(folder: Path, damage: str) -> None:
     }
     path.write_bytes(changed[damage])
     again = doubling(4)
-    assert not again.found
+    assert not again.from_cache
     assert run(again) == [0.0, 2.0, 4.0, 6.0]
-    assert doubling(4).found
+    assert doubling(4).from_cache
 
 
 def test_code_for_another_processor_is_not_used(
@@ -96,13 +97,13 @@ def test_code_for_another_processor_is_not_used(
 ) -> None:
     doubling(4)
     monkeypatch.setattr(native, "_processor", lambda: "another one")
-    assert not doubling(4).found
+    assert not doubling(4).from_cache
 
 
 def test_a_change_of_the_program_counts(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     doubling(4)
-    monkeypatch.setattr(native, "core", lambda: "another one")
-    assert not doubling(4).found
+    monkeypatch.setattr(core_cache, "computation_digest", lambda: "another one")
+    assert not doubling(4).from_cache
 
 
 @pytest.mark.parametrize("place", ["a file in its way", "read-only"])
@@ -117,10 +118,10 @@ def test_without_a_cache_code_is_compiled(
     else:
         blocked.write_text("")
     monkeypatch.setenv("CHAPLYGIN_CACHE", str(blocked / "code"))
-    monkeypatch.setattr(cache, "_version", lambda path: object())
+    monkeypatch.setattr(cache, "_file_version", lambda path: object())
     for _ in range(2):
         code = doubling(8)
-        assert not code.found
+        assert not code.from_cache
         assert run(code) == [2.0 * k for k in range(8)]
 
 
@@ -138,7 +139,7 @@ def test_another_process_finds_the_code(tmp_path: Path) -> None:
         "x, y = sp.symbols('x y', real=True)\n"
         "flow = batch_integrator(System(name='o', title='O', field={x: y, y: -x}))\n"
         "found = flow.until([[1.0, 0.0]], [3.0])\n"
-        "print(flow.code.found, found.states[0, 0, 0].hex(), found.states[0, 0, 1].hex())\n"
+        "print(flow.code.from_cache, found.states[0, 0, 0].hex(), found.states[0, 0, 1].hex())\n"
     )
     environment = os.environ | {"CHAPLYGIN_CACHE": str(tmp_path / "code")}
     lines = [
@@ -195,24 +196,24 @@ def test_every_option_is_other_code(folder: Path) -> None:
         {"digits": 30},
     ]
     made = [batch_integrator.__wrapped__(system, **chosen) for chosen in options]
-    assert not any(flow.code.found for flow in made)
-    assert batch_integrator.__wrapped__(system, tolerance=1e-6).code.found
-    assert batch_integrator.__wrapped__(replace(system, title="Another word")).code.found
+    assert not any(flow.code.from_cache for flow in made)
+    assert batch_integrator.__wrapped__(system, tolerance=1e-6).code.from_cache
+    assert batch_integrator.__wrapped__(replace(system, title="Another word")).code.from_cache
 
 
 def test_what_is_held_is_part_of_the_key(folder: Path) -> None:
-    held = _compiled.__wrapped__(OSCILLATOR, 16, False, ("energy",))
-    free = _compiled.__wrapped__(OSCILLATOR, 16, False, ())
-    assert not held.code.found
-    assert not free.code.found
+    held = _compiled_integrator.__wrapped__(OSCILLATOR, 16, False, ("energy",))
+    free = _compiled_integrator.__wrapped__(OSCILLATOR, 16, False, ())
+    assert not held.code.from_cache
+    assert not free.code.from_cache
     laws = (replace(OSCILLATOR.laws[0], value=2 * OSCILLATOR.laws[0].value),)
-    other = _compiled.__wrapped__(replace(OSCILLATOR, laws=laws), 16, False, ("energy",))
-    assert not other.code.found
+    other = _compiled_integrator.__wrapped__(replace(OSCILLATOR, laws=laws), 16, False, ("energy",))
+    assert not other.code.from_cache
 
 
 def test_memory_is_aligned() -> None:
     for count in range(1, 40):
-        room = native.aligned(count)
+        room = native.aligned_zeros(count)
         assert room.size == count
         assert room.ctypes.data % 64 == 0
         assert not room.any()
@@ -224,4 +225,4 @@ def test_width_fills_two_registers() -> None:
 
 def test_lanes_of_a_body_are_compiled_once_for_all_processes(folder: Path) -> None:
     ball = body("chaplygin-ball")
-    assert [batch_integrator.__wrapped__(ball).code.found for _ in range(2)] == [False, True]
+    assert [batch_integrator.__wrapped__(ball).code.from_cache for _ in range(2)] == [False, True]

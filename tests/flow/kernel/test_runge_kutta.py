@@ -20,14 +20,14 @@ from chaplygin.flow.integrator import integrate
 from chaplygin.flow.kernel import jit as native
 from chaplygin.flow.kernel.arithmetic import Double, Pair
 from chaplygin.flow.kernel.equations import equations_of
-from chaplygin.flow.kernel.runge_kutta import (
+from chaplygin.flow.kernel.outcomes import (
     COLLAPSED,
     NOT_A_NUMBER,
     OVER,
     STATUS_MESSAGES,
     STEPS,
-    runge_kutta_loop,
 )
+from chaplygin.flow.kernel.runge_kutta import runge_kutta_loop
 from chaplygin.flow.kernel.tableaux import explicit
 from chaplygin.formulas.evaluate import values
 from flow.small import (

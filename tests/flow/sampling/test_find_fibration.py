@@ -81,7 +81,7 @@ def test_rays_end_on_the_level_and_weigh_its_volume() -> None:
     gauss = counter_normals(1, np.arange(40_000), np.zeros(40_000), made.numbers)
     # one base point: the mean over rays is the volume of the fibre, 2π/√(det I (γ, I⁻¹γ))
     gauss[:3] = np.array([[1.0], [2.0], [-2.0]])
-    rays = made.over(made.normed(gauss), values)
+    rays = made.over(made.uniform_points(gauss), values)
     gamma = np.array([1, 2, -2]) / 3
     wanted = 2 * math.pi / math.sqrt(values.prod() * (gamma**2 / values).sum())
     assert 2 * math.pi * rays.volume.mean() == pytest.approx(wanted, rel=5e-3)
@@ -94,5 +94,5 @@ def test_rays_end_on_the_level_and_weigh_its_volume() -> None:
 
 def test_normal_numbers_of_places() -> None:
     made = found(pendulum(sp.cos(theta)), {"energy": 2.0})
-    places = made.normed(counter_normals(2, np.arange(20), np.zeros(20), made.numbers))
-    assert np.abs(made.normed(made.gauss(places)) - places).max() < 1e-12
+    places = made.uniform_points(counter_normals(2, np.arange(20), np.zeros(20), made.numbers))
+    assert np.abs(made.uniform_points(made.gauss(places)) - places).max() < 1e-12

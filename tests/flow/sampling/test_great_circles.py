@@ -59,7 +59,7 @@ def test_slopes_along_geodesics_are_difference_quotients(
 ) -> None:
     system, step = from_catalogue(name), 1e-5
     sheet, parameters = SystemFormulas(system), parameter_rows(system, None, 1)[0]
-    chosen = GreatCircleProposal.of(
+    chosen = GreatCircleProposal.from_fibration(
         find_fibration(system, sheet, level, parameters), sheet, parameters
     )
     numbers = counter_normals(1, np.arange(100), np.zeros(100), chosen.numbers)

@@ -25,7 +25,7 @@ def same(gauss: Any, _: Any) -> Any:
 
 def test_a_narrow_peak_is_found() -> None:
     def height(gauss: Any) -> tuple[Any, Any]:
-        places = MADE.normed(gauss)
+        places = MADE.uniform_points(gauss)
         off = places[:3] - PEAK[:, None]
         return places, np.exp(-1000 * (off * off).sum(axis=0))
 
@@ -44,7 +44,7 @@ def test_nothing_is_less_than_anything() -> None:
 def test_every_throw_on_a_level_of_the_whole_sphere_gives_a_point() -> None:
     ends = RayProposal(MADE, VALUES)
     gauss = np.random.default_rng(1).normal(size=(ends.numbers, 30))
-    spots = ends.spots(gauss)
-    assert spots.which.tolist() == list(range(30))
-    assert (spots.volume > 0).all()
+    weighted_points = ends.weighted_points(gauss)
+    assert weighted_points.which.tolist() == list(range(30))
+    assert (weighted_points.volume > 0).all()
     assert (ends.near(gauss, gauss) == gauss).all()

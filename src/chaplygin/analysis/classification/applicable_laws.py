@@ -1,10 +1,11 @@
-"""Which laws of a system count everywhere, which on a level, and which do not."""
+"""The proven laws of a system by domain: everywhere, on a level, or nowhere."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+
+import sympy as sp
 
 from ...core.laws import Law
 from ...core.vectors import to_components
@@ -14,11 +15,11 @@ from ...proof.verdict import Verdict
 from .ranks import RankSample
 from .statements import IgnoredLaw
 
-__all__ = ["Sorted", "sorted_laws"]
+__all__ = ["ApplicableLaws", "sorted_laws"]
 
 
 @dataclass(frozen=True)
-class Sorted:
+class ApplicableLaws:
     """The laws of a system by where they count.
 
     Attributes
@@ -31,11 +32,11 @@ class Sorted:
     """
 
     general: tuple[Law, ...]
-    levels: dict[tuple[Any, ...], tuple[Law, ...]]
+    levels: dict[tuple[sp.Expr, ...], tuple[Law, ...]]
     uncounted: tuple[IgnoredLaw, ...]
 
 
-def sorted_laws(whole: RankSample, verdicts: Mapping[str, Verdict]) -> Sorted:
+def sorted_laws(whole: RankSample, verdicts: Mapping[str, Verdict]) -> ApplicableLaws:
     """The laws of the system by where they count.
 
     Parameters
@@ -48,7 +49,7 @@ def sorted_laws(whole: RankSample, verdicts: Mapping[str, Verdict]) -> Sorted:
     system = whole.system
     state = set(system.symbols)
     general: list[Law] = []
-    levels: dict[tuple[Any, ...], tuple[Law, ...]] = {}
+    levels: dict[tuple[sp.Expr, ...], tuple[Law, ...]] = {}
     uncounted = []
     for law in system.laws:
         verdict = verdicts.get(law.name)
@@ -64,7 +65,7 @@ def sorted_laws(whole: RankSample, verdicts: Mapping[str, Verdict]) -> Sorted:
             levels[moving] = (*levels.get(moving, ()), law)
         else:
             general.append(law)
-    return Sorted(tuple(general), levels, tuple(uncounted))
+    return ApplicableLaws(tuple(general), levels, tuple(uncounted))
 
 
 def _why(verdict: Verdict | None) -> str:

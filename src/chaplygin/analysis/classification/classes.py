@@ -11,12 +11,12 @@ from dataclasses import dataclass
 from .facts import Fact
 from .statements import Bracket, Density, IntegrabilityClass, Statement
 
-__all__ = ["Found", "classified"]
+__all__ = ["DynamicalStructure", "classes_and_dynamics"]
 
 
 @dataclass(frozen=True)
-class Found:
-    """What is proven of a phase space.
+class DynamicalStructure:
+    """The proven structure of a phase space.
 
     Attributes
     ----------
@@ -24,7 +24,7 @@ class Found:
     count : int
         Independent first integrals.
     integrals : tuple of Fact
-        What gives them.
+        The facts that give them.
     measures : tuple of Density
     absence : str
         Why no measure has a density on the configuration, if that is shown.
@@ -40,7 +40,7 @@ class Found:
     reductions : tuple of Fact
         Proven reductions and separations of variables.
     open : tuple of str
-        What would give a measure but is not proven without conditions, and how it stands.
+        Laws that would give a measure but are not proven without conditions, with their verdicts.
     """
 
     dimension: int
@@ -99,16 +99,18 @@ class Found:
 _ORDER = {"kept": 0, "unknown": 1, "changes": 2}
 
 
-def classified(found: Found) -> tuple[tuple[IntegrabilityClass, ...], tuple[Statement, ...]]:
+def classes_and_dynamics(
+    facts: DynamicalStructure,
+) -> tuple[tuple[IntegrabilityClass, ...], tuple[Statement, ...]]:
     """The classes of a system, and what its motions can be."""
-    return _kinds(found), (*_motions(found), *_attraction(found), *_pairing(found))
+    return _kinds(facts), (*_motions(facts), *_attraction(facts), *_pairing(facts))
 
 
-def _pairing(found: Found) -> list[Statement]:
-    """What reversibility says where attraction is not excluded."""
-    if not found.reversal:
+def _pairing(facts: DynamicalStructure) -> list[Statement]:
+    """Consequences of reversibility if attraction is not excluded."""
+    if not facts.reversal:
         return []
-    changed = ", ".join(f"{name} ↦ −{name}" for name in found.reversal)
+    changed = ", ".join(f"{name} ↦ −{name}" for name in facts.reversal)
     return [
         Statement(
             f"The motion is reversible ({changed}): to every attracting set there belongs a "
@@ -120,43 +122,43 @@ def _pairing(found: Found) -> list[Statement]:
 # --- classes -------------------------------------------------------------------------------
 
 
-def _kinds(found: Found) -> tuple[IntegrabilityClass, ...]:
+def _kinds(facts: DynamicalStructure) -> tuple[IntegrabilityClass, ...]:
     kinds: list[IntegrabilityClass] = []
-    if found.remaining <= 1:
+    if facts.remaining <= 1:
         kinds.append(
             IntegrabilityClass(
                 "curves",
                 "integrable by its integrals alone: a common level is a curve, and the motion on "
                 "it a quadrature",
-                found.integrals,
+                facts.integrals,
             )
         )
-    if found.lie:
+    if facts.lie:
         kinds.append(
             IntegrabilityClass(
                 "lie",
-                f"integrable by Lie's theorem: {_number(found.count, 'integral')} and "
-                f"{_number(len(found.lie), 'symmetry field')} that leave them alone and span a "
+                f"integrable by Lie's theorem: {_number(facts.count, 'integral')} and "
+                f"{_number(len(facts.lie), 'symmetry field')} that leave them alone and span a "
                 "solvable algebra",
-                (*found.integrals, *found.lie),
+                (*facts.integrals, *facts.lie),
             )
         )
-    if found.euler_jacobi and found.volume is not None:
+    if facts.euler_jacobi and facts.volume is not None:
         kinds.append(
             IntegrabilityClass(
                 "euler-jacobi",
-                f"integrable by Euler and Jacobi: {_number(found.count, 'integral')} in "
-                f"{found.dimension} dimensions and an invariant measure, whose density is the last "
+                f"integrable by Euler and Jacobi: {_number(facts.count, 'integral')} in "
+                f"{facts.dimension} dimensions and an invariant measure, whose density is the last "
                 "multiplier",
-                (*found.integrals, found.volume.law),
+                (*facts.integrals, facts.volume.law),
             )
         )
-    kinds += _hamiltonian(found)
-    return tuple(kinds) or (IntegrabilityClass("none known", _lacking(found), found.reductions),)
+    kinds += _hamiltonian(facts)
+    return tuple(kinds) or (IntegrabilityClass("none known", _lacking(facts), facts.reductions),)
 
 
-def _hamiltonian(found: Found) -> list[IntegrabilityClass]:
-    best = found.form
+def _hamiltonian(facts: DynamicalStructure) -> list[IntegrabilityClass]:
+    best = facts.form
     if best is None:
         return []
     rank = f"the Poisson structure has rank {best.rank}"
@@ -178,31 +180,31 @@ def _hamiltonian(found: Found) -> list[IntegrabilityClass]:
         )
     else:
         kinds.append(IntegrabilityClass("hamiltonian", f"Hamiltonian; {rank}", (best.law,)))
-    if found.complete:
+    if facts.complete:
         kinds.append(
             IntegrabilityClass(
                 "liouville",
                 "integrable in the sense of Liouville"
                 + (", in the new time" if best.conformal else "")
                 + ": as many integrals in involution as half the rank",
-                found.complete,
+                facts.complete,
             )
         )
     return kinds
 
 
-def _lacking(found: Found) -> str:
-    """What the theorem of Euler and Jacobi lacks."""
+def _lacking(facts: DynamicalStructure) -> str:
+    """The missing conditions of the theorem of Euler and Jacobi."""
     missing = []
-    if found.remaining > 2:
-        missing.append(f"{_number(found.remaining - 2, 'further integral')}")
-    if found.volume is None:
+    if facts.remaining > 2:
+        missing.append(f"{_number(facts.remaining - 2, 'further integral')}")
+    if facts.volume is None:
         missing.append("an invariant measure")
     text = (
         "none known: the laws proven here fulfil no theorem of integrability; that of Euler and "
         f"Jacobi lacks {' and '.join(missing)}"
     )
-    if found.reductions:
+    if facts.reductions:
         text += "; proven reductions may lead further"
     return text
 
@@ -217,92 +219,93 @@ def _number(count: int, what: str) -> str:
 # --- motions -------------------------------------------------------------------------------
 
 
-def _motions(found: Found) -> list[Statement]:
-    if found.remaining <= 1:
+def _motions(facts: DynamicalStructure) -> list[Statement]:
+    if facts.remaining <= 1:
         return [
             Statement(
                 "Every motion runs along a curve: periodic where the curve is closed and free of "
                 "equilibria, towards or away from an equilibrium where it is not. No chaos.",
-                found.integrals,
+                facts.integrals,
             )
         ]
-    if found.complete and found.form is not None:
-        form = found.form
+    if facts.complete and facts.form is not None:
+        form = facts.form
         time = "new time" if form.conformal else "time"
         half = form.rank // 2
         text = [
             f"On compact common levels without equilibria: straight, uniform windings of "
             f"{half}-dimensional tori in the {time}, quasi-periodic or periodic. No chaos."
         ]
-        if form.conformal and found.euler_jacobi:
+        if form.conformal and facts.euler_jacobi:
             text.append(
                 "In the time itself the windings are not uniform: on a resonant torus the periods "
                 "may differ from one trajectory to the next."
             )
-        return [Statement(" ".join(text), found.complete)]
-    if found.euler_jacobi and found.volume is not None:
+        return [Statement(" ".join(text), facts.complete)]
+    if facts.euler_jacobi and facts.volume is not None:
         return [
             Statement(
                 "On compact common levels without equilibria on which the measure is regular: tori "
                 "wound by straight lines after a change of time (θ̇ = λ/Φ), not uniformly in the "
                 "time itself; on a resonant torus the periods may differ. No chaos.",
-                (*found.integrals, found.volume.law),
+                (*facts.integrals, facts.volume.law),
             )
         ]
-    if found.lie:
+    if facts.lie:
         return [
             Statement(
-                "Every motion is given by quadratures. No chaos.", (*found.integrals, *found.lie)
+                "Every motion is given by quadratures. No chaos.",
+                (*facts.integrals, *facts.lie),
             )
         ]
-    if found.remaining == 2:
+    if facts.remaining == 2:
         return [
             Statement(
                 "Motions on surfaces: equilibria, closed orbits, limit cycles and windings, but "
                 "no chaos.",
-                found.integrals,
+                facts.integrals,
             )
         ]
-    levels = f"{found.remaining}-dimensional levels" if found.count else "the whole phase space"
-    if found.volume is not None and found.volume.sign != "changes":
-        best = found.volume
-        manner = "Hamiltonian" if found.brackets else "volume-preserving"
+    levels = f"{facts.remaining}-dimensional levels" if facts.count else "the whole phase space"
+    if facts.volume is not None and facts.volume.sign != "changes":
+        best = facts.volume
+        manner = "Hamiltonian" if facts.brackets else "volume-preserving"
         return [
             Statement(
                 f"Chaos is not excluded: {manner} motion on {levels}, where regular and chaotic "
                 "motions can lie side by side.",
-                (*found.integrals, best.law),
+                (*facts.integrals, best.law),
             )
         ]
     return [
         Statement(
             f"Nothing proven bounds the complexity of the motion on {levels}: chaos is not "
             "excluded.",
-            found.integrals,
+            facts.integrals,
         )
     ]
 
 
-def _attraction(found: Found) -> list[Statement]:
-    best = found.volume
+def _attraction(facts: DynamicalStructure) -> list[Statement]:
+    best = facts.volume
     if best is None:
-        if found.remaining <= 1:
+        if facts.remaining <= 1:
             return []
         kinds = "attracting equilibria and limit cycles"
-        if found.remaining > 2:
+        if facts.remaining > 2:
             kinds = "attracting equilibria, limit cycles, attracting tori"
-            kinds += "" if found.lie else " and strange attractors"
+            kinds += "" if facts.lie else " and strange attractors"
         known = "No invariant measure is proven"
-        if found.absence:
+        if facts.absence:
             known += ", and none has a density that depends on the configuration alone"
-        if found.open:
-            known += f" ({'; '.join(found.open)})"
+        if facts.open:
+            known += f" ({'; '.join(facts.open)})"
         return [Statement(f"{known}: {kinds} are not excluded.")]
     if best.sign == "kept":
         return [
             Statement(
                 "No attracting sets: a measure with positive, finite density is invariant."
-                if found.measures
+                if facts.measures
                 else "No attracting sets: on symplectic leaves of full rank the measure of the "
                 "Hamiltonian form is invariant.",
                 (best.law,),

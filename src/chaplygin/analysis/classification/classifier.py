@@ -22,7 +22,7 @@ from ...proof.fields.budget import EFFORT
 from ...proof.level.trigonometric import circles, without_angles
 from ...proof.verdict import Verdict
 from .applicable_laws import sorted_laws
-from .classes import Found, classified
+from .classes import DynamicalStructure, classes_and_dynamics
 from .configuration_measures import MeasureFacts, configuration_measure
 from .conserved_covectors import sources
 from .facts import Fact, ProofBudget, fact_of
@@ -50,9 +50,9 @@ def classify_laws(
     """The place of a system; see :func:`place`."""
     try:
         whole = _without_angles(system)
-        place = _counted(whole, verdicts, patience, given)
+        place = _place_with_levels(whole, verdicts, patience, given)
     except (OutOfReachError, InputError) as reason:
-        return _unknown(system, verdicts, str(reason))
+        return _unknown_place(system, verdicts, str(reason))
     return _in_angles(place, len(whole.symbols) - len(system.symbols))
 
 
@@ -66,8 +66,8 @@ def _in_angles(place: Classification, more: int) -> Classification:
     )
 
 
-def _reversed(system: System) -> tuple[str, ...]:
-    """What changes sign when time runs backwards; that of a sine alone is that of its angle."""
+def _reversed_variables(system: System) -> tuple[str, ...]:
+    """Variables that change sign with time; angles in place of their sines."""
     names = reversal(system)
     return tuple(
         text(real_symbol(str(n).removeprefix("sin_")))
@@ -80,52 +80,52 @@ def _reversed(system: System) -> tuple[str, ...]:
 def _without_angles(system: System) -> System:
     """The system with sines and cosines as variables where its relations hold angles."""
     try:
-        made = circles(system)
+        reduced = circles(system)
     except OutOfReachError:
         system = replace(
             with_numeric_parameters(system, rational_parameters(system)), laws=system.laws
         )
-        made = circles(system)
-    if made is None:
+        reduced = circles(system)
+    if reduced is None:
         return system
     laws = []
     for law in system.laws:
         with contextlib.suppress(OutOfReachError):
             without_angles(system, law)
-            laws.append(made.law(law))
-    return replace(made.system, laws=tuple(laws))
+            laws.append(reduced.law(law))
+    return replace(reduced.system, laws=tuple(laws))
 
 
-def _unknown(system: System, verdicts: Mapping[str, Verdict], reason: str) -> Classification:
+def _unknown_place(system: System, verdicts: Mapping[str, Verdict], reason: str) -> Classification:
     """A place of which nothing can be counted."""
     proven = tuple(fact_of(law) for law in system.laws if verdicts.get(law.name))
     kind = IntegrabilityClass("none known", f"not determined: {reason}", proven)
     return Classification(system.title, "", len(system.symbols), 0, kinds=(kind,), reason=reason)
 
 
-def _counted(
+def _place_with_levels(
     system: System,
     verdicts: Mapping[str, Verdict],
     patience: ProofBudget,
-    given: Rolling | Mechanism | None,
+    model: Rolling | Mechanism | None,
 ) -> Classification:
     whole = RankSample(system)
     laws = sorted_laws(whole, verdicts)
-    found = []
+    levels = []
     for on, special in laws.levels.items():
-        kept = [law for law in laws.general if _holds(system, law, on, patience)]
+        general = [law for law in laws.general if _holds(system, law, on, patience)]
         words = condition_text(replace(special[0], on=on), system, text)
         try:
-            made = _placed(RankSample(system, on), (*special, *kept), patience)
+            place = _place(RankSample(system, on), (*special, *general), patience)
         except (OutOfReachError, InputError) as reason:
-            made = _unknown(replace(system, laws=special), verdicts, str(reason))
-        found.append(replace(made, level=words))
-    main = _placed(whole, laws.general, patience, given, _open(system, verdicts))
-    return replace(main, uncounted=laws.uncounted, levels=tuple(found))
+            place = _unknown_place(replace(system, laws=special), verdicts, str(reason))
+        levels.append(replace(place, level=words))
+    main = _place(whole, laws.general, patience, model, _open_questions(system, verdicts))
+    return replace(main, uncounted=laws.uncounted, levels=tuple(levels))
 
 
-def _open(system: System, verdicts: Mapping[str, Verdict]) -> tuple[str, ...]:
-    """Laws that would give a measure and are neither proven nor refuted, and how they stand."""
+def _open_questions(system: System, verdicts: Mapping[str, Verdict]) -> tuple[str, ...]:
+    """Undecided laws that would give a measure, with their verdicts."""
     giving = [law for law in system.laws if isinstance(law, Measure | ConformallyHamiltonian)]
     stands = ((law.name, verdicts.get(law.name)) for law in giving)
     return tuple(
@@ -145,68 +145,68 @@ def _holds(system: System, law: Law, on: tuple[Any, ...], patience: ProofBudget)
 # --- one phase space -----------------------------------------------------------------------
 
 
-def _placed(
-    standing: RankSample,
+def _place(
+    sample: RankSample,
     laws: Sequence[Law],
     patience: ProofBudget,
-    given: Rolling | Mechanism | None = None,
+    model: Rolling | Mechanism | None = None,
     left: tuple[str, ...] = (),
 ) -> Classification:
-    system = standing.system
+    system = sample.system
     variables = len(system.symbols)
-    forms = hamiltonian(standing, laws, patience)
+    forms = hamiltonian(sample, laws, patience)
     there = TargetResults()
     if not forms.brackets:
-        there = through_isomorphisms(standing, laws, patience)
+        there = through_isomorphisms(sample, laws, patience)
         forms = Forms(there.brackets, there.liouville)
     own = sources(laws)
     every = [*own, *there.sources]
-    kept, count = standing.independent([source.rows for source in every])
-    chosen = [every[i] for i in kept]
+    independent, count = sample.independent([source.rows for source in every])
+    chosen = [every[i] for i in independent]
     named = {law.name for law in laws if isinstance(law, Integral)}
-    spare = [s.fact for i, s in enumerate(own) if i not in kept and s.fact.law in named]
-    volumes = measures(standing, laws, patience) or there.measures
+    spare = [s.fact for i, s in enumerate(own) if i not in independent and s.fact.law in named]
+    volumes = measures(sample, laws, patience) or there.measures
     existence = (
-        MeasureFacts() if volumes or forms.brackets else configuration_measure(given, patience)
+        MeasureFacts() if volumes or forms.brackets else configuration_measure(model, patience)
     )
-    symmetries = fields(standing, laws, patience)
-    found = Found(
-        dimension=standing.dimension,
+    symmetries = fields(sample, laws, patience)
+    structure = DynamicalStructure(
+        dimension=sample.dimension,
         count=count,
         integrals=tuple(source.fact for source in chosen),
         measures=volumes or existence.measures,
         absence=existence.absence,
         brackets=forms.brackets,
         symmetries=tuple(fact_of(law) for law in symmetries),
-        lie=lie(standing, standing.dimension - count - 1, chosen, symmetries, patience),
+        lie=lie(sample, sample.dimension - count - 1, chosen, symmetries, patience),
         liouville=forms.liouville,
         reversal=(),
-        reductions=tuple(_told(law) for law in laws if isinstance(law, Reduction)),
+        reductions=tuple(_words(law) for law in laws if isinstance(law, Reduction)),
         open=(*left, existence.open) if existence.open else left,
     )
-    if not found.lasting and not standing.on:
-        found = replace(found, reversal=_reversed(system))
-    kinds, dynamics = classified(found)
+    if not structure.lasting and not sample.on:
+        structure = replace(structure, reversal=_reversed_variables(system))
+    kinds, dynamics = classes_and_dynamics(structure)
     return Classification(
         system=system.title,
         level="",
         variables=variables,
-        conditions=variables - standing.dimension,
-        integrals=found.integrals,
+        conditions=variables - sample.dimension,
+        integrals=structure.integrals,
         count=count,
         dependent=tuple(spare),
-        measures=found.measures,
-        absence=found.absence,
-        brackets=found.brackets,
-        symmetries=found.symmetries,
-        reversal=found.reversal,
-        reductions=tuple(_told(law) for law in laws if isinstance(law, Reduction | Isomorphism)),
+        measures=structure.measures,
+        absence=structure.absence,
+        brackets=structure.brackets,
+        symmetries=structure.symmetries,
+        reversal=structure.reversal,
+        reductions=tuple(_words(law) for law in laws if isinstance(law, Reduction | Isomorphism)),
         kinds=kinds,
         dynamics=dynamics,
     )
 
 
-def _told(law: Law) -> Fact:
+def _words(law: Law) -> Fact:
     meaning = str(getattr(law, "meaning", ""))
     return Fact(law.name, f"{heading(law)}: {meaning}" if meaning else heading(law), law.source)
 
@@ -231,7 +231,7 @@ def classify(
         For the proofs needed besides: that symmetries leave the integrals alone, that integrals
         are in involution, laws of the targets of isomorphisms, laws restricted to a level.
     given : Rolling or Mechanism, optional
-        What moves, with its numbers.  Where no measure is proven of its equations, it is then
+        The mechanical model with its numbers.  If no measure of its equations is proven, it is
         decided whether there is one whose density depends on the configuration alone.
 
     Returns
@@ -260,5 +260,5 @@ def classify(
 
 
 def classify_quickly(system: System, given: Rolling | Mechanism | None = None) -> Classification:
-    """The place of a system by what can be proven with little effort, in a few seconds."""
+    """The classification of a system with little effort, in a few seconds."""
     return classify(system, given=given)

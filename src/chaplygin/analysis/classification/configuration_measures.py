@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass, replace
-from typing import Any
 
 import sympy as sp
 
@@ -17,6 +16,7 @@ from ...mechanics.rolling.equations import Rolling
 from ...parsing.exact_decimals import exact_number
 from ...printing.formula import text
 from .facts import HERE, Fact, ProofBudget
+from .ranks import Number
 from .statements import Density
 
 __all__ = ["MeasureFacts", "configuration_measure"]
@@ -27,7 +27,7 @@ _OPEN = "whether one has a density that depends on the configuration alone"
 
 @dataclass(frozen=True)
 class MeasureFacts:
-    """What is known of measures with a density on the configuration space.
+    """Results on measures with a density on the configuration space.
 
     Attributes
     ----------
@@ -45,12 +45,12 @@ class MeasureFacts:
 
 
 def configuration_measure(given: Rolling | Mechanism | None, patience: ProofBudget) -> MeasureFacts:
-    """Whether what moves keeps a measure whose density depends on the configuration alone.
+    """Whether a model preserves a measure with a density on the configuration space.
 
     Parameters
     ----------
     given : Rolling or Mechanism, optional
-        What moves, with its numbers; nothing can be said without it.  The parameters of a
+        The mechanical model with its numbers; nothing can be said without it.  The parameters of a
         mechanism have their present values, as exact decimals.
     patience : ProofBudget
     """
@@ -60,30 +60,30 @@ def configuration_measure(given: Rolling | Mechanism | None, patience: ProofBudg
         return MeasureFacts(open=f"{_OPEN} was not tried")
     patience.report("a measure whose density depends on the configuration alone")
     try:
-        asked = _at_present(given) if isinstance(given, Mechanism) else given
-        found = measure_exists(asked, effort=patience.effort)
+        model = _at_present(given) if isinstance(given, Mechanism) else given
+        existence = measure_exists(model, effort=patience.effort)
     except (InputError, OutOfReachError, ZeroDivisionError):
         return MeasureFacts(open=f"{_OPEN} is undecided")
-    patience.spent += sum(verdict.effort for verdict in found.verdicts)
-    if found.decision == "none":
-        return MeasureFacts(absence=_witness(found))
-    if found.decision == "undecided":
+    patience.spent += sum(verdict.effort for verdict in existence.verdicts)
+    if existence.decision == "none":
+        return MeasureFacts(absence=_witness(existence))
+    if existence.decision == "undecided":
         return MeasureFacts(open=f"{_OPEN} is undecided")
     # of a mechanism the density may depend on coordinates that its equations do without
-    if found and isinstance(given, Rolling):
-        return MeasureFacts((Density(_fact(found), "kept"),))
+    if existence and isinstance(given, Rolling):
+        return MeasureFacts((Density(_fact(existence), "kept"),))
     return MeasureFacts()
 
 
 def _at_present(mechanism: Mechanism) -> Mechanism:
-    """A mechanism with numbers for its parameters: other values of them are not asked for."""
+    """A mechanism with the present numbers in place of its parameters."""
     values = {p.symbol: exact_number(p.default) for p in mechanism.parameters}
     bare = replace(mechanism, parameters=(), observables=(), guards=(), laws=())
-    made: Mechanism = _with_numbers(bare, values)
-    return made
+    mechanism_with_numbers: Mechanism = _with_numbers(bare, values)
+    return mechanism_with_numbers
 
 
-def _with_numbers(part: Any, values: Mapping[sp.Symbol, Any]) -> Any:
+def _with_numbers(part: sp.Expr, values: Mapping[sp.Symbol, Number]) -> sp.Expr:
     """Formulas, and what is made of formulas, with numbers for symbols."""
     if isinstance(part, sp.Basic | sp.MatrixBase):
         return part.xreplace(values)
@@ -95,21 +95,21 @@ def _with_numbers(part: Any, values: Mapping[sp.Symbol, Any]) -> Any:
     return part
 
 
-def _fact(found: Existence) -> Fact:
-    density = "by quadrature" if found.density is None else text(found.density.value)
+def _fact(existence: Existence) -> Fact:
+    density = "by quadrature" if existence.density is None else text(existence.density.value)
     return Fact("existence", f"density, a function of the normal γ: {density}", HERE)
 
 
-def _witness(found: Existence) -> str:
-    """What fails, and where."""
-    if not found.obstruction:
-        return found.reason
-    point: dict[str, Any] = found.obstruction["point"]
+def _witness(existence: Existence) -> str:
+    """The obstruction to a measure, and the point at which it was found."""
+    if not existence.obstruction:
+        return existence.reason
+    point: dict[str, str] = existence.obstruction["point"]
     shown = {text(real_symbol(name)): _short(value) for name, value in point.items()}
     # of a rolling body the vertical says where; parameters and the rest are left to the report
     words = [name for name in shown if "γ" in name] or list(shown)
     place = ", ".join(f"{name} = {shown[name]}" for name in words)
-    what = str(found.obstruction["what"])
+    what = str(existence.obstruction["what"])
     return f"{what}, as at {place}" if place else what
 
 

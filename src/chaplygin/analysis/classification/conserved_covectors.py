@@ -1,4 +1,4 @@
-"""What is constant along the motion, as covectors that annihilate the field of the system.
+"""Constants of the motion, as covectors that annihilate the field of the system.
 
 Besides first integrals these are Casimir functions, reductions to linear equations (whose solutions
 are integrals, though no elementary functions), and the integrals of a system onto which an
@@ -7,9 +7,8 @@ isomorphism carries this one.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
 
 import sympy as sp
 
@@ -18,7 +17,7 @@ from ...core.laws import ConformallyHamiltonian, Integral, Law, Rate, Reduction
 from ...core.vectors import to_components
 from ...proof.level.time_derivatives import without_rates
 from .facts import Fact, fact_of
-from .ranks import View
+from .ranks import Covectors, Element, View
 
 __all__ = ["AnnihilatingCovectors", "casimirs", "many_valued", "sources"]
 
@@ -41,51 +40,51 @@ class AnnihilatingCovectors:
     """
 
     fact: Fact
-    rows: Callable[[View], list[list[Any]]]
-    functions: tuple[Any, ...] = ()
+    rows: Covectors
+    functions: tuple[sp.Expr, ...] = ()
 
 
-def many_valued(formula: Any) -> bool:
+def many_valued(formula: sp.Expr) -> bool:
     """Whether a function may have many values at one point."""
     return bool(to_components(sp.sympify(formula)).has(*_MANY_VALUED))
 
 
-def casimirs(law: ConformallyHamiltonian) -> tuple[Any, ...]:
+def casimirs(law: ConformallyHamiltonian) -> tuple[sp.Expr, ...]:
     """The Casimir functions of its structure that have one value at every point."""
     return tuple(c for c in law.structure.casimirs if not many_valued(c))
 
 
 def sources(laws: Iterable[Law]) -> list[AnnihilatingCovectors]:
-    """What the proven laws of a system say is constant; single-valued functions alone."""
+    """Annihilating covectors of proven laws; single-valued functions alone."""
     laws = list(laws)
-    found = [_function(fact_of(law), law.value) for law in laws if isinstance(law, Integral)]
+    covectors = [_function(fact_of(law), law.value) for law in laws if isinstance(law, Integral)]
     for law in laws:
         if isinstance(law, ConformallyHamiltonian):
             fact = fact_of(law)
-            found.append(_function(fact, law.hamiltonian))
+            covectors.append(_function(fact, law.hamiltonian))
             named = Fact(law.name, "Casimir function", law.structure.source)
-            found += [_function(named, value) for value in casimirs(law)]
+            covectors += [_function(named, value) for value in casimirs(law)]
         elif isinstance(law, Reduction):
             linear = _linear(law)
             if linear is not None:
-                found.append(linear)
-    return [s for s in found if not any(map(many_valued, s.functions))]
+                covectors.append(linear)
+    return [s for s in covectors if not any(map(many_valued, s.functions))]
 
 
 def pulled_back(law: Isomorphism, source: AnnihilatingCovectors) -> AnnihilatingCovectors:
-    """What is constant for the target of an isomorphism, as something constant here."""
+    """The pullback of a covector of the target of an isomorphism."""
     text = source.fact
     system = text.system or law.target.title
     fact = Fact(law.name, text.words, text.source, system, text.functions)
     return AnnihilatingCovectors(fact, lambda view: source.rows(view.through(law)))
 
 
-def _function(fact: Fact, value: Any) -> AnnihilatingCovectors:
+def _function(fact: Fact, value: sp.Expr) -> AnnihilatingCovectors:
     return AnnihilatingCovectors(fact, lambda view: [view.differential(value)], (value,))
 
 
 def _linear(law: Reduction) -> AnnihilatingCovectors | None:
-    """A reduction to linear equations q̇ᵢ = u̇ Σ aᵢⱼ(u) qⱼ, as the covectors dqᵢ − Σ aᵢⱼ qⱼ du.
+    """The covectors dqᵢ − Σ aᵢⱼ qⱼ du of linear equations q̇ᵢ = u̇ Σ aᵢⱼ(u) qⱼ.
 
     The constants of integration are integrals wherever the aᵢⱼ(u) are regular.
     """
@@ -105,29 +104,29 @@ def _linear(law: Reduction) -> AnnihilatingCovectors | None:
 
 
 def _slopes(
-    equations: tuple[Any, ...], variable: sp.Symbol, moving: list[sp.Symbol]
-) -> dict[sp.Symbol, Any] | None:
+    equations: tuple[sp.Expr, ...], variable: sp.Symbol, moving: list[sp.Symbol]
+) -> dict[sp.Symbol, sp.Expr] | None:
     """dqᵢ/du from the equations, if they give it."""
-    found = {}
+    rates = {}
     for equation in map(sp.expand, equations):
         own = [q for q in moving if equation.coeff(Rate(q)) != 0]
         if len(own) != 1:
             return None
-        factor, rest = equation.coeff(Rate(own[0])), equation.coeff(Rate(variable))
-        left = equation - factor * Rate(own[0]) - rest * Rate(variable)
+        factor, remainder = equation.coeff(Rate(own[0])), equation.coeff(Rate(variable))
+        left = equation - factor * Rate(own[0]) - remainder * Rate(variable)
         if sp.expand(left) != 0 or factor.free_symbols & {variable, *moving}:
             return None
-        found[own[0]] = -rest / factor
-    return found if set(found) == set(moving) else None
+        rates[own[0]] = -remainder / factor
+    return rates if set(rates) == set(moving) else None
 
 
 def _homogeneous(
-    slopes: Mapping[sp.Symbol, Any],
+    slopes: Mapping[sp.Symbol, sp.Expr],
     variable: sp.Symbol,
     moving: list[sp.Symbol],
-    named: Mapping[sp.Symbol, Any],
+    named: Mapping[sp.Symbol, sp.Expr],
 ) -> bool:
-    """Whether the slopes are linear in the moving quantities, with coefficients of u alone."""
+    """Whether slopes are linear in the moving quantities, with coefficients in u."""
     others = set(named) - {variable, *moving}
     for slope in slopes.values():
         factors = [sp.diff(slope, q) for q in moving]
@@ -139,17 +138,19 @@ def _homogeneous(
 
 
 def _rows(
-    named: Mapping[sp.Symbol, Any], variable: sp.Symbol, slopes: Mapping[sp.Symbol, Any]
-) -> Callable[[View], list[list[Any]]]:
-    def rows(view: View) -> list[list[Any]]:
-        names = {s: without_rates(to_components(f), view.ground, named) for s, f in named.items()}
+    named: Mapping[sp.Symbol, sp.Expr], variable: sp.Symbol, slopes: Mapping[sp.Symbol, sp.Expr]
+) -> Covectors:
+    def rows(view: View) -> list[list[Element]]:
+        names = {
+            s: without_rates(to_components(f), view.level_set, named) for s, f in named.items()
+        }
         reading = view.evaluate.with_steps(names)
         along = view.differential(names[variable])
-        found = []
+        covectors = []
         for quantity, slope in slopes.items():
             factor = reading.value(slope)
             own = view.differential(names[quantity])
-            found.append([a - factor * b for a, b in zip(own, along, strict=True)])
-        return found
+            covectors.append([a - factor * b for a, b in zip(own, along, strict=True)])
+        return covectors
 
     return rows

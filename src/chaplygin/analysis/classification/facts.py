@@ -31,13 +31,13 @@ class Fact:
     law : str
         Its name.
     words : str
-        What it is, in a few words.
+        The fact in a few words.
     source : str
-        Where it is stated.
+        The place in the literature.
     system : str
         Title of the system whose law it is, where that is not the system spoken of.
     functions : int
-        How many independent functions it gives, where it gives several.
+        Number of independent functions, if there are several.
     """
 
     law: str
@@ -64,9 +64,9 @@ def fact_of(law: Law, system: str = "") -> Fact:
 
 @dataclass
 class ProofBudget:
-    """How much work proofs may take, counted so that every machine comes to the same answer.
+    """The effort that proofs may take, counted alike on every machine.
 
-    What a verdict costs is what its proof took, whether it was made now or kept on disk, and a
+    The cost of a verdict is that of its proof, whether it is new or read from the cache, and a
     proof that took more than is allowed here does not count: what is said depends neither on the
     machine nor on what was proven before.
 
@@ -91,17 +91,17 @@ class ProofBudget:
         return self.altogether is not None and self.spent >= self.altogether
 
     def verdict(self, system: System, law: Law) -> Verdict:
-        """What can be proven of a law with the effort allowed."""
+        """The verdict on a law with the effort allowed."""
         if self.over:
             reason = NOT_TRIED if self.altogether else LEFT_OUT
             return Verdict(law.name, "undecided", reason=reason)
         self.report(f"{law.name} of {system.title}")
         try:
-            found = prove(system, law, effort=self.effort)
+            verdict = prove(system, law, effort=self.effort)
         except InputError as problem:
             return Verdict(law.name, "undecided", reason=str(problem))
-        self.spent += found.effort
-        return found
+        self.spent += verdict.effort
+        return verdict
 
     def verdicts(self, system: System) -> dict[str, Verdict]:
         """The verdicts on all laws of a system, by name."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
 
 import sympy as sp
 
@@ -15,7 +14,7 @@ from ...printing.formula import text
 from ...proof.rank import rank
 from .conserved_covectors import casimirs
 from .facts import HERE, Fact, ProofBudget, fact_of
-from .ranks import RankSample, View, conditions_on_parameters
+from .ranks import Element, RankSample, View, conditions_on_parameters
 from .sign_test import sign
 from .statements import Bracket, Density
 
@@ -34,31 +33,29 @@ class Forms:
     liouville: tuple[Fact, ...] = ()
 
 
-def density(standing: RankSample, law: Measure) -> Density:
+def density(sample: RankSample, law: Measure) -> Density:
     """An invariant measure with what is known of the sign of its density."""
     bases = [base for base, exponent in law.density if exponent != 0 and base != 1]
-    return Density(fact_of(law), sign(standing, bases))
+    return Density(fact_of(law), sign(sample, bases))
 
 
-def measures(
-    standing: RankSample, laws: Sequence[Law], patience: ProofBudget
-) -> tuple[Density, ...]:
-    """The proven measures; where none is stated, whether the volume is invariant is tried."""
-    found = tuple(density(standing, law) for law in laws if isinstance(law, Measure))
-    if found:
-        return found
-    on = (*conditions_on_parameters(standing, laws), *standing.on)
+def measures(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) -> tuple[Density, ...]:
+    """The proven measures; without any, the volume is tried."""
+    densities = tuple(density(sample, law) for law in laws if isinstance(law, Measure))
+    if densities:
+        return densities
+    on = (*conditions_on_parameters(sample, laws), *sample.on)
     volume = Measure("volume", {sp.S.One: 1}, "volume of the state", on=on, source=HERE)
-    proven = patience.verdict(standing.system, volume)
-    return (density(standing, volume),) if proven else ()
+    proven = patience.verdict(sample.system, volume)
+    return (density(sample, volume),) if proven else ()
 
 
-def hamiltonian(standing: RankSample, laws: Sequence[Law], patience: ProofBudget) -> Forms:
-    """The proven Hamiltonian forms; and enough integrals in involution for one, if there are.
+def hamiltonian(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) -> Forms:
+    """The proven Hamiltonian forms; and complete integrals in involution, if any.
 
     Parameters
     ----------
-    standing : Standing
+    sample : Standing
     laws : sequence of Law
         Proven on it.
     patience : ProofBudget
@@ -69,32 +66,32 @@ def hamiltonian(standing: RankSample, laws: Sequence[Law], patience: ProofBudget
     integrals = [law for law in laws if isinstance(law, Integral)]
     for law in laws:
         if isinstance(law, ConformallyHamiltonian):
-            bracket = _bracket(standing, law)
+            bracket = _bracket(sample, law)
             brackets.append(bracket)
             chosen = None
             if bracket.closed and bracket.rank > 4:
-                chosen = _involution(standing, law, integrals, bracket.rank // 2, patience)
+                chosen = _involution(sample, law, integrals, bracket.rank // 2, patience)
             if chosen is not None and not complete:
                 complete = (fact_of(law), *map(fact_of, chosen))
     return Forms(tuple(brackets), complete)
 
 
-def _bracket(standing: RankSample, law: ConformallyHamiltonian) -> Bracket:
+def _bracket(sample: RankSample, law: ConformallyHamiltonian) -> Bracket:
     values = casimirs(law)
-    kept, _ = standing.independent([partial(_differential, c) for c in values])
+    independent, _ = sample.independent([partial(_differential, c) for c in values])
     conformal = law.multiplier != 1
-    size = max(standing.at_points(lambda view: rank(view.field, _entries(view, law))))
+    size = max(sample.at_points(lambda view: rank(view.field, _entries(view, law))))
     return Bracket(
         fact_of(law),
         size,
-        tuple(text(values[i]) for i in kept),
-        len(kept) == standing.dimension - size,
+        tuple(text(values[i]) for i in independent),
+        len(independent) == sample.dimension - size,
         conformal,
-        sign(standing, [law.multiplier]) if conformal else "kept",
+        sign(sample, [law.multiplier]) if conformal else "kept",
     )
 
 
-def _entries(view: View, law: ConformallyHamiltonian) -> list[list[Any]]:
+def _entries(view: View, law: ConformallyHamiltonian) -> list[list[Element]]:
     """The Poisson structure at a point."""
     matrix = to_components(law.structure.matrix)
     places = range(matrix.shape[0])
@@ -102,13 +99,13 @@ def _entries(view: View, law: ConformallyHamiltonian) -> list[list[Any]]:
 
 
 def _involution(
-    standing: RankSample,
+    sample: RankSample,
     law: ConformallyHamiltonian,
     integrals: Sequence[Integral],
     wanted: int,
     patience: ProofBudget,
 ) -> tuple[Integral, ...] | None:
-    """Integrals in involution whose Hamiltonian fields, with that of H, span `wanted` dimensions.
+    """Integrals in involution whose fields, with that of H, span `wanted` dimensions.
 
     An integral is in involution with H, as it is constant along the field of H.
     """
@@ -117,20 +114,22 @@ def _involution(
         if len(chosen) + 1 == wanted:
             break
         values = [law.hamiltonian, *(i.value for i in chosen), candidate.value]
-        spans = standing.full(len(values), partial(_fields, law, values))
-        if spans and all(_commute(standing, law, candidate, i, patience) for i in chosen):
+        spans = sample.full(len(values), partial(_fields, law, values))
+        if spans and all(_commute(sample, law, candidate, i, patience) for i in chosen):
             chosen = (*chosen, candidate)
     return chosen if len(chosen) + 1 == wanted else None
 
 
-def _differential(formula: Any, view: View) -> list[list[Any]]:
+def _differential(formula: sp.Expr, view: View) -> list[list[Element]]:
     return [view.differential(formula)]
 
 
-def _fields(law: ConformallyHamiltonian, values: Sequence[Any], view: View) -> list[list[Any]]:
+def _fields(
+    law: ConformallyHamiltonian, values: Sequence[sp.Expr], view: View
+) -> list[list[Element]]:
     """The vectors J dF of some functions, at a point."""
     matrix = _entries(view, law)
-    found = []
+    rows = []
     for value in values:
         slopes = view.differential(value)
         row = []
@@ -139,20 +138,20 @@ def _fields(law: ConformallyHamiltonian, values: Sequence[Any], view: View) -> l
             for entry, slope in zip(line, slopes, strict=True):
                 total = total + entry * slope
             row.append(total)
-        found.append(row)
-    return found
+        rows.append(row)
+    return rows
 
 
 def _commute(
-    standing: RankSample,
+    sample: RankSample,
     law: ConformallyHamiltonian,
     one: Integral,
     other: Integral,
     patience: ProofBudget,
 ) -> bool:
-    """Whether two integrals are in involution: the field of one leaves the other alone; proven."""
-    system = standing.ground.system
-    formula = standing.expanded(to_components(one.value))
+    """Whether two integrals are proven to be in involution."""
+    system = sample.level_set.system
+    formula = sample.expanded(to_components(one.value))
     gradient = sp.Matrix([sp.diff(formula, s) for s in system.symbols])
     field = dict(zip(system.symbols, to_components(law.structure.matrix) * gradient, strict=True))
     named = f"{other.name} along {one.name}"

@@ -22,24 +22,24 @@ __all__ = ["fields", "lie"]
 Components = dict[sp.Symbol, Any]
 
 
-def fields(standing: RankSample, laws: Sequence[Law], patience: ProofBudget) -> list[Symmetry]:
-    """The proven symmetry fields that are independent of the motion and of one another.
+def fields(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) -> list[Symmetry]:
+    """The proven symmetry fields, independent of the motion and of one another.
 
-    Where none is stated, rotations about the body axes are tried at the present parameters.
+    If none is stated, rotations about the body axes are tried at the present parameters.
     """
     stated = [law for law in laws if isinstance(law, Symmetry)]
-    if not stated and not standing.on:
-        tried = enumerate(_rotations(standing, conditions_on_parameters(standing, laws)))
+    if not stated and not sample.on:
+        rotations = enumerate(_rotations(sample, conditions_on_parameters(sample, laws)))
         stated = [
             law
-            for axis, law in tried
-            if is_rotation_invariant(standing, axis) or patience.verdict(standing.system, law)
+            for axis, law in rotations
+            if is_rotation_invariant(sample, axis) or patience.verdict(sample.system, law)
         ]
-    return _independent(standing, stated)
+    return _independent(sample, stated)
 
 
 def lie(
-    standing: RankSample,
+    sample: RankSample,
     needed: int,
     chosen: Sequence[AnnihilatingCovectors],
     symmetries: Sequence[Symmetry],
@@ -51,7 +51,7 @@ def lie(
 
     Parameters
     ----------
-    standing : Standing
+    sample : Standing
     needed : int
         n − k − 1 for dimension n and k integrals.
     chosen : sequence of Source
@@ -62,54 +62,54 @@ def lie(
     """
     if needed <= 0 or len(symmetries) < needed:
         return ()
-    fitting = [law for law in symmetries if _tangent(standing, law, chosen, patience)]
-    if len(fitting) < needed or not _solvable(standing, fitting):
+    fitting = [law for law in symmetries if _tangent(sample, law, chosen, patience)]
+    if len(fitting) < needed or not _solvable(sample, fitting):
         return ()
     return tuple(fact_of(law) for law in fitting)
 
 
-def _rotations(standing: RankSample, on: tuple[Any, ...]) -> list[Symmetry]:
-    """Rotations about the three body axes, as candidates; none where the state has scalars."""
-    state = standing.system.state
+def _rotations(sample: RankSample, on: tuple[sp.Expr, ...]) -> list[Symmetry]:
+    """Rotations about the body axes, as candidates; none if the state has scalars."""
+    state = sample.system.state
     names = [name for name in state if isinstance(name, Vector) and len(name.symbols) == 3]
     if len(names) != len(state):
         return []
-    found = []
+    rotations = []
     for i in range(3):
         axis = sp.Matrix([int(i == j) for j in range(3)])
         field = {name: axis.cross(sp.Matrix(to_components(name))) for name in names}
         words = f"rotation about body axis {i + 1}"
-        made = Symmetry(f"rotation_{i + 1}", field, words, on=on, source=HERE)
-        found.append(made)
-    return found
+        rotation = Symmetry(f"rotation_{i + 1}", field, words, on=on, source=HERE)
+        rotations.append(rotation)
+    return rotations
 
 
-def _full(standing: RankSample, law: Symmetry) -> Components:
-    """The components of a symmetry field along all state variables, in the state alone."""
-    given = components(law.field, standing.ground)
-    return {s: standing.expanded(given.get(s, sp.S.Zero)) for s in standing.system.symbols}
+def _full(sample: RankSample, law: Symmetry) -> Components:
+    """The components of a symmetry field as formulas in the state alone."""
+    named = components(law.field, sample.level_set)
+    return {s: sample.expanded(named.get(s, sp.S.Zero)) for s in sample.system.symbols}
 
 
-def _independent(standing: RankSample, laws: Sequence[Symmetry]) -> list[Symmetry]:
+def _independent(sample: RankSample, laws: Sequence[Symmetry]) -> list[Symmetry]:
     if not laws:
         return []
-    found = [_full(standing, law) for law in laws]
+    fields = [_full(sample, law) for law in laws]
 
-    def chosen(view: View) -> list[int]:
-        held = [[view.jet(rate).value for rate in standing.ground.system.rates]]
-        kept = []
-        for index, field in enumerate(found):
+    def independent_indices(view: View) -> list[int]:
+        rows = [[view.jet(rate).value for rate in sample.level_set.system.rates]]
+        indices = []
+        for index, field in enumerate(fields):
             more = [view.jet(component).value for component in field.values()]
-            if rank(view.field, [*held, more]) == len(held) + 1:
-                held.append(more)
-                kept.append(index)
-        return kept
+            if rank(view.field, [*rows, more]) == len(rows) + 1:
+                rows.append(more)
+                indices.append(index)
+        return indices
 
-    return [laws[i] for i in max(standing.at_points(chosen), key=len)]
+    return [laws[i] for i in max(sample.at_points(independent_indices), key=len)]
 
 
 def _tangent(
-    standing: RankSample,
+    sample: RankSample,
     law: Symmetry,
     chosen: Sequence[AnnihilatingCovectors],
     patience: ProofBudget,
@@ -117,29 +117,29 @@ def _tangent(
     """Whether a symmetry field leaves every one of some integrals alone; proven."""
     if not all(source.functions for source in chosen):
         return False
-    field = _full(standing, law)
-    moved = replace(standing.ground.system, field=field)
-    turn = _as_rotation(standing, field)
+    field = _full(sample, law)
+    moved = replace(sample.level_set.system, field=field)
+    turn = _as_rotation(sample, field)
     return all(
         (turn and turn.keeps(formula))
-        or patience.verdict(moved, Integral(f"along {law.name}", formula, on=standing.on))
+        or patience.verdict(moved, Integral(f"along {law.name}", formula, on=sample.on))
         for source in chosen
         for formula in source.functions
     )
 
 
-def _as_rotation(standing: RankSample, field: Components) -> Turning | None:
-    """The rotation about a body axis that a field is, if it is one and shown a symmetry."""
-    for axis, law in enumerate(_rotations(standing, ())):
-        if _full(standing, law) == field:
-            return is_rotation_invariant(standing, axis)
+def _as_rotation(sample: RankSample, field: Components) -> Turning | None:
+    """The rotation about a body axis that equals a field, if a proven symmetry."""
+    for axis, law in enumerate(_rotations(sample, ())):
+        if _full(sample, law) == field:
+            return is_rotation_invariant(sample, axis)
     return None
 
 
-def _solvable(standing: RankSample, laws: Sequence[Symmetry]) -> bool:
-    """Whether some fields span a solvable Lie algebra, with constant coefficients; exact."""
-    made = [_full(standing, law) for law in laws]
-    structure = _structure(made, standing.system.symbols)
+def _solvable(sample: RankSample, laws: Sequence[Symmetry]) -> bool:
+    """Whether fields span a solvable Lie algebra over the constants; exact."""
+    fields = [_full(sample, law) for law in laws]
+    structure = _structure(fields, sample.system.symbols)
     if structure is None:
         return False
     span = [list(row) for row in sp.eye(len(laws)).tolist()]
@@ -154,7 +154,7 @@ def _solvable(standing: RankSample, laws: Sequence[Symmetry]) -> bool:
     return True
 
 
-def _bracket(structure: dict[tuple[int, int], list[Any]], a: Any, b: Any) -> list[Any]:
+def _bracket(structure: dict[tuple[int, int], list[Any]], a: sp.Expr, b: sp.Expr) -> list[sp.Expr]:
     size = len(a)
     total = [sp.S.Zero] * size
     for (i, j), values in structure.items():
@@ -167,12 +167,12 @@ def _structure(
     fields: Sequence[Components], symbols: Sequence[sp.Symbol]
 ) -> dict[tuple[int, int], list[Any]] | None:
     """Constants c with [uᵢ, uⱼ] = Σ cₖ uₖ, for i < j; None where there are none."""
-    found = {}
+    structure = {}
     for j in range(len(fields)):
         for i in range(j):
             bracket = _commutator(fields[i], fields[j], symbols)
             constants = sp.symbols(f"c_:{len(fields)}")
-            conditions: list[Any] = []
+            conditions: list[sp.Expr] = []
             for s in symbols:
                 total = sp.Add(*(c * u[s] for c, u in zip(constants, fields, strict=True)))
                 left = sp.expand(bracket[s] - total)
@@ -182,10 +182,10 @@ def _structure(
             solved = sp.solve(conditions, constants, dict=True)
             if not solved:
                 return None
-            found[i, j] = [
+            structure[i, j] = [
                 solved[0].get(c, sp.S.Zero).xreplace(_free(constants)) for c in constants
             ]
-    return found
+    return structure
 
 
 def _free(constants: Sequence[sp.Symbol]) -> Components:

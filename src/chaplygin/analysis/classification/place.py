@@ -1,6 +1,6 @@
 """The place of a system in the hierarchy of dynamics (§3, §4).
 
-What is proven of a system tells what its motions can be.
+Proven laws restrict the motions that a system can have.
 
 A place is built on verdicts alone.  What is undecided or refuted does not count, and is named; what
 holds on a level counts on that level; what holds for special parameters counts where the present
@@ -12,7 +12,6 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
-from typing import Any
 
 from ...core.overview import Overview, WithOverview
 from .facts import HERE, Fact
@@ -51,7 +50,7 @@ class Classification(WithOverview):
     integrals : tuple of Fact
         Independent first integrals.
     count : int
-        How many functions these are: a reduction to linear equations gives several.
+        Number of these functions: a reduction to linear equations gives several.
     dependent : tuple of Fact
         Further integrals, functions of the others as far as the rank tells.
     measures : tuple of Density
@@ -67,7 +66,7 @@ class Classification(WithOverview):
         Further proven reductions, separations, isomorphisms.
     kinds : tuple of Kind
     dynamics : tuple of Statement
-        What its motions can be.
+        The motions that are possible.
     uncounted : tuple of Uncounted
     levels : tuple of Place
         Levels on which more is proven.
@@ -106,23 +105,23 @@ class Classification(WithOverview):
 
     @property
     def uncounted_by_reason(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
-        """Why laws do not count, each reason with the names of the laws."""
-        found: dict[str, tuple[str, ...]] = {}
+        """Reasons why laws do not count, each with the names of the laws."""
+        laws: dict[str, tuple[str, ...]] = {}
         for entry in self.uncounted:
-            found[entry.why] = (*found.get(entry.why, ()), entry.law)
-        return tuple(found.items())
+            laws[entry.why] = (*laws.get(entry.why, ()), entry.law)
+        return tuple(laws.items())
 
     @property
-    def record(self) -> dict[str, Any]:
+    def record(self) -> dict[str, object]:
         """Everything, ready for JSON."""
         return record(self)
 
     def overview(self) -> Overview:
-        """What is counted and what follows, without the levels on which more is proven."""
+        """Laws and consequences, without the levels on which more is proven."""
         where = f", on {self.level}" if self.level else ""
         counted = (
-            (label, "; ".join(one.text.removesuffix(".") for one in found))
-            for label, found in rows(self)
+            (label, "; ".join(one.text.removesuffix(".") for one in statements))
+            for label, statements in rows(self)
         )
         return Overview(
             f"{self.system}{where}: place in the hierarchy of dynamics",
@@ -139,7 +138,7 @@ def listing(facts: Iterable[Fact]) -> str:
 
 
 def rows(place: Classification) -> list[tuple[str, list[Statement]]]:
-    """What is counted: headings with statements."""
+    """Headings with the statements below them."""
     if place.reason:
         return [("class", [Statement(kind.text, kind.by) for kind in place.kinds])]
     return [
@@ -169,10 +168,12 @@ def _integrals(place: Classification) -> list[Statement]:
     if not place.count:
         return [Statement("none proven")]
     sentence = f"{place.count} independent, common levels of dimension {place.remaining}"
-    found = [Statement(sentence, place.integrals)]
+    statements = [Statement(sentence, place.integrals)]
     if place.dependent:
-        found.append(Statement("not independent of these at the points tested", place.dependent))
-    return found
+        statements.append(
+            Statement("not independent of these at the points tested", place.dependent)
+        )
+    return statements
 
 
 def _measures(place: Classification) -> list[Statement]:
@@ -225,16 +226,16 @@ def to_text(place: Classification) -> str:
 def _lines(place: Classification) -> list[str]:
     lines: list[str] = []
     for name, entries in rows(place):
-        write = _named if name in ("class", "motions") else _sourced
+        write = _names_of if name in ("class", "motions") else _text_with_source
         lines += _entry(name, map(write, entries))
     return lines
 
 
-def _sourced(statement: Statement) -> str:
+def _text_with_source(statement: Statement) -> str:
     return f"{statement.text} [{listing(statement.by)}]" if statement.by else statement.text
 
 
-def _named(statement: Statement) -> str:
+def _names_of(statement: Statement) -> str:
     names = ", ".join(dict.fromkeys(fact.law for fact in statement.by))
     return f"{statement.text} [{names}]" if names else statement.text
 
@@ -249,7 +250,7 @@ def _entry(name: str, entries: Iterable[str]) -> list[str]:
     return lines
 
 
-def record(place: Classification) -> dict[str, Any]:
+def record(place: Classification) -> dict[str, object]:
     """The place for another program: plain lists and mappings."""
     levels = [record(part) for part in place.levels]
     return {

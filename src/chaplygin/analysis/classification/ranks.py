@@ -6,10 +6,10 @@ import random
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import TypeAlias, TypeVar
 
 import sympy as sp
-from flint import arb
+from flint import arb, fmpq
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Law
@@ -17,7 +17,7 @@ from ...core.system import System
 from ...core.vectors import to_components
 from ...formulas.errors import NotExactError, OutOfReachError
 from ...formulas.jets import Evaluator, Jet
-from ...formulas.number_fields import ball_precision
+from ...formulas.number_fields import Balls, Rationals, ball_precision
 from ...parsing.exact_decimals import exact_number
 from ...proof.level.level_set import LevelSet
 from ...proof.level.named_formulas import components
@@ -34,18 +34,22 @@ __all__ = [
 
 T = TypeVar("T")
 
+#: Elements of the fields of numbers, and numbers that turn into such.
+Element: TypeAlias = fmpq | arb
+Number: TypeAlias = sp.Rational | Element | float
+
 POINTS = 2
 ATTEMPTS = 400
 SEED = 20130400
 
 
 def rational_parameters(system: System) -> dict[sp.Symbol, sp.Rational]:
-    """The present values of all parameters as the rational numbers that their decimals say."""
+    """The values of all parameters as rational numbers, exactly their decimals."""
     return {p.symbol: exact_number(p.default) for p in system.parameters}
 
 
-def with_numeric_parameters(system: System, values: Mapping[sp.Symbol, Any]) -> System:
-    """A system whose parameters are numbers: they become definitions with a constant value."""
+def with_numeric_parameters(system: System, values: Mapping[sp.Symbol, Number]) -> System:
+    """A system whose parameters are definitions with constant values."""
     return System(
         name=system.name,
         title=system.title,
@@ -58,44 +62,48 @@ def with_numeric_parameters(system: System, values: Mapping[sp.Symbol, Any]) -> 
 
 @dataclass(frozen=True)
 class View:
-    """The phase space near one of its points, as an observer there sees it.
+    """Formulas with their derivatives at one point of the phase space.
 
     Attributes
     ----------
     field : Rationals or Balls
     evaluate : Evaluator
         Values with their partial derivatives by the state variables.
-    ground : Ground
+    level_set : LevelSet
         Of the system whose formulas are read.
     size : int
         Number of state variables of the system that is observed.
     """
 
-    field: Any
+    field: Rationals | Balls
     evaluate: Evaluator
-    ground: LevelSet
+    level_set: LevelSet
     size: int
 
-    def jet(self, formula: Any) -> Jet:
+    def jet(self, formula: sp.Expr) -> Jet:
         """A formula of the system with its derivatives."""
-        return self.evaluate(without_rates(to_components(sp.sympify(formula)), self.ground))
+        return self.evaluate(without_rates(to_components(sp.sympify(formula)), self.level_set))
 
-    def differential(self, formula: Any) -> list[Any]:
+    def differential(self, formula: sp.Expr) -> list[Element]:
         """The partial derivatives of a function by the state variables."""
         slopes = self.jet(formula).slopes
         return [slopes.get(i, self.field.zero) for i in range(self.size)]
 
     def through(self, law: Isomorphism) -> View:
-        """The same point seen in the variables of the target of an isomorphism."""
-        own = self.ground
+        """The view of this point in the variables of the target of an isomorphism."""
+        own = self.level_set
         named = [*components((*law.map, *law.constants), own).items()]
-        given = {s: self.evaluate(f) for s, f in named}
+        values = {s: self.evaluate(f) for s, f in named}
         for parameter in law.target.parameters:
-            if parameter.symbol not in given:
-                given[parameter.symbol] = self.evaluate(parameter.symbol)
+            if parameter.symbol not in values:
+                values[parameter.symbol] = self.evaluate(parameter.symbol)
         there = LevelSet(law.target)
-        reading = Evaluator(self.field, given.get, dict(law.target.steps))
+        reading = Evaluator(self.field, values.get, dict(law.target.steps))
         return View(self.field, reading, there, self.size)
+
+
+#: Covectors at a point.
+Covectors: TypeAlias = Callable[[View], list[list[Element]]]
 
 
 @dataclass(frozen=True)
@@ -112,25 +120,25 @@ class RankSample:
     """
 
     system: System
-    on: tuple[Any, ...] = ()
-    values: Mapping[sp.Symbol, Any] | None = None
+    on: tuple[sp.Expr, ...] = ()
+    values: Mapping[sp.Symbol, Number] | None = None
 
     @cached_property
-    def ground(self) -> LevelSet:
+    def level_set(self) -> LevelSet:
         """The level, with parameters that are numbers."""
         return LevelSet(with_numeric_parameters(self.system, self.parameters), self.on)
 
     @property
-    def parameters(self) -> Mapping[sp.Symbol, Any]:
+    def parameters(self) -> Mapping[sp.Symbol, Number]:
         """Values of the parameters."""
         return rational_parameters(self.system) if self.values is None else self.values
 
-    def expanded(self, formula: Any) -> sp.Expr:
+    def expanded(self, formula: sp.Expr) -> sp.Expr:
         """A formula in the state alone: definitions written out, parameters as numbers."""
-        return self.ground.expanded(sp.sympify(formula))
+        return self.level_set.expanded(sp.sympify(formula))
 
     def at_points(self, compute: Callable[[View], T]) -> list[T]:
-        """What is computed at some points of the level, inside the domain of the equations.
+        """Results at some points of the level, inside the domain of the equations.
 
         Raises
         ------
@@ -138,24 +146,24 @@ class RankSample:
             If no point was found at which it can be computed.
         """
         generator = random.Random(SEED)
-        found: list[T] = []
+        results: list[T] = []
         with ball_precision():
             for attempt in range(ATTEMPTS):
-                values, exact = self.ground.point(generator)
-                if attempt < ATTEMPTS // 2 and not self.ground.inside(values, exact):
+                values, exact = self.level_set.point(generator)
+                if attempt < ATTEMPTS // 2 and not self.level_set.inside(values, exact):
                     continue
-                found += self._computed(compute, values, exact)
-                if len(found) == POINTS:
-                    return found
+                results += self._results(compute, values, exact)
+                if len(results) == POINTS:
+                    return results
         raise OutOfReachError("no point was found at which the laws could be evaluated")
 
-    def _computed(
-        self, compute: Callable[[View], T], values: Mapping[str, Any], exact: bool
+    def _results(
+        self, compute: Callable[[View], T], values: Mapping[str, Number], exact: bool
     ) -> list[T]:
         for rational in (True, False) if exact else (False,):
-            field = self.ground.numbers(values, rational)
-            partial = self.ground.partial(field)
-            view = View(field, partial, self.ground, len(self.system.symbols))
+            field = self.level_set.numbers(values, rational)
+            partial = self.level_set.partial(field)
+            view = View(field, partial, self.level_set, len(self.system.symbols))
             try:
                 return [compute(view)]
             except NotExactError:
@@ -164,9 +172,9 @@ class RankSample:
                 break
         return []
 
-    def bounds(self, view: View) -> list[list[Any]]:
+    def bounds(self, view: View) -> list[list[Element]]:
         """Differentials of the relations and of the level."""
-        return [view.differential(condition) for condition in self.ground.moving]
+        return [view.differential(condition) for condition in self.level_set.moving]
 
     @cached_property
     def dimension(self) -> int:
@@ -177,10 +185,8 @@ class RankSample:
         ranks = self.at_points(lambda view: rank(view.field, self.bounds(view)))
         return len(self.system.symbols) - max(ranks)
 
-    def independent(
-        self, rows: Sequence[Callable[[View], list[list[Any]]]]
-    ) -> tuple[list[int], int]:
-        """Which covectors are independent of the conditions and of those before them.
+    def independent(self, rows: Sequence[Covectors]) -> tuple[list[int], int]:
+        """Covectors that are independent of the conditions and of earlier ones.
 
         Parameters
         ----------
@@ -194,57 +200,57 @@ class RankSample:
             covectors that they add; the largest found at a point, exact or certain.
         """
 
-        def chosen(view: View) -> tuple[list[int], int]:
-            held = self.bounds(view)
-            first = reached = rank(view.field, held)
-            kept = []
+        def independent_indices(view: View) -> tuple[list[int], int]:
+            covectors = self.bounds(view)
+            first = reached = rank(view.field, covectors)
+            indices = []
             for index, make in enumerate(rows):
                 more = make(view)
-                now = rank(view.field, [*held, *more])
+                now = rank(view.field, [*covectors, *more])
                 if now == reached + len(more):
-                    kept.append(index)
-                    held += more
+                    indices.append(index)
+                    covectors += more
                     reached = now
-            return kept, reached - first
+            return indices, reached - first
 
-        return max(self.at_points(chosen), key=lambda pair: pair[1])
+        return max(self.at_points(independent_indices), key=lambda pair: pair[1])
 
-    def full(self, wanted: int, rows: Callable[[View], list[list[Any]]]) -> bool:
-        """Whether vectors span as many dimensions as wanted, at a point and so at almost all."""
+    def full(self, wanted: int, rows: Covectors) -> bool:
+        """Whether vectors span enough dimensions at one point, so at almost all."""
         return max(self.at_points(lambda view: rank(view.field, rows(view)))) >= wanted
 
-    def vanishes(self, condition: Any) -> bool:
+    def vanishes(self, condition: sp.Expr) -> bool:
         """Whether a condition on parameters holds exactly at the present ones."""
         try:
             return all(self.at_points(lambda view: _zero(view, condition)))
         except OutOfReachError:
             return False
 
-    def signs(self, formula: Any, points: int = 24) -> set[int]:
+    def signs(self, formula: sp.Expr, points: int = 24) -> set[int]:
         """Signs that a formula certainly takes, at points of the level."""
         generator = random.Random(SEED)
-        found: set[int] = set()
+        signs: set[int] = set()
         with ball_precision():
             for _ in range(points):
-                values, exact = self.ground.point(generator)
-                found.update(self._computed(lambda view: _sign(view, formula), values, exact))
-        return found - {0}
+                values, exact = self.level_set.point(generator)
+                signs.update(self._results(lambda view: _sign(view, formula), values, exact))
+        return signs - {0}
 
 
-def conditions_on_parameters(standing: RankSample, laws: Sequence[Law]) -> tuple[Any, ...]:
+def conditions_on_parameters(sample: RankSample, laws: Sequence[Law]) -> tuple[sp.Expr, ...]:
     """Conditions on parameters under which some laws hold."""
-    state = set(standing.system.symbols)
+    state = set(sample.system.symbols)
     conditions = (to_components(c) for law in laws for c in law.on)
-    fixed = (c for c in conditions if not standing.expanded(c).free_symbols & state)
+    fixed = (c for c in conditions if not sample.expanded(c).free_symbols & state)
     return tuple(dict.fromkeys(fixed))
 
 
-def _zero(view: View, formula: Any) -> bool:
+def _zero(view: View, formula: sp.Expr) -> bool:
     value = view.jet(formula).value
     return bool(value == 0) if view.field.exact else False
 
 
-def _sign(view: View, formula: Any) -> int:
+def _sign(view: View, formula: sp.Expr) -> int:
     value = view.jet(formula).value
     if isinstance(value, arb) or view.field.exact:
         return int(value > 0) - int(value < 0)

@@ -8,7 +8,6 @@ stays: each of these is a short identity, and together they prove the symmetry b
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import sympy as sp
 
@@ -22,12 +21,12 @@ __all__ = ["Turning", "is_rotation_invariant", "vanishes"]
 LARGEST = 1500
 
 
-def is_rotation_invariant(standing: RankSample, axis: int) -> Turning | None:
-    """The rotation of all vectors of the state about a body axis, where it is shown a symmetry.
+def is_rotation_invariant(sample: RankSample, axis: int) -> Turning | None:
+    """The rotation about a body axis, if it is proven to be a symmetry.
 
     Parameters
     ----------
-    standing : Standing
+    sample : Standing
         With the parameters at which it is asked.
     axis : int
         0, 1 or 2.
@@ -38,51 +37,53 @@ def is_rotation_invariant(standing: RankSample, axis: int) -> Turning | None:
         None where it is not a symmetry, or this proof does not reach: where the state or a
         definition is no vector, scalar or tensor of space in body axes.
     """
-    made = Turning(standing, axis)
-    system = standing.system
+    turning = Turning(sample, axis)
+    system = sample.system
     vectors = all(isinstance(name, Vector) and len(name.symbols) == 3 for name in system.state)
     if not vectors:
         return None
     for name in system.state:
-        made.motion.update(zip(name.symbols, made.turned(name.symbols), strict=True))
-    if not all(made.follows(name, formula) for name, formula in system.definitions):
+        turning.motion.update(zip(name.symbols, turning.rotation(name.symbols), strict=True))
+    if not all(turning.follows(name, formula) for name, formula in system.definitions):
         return None
-    rates = [made.written(rate) for rate in system.rates]
+    rates = [turning.expanded(rate) for rate in system.rates]
     wanted = [
-        component for i in range(0, len(rates), 3) for component in made.turned(rates[i : i + 3])
+        component
+        for i in range(0, len(rates), 3)
+        for component in turning.rotation(rates[i : i + 3])
     ]
-    shown = all(map(made.keeps, system.relations)) and made.agree(rates, wanted)
-    return made if shown else None
+    shown = all(map(turning.keeps, system.relations)) and turning.agree(rates, wanted)
+    return turning if shown else None
 
 
 class Turning:
-    """How every symbol changes under an infinitesimal rotation, as far as it is known."""
+    """The change of every symbol under an infinitesimal rotation, as far as known."""
 
-    def __init__(self, standing: RankSample, axis: int) -> None:
+    def __init__(self, sample: RankSample, axis: int) -> None:
         self.hat = sp.ImmutableMatrix(3, 3, lambda i, j: -sp.LeviCivita(axis, i, j))
         self.across = [i for i in range(3) if i != axis]
-        self.motion: dict[sp.Symbol, Any] = {}
-        self.equal: dict[sp.Symbol, Any] = dict(standing.parameters)
+        self.motion: dict[sp.Symbol, sp.Expr] = {}
+        self.equal: dict[sp.Symbol, sp.Expr] = dict(sample.parameters)
 
-    def turned(self, triple: Sequence[Any]) -> list[Any]:
+    def rotation(self, triple: Sequence[sp.Expr]) -> list[sp.Expr]:
         """The change of a vector: e × x."""
         return list(self.hat * sp.Matrix(triple))
 
-    def written(self, formula: Any) -> Any:
+    def expanded(self, formula: sp.Expr) -> sp.Expr:
         """A formula with numbers for parameters and one symbol for what is equal."""
         return formula.xreplace(self.equal)
 
-    def follows(self, name: Any, formula: Any) -> bool:
-        """Whether a definition changes as its kind must; if so, its symbols do from here on."""
+    def follows(self, name: sp.Expr, formula: sp.Expr) -> bool:
+        """Whether a definition transforms by its kind; if so, its symbols do so too."""
         symbols, parts = zip(*flat_pairs(((name, formula),)), strict=True)
-        values = [self.written(part) for part in parts]
+        values = [self.expanded(part) for part in parts]
         if isinstance(name, Symmetric):
             here, there = (_square(t) for t in (values, symbols))
             wanted, change = (
                 Symmetric.independent(self.hat * t - t * self.hat) for t in (here, there)
             )
         elif isinstance(name, Vector) and len(symbols) == 3:
-            wanted, change = tuple(self.turned(values)), tuple(self.turned(symbols))
+            wanted, change = tuple(self.rotation(values)), tuple(self.rotation(symbols))
         elif isinstance(name, Diagonal | sp.Symbol):
             wanted = change = (sp.S.Zero,) * len(symbols)
         else:
@@ -95,28 +96,28 @@ class Turning:
         self.motion.update(zip(symbols, change, strict=True))
         return self.agree(values, wanted)
 
-    def keeps(self, formula: Any) -> bool:
+    def keeps(self, formula: sp.Expr) -> bool:
         """Whether a scalar formula is shown not to change."""
-        return vanishes(self._change(self.written(to_components(sp.sympify(formula)))))
+        return vanishes(self._change(self.expanded(to_components(sp.sympify(formula)))))
 
-    def agree(self, values: Sequence[Any], wanted: Sequence[Any]) -> bool:
+    def agree(self, values: Sequence[sp.Expr], wanted: Sequence[sp.Expr]) -> bool:
         """Whether formulas change as they must."""
         return all(vanishes(self._change(v) - w) for v, w in zip(values, wanted, strict=True))
 
-    def _change(self, value: Any) -> Any:
+    def _change(self, value: sp.Expr) -> sp.Expr:
         moved = sorted(value.free_symbols & self.motion.keys(), key=str)
         return sp.Add(*(sp.diff(value, s) * self.motion[s] for s in moved))
 
 
-def _square(entries: Sequence[Any]) -> sp.ImmutableMatrix:
+def _square(entries: Sequence[sp.Expr]) -> sp.ImmutableMatrix:
     """A symmetric matrix from its six entries."""
     pairs = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
     places = {frozenset(pair): entry for pair, entry in zip(pairs, entries, strict=True)}
     return sp.ImmutableMatrix(3, 3, lambda i, j: places[frozenset((i, j))])
 
 
-def vanishes(formula: Any) -> bool:
-    """Whether a formula is zero: as it stands, or its numerator over a common denominator."""
+def vanishes(formula: sp.Expr) -> bool:
+    """Whether a formula is zero, if need be over a common denominator."""
     if sp.count_ops(formula) > LARGEST:
         return False
     if sp.expand(formula) == 0:

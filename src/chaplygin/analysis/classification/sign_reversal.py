@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Set
 from itertools import combinations
-from typing import Any
 
 import sympy as sp
 
@@ -23,7 +22,7 @@ LARGEST = 6
 
 
 def reversal(system: System) -> tuple[Name, ...]:
-    """The fewest state variables whose change of sign, with that of the time, keeps the equations.
+    """The fewest variables whose sign changes with the time in a reversing symmetry.
 
     Parameters
     ----------
@@ -45,7 +44,7 @@ def reversal(system: System) -> tuple[Name, ...]:
 
 
 def reverses(system: System, odd: Set[sp.Symbol]) -> bool:
-    """Whether the equations keep their form when some symbols and the time change sign; exact.
+    """Whether a change of sign of some symbols reverses the equations; exact.
 
     Parameters
     ----------
@@ -75,9 +74,9 @@ def reverses(system: System, odd: Set[sp.Symbol]) -> bool:
     return all(f == 0 or _parity(f, signs) == -signs[s] for s, f in rates)
 
 
-def _parity(formula: Any, signs: dict[sp.Symbol, int]) -> int | None:
+def _parity(formula: sp.Expr, signs: dict[sp.Symbol, int]) -> int | None:
     """1 for an even formula, −1 for an odd one; None if it is shown neither."""
-    seen = _seen(formula, signs)
+    seen = _parity_of_operands(formula, signs)
     if seen is not None:
         return seen
     other = formula.xreplace({s: -s for s in formula.free_symbols if signs.get(s) == -1})
@@ -86,11 +85,11 @@ def _parity(formula: Any, signs: dict[sp.Symbol, int]) -> int | None:
     return -1 if vanishes(other + formula) else None
 
 
-def _seen(formula: Any, signs: dict[sp.Symbol, int]) -> int | None:
+def _parity_of_operands(formula: sp.Expr, signs: dict[sp.Symbol, int]) -> int | None:
     """The parity that follows from those of the parts, without computation."""
     if formula.is_Symbol or not formula.args:
         return signs.get(formula, 1)
-    parts = [_seen(part, signs) for part in formula.args]
+    parts = [_parity_of_operands(part, signs) for part in formula.args]
     if all(part == 1 for part in parts):
         return 1
     if None in parts:

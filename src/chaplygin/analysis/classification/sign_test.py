@@ -6,8 +6,8 @@ reducing multiplier gives a new time only where it does not vanish.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, Literal
+from collections.abc import Mapping, Sequence
+from typing import Literal, TypeAlias
 
 import sympy as sp
 from flint import arb
@@ -17,6 +17,9 @@ from ...formulas.errors import NotExactError, OutOfReachError
 from ...formulas.number_fields import ball_precision
 from .ranks import RankSample
 
+#: Intervals of the variables.
+Box: TypeAlias = tuple[tuple[sp.Expr, sp.Expr], ...]
+
 __all__ = ["Sign", "sign"]
 
 Sign = Literal["kept", "changes", "unknown"]
@@ -25,12 +28,12 @@ Sign = Literal["kept", "changes", "unknown"]
 BOXES = 3000
 
 
-def sign(standing: RankSample, formulas: Sequence[Any]) -> Sign:
+def sign(sample: RankSample, formulas: Sequence[sp.Expr]) -> Sign:
     """Whether none of some formulas vanishes or becomes infinite on a phase space.
 
     Parameters
     ----------
-    standing : Standing
+    sample : Standing
     formulas : sequence of sympy.Expr
         In state, definitions and parameters.
 
@@ -40,60 +43,60 @@ def sign(standing: RankSample, formulas: Sequence[Any]) -> Sign:
         Kept: shown for every point, by ball arithmetic on a cover of the bounded variables on
         which the formulas depend; changes: one of them has both signs, at points that were found.
     """
-    found = [_of_one(standing, formula) for formula in formulas]
-    if "changes" in found:
+    signs = [_sign_of(sample, formula) for formula in formulas]
+    if "changes" in signs:
         return "changes"
-    return "unknown" if "unknown" in found else "kept"
+    return "unknown" if "unknown" in signs else "kept"
 
 
-def _of_one(standing: RankSample, formula: Any) -> Sign:
+def _sign_of(sample: RankSample, formula: sp.Expr) -> Sign:
     formula = to_components(sp.sympify(formula))
-    expanded = standing.expanded(formula)
-    if expanded.is_positive or expanded.is_negative or _divides(standing, formula):
+    expanded = sample.expanded(formula)
+    if expanded.is_positive or expanded.is_negative or _divides(sample, formula):
         return "kept"
     try:
-        if len(standing.signs(formula)) == 2:
+        if len(sample.signs(formula)) == 2:
             return "changes"
-        return "kept" if _covered(standing, formula, expanded) else "unknown"
+        return "kept" if _is_covered(sample, formula, expanded) else "unknown"
     except OutOfReachError:
         return "unknown"
 
 
-def _divides(standing: RankSample, formula: Any) -> bool:
-    """Whether a formula is a root by which the equations divide: positive where they hold."""
-    steps = dict(standing.system.steps)
+def _divides(sample: RankSample, formula: sp.Expr) -> bool:
+    """Whether a formula is a root by which the equations divide, thus positive."""
+    steps = dict(sample.system.steps)
     inner = steps.get(formula, formula)
     if not (inner.is_Pow and inner.exp == sp.Rational(1, 2)):
         return False
-    used = (*steps.values(), *standing.system.rates)
+    used = (*steps.values(), *sample.system.rates)
     powers = {power for f in used for power in f.atoms(sp.Pow) if power.exp.is_negative}
     return any(power.base == formula for power in powers)
 
 
-def _bounds(standing: RankSample, names: set[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
-    """Bounds of state variables whose squares, with positive weights, add up to a number."""
-    found: dict[sp.Symbol, sp.Expr] = {}
-    for condition in standing.ground.moving:
+def _bounds(sample: RankSample, names: set[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+    """Bounds of variables from relations Σ wᵢ xᵢ² = const with positive weights."""
+    bounds: dict[sp.Symbol, sp.Expr] = {}
+    for condition in sample.level_set.moving:
         group = sorted(condition.free_symbols, key=str)
         weights = [sp.diff(condition, s, 2) / 2 for s in group]
-        rest = condition.xreplace(dict.fromkeys(group, sp.S.Zero))
-        squares = sp.Add(rest, *(w * s**2 for w, s in zip(weights, group, strict=True)))
-        plain = all(number.is_number for number in (rest, *weights))
+        remainder = condition.xreplace(dict.fromkeys(group, sp.S.Zero))
+        squares = sp.Add(remainder, *(w * s**2 for w, s in zip(weights, group, strict=True)))
+        plain = all(number.is_number for number in (remainder, *weights))
         if not names & set(group) or not plain or sp.expand(condition - squares) != 0:
             continue
-        if all((w * rest).is_negative for w in weights):
-            found |= {s: sp.sqrt(-rest / w) for s, w in zip(group, weights, strict=True)}
-    return found
+        if all((w * remainder).is_negative for w in weights):
+            bounds |= {s: sp.sqrt(-remainder / w) for s, w in zip(group, weights, strict=True)}
+    return bounds
 
 
-def _covered(standing: RankSample, formula: Any, expanded: sp.Expr) -> bool:
+def _is_covered(sample: RankSample, formula: sp.Expr, expanded: sp.Expr) -> bool:
     """Whether no box of a cover of the bounded variables lets the formula vanish."""
-    names = expanded.free_symbols & set(standing.system.symbols)
-    bounds = _bounds(standing, names)
+    names = expanded.free_symbols & set(sample.system.symbols)
+    bounds = _bounds(sample, names)
     if not names <= set(bounds):
         return False
     order = sorted(bounds, key=str)
-    conditions = [c for c in standing.ground.moving if c.free_symbols <= set(bounds)]
+    conditions = [c for c in sample.level_set.moving if c.free_symbols <= set(bounds)]
     # a little wider than the bound itself, which need not be a binary fraction
     waiting = [tuple((arb(0), arb(float(bounds[s])) * arb("1.0001")) for s in order)]
     with ball_precision():
@@ -102,24 +105,24 @@ def _covered(standing: RankSample, formula: Any, expanded: sp.Expr) -> bool:
                 return True
             box = waiting.pop()
             values = {str(s): arb(m, r) for s, (m, r) in zip(order, box, strict=True)}
-            if any(_clear(standing, c, values) for c in conditions):
+            if any(_is_nonzero_on(sample, c, values) for c in conditions):
                 continue
-            if not _clear(standing, formula, values):
+            if not _is_nonzero_on(sample, formula, values):
                 waiting += _halves(box)
     return False
 
 
-def _clear(standing: RankSample, formula: Any, values: dict[str, Any]) -> bool:
+def _is_nonzero_on(sample: RankSample, formula: sp.Expr, values: Mapping[str, arb]) -> bool:
     """Whether a formula is certainly not zero, and finite, on a box."""
-    field = standing.ground.numbers(values, False)
+    field = sample.level_set.numbers(values, False)
     try:
-        value = standing.ground.evaluator(field).value(formula)
+        value = sample.level_set.evaluator(field).value(formula)
     except (ZeroDivisionError, NotExactError):
         return False
     return bool(value.is_finite()) and 0 not in value
 
 
-def _halves(box: tuple[tuple[Any, Any], ...]) -> list[tuple[tuple[Any, Any], ...]]:
+def _halves(box: Box) -> list[Box]:
     """A box cut in two across its longest side."""
     index = max(range(len(box)), key=lambda i: float(box[i][1]))
     middle, radius = box[index]

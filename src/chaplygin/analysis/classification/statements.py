@@ -1,4 +1,4 @@
-"""What is said of a system in its place in the hierarchy, with the facts behind it."""
+"""Statements of a classification, with the facts behind them."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class IntegrabilityClass:
         ``"curves"``, ``"lie"``, ``"euler-jacobi"``, ``"liouville"``, ``"hamiltonian"``,
         ``"conformally hamiltonian"`` or ``"none known"``.
     text : str
-        What that means here.
+        The consequences for this system.
     by : tuple of Fact
     """
 
@@ -38,7 +38,7 @@ class IntegrabilityClass:
 
 @dataclass(frozen=True)
 class Density:
-    """An invariant measure: its law, and whether its density stays positive and finite.
+    """An invariant measure and the sign of its density.
 
     `sign` is ``"kept"`` where that is shown everywhere, ``"changes"`` where the density vanishes
     or is infinite somewhere, ``"unknown"`` where neither is decided.

@@ -1,4 +1,4 @@
-"""What is proven of the systems onto which proven isomorphisms carry a system.
+"""Results that proven isomorphisms carry over from their targets.
 
 Functions that are constant there are constant here.  A Hamiltonian form there is one here, up to
 the change of time, where the map is a local diffeomorphism.
@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import sympy as sp
 
@@ -22,7 +21,7 @@ from .applicable_laws import sorted_laws
 from .conserved_covectors import AnnihilatingCovectors, pulled_back, sources
 from .facts import Fact, ProofBudget
 from .hamiltonian_forms import density, hamiltonian
-from .ranks import RankSample, View, rational_parameters
+from .ranks import Element, RankSample, View, rational_parameters
 from .sign_test import sign
 from .statements import Bracket, Density
 
@@ -34,7 +33,7 @@ DEPTH = 2
 
 @dataclass(frozen=True)
 class TargetResults:
-    """What the targets of isomorphisms give."""
+    """Results from the targets of isomorphisms."""
 
     sources: tuple[AnnihilatingCovectors, ...] = ()
     brackets: tuple[Bracket, ...] = ()
@@ -43,53 +42,53 @@ class TargetResults:
 
 
 def through_isomorphisms(
-    standing: RankSample, laws: Sequence[Law], patience: ProofBudget, depth: int = DEPTH
+    sample: RankSample, laws: Sequence[Law], patience: ProofBudget, depth: int = DEPTH
 ) -> TargetResults:
-    """What is proven of the targets of the isomorphisms among some proven laws.
+    """Results from the targets of the isomorphisms among some proven laws.
 
     Parameters
     ----------
-    standing : Standing
+    sample : Standing
     laws : sequence of Law
         Proven on it.
     patience : ProofBudget
         For the proofs of the laws of the targets.
     depth : int
-        How many isomorphisms may follow one another.
+        Number of isomorphisms that may follow one another.
     """
-    found = TargetResults()
+    results = TargetResults()
     for law in laws:
         if isinstance(law, Isomorphism) and depth:
-            more = _through(standing, law, patience, depth)
-            found = TargetResults(
-                found.sources + more.sources,
-                found.brackets + more.brackets,
-                found.liouville or more.liouville,
-                found.measures or more.measures,
+            more = _through(sample, law, patience, depth)
+            results = TargetResults(
+                results.sources + more.sources,
+                results.brackets + more.brackets,
+                results.liouville or more.liouville,
+                results.measures or more.measures,
             )
-    return found
+    return results
 
 
 def _through(
-    standing: RankSample, law: Isomorphism, patience: ProofBudget, depth: int
+    sample: RankSample, law: Isomorphism, patience: ProofBudget, depth: int
 ) -> TargetResults:
-    values, moving = _constants(standing, law)
+    values, moving = _constants(sample, law)
     target = _with_laws(law.target)
     there = RankSample(target, values=values)
     laws = sorted_laws(there, patience.verdicts(target)).general
     if moving:
-        # what holds at one value of a parameter need not hold along all of them
+        # a law at one value of a parameter need not hold at all values
         laws = tuple(each for each in laws if not each.on)
     beyond = TargetResults() if moving else through_isomorphisms(there, laws, patience, depth - 1)
     constant = tuple(pulled_back(law, s) for s in (*sources(laws), *beyond.sources))
-    if not _diffeomorphic(standing, there, law, moving):
+    if not _diffeomorphic(sample, there, law, moving):
         return TargetResults(constant)
     forms = hamiltonian(there, laws, patience)
     volumes = tuple(density(there, each) for each in laws if isinstance(each, Measure))
     brackets = forms.brackets + beyond.brackets
     return TargetResults(
         constant,
-        tuple(_bracket(standing, law, b) for b in brackets[:1]),
+        tuple(_bracket(sample, law, b) for b in brackets[:1]),
         tuple(_fact(law, fact) for fact in forms.liouville or beyond.liouville),
         tuple(Density(_fact(law, m.law), "unknown") for m in volumes or beyond.measures),
     )
@@ -111,11 +110,11 @@ def _fact(law: Isomorphism, fact: Fact) -> Fact:
     return Fact(law.name, fact.words, fact.source, fact.system or law.target.title)
 
 
-def _bracket(standing: RankSample, law: Isomorphism, bracket: Bracket) -> Bracket:
+def _bracket(sample: RankSample, law: Isomorphism, bracket: Bracket) -> Bracket:
     """A Hamiltonian form of the target as one of the system itself."""
     timed = law.time != 1
-    kept = sign(standing, [law.time]) if timed else "kept"
-    both = bracket.sign if kept == "kept" else kept
+    time_sign = sign(sample, [law.time]) if timed else "kept"
+    both = bracket.sign if time_sign == "kept" else time_sign
     return replace(
         bracket,
         law=_fact(law, bracket.law),
@@ -125,18 +124,18 @@ def _bracket(standing: RankSample, law: Isomorphism, bracket: Bracket) -> Bracke
 
 
 def _constants(
-    standing: RankSample, law: Isomorphism
-) -> tuple[dict[sp.Symbol, Any], list[sp.Symbol]]:
-    """Values of the parameters of the target, and those of them that depend on the state.
+    sample: RankSample, law: Isomorphism
+) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Symbol]]:
+    """Values of the parameters of the target, and those that depend on the state.
 
     For the latter the value is an example.
     """
-    named = dict(components(law.constants, standing.ground))
-    state = set(standing.system.symbols)
+    named = dict(components(law.constants, sample.level_set))
+    state = set(sample.system.symbols)
     values = rational_parameters(law.target)
     moving = []
     for parameter in values:
-        formula = standing.expanded(named.get(parameter, parameter))
+        formula = sample.expanded(named.get(parameter, parameter))
         if formula.free_symbols & state:
             moving.append(parameter)
         else:
@@ -145,21 +144,21 @@ def _constants(
 
 
 def _diffeomorphic(
-    standing: RankSample, there: RankSample, law: Isomorphism, moving: Sequence[sp.Symbol]
+    sample: RankSample, there: RankSample, law: Isomorphism, moving: Sequence[sp.Symbol]
 ) -> bool:
-    """Whether the map, with the constants that it gives, has an inverse near almost every point.
+    """Whether the map is a local diffeomorphism near almost every point.
 
     The constants are Casimir functions of what is carried over.
     """
-    named = dict(components(law.constants, standing.ground))
-    images = list(components(law.map, standing.ground).values())
+    named = dict(components(law.constants, sample.level_set))
+    images = list(components(law.map, sample.level_set).values())
     constants = [named[s] for s in moving]
 
-    def rows(view: View) -> list[list[Any]]:
-        return [*standing.bounds(view), *map(view.differential, (*images, *constants))]
+    def rows(view: View) -> list[list[Element]]:
+        return [*sample.bounds(view), *map(view.differential, (*images, *constants))]
 
     try:
-        same = standing.dimension == there.dimension + len(moving)
-        return same and standing.full(len(standing.system.symbols), rows)
+        same = sample.dimension == there.dimension + len(moving)
+        return same and sample.full(len(sample.system.symbols), rows)
     except OutOfReachError:
         return False

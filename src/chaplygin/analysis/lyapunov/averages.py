@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, TypeAlias
 
 import numpy as np
 
+from ...core.arrays import FloatArray
 from ...errors import InputError
 
 __all__ = ["BATCHES", "Average", "average", "batch_means", "resolution"]
 
-Array: TypeAlias = Any
 
 #: Batches into which a series is divided.
 BATCHES = 16
@@ -34,7 +33,7 @@ class Average:
         Half the 95 % confidence interval from the means of 16 batches, by Student's t: the error
         if the batches are independent, as they are on a chaotic motion that is long enough.
     wandering : float
-        How far the sum strays from growing evenly, divided by the time: the error of a regular
+        Deviation of the sum from even growth, divided by the time: the error of a regular
         motion, where what comes back and forth stays bounded.
     resolution : float
         The rate that growth like the square of the time would show.
@@ -65,8 +64,8 @@ class Average:
         return bool(abs(self.value) <= self.error)
 
 
-def batch_means(series: Array, batches: int = BATCHES) -> Array:
-    """The means of equal batches of a series (m, ...) along its first axis, (batches, ...).
+def batch_means(series: FloatArray, batches: int = BATCHES) -> FloatArray:
+    """Means (batches, ...) of equal batches of a series (m, ...).
 
     The first few members are left out where the division leaves a rest.
 
@@ -81,23 +80,23 @@ def batch_means(series: Array, batches: int = BATCHES) -> Array:
             f"{len(series)} intervals are too few for an error: at least {batches * SMALLEST} are "
             "needed"
         )
-    kept = series[len(series) - each * batches :]
-    means: Array = kept.reshape(batches, each, *series.shape[1:]).mean(axis=1)
+    last = series[len(series) - each * batches :]
+    means: FloatArray = last.reshape(batches, each, *series.shape[1:]).mean(axis=1)
     return means
 
 
 def resolution(span: float, began: float) -> float:
-    """The rate that growth like the square of the time shows over a time `span` from `began`."""
+    """The rate that quadratic growth shows over a time `span` from `began`."""
     return POWER * float(np.log1p(span / began)) / span
 
 
-def average(growth: Array, interval: float, began: float) -> Average:
+def average(growth: FloatArray, interval: float, began: float) -> Average:
     """The mean rate of what grows by `growth` in each of a row of intervals.
 
     Parameters
     ----------
     growth : (m,) array
-        What is added in each interval.
+        The increment of each interval.
     interval : float
         Its length.
     began : float

@@ -8,8 +8,8 @@ a motion of finite length and has an error; it is *observed*, never proven.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -32,8 +32,6 @@ if TYPE_CHECKING:
 
 __all__ = ["lyapunov_spectrum"]
 
-Array: TypeAlias = Any
-Values: TypeAlias = Mapping[Any, Any] | None
 
 #: Part of a motion left out at the beginning, where deviations find their directions.
 UNSETTLED = 0.2
@@ -66,9 +64,9 @@ def lyapunov_spectrum(
         State on the phase space, as of :func:`chaplygin.flow.integrator.integrate`; what belongs
         to the motion in space is left out.
     parameters : mapping of Symbol or name to number, optional
-        Values that replace the defaults.
+        Parameters that replace the defaults.
     until : float
-        How long to follow the motion (s); the first fifth is not counted.
+        Length of the motion (s); the first fifth is not counted.
     intervals : int
         Into how many intervals to divide it, at least; their number is doubled as long as
         deviations grow too far apart within one.
@@ -110,24 +108,24 @@ def lyapunov_spectrum(
     _check(system, start, parameters)
     text = progress or (lambda done: None)
     batch_integrator(system, tolerance=tolerance).require_reach(start, until, parameters)
-    sizes = state_scales(system, [start], until, parameters, tolerance)[0]
-    found = trivial_directions(system, start, parameters, sizes=sizes)
-    kept: tuple[str, ...] = ()
+    sizes = state_scales(system, np.array([start]), until, parameters, tolerance)[0]
+    directions = trivial_directions(system, start, parameters, sizes=sizes)
+    fading: tuple[str, ...] = ()
     try:
-        run = _followed(found, start, (until, intervals), parameters, tolerance, text)
-        kept = _not_forced(found, run)
-        if kept:
-            found = trivial_directions(system, start, parameters, kept, sizes)
-            run = _followed(found, start, (until, intervals), parameters, tolerance, text)
+        run = _motion_record(directions, start, (until, intervals), parameters, tolerance, text)
+        fading = _not_forced(directions, run)
+        if fading:
+            directions = trivial_directions(system, start, parameters, fading, sizes)
+            run = _motion_record(directions, start, (until, intervals), parameters, tolerance, text)
     except _StoppedError as stop:
         run = stop.run
         length = run.interval * len(run.lengths)
-        # where more would have to be left out, the motion would have to be followed again
-        if len(run.lengths) < LEAST or set(_not_forced(found, run)) - set(kept):
+        # if more had to be left out, the motion would have to be integrated again
+        if len(run.lengths) < LEAST or set(_not_forced(directions, run)) - set(fading):
             raise InterruptionError("interrupted", length) from None
-        partial = _evaluated(system, found, run, length, tolerance, parameters, kept)
+        partial = _spectrum(system, directions, run, length, tolerance, parameters, fading)
         raise InterruptionError("interrupted", length, partial) from None
-    return _evaluated(system, found, run, until, tolerance, parameters, kept)
+    return _spectrum(system, directions, run, until, tolerance, parameters, fading)
 
 
 class _StoppedError(Exception):
@@ -138,27 +136,27 @@ class _StoppedError(Exception):
         self.run = run
 
 
-def _followed(
-    found: TrivialDirections,
+def _motion_record(
+    directions: TrivialDirections,
     start: Sequence[float],
     times: tuple[float, int],
-    parameters: Values,
+    parameters: Parameters,
     tolerance: float,
     progress: Callable[[float], None],
 ) -> MotionRecord:
     """The motion, in intervals so short that deviations keep apart."""
-    space = found.space
+    space = directions.space
     machine = batch_integrator(space.system, tolerance=tolerance, deviations=space.dimension)
     until, count = times
-    while (run := _run(machine, found, start, (until, count), parameters, progress)) is None:
+    while (run := _run(machine, directions, start, (until, count), parameters, progress)) is None:
         count *= 2
         if count > MOST:
             raise RunError("deviations grow too fast to be followed", 0.0)
     return run
 
 
-def _not_forced(found: TrivialDirections, run: MotionRecord) -> tuple[str, ...]:
-    """Names of fields and integrals whose size does not last: their exponent is not zero.
+def _not_forced(directions: TrivialDirections, run: MotionRecord) -> tuple[str, ...]:
+    """Names of fading fields and integrals, whose exponents need not vanish.
 
     So it is with the flow where the motion comes to rest.
     """
@@ -169,12 +167,12 @@ def _not_forced(found: TrivialDirections, run: MotionRecord) -> tuple[str, ...]:
         rates = (run.sizes[-1] - run.sizes[skipped]) / span
     return tuple(
         item.name
-        for item, rate in zip(found.removed, rates, strict=True)
+        for item, rate in zip(directions.removed, rates, strict=True)
         if item.kind not in ("relation", "quadrature") and not abs(rate) <= bound
     )
 
 
-def _check(system: System, start: Sequence[float], parameters: Values) -> None:
+def _check(system: System, start: Sequence[float], parameters: Parameters) -> None:
     points = np.array([start], dtype=np.float64)
     constants = parameter_rows(system, parameters, 1)
     require_on_phase_space(system, relation_terms(system), points, constants)
@@ -182,23 +180,23 @@ def _check(system: System, start: Sequence[float], parameters: Values) -> None:
 
 def _run(
     machine: BatchIntegrator,
-    found: TrivialDirections,
+    directions: TrivialDirections,
     start: Sequence[float],
     times: tuple[float, int],
-    parameters: Values,
+    parameters: Parameters,
     progress: Callable[[float], None],
 ) -> MotionRecord | None:
     """The motion; None where deviations grow too far apart within an interval."""
     until, count = times
     interval = until / count
-    space = found.space
+    space = directions.space
     places, _ = np.polynomial.legendre.leggauss(NODES)
     inner = interval * (1 + places) / 2
     first = np.array([start], dtype=np.float64)
     states, nodes = [first[0]], []
-    lengths, sizes = [], [space.excluded(first, parameters, found.sizes)[1][0]]
+    lengths, sizes = [], [space.excluded_basis(first, parameters, directions.sizes)[1][0]]
     stretches = propagate(
-        machine, space, first, interval, parameters, sizes=found.sizes, nodes=inner, threads=1
+        machine, space, first, interval, parameters, sizes=directions.sizes, nodes=inner, threads=1
     )
     try:
         for k in range(count):
@@ -216,7 +214,7 @@ def _run(
             lengths.append(stretch.lengths[0])
             sizes.append(stretch.sizes[0])
     except KeyboardInterrupt:
-        # what is appended last is there of complete intervals alone
+        # the last entries exist for complete intervals alone
         n = len(sizes) - 1
         if n == 0:
             raise
@@ -225,14 +223,14 @@ def _run(
     return MotionRecord(interval, *map(np.array, (nodes, states, lengths, sizes)))
 
 
-def _evaluated(
+def _spectrum(
     system: System,
-    found: TrivialDirections,
+    directions: TrivialDirections,
     run: MotionRecord,
     until: float,
     tolerance: float,
-    parameters: Values,
-    kept: tuple[str, ...],
+    parameters: Parameters,
+    fading: tuple[str, ...],
 ) -> Spectrum:
     skipped = round(UNSETTLED * len(run.lengths))
     began = skipped * run.interval
@@ -243,23 +241,23 @@ def _evaluated(
     rates = (run.sizes[-1] - run.sizes[skipped]) / span
     removed = tuple(
         (item, None if item.kind == "relation" else float(rate))
-        for item, rate in zip(found.removed, rates, strict=True)
+        for item, rate in zip(directions.removed, rates, strict=True)
     )
     named = {str(symbol): value for symbol, value in system.defaults.items()}
-    given = {str(name): float(value) for name, value in (parameters or {}).items()}
+    values = {str(name): float(value) for name, value in (parameters or {}).items()}
     return Spectrum(
         system,
-        named | given,
+        named | values,
         run.states[0],
         until,
         run.interval,
         began,
         tuple(each[i] for i in order),
         removed,
-        found.dependent,
-        kept,
+        directions.dependent,
+        fading,
         average(counted.sum(axis=1), run.interval, began),
-        divergence_average(system, found, run, skipped, parameters),
+        divergence_average(system, directions, run, skipped, parameters),
         run.lengths[:, order],
         tolerance,
     )

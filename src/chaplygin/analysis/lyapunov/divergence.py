@@ -1,13 +1,14 @@
-"""How volumes change along a motion: the divergence, what it must agree with, and measures."""
+"""Growth of volumes along a motion: the divergence, its checks, and measures."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, TypeAlias
 
 import numpy as np
 
+from ...arguments import Parameters
+from ...core.arrays import FloatArray
 from ...core.laws import Measure
 from ...core.system import System
 from ...core.vectors import to_components
@@ -18,8 +19,6 @@ from .zero_exponents import TrivialDirections, vanish
 
 __all__ = ["NODES", "MotionRecord", "Volume", "divergence_average"]
 
-Array: TypeAlias = Any
-Values: TypeAlias = Mapping[Any, Any] | None
 
 #: Points of Gauss's rule in an interval, for the mean of the divergence.
 NODES = 16
@@ -29,18 +28,18 @@ PIECE = 512
 
 @dataclass(frozen=True)
 class MotionRecord:
-    """What was recorded along a motion, interval by interval."""
+    """The record of a motion, interval by interval."""
 
     interval: float
-    nodes: Array
-    states: Array
-    lengths: Array
-    sizes: Array
+    nodes: FloatArray
+    states: FloatArray
+    lengths: FloatArray
+    sizes: FloatArray
 
 
 @dataclass(frozen=True)
 class Volume:
-    """How volumes on the phase space change along the motion, and what this must agree with.
+    """The growth of phase-space volumes along a motion, with its checks.
 
     Attributes
     ----------
@@ -60,37 +59,41 @@ class Volume:
 
 
 def divergence_average(
-    system: System, found: TrivialDirections, run: MotionRecord, skipped: int, parameters: Values
+    system: System,
+    directions: TrivialDirections,
+    run: MotionRecord,
+    skipped: int,
+    parameters: Parameters,
 ) -> Volume:
     """The divergence along the motion, and what it must agree with."""
     relations = [to_components(relation) for relation in system.relations]
     _, weights = np.polynomial.legendre.leggauss(NODES)
-    kept = run.nodes[skipped:]
-    growth = np.empty(len(kept))
-    for first in range(0, len(kept), PIECE):
-        some = kept[first : first + PIECE]
-        rates = found.space.divergence(
-            some.reshape(-1, some.shape[-1]), parameters, relations, found.sizes
+    nodes = run.nodes[skipped:]
+    growth = np.empty(len(nodes))
+    for first in range(0, len(nodes), PIECE):
+        some = nodes[first : first + PIECE]
+        rates = directions.space.divergence(
+            some.reshape(-1, some.shape[-1]), parameters, relations, directions.sizes
         )
         growth[first : first + PIECE] = rates.reshape(some.shape[:2]) @ weights
     growth *= run.interval / 2
     span = len(growth) * run.interval
     # of what is removed, all but the relations belongs to volumes on the phase space
-    inside = [item.kind != "relation" for item in found.removed]
+    inside = [item.kind != "relation" for item in directions.removed]
     change = float((run.sizes[-1] - run.sizes[skipped])[inside].sum())
     balance = float(run.lengths[skipped:].sum() + change - growth.sum()) / span
     ends = run.states[[skipped, -1]]
     measures = {
         name: float(growth.sum() - change) / span
-        for name, change in _densities(system, ends, found.sizes, parameters)
+        for name, change in _densities(system, ends, directions.sizes, parameters)
     }
     return Volume(average(growth, run.interval, skipped * run.interval), balance, measures)
 
 
 def _densities(
-    system: System, ends: Array, sizes: Array, parameters: Values
+    system: System, ends: FloatArray, sizes: FloatArray, parameters: Parameters
 ) -> Iterator[tuple[str, float]]:
-    """For each invariant measure, the growth of volumes that it allows between two states."""
+    """For each invariant measure, its growth of volumes between two states."""
     moving = set(system.symbols) | {symbol for symbol, _ in system.steps}
     relations = [to_components(relation) for relation in system.relations]
     gradients = Formulas(system, relations).slopes(ends, parameters) * sizes

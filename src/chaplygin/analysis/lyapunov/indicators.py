@@ -1,4 +1,4 @@
-"""How fast neighbours of many motions part: numbers for charts.
+"""Chaos indicators of many motions, for scans.
 
 One deviation, or several, is carried along each motion and made of length one after each interval.
 The logarithms of the lengths lost add up to L(t): the largest exponent is the slope of L, the fast
@@ -18,6 +18,7 @@ from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 
+from ...core.arrays import BoolArray, FloatArray, IntArray
 from ...core.parameters import Parameters
 from ...core.system import System
 from ...core.vectors import to_components
@@ -51,13 +52,13 @@ APART, PARTED = 16.0, 64
 
 @dataclass(frozen=True)
 class ChaosIndicator(ABC):
-    """A number that tells how neighbours of a motion part.
+    """An indicator of the divergence of neighbouring motions.
 
     Attributes
     ----------
     system : System
     until : float
-        How long motions are followed.
+        Length of the motions.
     tolerance : float
         See :func:`chaplygin.flow.batch.batch_integrator`.
     intervals : int
@@ -80,11 +81,15 @@ class ChaosIndicator(ABC):
             raise InputError(f"intervals = {self.intervals}: at least {2 * BATCHES} are needed")
 
     @abstractmethod
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, errors if any, outcomes and times reached, (n,) each."""
 
-    def renewed(self, deviations: Any, basis: Any) -> tuple[Any, Any]:
-        """Deviations of length one, and the lengths lost; what is in the span of a basis goes."""
+    def normalised(
+        self, deviations: FloatArray, basis: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
+        """Deviations of length one and the lengths lost, without the span of a basis."""
         return orthonormal(deviations, basis)
 
 
@@ -108,10 +113,10 @@ class TangentGrowth:
         The times reached.
     """
 
-    logarithms: Any
-    frames: Any
-    outcome: Any
-    ended: Any
+    logarithms: FloatArray
+    frames: FloatArray
+    outcome: IntArray
+    ended: FloatArray
 
 
 def tangent(system: System) -> TangentSpace:
@@ -123,11 +128,11 @@ def tangent(system: System) -> TangentSpace:
 def transverse_space(system: System) -> TangentSpace:
     """Those tangent to the integrals that hold everywhere as well, modulo the flow.
 
-    What is left out has the exponent zero in any case.
+    The omitted directions have the exponent zero in any case.
     """
-    kept = tuple(to_components(law.value) for law in system.integrals if not law.on)
+    integrals = tuple(to_components(law.value) for law in system.integrals if not law.on)
     free = tangent(system)
-    conditions = (*free.conditions, *kept)
+    conditions = (*free.conditions, *integrals)
     return _some(TangentSpace(system, conditions, (system.rates,), np.eye(1)))
 
 
@@ -141,7 +146,11 @@ def _some(space: TangentSpace) -> TangentSpace:
 
 
 def tangent_growth(
-    rule: ChaosIndicator, space: TangentSpace, deviations: int, starts: Any, parameters: Parameters
+    rule: ChaosIndicator,
+    space: TangentSpace,
+    deviations: int,
+    starts: FloatArray,
+    parameters: Parameters,
 ) -> TangentGrowth:
     """Deviations along many motions.
 
@@ -152,39 +161,42 @@ def tangent_growth(
     space : TangentSpace
         Deviations that count.
     deviations : int
-        How many.
+        Number of deviations.
     starts : (n, size) array
         In flat order, on the phase space.
     parameters : mapping of Symbol or name to number or (n,) array
     """
     states = np.array(starts, dtype=np.float64)
     sizes = state_scales(rule.system, states, rule.until, parameters, rule.tolerance)
-    found = _grown(rule, space, (deviations, 1), (states, sizes), parameters)
+    growth = _growth_arrays(rule, space, (deviations, 1), (states, sizes), parameters)
     pieces = 2
-    while pieces <= PARTED and len(lost := np.flatnonzero(_lost(found))):
+    while pieces <= PARTED and len(lost := np.flatnonzero(_lost(growth))):
         chosen = select_parameters(parameters, lost)
-        again = _grown(rule, space, (deviations, pieces), (states[lost], sizes[lost]), chosen)
-        for known, new in zip(found, again, strict=True):
+        again = _growth_arrays(
+            rule, space, (deviations, pieces), (states[lost], sizes[lost]), chosen
+        )
+        for known, new in zip(growth, again, strict=True):
             known[lost] = new
         pieces *= 2
-    found[0][_lost(found)] = np.nan
-    return TangentGrowth(*found[:4])
+    growth[0][_lost(growth)] = np.nan
+    return TangentGrowth(*growth[:4])
 
 
-def _lost(found: _Arrays) -> Any:
-    """Motions that were followed to their end, while deviations became too short beside others."""
-    _, _, outcome, _, shrunk = found
-    return (outcome == 0) & ~(shrunk <= APART)
+def _lost(growth: _Arrays) -> BoolArray:
+    """Complete motions with deviations too short beside others."""
+    _, _, outcome, _, shrunk = growth
+    result: BoolArray = (outcome == 0) & ~(shrunk <= APART)
+    return result
 
 
-def _grown(
+def _growth_arrays(
     rule: ChaosIndicator,
     space: TangentSpace,
     counts: tuple[int, int],
-    begin: tuple[Any, Any],
+    begin: tuple[FloatArray, FloatArray],
     parameters: Parameters,
 ) -> _Arrays:
-    """Logarithms, frames, outcomes, times reached, and how far deviations shrank beside others.
+    """Logarithms, frames, outcomes, times reached, and relative shrinking.
 
     Parameters
     ----------
@@ -213,9 +225,10 @@ def _grown(
         going = run.outcome == 0
         live, chosen = live[going], select_parameters(chosen, going)
         level = np.zeros((len(live), len(relations.conditions)))
-        states[live] = relations.kept(run.states[going, 0], level, chosen, sizes[live])
-        basis, _ = space.excluded(states[live], chosen, sizes[live])
-        frames[live], lengths = rule.renewed(run.deviations[going, 0] / sizes[live, None], basis)
+        states[live] = relations.on_level(run.states[going, 0], level, chosen, sizes[live])
+        basis, _ = space.excluded_basis(states[live], chosen, sizes[live])
+        tangents = np.asarray(run.deviations)[going, 0] / sizes[live, None]
+        frames[live], lengths = rule.normalised(tangents, basis)
         with np.errstate(divide="ignore"):
             logarithms[live, k] = np.log(lengths)
     frames[outcome != 0] = np.nan
@@ -235,35 +248,39 @@ class MaximalExponent(ChaosIndicator):
 
     further: ClassVar[Mapping[str, str]] = {"error": "error of the largest exponent"}
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, errors, outcomes and times reached, (n,) each."""
-        found = tangent_growth(self, transverse_space(self.system), 1, starts, parameters)
-        value, error = _rate(found.logarithms[:, :, 0], self.until)
-        return {"value": value, "error": error, "outcome": found.outcome, "ended": found.ended}
+        growth = tangent_growth(self, transverse_space(self.system), 1, starts, parameters)
+        value, error = _rate(growth.logarithms[:, :, 0], self.until)
+        return {"value": value, "error": error, "outcome": growth.outcome, "ended": growth.ended}
 
 
 class ExponentSum(ChaosIndicator):
     """The sum of all exponents that relations, integrals and the flow leave.
 
-    Where a measure is preserved it is zero; where it is negative the motion is attracted.
+    It is zero if a measure is preserved; if it is negative, the motion is attracted.
     """
 
     further: ClassVar[Mapping[str, str]] = {"error": "error of the sum of exponents"}
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, errors, outcomes and times reached, (n,) each."""
         space = transverse_space(self.system)
-        found = tangent_growth(self, space, space.dimension, starts, parameters)
-        value, error = _rate(found.logarithms.sum(axis=2), self.until)
-        return {"value": value, "error": error, "outcome": found.outcome, "ended": found.ended}
+        growth = tangent_growth(self, space, space.dimension, starts, parameters)
+        value, error = _rate(growth.logarithms.sum(axis=2), self.until)
+        return {"value": value, "error": error, "outcome": growth.outcome, "ended": growth.ended}
 
 
-def _rate(logarithms: Any, until: float) -> tuple[Any, Any]:
+def _rate(logarithms: FloatArray, until: float) -> tuple[FloatArray, FloatArray]:
     """The mean rate of growth without the beginning, and its error, (n,) each."""
     intervals = logarithms.shape[1]
     each = (intervals - round(UNSETTLED * intervals)) // BATCHES
-    kept = logarithms[:, intervals - each * BATCHES :]
-    batches = kept.reshape(len(kept), BATCHES, each).mean(axis=2) * (intervals / until)
+    last = logarithms[:, intervals - each * BATCHES :]
+    batches = last.reshape(len(last), BATCHES, each).mean(axis=2) * (intervals / until)
     span = until * each * BATCHES / intervals
     spread = STUDENT * batches.std(axis=1, ddof=1) / np.sqrt(BATCHES)
     unseen = 2.0 * np.log(until / (until - span)) / span
@@ -273,30 +290,34 @@ def _rate(logarithms: Any, until: float) -> tuple[Any, Any]:
 class FastLyapunovIndicator(ChaosIndicator):
     """The fast Lyapunov indicator: the greatest logarithm of the growth so far."""
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
-        found = tangent_growth(self, tangent(self.system), 1, starts, parameters)
-        value = np.cumsum(found.logarithms[:, :, 0], axis=1).max(axis=1)
-        return {"value": value, "outcome": found.outcome, "ended": found.ended}
+        growth = tangent_growth(self, tangent(self.system), 1, starts, parameters)
+        value = np.cumsum(growth.logarithms[:, :, 0], axis=1).max(axis=1)
+        return {"value": value, "outcome": growth.outcome, "ended": growth.ended}
 
 
 class Megno(ChaosIndicator):
     """The mean of MEGNO: 2 on a regular motion, λ/2 times the time on a chaotic one.
 
-    Where all neighbours keep their distance (equal frequencies, a stable rest) it is 0.
+    It is 0 if all neighbours keep their distance (equal frequencies, a stable equilibrium).
 
     Y(t) = (2/t) ∫ (d ln|ξ|/ds) s ds = 2 (L(t) − the mean of L until t), by the trapezoidal rule
     over the intervals.
     """
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
-        found = tangent_growth(self, tangent(self.system), 1, starts, parameters)
-        total = np.cumsum(found.logarithms[:, :, 0], axis=1)
+        growth = tangent_growth(self, tangent(self.system), 1, starts, parameters)
+        total = np.cumsum(growth.logarithms[:, :, 0], axis=1)
         before = np.concatenate([np.zeros((len(total), 1)), total[:, :-1]], axis=1)
         count = np.arange(1, self.intervals + 1)
         now = 2.0 * (total - np.cumsum((total + before) / 2, axis=1) / count)
-        return {"value": now.mean(axis=1), "outcome": found.outcome, "ended": found.ended}
+        return {"value": now.mean(axis=1), "outcome": growth.outcome, "ended": growth.ended}
 
 
 class SmallerAlignmentIndex(ChaosIndicator):
@@ -306,16 +327,20 @@ class SmallerAlignmentIndex(ChaosIndicator):
     (Skokos 2001).  It falls evenly on chaotic motions, to −16 where rounding ends it.
     """
 
-    def renewed(self, deviations: Any, basis: Any) -> tuple[Any, Any]:
+    def normalised(
+        self, deviations: FloatArray, basis: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
         """Each for itself, so that they can become parallel."""
         pairs = [orthonormal(deviations[:, i : i + 1], basis) for i in range(deviations.shape[1])]
         frames, lengths = zip(*pairs, strict=True)
         return np.concatenate(frames, axis=1), np.concatenate(lengths, axis=1)
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
-        found = tangent_growth(self, tangent(self.system), 2, starts, parameters)
-        u, v = found.frames[:, 0], found.frames[:, 1]
+        growth = tangent_growth(self, tangent(self.system), 2, starts, parameters)
+        u, v = growth.frames[:, 0], growth.frames[:, 1]
         apart = np.minimum(np.linalg.norm(u + v, axis=1), np.linalg.norm(u - v, axis=1))
         value = np.log10(np.maximum(apart, np.finfo(float).eps))
-        return {"value": value, "outcome": found.outcome, "ended": found.ended}
+        return {"value": value, "outcome": growth.outcome, "ended": growth.ended}

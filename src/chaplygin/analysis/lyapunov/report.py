@@ -6,10 +6,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import floor, log10
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...core.arrays import FloatArray
 from ...core.overview import Overview, WithOverview
 from ...core.system import System
 from ..orbits.reversing_symmetries import Reversor
@@ -21,8 +22,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
 __all__ = ["Spectrum", "dataset", "kaplan_yorke", "record", "remarks", "rounded", "word"]
-
-Array: TypeAlias = Any
 
 #: Draws of the bootstrap, and its seed.
 DRAWS, SEED = 400, 20080830
@@ -46,12 +45,12 @@ class Spectrum(WithOverview):
     exponents : tuple of Average
         The genuine ones, the largest first.
     removed : tuple of (Removed, float or None)
-        What was removed, with the rate at which it was seen to grow, which is to vanish; None for
+        Removed directions, with the observed rate of growth, which is to vanish; None for
         relations.
     dependent : tuple of str
         Integrals and symmetries that force nothing at this start.
     fading : tuple of str
-        What would force a zero if it kept its size, and does not: the flow of a motion that comes
+        Directions that would force a zero if they kept their size: the flow of a motion that comes
         to rest.  It is not removed.
     total : Average
         The sum of the genuine exponents.
@@ -63,7 +62,7 @@ class Spectrum(WithOverview):
 
     system: System
     parameters: dict[str, float]
-    start: Array
+    start: FloatArray
     until: float
     interval: float
     began: float
@@ -73,7 +72,7 @@ class Spectrum(WithOverview):
     fading: tuple[str, ...]
     total: Average
     volume: Volume
-    growth: Array
+    growth: FloatArray
     tolerance: float
 
     @property
@@ -82,12 +81,12 @@ class Spectrum(WithOverview):
         return all(item.settled for item in self.exponents)
 
     @property
-    def values(self) -> Array:
+    def values(self) -> FloatArray:
         """The genuine exponents."""
         return np.array([item.value for item in self.exponents])
 
     @property
-    def errors(self) -> Array:
+    def errors(self) -> FloatArray:
         """Their errors."""
         return np.array([item.error for item in self.exponents])
 
@@ -111,8 +110,8 @@ class Spectrum(WithOverview):
         means = batch_means(self.growth[began:]) / self.interval
         draws = np.random.default_rng(SEED).integers(len(means), size=(DRAWS, len(means)))
         zeros = np.zeros(self.within)
-        found = [kaplan_yorke(np.append(means[draw].mean(axis=0), zeros)) for draw in draws]
-        return kaplan_yorke(np.append(self.values, zeros)), float(np.std(found))
+        dimensions = [kaplan_yorke(np.append(means[draw].mean(axis=0), zeros)) for draw in draws]
+        return kaplan_yorke(np.append(self.values, zeros)), float(np.std(dimensions))
 
     @property
     def symmetric(self) -> bool:
@@ -121,21 +120,22 @@ class Spectrum(WithOverview):
         return bool(np.all(np.abs(pairs) <= self.errors + self.errors[::-1]))
 
     @property
-    def times(self) -> Array:
+    def times(self) -> FloatArray:
         """The ends of the intervals."""
-        return self.interval * np.arange(1, len(self.growth) + 1)
+        ends = self.interval * np.arange(1, len(self.growth) + 1)
+        return np.asarray(ends, dtype=np.float64)
 
     @property
-    def running(self) -> Array:
-        """What each exponent would have been if the motion had ended earlier.
+    def running(self) -> FloatArray:
+        """Running averages: each exponent as if the motion had ended earlier.
 
         (intervals, exponents); not a number before anything is counted.
         """
         began = round(self.began / self.interval)
-        found = np.full(self.growth.shape, np.nan)
-        count = np.arange(1, len(found) - began + 1)[:, None]
-        found[began:] = np.cumsum(self.growth[began:], axis=0) / (self.interval * count)
-        return found
+        averages = np.full(self.growth.shape, np.nan)
+        count = np.arange(1, len(averages) - began + 1)[:, None]
+        averages[began:] = np.cumsum(self.growth[began:], axis=0) / (self.interval * count)
+        return averages
 
     def overview(self) -> Overview:
         """The exponents with their errors, and the zeros that are forced."""
@@ -157,7 +157,7 @@ class Spectrum(WithOverview):
         return dataset(self)
 
 
-def kaplan_yorke(exponents: Sequence[float] | Array) -> float:
+def kaplan_yorke(exponents: Sequence[float] | FloatArray) -> float:
     """The dimension of an attractor with given exponents (Kaplan and Yorke 1979).
 
     With the exponents in falling order, j is the largest number of them whose sum is not
@@ -169,12 +169,12 @@ def kaplan_yorke(exponents: Sequence[float] | Array) -> float:
     count = int(np.argmax(sums < 0)) if (sums < 0).any() else len(ordered)
     if count == len(ordered):
         return float(count)
-    rest = sums[count - 1] if count else 0.0
-    return float(count + rest / abs(ordered[count]))
+    excess = sums[count - 1] if count else 0.0
+    return float(count + excess / abs(ordered[count]))
 
 
 def word(item: Average) -> str:
-    """What an exponent says."""
+    """An exponent in a word."""
     if not item.settled:
         return "not converged"
     if item.zero:
@@ -189,77 +189,77 @@ def rounded(value: float, error: float) -> tuple[str, str]:
     return f"{round(value, places) + 0.0:.{places}f}", f"{error:.{places}f}"
 
 
-def remarks(found: Spectrum, reversors: Sequence[Reversor] = ()) -> Iterator[str]:
+def remarks(spectrum: Spectrum, reversors: Sequence[Reversor] = ()) -> Iterator[str]:
     """Sentences on what a spectrum shows; all of them observed unless they say proven.
 
     Parameters
     ----------
-    found : Spectrum
+    spectrum : Spectrum
     reversors : sequence of Reversor
         Those of the system; the ones that hold with these parameters are used.
     """
-    yield from _convergence(found)
-    for name in found.fading:
+    yield from _convergence(spectrum)
+    for name in spectrum.fading:
         yield (
             f"no exponent is made trivial by {name} on this motion, because its size does not "
             "last: the motion comes to rest, or runs away"
         )
-    yield from _kind(found)
-    yield from _volumes(found)
-    holding = [reversor for reversor in reversors if reversor.holds(found.parameters)]
+    yield from _kind(spectrum)
+    yield from _volumes(spectrum)
+    holding = [reversor for reversor in reversors if reversor.holds(spectrum.parameters)]
     if holding:
-        yield from _pairs(found, holding[0])
+        yield from _pairs(spectrum, holding[0])
 
 
-def _undecided(found: Spectrum) -> bool:
-    """Whether an error is no smaller than what deviations grow and shrink by on the way."""
-    counted = found.growth[round(found.began / found.interval) :]
-    rates = counted.std(axis=0) / found.interval
+def _is_undecided(spectrum: Spectrum) -> bool:
+    """Whether an error is no smaller than the fluctuations of the growth."""
+    counted = spectrum.growth[round(spectrum.began / spectrum.interval) :]
+    rates = counted.std(axis=0) / spectrum.interval
     return any(
         item.error > max(2 * item.resolution, CAREFUL * rate)
-        for item, rate in zip(found.exponents, rates, strict=True)
+        for item, rate in zip(spectrum.exponents, rates, strict=True)
     )
 
 
-def _convergence(found: Spectrum) -> Iterator[str]:
-    for number, item in enumerate(found.exponents, 1):
+def _convergence(spectrum: Spectrum) -> Iterator[str]:
+    for number, item in enumerate(spectrum.exponents, 1):
         if not item.settled:
             first, second = item.halves
             yield (
                 f"λ{number} has not converged: {first:.3g} over the first half of the time, "
                 f"{second:.3g} over the second; integrate for longer (--until)"
             )
-    if abs(found.volume.balance) > CAREFUL * found.total.error:
+    if abs(spectrum.volume.balance) > CAREFUL * spectrum.total.error:
         yield (
             f"the mean of the divergence has a further uncertainty of "
-            f"{abs(found.volume.balance):.2g}: it varies faster than it is sampled"
+            f"{abs(spectrum.volume.balance):.2g}: it varies faster than it is sampled"
         )
 
 
-def _kind(found: Spectrum) -> Iterator[str]:
-    if not found.exponents:
+def _kind(spectrum: Spectrum) -> Iterator[str]:
+    if not spectrum.exponents:
         yield "integrals, relations and symmetries make all exponents trivial"
-    elif found.chaotic:
+    elif spectrum.chaotic:
         yield "the largest exponent is positive: the motion is chaotic (observed)"
-    elif all(item.zero for item in found.exponents) and _undecided(found):
+    elif all(item.zero for item in spectrum.exponents) and _is_undecided(spectrum):
         yield (
             "no exponent differs from zero beyond its error, but the errors are not small beside "
             "the rates at which deviations grow and shrink along the motion: nothing can be "
             "concluded yet; integrate for longer (--until)"
         )
-    elif all(item.zero for item in found.exponents) and found.settled:
+    elif all(item.zero for item in spectrum.exponents) and spectrum.settled:
         yield (
             "no exponent differs from zero beyond its error: the motion is regular as far as this "
             "time shows (observed)"
         )
-    elif found.settled and found.exponents[0].value < -found.exponents[0].error:
+    elif spectrum.settled and spectrum.exponents[0].value < -spectrum.exponents[0].error:
         yield "all exponents are negative: a periodic or steady motion attracts this one (observed)"
 
 
-def _volumes(found: Spectrum) -> Iterator[str]:
-    total = found.total
-    changing = bool(found.exponents) and total.settled and not total.zero
-    for name, defect in found.volume.measures.items():
+def _volumes(spectrum: Spectrum) -> Iterator[str]:
+    total = spectrum.total
+    changing = bool(spectrum.exponents) and total.settled and not total.zero
+    for name, defect in spectrum.volume.measures.items():
         if abs(defect) <= CAREFUL * total.error:
             limit = "grows beyond all bounds" if total.value < 0 else "goes to zero"
             yield (
@@ -279,61 +279,63 @@ def _volumes(found: Spectrum) -> Iterator[str]:
         f"phase volume {way} along this motion: near its limit set there is no invariant measure "
         "with a smooth positive density (observed, not proven)"
     )
-    if found.chaotic and total.value < 0:
-        value, error = rounded(*found.dimension)
-        level = any(item.kind == "integral" for item, _ in found.removed)
+    if spectrum.chaotic and total.value < 0:
+        value, error = rounded(*spectrum.dimension)
+        level = any(item.kind == "integral" for item, _ in spectrum.removed)
         place = " on the level of the integrals" if level else ""
         yield f"a chaotic set {end} it, of Kaplan–Yorke dimension {value} ± {error}{place}"
 
 
-def _pairs(found: Spectrum, reversor: Reversor) -> Iterator[str]:
-    yield (f"the equations are reversible (proven): {reversor.words(found.system)} with the time")
-    if found.exponents and found.settled and not _undecided(found):
+def _pairs(spectrum: Spectrum, reversor: Reversor) -> Iterator[str]:
+    yield (
+        f"the equations are reversible (proven): {reversor.words(spectrum.system)} with the time"
+    )
+    if spectrum.exponents and spectrum.settled and not _is_undecided(spectrum):
         yield (
             "the exponents form pairs of opposite sign within their errors"
-            if found.symmetric
+            if spectrum.symmetric
             else "the exponents do not form pairs of opposite sign: the reversed motion has the "
             "opposite exponents and is a different motion"
         )
 
 
-def record(found: Spectrum, reversors: Sequence[Reversor] = ()) -> dict[str, Any]:
+def record(spectrum: Spectrum, reversors: Sequence[Reversor] = ()) -> dict[str, object]:
     """A spectrum as numbers, texts and lists of these."""
     return {
-        "system": found.system.name,
-        "parameters": found.parameters,
-        "start": found.start.tolist(),
+        "system": spectrum.system.name,
+        "parameters": spectrum.parameters,
+        "start": spectrum.start.tolist(),
         "units": dict.fromkeys(("exponents", "seen", "sum", "mean_divergence"), "1/s")
         | dict.fromkeys(("until", "counted_from", "interval"), "s"),
-        "until": found.until,
-        "counted_from": found.began,
-        "interval": found.interval,
-        "exponents": [_average(item) | {"word": word(item)} for item in found.exponents],
+        "until": spectrum.until,
+        "counted_from": spectrum.began,
+        "interval": spectrum.interval,
+        "exponents": [_average(item) | {"word": word(item)} for item in spectrum.exponents],
         "removed": [
-            {"name": item.name, "kind": item.kind, "seen": rate} for item, rate in found.removed
+            {"name": item.name, "kind": item.kind, "seen": rate} for item, rate in spectrum.removed
         ],
-        "dependent": list(found.dependent),
-        "fading": list(found.fading),
-        "sum": _average(found.total),
-        "mean_divergence": _average(found.volume.divergence),
-        "balance": found.volume.balance,
-        "measures": found.volume.measures,
-        "dimension": dict(zip(("value", "error"), found.dimension, strict=True)),
-        "settled": found.settled,
-        "symmetric": found.symmetric,
+        "dependent": list(spectrum.dependent),
+        "fading": list(spectrum.fading),
+        "sum": _average(spectrum.total),
+        "mean_divergence": _average(spectrum.volume.divergence),
+        "balance": spectrum.volume.balance,
+        "measures": spectrum.volume.measures,
+        "dimension": dict(zip(("value", "error"), spectrum.dimension, strict=True)),
+        "settled": spectrum.settled,
+        "symmetric": spectrum.symmetric,
         "reversors": [
             {
                 "odd": [str(s) for s in item.odd],
                 "needs_zero": [str(s) for s in item.vanishing],
-                "holds": item.holds(found.parameters),
+                "holds": item.holds(spectrum.parameters),
             }
             for item in reversors
         ],
-        "remarks": list(remarks(found, reversors)),
+        "remarks": list(remarks(spectrum, reversors)),
     }
 
 
-def _average(item: Average) -> dict[str, Any]:
+def _average(item: Average) -> dict[str, object]:
     return {
         "value": item.value,
         "error": item.error,
@@ -345,7 +347,7 @@ def _average(item: Average) -> dict[str, Any]:
     }
 
 
-def dataset(found: Spectrum) -> xr.Dataset:
+def dataset(spectrum: Spectrum) -> xr.Dataset:
     """A spectrum with the way it settled.
 
     Returns
@@ -357,20 +359,20 @@ def dataset(found: Spectrum) -> xr.Dataset:
 
     from ..._version import __version__
 
-    def variable(dims: Any, values: Any, long_name: str, units: str = "1/s") -> Any:
-        return dims, values, {"long_name": long_name, "units": units, "source": ""}
+    def variable(dims: object, values: object, name: str, units: str = "1/s") -> tuple[object, ...]:
+        return dims, values, {"long_name": name, "units": units, "source": ""}
 
-    rates = [np.nan if rate is None else rate for _, rate in found.removed]
-    kinds = [item.kind for item, _ in found.removed]
-    settled = np.array([item.settled for item in found.exponents], dtype=np.int8)
-    total, divergence = found.total, found.volume.divergence
-    start = zip(found.system.symbols, found.start, strict=True)
+    rates = [np.nan if rate is None else rate for _, rate in spectrum.removed]
+    kinds = [item.kind for item, _ in spectrum.removed]
+    settled = np.array([item.settled for item in spectrum.exponents], dtype=np.int8)
+    total, divergence = spectrum.total, spectrum.volume.divergence
+    start = zip(spectrum.system.symbols, spectrum.start, strict=True)
     return xr.Dataset(
         {
-            "lyapunov": variable("exponent", found.values, "Lyapunov exponent"),
-            "error": variable("exponent", found.errors, "error of the exponent"),
+            "lyapunov": variable("exponent", spectrum.values, "Lyapunov exponent"),
+            "error": variable("exponent", spectrum.errors, "error of the exponent"),
             "settled": variable("exponent", settled, "whether both halves agree", "1"),
-            "running": variable(("time", "exponent"), found.running, "exponent if ended here"),
+            "running": variable(("time", "exponent"), spectrum.running, "exponent if ended here"),
             "seen": variable("removed", rates, "rate seen of a forced zero"),
             "kind": variable("removed", kinds, "why it was removed", "1"),
             "total": variable((), total.value, "sum of the exponents"),
@@ -378,18 +380,20 @@ def dataset(found: Spectrum) -> xr.Dataset:
             "divergence": variable((), divergence.value, "mean divergence on the phase space"),
         },
         {
-            "exponent": variable("exponent", np.arange(1, len(found.exponents) + 1), "number", "1"),
-            "removed": variable("removed", [r.name for r, _ in found.removed], "name", "1"),
-            "time": variable("time", found.times, "time", "s"),
+            "exponent": variable(
+                "exponent", np.arange(1, len(spectrum.exponents) + 1), "number", "1"
+            ),
+            "removed": variable("removed", [r.name for r, _ in spectrum.removed], "name", "1"),
+            "time": variable("time", spectrum.times, "time", "s"),
         },
         {
             "Conventions": "CF-1.11",
-            "system": found.system.title,
-            "system_name": found.system.name,
-            "parameters": "; ".join(f"{name} = {x!r}" for name, x in found.parameters.items()),
+            "system": spectrum.system.title,
+            "system_name": spectrum.system.name,
+            "parameters": "; ".join(f"{name} = {x!r}" for name, x in spectrum.parameters.items()),
             "start": "; ".join(f"{symbol} = {float(x)!r}" for symbol, x in start),
-            "counted_from": found.began,
-            "tolerance": found.tolerance,
+            "counted_from": spectrum.began,
+            "tolerance": spectrum.tolerance,
             "versions": f"chaplygin {__version__}",
         },
     )

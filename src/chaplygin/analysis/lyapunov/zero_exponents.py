@@ -11,11 +11,13 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal
 
 import numpy as np
 import sympy as sp
 
+from ...arguments import Parameters
+from ...core.arrays import FloatArray
 from ...core.laws import Law, Symmetry
 from ...core.system import System
 from ...core.vectors import to_components
@@ -28,7 +30,6 @@ from ...printing.laws import equation
 
 __all__ = ["TrivialDirections", "TrivialExponent", "trivial_directions", "vanish"]
 
-Values: TypeAlias = Mapping[Any, Any] | None
 Kind = Literal["relation", "integral", "flow", "symmetry", "quadrature"]
 
 #: Relative size below which a vector counts as dependent on others.
@@ -69,13 +70,13 @@ class TrivialExponent:
 
     @property
     def reason(self) -> str:
-        """Why it has no genuine exponent."""
+        """The reason why it has no genuine exponent."""
         return _REASONS[self.kind]
 
 
 @dataclass(frozen=True)
 class TrivialDirections:
-    """What has to be removed along a motion, and what is left.
+    """The directions with trivial exponents along a motion, and the others.
 
     Attributes
     ----------
@@ -91,15 +92,15 @@ class TrivialDirections:
     space: TangentSpace
     removed: tuple[TrivialExponent, ...]
     dependent: tuple[str, ...]
-    sizes: Any
+    sizes: FloatArray
 
 
 def trivial_directions(
     system: System,
     start: Sequence[float],
-    parameters: Values = None,
-    kept: Collection[str] = (),
-    sizes: Any = None,
+    parameters: Parameters = None,
+    fading: Collection[str] = (),
+    sizes: FloatArray | None = None,
 ) -> TrivialDirections:
     """The zero exponents that laws and relations force on the motion from a start.
 
@@ -109,8 +110,8 @@ def trivial_directions(
     start : sequence of float
         State in flat order, on the phase space.
     parameters : mapping of Symbol or name to number, optional
-        Values that replace the defaults.
-    kept : collection of str
+        Parameters that replace the defaults.
+    fading : collection of str
         Names of what is not to be removed, because it forces no zero on this motion.
     sizes : (size,) array, optional
         By which deviations are measured; those of the start if left out.
@@ -127,9 +128,9 @@ def trivial_directions(
     across, along = _Span(), _Span()
     removed: list[TrivialExponent] = []
     dependent: list[str] = []
-    conditions: list[Any] = []
+    conditions: list[sp.Expr] = []
     for item in _conditions(at):
-        if item.removed.name in kept:
+        if item.removed.name in fading:
             continue
         if item.on and not at.on_level(item.on, across):
             continue
@@ -142,9 +143,9 @@ def trivial_directions(
     fields = [
         item
         for item in _fields(at)
-        if item.removed.name not in kept and (not item.on or at.on_level(item.on, across))
+        if item.removed.name not in fading and (not item.on or at.on_level(item.on, across))
     ]
-    rows: list[Any] = []
+    rows: list[FloatArray] = []
     for named, row in _tangent(at, fields, across):
         vectors = row @ at.vectors(fields)
         if along.take(vectors[0], _floor(vectors)):
@@ -159,7 +160,11 @@ def trivial_directions(
 
 
 def vanish(
-    system: System, level: Sequence[Any], state: Any, parameters: Values, sizes: Any
+    system: System,
+    level: Sequence[sp.Expr],
+    state: FloatArray,
+    parameters: Parameters,
+    sizes: FloatArray,
 ) -> bool:
     """Whether formulas vanish at a state, up to rounding of what they consist of.
 
@@ -178,8 +183,8 @@ def vanish(
     return bool(np.all(values <= ZERO * (reach + shares.sum(axis=1))))
 
 
-def _floor(vectors: Any) -> float:
-    """The length below which the first of some vectors counts as zero beside those near by."""
+def _floor(vectors: FloatArray) -> float:
+    """The length below which the first of some vectors counts as zero."""
     lengths = np.linalg.norm(vectors, axis=1)
     return ZERO * float(np.fmax.reduce(lengths, initial=0.0))
 
@@ -189,26 +194,26 @@ class _Item:
     """Something that may force a zero: a function or a field."""
 
     removed: TrivialExponent
-    formulas: tuple[Any, ...]
-    on: tuple[Any, ...] = ()
+    formulas: tuple[sp.Expr, ...]
+    on: tuple[sp.Expr, ...] = ()
 
 
 @dataclass
 class _Span:
     """Vectors independent of each other, as an orthonormal basis."""
 
-    basis: list[Any] = field(default_factory=list)
+    basis: list[FloatArray] = field(default_factory=list)
 
-    def rest(self, vector: Any) -> Any:
-        """What of a vector does not lie in the span."""
+    def remainder(self, vector: FloatArray) -> FloatArray:
+        """A vector less its projection onto the span."""
         for _ in range(2):
             for other in self.basis:
                 vector = vector - (vector @ other) * other
         return vector
 
-    def take(self, vector: Any, floor: float) -> bool:
-        """Whether a vector of at least the size `floor` is independent; if so, it is added."""
-        left = self.rest(vector)
+    def take(self, vector: FloatArray, floor: float) -> bool:
+        """Add a vector to the basis if it is independent; return whether it is."""
+        left = self.remainder(vector)
         size = float(np.linalg.norm(left))
         independent = size > max(floor, DEPENDENT * float(np.linalg.norm(vector)))
         if independent:
@@ -221,30 +226,34 @@ class _At:
     """A system at one state."""
 
     system: System
-    state: Any
-    sizes: Any
-    parameters: Values
+    state: FloatArray
+    sizes: FloatArray
+    parameters: Parameters
 
     @cached_property
-    def places(self) -> Any:
-        """The state, and some near by, which show how large a vector is that vanishes here."""
+    def places(self) -> FloatArray:
+        """The state and some near it, for the usual sizes of vectors that vanish here."""
         moves = np.random.default_rng(SEED).standard_normal((BESIDE, self.state.shape[1]))
         return np.concatenate([self.state, self.state + NEAR * self.sizes * moves])
 
-    def slopes(self, formulas: Sequence[Any]) -> Any:
+    def slopes(self, formulas: Sequence[sp.Expr]) -> FloatArray:
         """Measured gradients, (places, formulas, size)."""
-        return Formulas(self.system, formulas).slopes(self.places, self.parameters) * self.sizes
+        result: FloatArray = (
+            Formulas(self.system, formulas).slopes(self.places, self.parameters) * self.sizes
+        )
+        return result
 
-    def vectors(self, items: Sequence[_Item]) -> Any:
+    def vectors(self, items: Sequence[_Item]) -> FloatArray:
         """The fields of some items, measured, (places, items, size)."""
         parts = [part for item in items for part in item.formulas]
         flat = Formulas(self.system, parts)(self.places, self.parameters)
-        return flat.reshape(len(flat), len(items), len(self.sizes)) / self.sizes
+        result: FloatArray = flat.reshape(len(flat), len(items), len(self.sizes)) / self.sizes
+        return result
 
-    def on_level(self, level: Sequence[Any], span: _Span) -> bool:
+    def on_level(self, level: Sequence[sp.Expr], span: _Span) -> bool:
         """Whether the state lies on a level, which deviations within the span keep."""
         return vanish(self.system, level, self.state[0], self.parameters, self.sizes) and all(
-            np.linalg.norm(span.rest(row)) <= DEPENDENT * np.linalg.norm(row)
+            np.linalg.norm(span.remainder(row)) <= DEPENDENT * np.linalg.norm(row)
             for row in self.slopes(level)[0]
         )
 
@@ -286,7 +295,7 @@ def _idle(system: System) -> list[sp.Symbol]:
     return [s for s in system.symbols if s not in active]
 
 
-def _level(law: Law) -> tuple[Any, ...]:
+def _level(law: Law) -> tuple[sp.Expr, ...]:
     return tuple(to_components(condition) for condition in law.on)
 
 

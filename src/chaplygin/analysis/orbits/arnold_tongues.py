@@ -17,8 +17,8 @@ from typing import Protocol
 
 import numpy as np
 
+from ...core.arrays import FloatArray
 from ...errors import InputError, RunError
-from .maps import Array
 from .rotation import FIRST, average
 
 __all__ = [
@@ -46,7 +46,7 @@ NOISE, MANY = 1e-3, 256
 class CircleMaps(Protocol):
     """A family of maps of the circle."""
 
-    def __call__(self, turns: Array, values: Array, count: int) -> Array:
+    def __call__(self, turns: FloatArray, values: FloatArray, count: int) -> FloatArray:
         """Orbits under lifts of the maps.
 
         Parameters
@@ -80,9 +80,9 @@ class DevilsStaircase:
         Differences between the averages of both halves of each orbit.
     """
 
-    values: Array
-    rotations: Array
-    errors: Array
+    values: FloatArray
+    rotations: FloatArray
+    errors: FloatArray
 
 
 @dataclass(frozen=True)
@@ -96,7 +96,7 @@ class Displacement:
     where : pair of float
         Their places, turns.
     noise : float
-        How far errors of the map may have moved the extrema: its accuracy, and the size of the
+        Effect of errors of the map on the extrema: its accuracy, and the size of the
         coefficients that should be zero.
     mean : float
     """
@@ -118,7 +118,7 @@ class Plateau:
     low, high : float
         Its edges.
     error : float
-        How far errors of the map may have moved each.
+        Effect of errors of the map on each end.
     slope : float
         The rate at which the mean displacement grows with the parameter.
     middle : Displacement
@@ -145,20 +145,20 @@ class Plateau:
 
 def staircase(
     maps: CircleMaps,
-    values: Array,
+    values: FloatArray,
     *,
     start: float = 0.0,
     target: float = 1e-10,
     most: int = 1 << 14,
 ) -> DevilsStaircase:
-    """Rotation numbers for many values of a parameter, each with as many steps as it takes.
+    """Rotation numbers at many values of a parameter, each with enough steps.
 
     Parameters
     ----------
     maps : CircleMaps
     values : array (n,)
     start : float
-        Where all orbits begin, turns.
+        The initial point of all orbits, in turns.
     target : float
         The error to be reached.
     most : int
@@ -207,7 +207,7 @@ def displacement(
         sizes = np.abs(np.fft.rfft(moved)) / count
         tail = float(sizes[-count // 8 :].max())
         rounding = accuracy * fraction.denominator
-        # what does not fall when points are added is the noise of the map
+        # a level that does not fall with more points is the noise of the map
         flat = tail > before / 4 and (tail < NOISE * float(sizes.max()) or count >= MANY)
         if flat or tail <= max(KNOWN * float(sizes.max()), rounding):
             return _extrema(moved, tail * float(np.sqrt(count)) + rounding)
@@ -215,7 +215,7 @@ def displacement(
     raise RunError(f"the displacement is too rough for {FINEST} points", float(value))
 
 
-def _extrema(moved: Array, noise: float) -> Displacement:
+def _extrema(moved: FloatArray, noise: float) -> Displacement:
     """Extrema of the trigonometric polynomial through equidistant values."""
     count = len(moved)
     powers = 2j * np.pi * np.arange(count // 2 + 1)
@@ -226,7 +226,7 @@ def _extrema(moved: Array, noise: float) -> Displacement:
     def at(place: float, order: int) -> float:
         return float((share * powers**order * np.exp(powers * place)).real.sum())
 
-    found = []
+    extrema = []
     for start, sign in ((int(moved.argmin()), 1.0), (int(moved.argmax()), -1.0)):
         place = start / count
         for _ in range(30):
@@ -235,12 +235,12 @@ def _extrema(moved: Array, noise: float) -> Displacement:
             place += float(np.clip(step, -0.5 / count, 0.5 / count))
             if abs(step) < 1e-12:
                 break
-        # where rounding is all there is, a sample is as good as any place
+        # within rounding errors any sample will do
         best = min(
             (at(place, 0), place), (float(moved[start]), start / count), key=lambda b: sign * b[0]
         )
-        found.append(best)
-    (least, low), (greatest, high) = found
+        extrema.append(best)
+    (least, low), (greatest, high) = extrema
     return Displacement(least, greatest, (low % 1.0, high % 1.0), noise, float(moved.mean()))
 
 
@@ -279,14 +279,14 @@ def locked_interval(
         )
 
     def edge(name: str) -> float:
-        found: float = brentq(
+        end: float = brentq(
             lambda value: getattr(displacement(maps, value, fraction, accuracy), name),
             low,
             high,
             xtol=1e-15 * max(abs(low), abs(high)),
             rtol=4 * np.finfo(float).eps,
         )
-        return found
+        return end
 
     names = ("greatest", "least") if rising else ("least", "greatest")
     edges = edge(names[0]), edge(names[1])
@@ -309,7 +309,7 @@ def _slope(
 def plateaus(
     maps: CircleMaps, stairs: DevilsStaircase, longest: int, turns: Iterable[int] = ()
 ) -> list[Plateau]:
-    """All steps that a staircase passes, of cycles up to a length, in the order of the parameter.
+    """The plateaus of a devil's staircase, of cycles up to a length.
 
     Parameters
     ----------
@@ -326,32 +326,32 @@ def plateaus(
     if not len(finite):
         raise InputError("stairs: no rotation number is known")
     lowest, highest = float(finite.min()), float(finite.max())
-    found = []
+    plateaux = []
     for q in range(1, longest + 1):
         for p in range(int(np.ceil(lowest * q)), int(np.floor(highest * q)) + 1):
             if gcd(p, q) == 1 and (not wanted or p in wanted):
-                found.extend(_around(maps, stairs, Fraction(p, q)))
-    return sorted(found, key=lambda step: step.low)
+                plateaux.extend(_plateaus_of(maps, stairs, Fraction(p, q)))
+    return sorted(plateaux, key=lambda step: step.low)
 
 
-def _around(maps: CircleMaps, stairs: DevilsStaircase, fraction: Fraction) -> list[Plateau]:
+def _plateaus_of(maps: CircleMaps, stairs: DevilsStaircase, fraction: Fraction) -> list[Plateau]:
     """The plateaus of a fraction, one for each time the staircase passes it."""
     known = np.flatnonzero(np.isfinite(stairs.rotations))
     values, excess = stairs.values[known], stairs.rotations[known] - float(fraction)
     # an orbit that nearly stands still has a poor average
     unsure = np.abs(excess) <= np.maximum(1e-9, 4 * stairs.errors[known])
     clear = np.flatnonzero(~unsure)
-    found = []
+    plateaux = []
     for i, j in pairwise(clear):
         if excess[i] * excess[j] < 0:
             low, high = _outwards(maps, values, (int(i), int(j)), fraction)
             if low >= 0 and high < len(values):
-                found.append(locked_interval(maps, fraction, (values[low], values[high])))
-    return found
+                plateaux.append(locked_interval(maps, fraction, (values[low], values[high])))
+    return plateaux
 
 
 def _outwards(
-    maps: CircleMaps, values: Array, ends: tuple[int, int], fraction: Fraction
+    maps: CircleMaps, values: FloatArray, ends: tuple[int, int], fraction: Fraction
 ) -> tuple[int, int]:
     """The next places on both sides where the displacement vanishes nowhere."""
 

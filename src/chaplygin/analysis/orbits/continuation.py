@@ -15,9 +15,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ...core.arrays import FloatArray
 from ...errors import InputError
 from .floquet import Multipliers
-from .maps import Array, Map
+from .maps import Map
 from .periodic import (
     FAMILY,
     Equations,
@@ -41,7 +42,7 @@ CLEAR = 100.0
 
 @dataclass(frozen=True)
 class Event:
-    """What happens on a branch.
+    """A bifurcation, fold or end on a branch.
 
     Attributes
     ----------
@@ -80,17 +81,17 @@ class Branch:
     reason: str
 
     @property
-    def places(self) -> Array:
+    def places(self) -> FloatArray:
         """The varied values, shape (orbits,)."""
         return np.array([orbit.values[self.varied] for orbit in self.orbits])
 
 
 @dataclass(frozen=True)
 class _Place:
-    """An orbit of the branch with its tangent, a unit vector in the measured space of points."""
+    """An orbit of the branch with its unit tangent."""
 
     orbit: Orbit
-    tangent: Array
+    tangent: FloatArray
     speed: float
 
 
@@ -99,8 +100,8 @@ class _Follower:
     equations: Equations
     varied: str
 
-    def place(self, points: Array, error: float, ahead: Array | None) -> _Place:
-        """The place at the points of an orbit; its tangent makes no sharp turn from `ahead`."""
+    def place(self, points: FloatArray, error: float, ahead: FloatArray | None) -> _Place:
+        """The place of an orbit, with the tangent in the direction of `ahead`."""
         _, slopes, _ = self.equations(points)
         _, sizes, other = np.linalg.svd(slopes)
         free = points.size - int((sizes > FAMILY * sizes[0]).sum())
@@ -146,7 +147,7 @@ def follow(
     ----------
     made : Map
     orbit : Orbit
-        Where it begins.
+        The first orbit.
     varied : str
         An integral or promoted parameter whose value changes.
     until : float
@@ -164,11 +165,11 @@ def follow(
     InputError
         If a name is unknown, or if orbits are a family of more dimensions than one.
     """
-    held = held_values(made, orbit.points[0], hold)
+    values = held_values(made, orbit.points[0], hold)
     start = held_values(made, orbit.points[0], [varied])[varied]
-    if varied in held:
+    if varied in values:
         raise InputError(f"hold: {varied} cannot be held and varied")
-    follower = _Follower(Equations(made, held, made.sizes(orbit.points)), varied)
+    follower = _Follower(Equations(made, values, made.sizes(orbit.points)), varied)
     here = follower.place(orbit.points, orbit.error, None)
     if (until - start) * here.speed < 0:
         here = _Place(here.orbit, -here.tangent, -here.speed)
@@ -178,11 +179,11 @@ def follow(
         if advanced is None:
             reason = "no orbit was found however short the step"
             break
-        there, taken = advanced
+        there, length_taken = advanced
         turn = _turn(here, there)
-        events.extend(_events(follower, here, there, taken))
-        end = _located(
-            follower, here, there, taken, lambda p: p.orbit.values[varied] - until, "passed"
+        events.extend(_events(follower, here, there, length_taken))
+        end = _location(
+            follower, here, there, length_taken, lambda p: p.orbit.values[varied] - until, "passed"
         )
         if end is not None:
             places.append(there if end.orbit is there.orbit else _Place(end.orbit, here.tangent, 0))
@@ -192,7 +193,7 @@ def follow(
         if len(places) > 2 and _passes(here, there, places[0], follower.equations.sizes):
             reason = "the branch is closed"
             break
-        length = taken * (LONGER if turn < _STRAIGHT else 1.0)
+        length = length_taken * (LONGER if turn < _STRAIGHT else 1.0)
         here = there
         places.append(here)
     orbits = tuple(place.orbit for place in places)
@@ -218,7 +219,7 @@ def _turn(here: _Place, there: _Place) -> float:
     return float(np.arccos(np.clip(here.tangent @ there.tangent, -1.0, 1.0)))
 
 
-def _passes(here: _Place, there: _Place, first: _Place, sizes: Array) -> bool:
+def _passes(here: _Place, there: _Place, first: _Place, sizes: FloatArray) -> bool:
     """Whether a step goes by the orbit with which the branch began, in its direction."""
     begin, step = here.orbit.points / sizes, (there.orbit.points - here.orbit.points) / sizes
     length = float(np.linalg.norm(step))
@@ -232,36 +233,36 @@ def _passes(here: _Place, there: _Place, first: _Place, sizes: Array) -> bool:
     return False
 
 
-def _at_one(found: Multipliers, sign: float) -> tuple[float, float]:
-    """∏(μ − sign), which changes its sign where a multiplier goes through ±1, and its error."""
-    factors = found.values - sign
+def _at_one(multipliers: Multipliers, sign: float) -> tuple[float, float]:
+    """∏(μ − sign), whose sign changes if a multiplier passes ±1, and its error."""
+    factors = multipliers.values - sign
     value = float(np.prod(factors).real)
-    return value, _spread(factors, found.errors)
+    return value, _spread(factors, multipliers.errors)
 
 
-def _on_circle(found: Multipliers) -> tuple[float, float]:
-    """∏(μ_i μ_j − 1) over pairs of complex conjugates, and its error; 1 if there are none."""
-    pairs = found.values[found.values.imag > 0]
-    errors = found.errors[found.values.imag > 0]
+def _on_circle(multipliers: Multipliers) -> tuple[float, float]:
+    """∏(μ_i μ_j − 1) over complex pairs, and its error; 1 if there are none."""
+    pairs = multipliers.values[multipliers.values.imag > 0]
+    errors = multipliers.errors[multipliers.values.imag > 0]
     factors = np.abs(pairs) ** 2 - 1
     return float(np.prod(factors)), _spread(factors, 2 * np.abs(pairs) * errors)
 
 
-def _spread(factors: Array, errors: Array) -> float:
-    """How far errors of its factors may move a product."""
+def _spread(factors: FloatArray, errors: FloatArray) -> float:
+    """The error of a product from those of its factors."""
     sizes = np.abs(factors)
     return float(np.prod(sizes + errors) - np.prod(sizes))
 
 
 def _events(follower: _Follower, here: _Place, there: _Place, length: float) -> list[Event]:
-    found = []
-    fold = _located(follower, here, there, length, lambda p: p.speed, "fold")
+    events = []
+    fold = _location(follower, here, there, length, lambda p: p.speed, "fold")
     tests: dict[str, Callable[[Multipliers], tuple[float, float]]] = {
         "doubling": lambda m: _at_one(m, -1.0),
         "torus": _on_circle,
     }
     if fold is not None:
-        found.append(fold)
+        events.append(fold)
     else:
         tests["branch"] = lambda m: _at_one(m, 1.0)
     for kind, test in tests.items():
@@ -273,19 +274,19 @@ def _events(follower: _Follower, here: _Place, there: _Place, length: float) -> 
             def value(place: _Place, test: Callable[..., tuple[float, float]] = test) -> float:
                 return test(place.orbit.multipliers)[0]
 
-            event = _located(follower, here, there, length, value, kind)
+            event = _location(follower, here, there, length, value, kind)
             if event is not None:
-                found.append(event)
-    return found
+                events.append(event)
+    return events
 
 
 def _same_pairs(kind: str, here: _Place, there: _Place) -> bool:
-    """Whether as many multipliers are complex at both ends, without which circles mean nothing."""
+    """Whether as many multipliers are complex at both ends."""
     counts = [int((p.orbit.multipliers.values.imag > 0).sum()) for p in (here, there)]
     return kind != "torus" or counts[0] == counts[1] > 0
 
 
-def _located(
+def _location(
     follower: _Follower,
     here: _Place,
     there: _Place,
@@ -293,7 +294,7 @@ def _located(
     test: Callable[[_Place], float],
     kind: str,
 ) -> Event | None:
-    """Where a function changes its sign between two places, by the Illinois method."""
+    """The zero of a function between two places, by the Illinois method."""
     ends = [(0.0, test(here), here), (length, test(there), there)]
     if ends[0][1] * ends[1][1] > 0 or ends[0][1] == 0:
         return None

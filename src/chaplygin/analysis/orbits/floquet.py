@@ -12,7 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .maps import Array, Map, measured
+from ...core.arrays import FloatArray
+from .maps import Map, normalised
 
 __all__ = ["Multipliers", "multipliers", "stability"]
 
@@ -32,18 +33,18 @@ class Multipliers:
     values : complex array (d,)
         On the level of all integrals, greatest first.
     forced : tuple of str
-        What forces each of the others to be one: ``"flow"``, integrals, promoted parameters.
+        The reason of each trivial multiplier: ``"flow"``, integrals, promoted parameters.
     errors : array (d,)
-        How far rounding and integration may have moved each.
+        Effect of rounding and integration on each.
     matrix : array (d, d)
         The derivative of the return, on an orthonormal basis of the level, each vector of the
         state being measured by its size.
     """
 
-    values: Array
+    values: FloatArray
     forced: tuple[str, ...]
-    errors: Array
-    matrix: Array
+    errors: FloatArray
+    matrix: FloatArray
 
     @property
     def kind(self) -> str:
@@ -51,7 +52,7 @@ class Multipliers:
         return stability(self.values, self.errors)
 
 
-def stability(values: Array, errors: Array) -> str:
+def stability(values: FloatArray, errors: FloatArray) -> str:
     """The kind of an orbit in one or two words.
 
     Parameters
@@ -82,7 +83,7 @@ def stability(values: Array, errors: Array) -> str:
     return "saddle and elliptic" if inside.any() and outside.any() else "undecided"
 
 
-def multipliers(made: Map, point: Array, slope: Array) -> Multipliers:
+def multipliers(made: Map, point: FloatArray, slope: FloatArray) -> Multipliers:
     """The multipliers of an orbit.
 
     Parameters
@@ -95,7 +96,7 @@ def multipliers(made: Map, point: Array, slope: Array) -> Multipliers:
     """
     sizes = made.sizes(point[None])
     slope = slope * sizes / sizes[:, None]
-    _, domain = measured(
+    _, domain = normalised(
         np.zeros(len(made.domain.names)), made.domain.slopes(point[None])[0], sizes
     )
     basis = complement(domain)
@@ -112,8 +113,8 @@ def multipliers(made: Map, point: Array, slope: Array) -> Multipliers:
         if size <= DEPENDENT * float(np.linalg.norm(gradient)):
             continue
         forced.append(name)
-        kept = gradient @ slope @ basis - across
-        defect = max(defect, float(np.linalg.norm(kept)) / size)
+        mapped = gradient @ slope @ basis - across
+        defect = max(defect, float(np.linalg.norm(mapped)) / size)
         basis = basis @ complement(across[None])
     matrix = basis.T @ slope @ basis
     values, vectors = np.linalg.eig(matrix)
@@ -126,21 +127,21 @@ def multipliers(made: Map, point: Array, slope: Array) -> Multipliers:
     )
 
 
-def complement(rows: Array) -> Array:
+def complement(rows: FloatArray) -> FloatArray:
     """An orthonormal basis, in columns, of what all rows annul."""
     if not len(rows):
         return np.eye(rows.shape[1])
     _, sizes, other = np.linalg.svd(rows)
     rank = int((sizes > DEPENDENT * sizes[0]).sum())
-    found: Array = other[rank:].T
-    return found
+    basis: FloatArray = other[rank:].T
+    return basis
 
 
-def _conditions(vectors: Array) -> Array:
+def _conditions(vectors: FloatArray) -> FloatArray:
     """By how much errors of a matrix are magnified in its eigenvalues."""
     if not len(vectors):
         return np.zeros(0)
     # for a double eigenvalue the inverse is meaningless, and its size says so
     left = np.linalg.pinv(vectors, rcond=1e-15)
-    found: Array = np.linalg.norm(left, axis=1) * np.linalg.norm(vectors, axis=0)
-    return found
+    conditions: FloatArray = np.linalg.norm(left, axis=1) * np.linalg.norm(vectors, axis=0)
+    return conditions

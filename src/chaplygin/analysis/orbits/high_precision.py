@@ -6,19 +6,21 @@ digits to those of an orbit that is known in doubles.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import mpmath
 import numpy as np
+import numpy.typing as npt
+import sympy as sp
 
+from ...core.arrays import FloatArray
 from ...core.vectors import to_components
 from ...flow.batch import batch_integrator
 from ...flow.gauss import gauss_integrator
-from ...flow.kernel.double_double import unpaired
+from ...flow.kernel.double_double import from_pairs
 from ...formulas.multiprecision import slopes
-from .maps import Array, measured
+from .maps import normalised
 from .periodic import NoOrbitError, Orbit, held_values, periodic_difference, shortest
 from .return_map import ReturnMap
 
@@ -41,8 +43,8 @@ class RefinedOrbit:
         The last step of Newton's method, in sizes of the vectors of the state.
     """
 
-    point: list[Any]
-    duration: Any
+    point: list[mpmath.mpf]
+    duration: mpmath.mpf
     error: float
 
 
@@ -65,9 +67,9 @@ def refine_orbit(
     NoOrbitError
         If the iteration does not come to rest.
     """
-    held = held_values(made, orbit.points[0], hold)
+    values = held_values(made, orbit.points[0], hold)
     sizes = np.append(made.sizes(orbit.points[:1]), orbit.duration)
-    problem = _Problem(made, held, sizes)
+    problem = _Problem(made, values, sizes)
     with mpmath.workdps(_DIGITS):
         point = [mpmath.mpf(float(x)) for x in orbit.points[0]]
         duration = mpmath.mpf(orbit.duration)
@@ -89,16 +91,16 @@ def refine_orbit(
 
 @dataclass(frozen=True)
 class _Problem:
-    """What a point and a duration satisfy: closure, relations, the section, held integrals.
+    """The equations of an orbit: closure, relations, the section, held integrals.
 
     Point and duration are measured by `sizes`.
     """
 
     made: ReturnMap
     held: Mapping[str, float]
-    sizes: Array
+    sizes: FloatArray
 
-    def step(self, point: list[Any], duration: Any) -> Array:
+    def step(self, point: list[mpmath.mpf], duration: mpmath.mpf) -> FloatArray:
         """The shortest step of point and duration to first order, in doubles."""
         section = self.made.section
         system, size = section.system, section.size
@@ -106,37 +108,37 @@ class _Problem:
         rough = np.array([float(x) for x in point])
         whole = float(duration)
         flow = gauss_integrator(system, rough, parameters, digits=30)
-        found = flow.until(np.array([point], dtype=object), [whole], parameters)
-        end = unpaired(found.states[0, 0], found.rest[0, 0])
-        if found.outcome[0] != 0:
-            raise NoOrbitError(flow.reason(int(found.outcome[0])), rough[None])
+        motion = flow.until(np.array([point], dtype=object), [whole], parameters)
+        end = from_pairs(motion.states[0, 0], motion.rest[0, 0])
+        if motion.outcome[0] != 0:
+            raise NoOrbitError(flow.reason(int(motion.outcome[0])), rough[None])
         moved = batch_integrator(system, deviations=size).until(
             rough[None], [whole], parameters, deviations=np.eye(size)[None]
         )
         (rates, _) = self._numbers(system.rates, end)
-        rest = duration - mpmath.mpf(whole)
+        remainder = duration - mpmath.mpf(whole)
         # the flow for what the duration is longer than a double
-        misses = [e + rest * r - x for e, r, x in zip(end, rates, point, strict=True)]
+        misses = [e + remainder * r - x for e, r, x in zip(end, rates, point, strict=True)]
         turns = periodic_difference(np.array([float(m) for m in misses]), self.made.periods)[1]
         whole_turns = [
             mpmath.mpf(0) if t == 0 else int(t) * self._period(i) for i, t in enumerate(turns)
         ]
         gaps = [float(m - t) for m, t in zip(misses, whole_turns, strict=True)]
         sizes = self.sizes[:-1]
-        excess, rows = measured(*self._levels(point), sizes)
+        excess, rows = normalised(*self._levels(point), sizes)
         closing = np.column_stack(
-            [moved.deviations[0, 0].T - np.eye(size), [float(r) for r in rates]]
+            [np.asarray(moved.deviations)[0, 0].T - np.eye(size), [float(r) for r in rates]]
         )
         ends = closing * self.sizes / sizes[:, None]
         matrix = np.vstack([ends, np.column_stack([rows, np.zeros(len(rows))])])
         return shortest(matrix, np.concatenate([gaps / sizes, excess])) * self.sizes
 
-    def _period(self, index: int) -> Any:
+    def _period(self, index: int) -> mpmath.mpf:
         """A period with all digits, where it is a turn."""
         period = float(self.made.periods[index])
         return 2 * mpmath.pi if period == 2 * np.pi else mpmath.mpf(period)
 
-    def _levels(self, point: list[Any]) -> tuple[Array, Array]:
+    def _levels(self, point: list[mpmath.mpf]) -> tuple[FloatArray, FloatArray]:
         """Relations, the section and integrals less their values, with slopes."""
         section = self.made.section
         laws = {law.name: law.value for law in section.system.integrals}
@@ -144,15 +146,17 @@ class _Problem:
         values, rows = self._numbers([to_components(f) for f in wanted], point)
         targets = [0.0] * (len(wanted) - len(self.held)) + list(self.held.values())
         excess = [float(v - mpmath.mpf(t)) for v, t in zip(values, targets, strict=True)]
-        made = [[float(rows[i, j]) for j in range(len(point))] for i in range(len(wanted))]
-        return np.array(excess), np.array(made)
+        slopes = [[float(rows[i, j]) for j in range(len(point))] for i in range(len(wanted))]
+        return np.array(excess), np.array(slopes)
 
-    def _numbers(self, formulas: Any, point: Any) -> tuple[Any, Any]:
+    def _numbers(
+        self, formulas: Sequence[sp.Expr], point: Sequence[mpmath.mpf] | npt.NDArray[np.object_]
+    ) -> tuple[mpmath.matrix, mpmath.matrix]:
         """Formulas and their slopes with all digits."""
         section = self.made.section
-        given = {str(name): value for name, value in section.parameters.items()}
+        parameters = {str(name): value for name, value in section.parameters.items()}
         constants = {
-            s: mpmath.mpmathify(given.get(str(s), default))
+            s: mpmath.mpmathify(parameters.get(str(s), default))
             for s, default in section.system.defaults.items()
         }
         symbols = section.system.symbols

@@ -31,7 +31,7 @@ _FINE = 0.02
 
 @dataclass(frozen=True)
 class Cycle:
-    """What bounds say of the motions that begin in an interval.
+    """The enclosure of the return map on an interval.
 
     Attributes
     ----------
@@ -46,9 +46,9 @@ class Cycle:
         ``"attracting"`` or ``"repelling"``, both *proven*; else ``"undecided"``.
     """
 
-    interval: tuple[Any, Any]
-    image: tuple[Any, Any]
-    multiplier: Any
+    interval: tuple[arb, arb]
+    image: tuple[arb, arb]
+    multiplier: arb
     kind: str
 
 
@@ -58,44 +58,48 @@ class _Slope:
 
     terms: tuple[Term, Term, Term]
     nodes: list[Term]
-    constants: list[Any]
+    constants: list[arb]
     places: tuple[int, int]
 
-    def __call__(self, alpha: Any, beta: Any) -> tuple[Any, Any, Any]:
+    def __call__(self, alpha: arb, beta: arb) -> tuple[arb, arb, arb]:
         state = dict(zip(self.places, (alpha, beta), strict=True))
-        known: dict[int, Any] = {}
+        known: dict[int, arb] = {}
         for node in self.nodes:
             known[id(node)] = self._value(node, [known[id(a)] for a in node.operands], state)
         slope, bend, clock = (known[id(term)] for term in self.terms)
         return slope, bend, clock
 
-    def _value(self, node: Term, operands: list[Any], state: Mapping[int, Any]) -> Any:
+    def _value(self, node: Term, operands: list[arb], state: Mapping[int, arb]) -> arb:
+        value: arb
         match node.kind:
             case "state":
-                return state[node.args[0]]
+                value = state[node.args[0]]
             case "parameter":
-                return self.constants[node.args[0]]
+                value = self.constants[node.args[0]]
             case "number":
-                return arb(node.args[0].numerator) / node.args[0].denominator
+                value = arb(node.args[0].numerator) / node.args[0].denominator
             case "recip":
-                return 1 / operands[0]
+                value = 1 / operands[0]
             case "neg":
-                return -operands[0]
+                value = -operands[0]
             case "add":
-                return operands[0] + operands[1]
+                value = operands[0] + operands[1]
             case "sub":
-                return operands[0] - operands[1]
+                value = operands[0] - operands[1]
             case "mul":
-                return operands[0] * operands[1]
+                value = operands[0] * operands[1]
             case function:
-                return getattr(operands[0], function)()
+                value = getattr(operands[0], function)()
+        return value
 
 
 _KNOWN = {"state", "parameter", "number", "recip", "neg", "add", "sub", "mul"}
 _FUNCTIONS = {"sqrt", "sin", "cos", "exp", "log"}
 
 
-def _slope(system: System, parameters: Mapping[str, Any], angle: str, clock: str) -> _Slope:
+def _slope(
+    system: System, parameters: Mapping[str, arb | str | float], angle: str, clock: str
+) -> _Slope:
     names = [str(s) for s in system.symbols]
     if sorted(names) != sorted((angle, clock)):
         raise InputError(f"{system.name}: its state must be {angle} and {clock}, not {names}")
@@ -117,15 +121,15 @@ def _slope(system: System, parameters: Mapping[str, Any], angle: str, clock: str
     return _Slope(terms, nodes, constants, places)
 
 
-def _ball(name: str, value: Any) -> Any:
+def _ball(name: str, value: arb | str | float) -> arb:
     try:
         return arb(value)
     except (ValueError, TypeError):
         raise InputError(f"{name} = {value}: it must be a decimal number or a ball") from None
 
 
-def _parts(whole: Any) -> list[Any]:
-    """A ball cut in small ones that cover it: bounds on each are nearer than those on all of it."""
+def _parts(whole: arb) -> list[arb]:
+    """A cover of a ball by small ones, on which bounds are closer."""
     count = int(float(whole.rad()) / _FINE) + 1
     half = whole.rad() / count
     return [whole.mid() + (2 * k + 1 - count) * half + arb(0, 1) * half for k in range(count)]
@@ -142,7 +146,7 @@ def enclose_limit_cycle(
     steps: int = 4000,
     steepest: float = 8.0,
 ) -> Cycle:
-    """Whether there is a limit cycle through an interval, with bounds of its multiplier.
+    """A proof of a limit cycle through an interval, with bounds of its multiplier.
 
     Parameters
     ----------

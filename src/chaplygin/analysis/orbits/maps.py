@@ -9,14 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 
-__all__ = ["Image", "Kept", "Map", "Plain", "measured", "slope_of"]
+from ...core.arrays import FloatArray
 
-Array = np.ndarray[Any, Any]
-Function = Callable[[Array], Array]
+__all__ = ["ConservedFunctions", "Image", "Map", "Plain", "normalised", "slope_of"]
+
+Function = Callable[[FloatArray], FloatArray]
 
 #: Step along the imaginary axis; its square is nothing beside 1, so that no digits are lost.
 _STEP = 1e-100
@@ -24,25 +25,25 @@ _STEP = 1e-100
 
 @dataclass(frozen=True)
 class Image:
-    """Where a map takes points.
+    """The images of points under a map.
 
     Attributes
     ----------
     points : array (n, size)
         Not a number where a point has no image.
     times : array (n,)
-        How long the way was; zero for a map without time.
+        Times of flight; zero for a map without time.
     slopes : array (n, size, size) or None
         Derivatives: entry [k, i, j] of image coordinate i by coordinate j of point k.
     """
 
-    points: Array
-    times: Array
-    slopes: Array | None = None
+    points: FloatArray
+    times: FloatArray
+    slopes: FloatArray | None = None
 
 
 @dataclass(frozen=True)
-class Kept:
+class ConservedFunctions:
     """Functions that a map leaves as they are.
 
     Attributes
@@ -59,11 +60,13 @@ class Kept:
     slopes: Function
 
 
-NOTHING = Kept((), lambda x: np.zeros((len(x), 0)), lambda x: np.zeros((len(x), 0, x.shape[1])))
+NOTHING = ConservedFunctions(
+    (), lambda x: np.zeros((len(x), 0)), lambda x: np.zeros((len(x), 0, x.shape[1]))
+)
 
 
 class Map(Protocol):
-    """What orbits are found of.
+    """A map whose periodic orbits can be computed.
 
     Attributes
     ----------
@@ -71,9 +74,9 @@ class Map(Protocol):
         The coordinates.
     periods : array (size,)
         The period of a coordinate that is an angle; infinite for the others.
-    domain : Kept
+    domain : ConservedFunctions
         Functions that vanish on the set that is mapped: relations and the section.
-    integrals : Kept
+    integrals : ConservedFunctions
         Functions with a value of their own on each orbit.
     forced : tuple of str
         Multipliers one that are left out beforehand, by what forces them: the flow itself.
@@ -85,17 +88,17 @@ class Map(Protocol):
         ...
 
     @property
-    def periods(self) -> Array:
+    def periods(self) -> FloatArray:
         """See above."""
         ...
 
     @property
-    def domain(self) -> Kept:
+    def domain(self) -> ConservedFunctions:
         """See above."""
         ...
 
     @property
-    def integrals(self) -> Kept:
+    def integrals(self) -> ConservedFunctions:
         """See above."""
         ...
 
@@ -104,17 +107,19 @@ class Map(Protocol):
         """See above."""
         ...
 
-    def sizes(self, points: Array) -> Array:
-        """By which coordinates are measured about points (n, size), so that units do not matter."""
+    def sizes(self, points: FloatArray) -> FloatArray:
+        """Units of the coordinates about points (n, size)."""
         ...
 
-    def image(self, points: Array, count: int = 1, *, slopes: bool = False) -> Image:
+    def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:
         """Images of points (n, size) after `count` steps; slopes on demand."""
         ...
 
 
-def measured(values: Array, slopes: Array, sizes: Array) -> tuple[Array, Array]:
-    """Values (..., r) and slopes (..., r, size) of functions, divided by their measured slopes."""
+def normalised(
+    values: FloatArray, slopes: FloatArray, sizes: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Values (..., r) and slopes (..., r, size) of functions, normalised by slopes."""
     local = slopes * sizes
     lengths = np.sqrt((local**2).sum(axis=-1))
     lengths[lengths == 0] = 1.0
@@ -135,7 +140,7 @@ def slope_of(function: Function) -> Function:
         From points (n, size) to derivatives (n, r, size).
     """
 
-    def slopes(points: Array) -> Array:
+    def slopes(points: FloatArray) -> FloatArray:
         columns = []
         for j in range(points.shape[1]):
             moved = points.astype(complex)
@@ -166,30 +171,30 @@ class Plain:
     step: Function
     angles: Mapping[str, float] = field(default_factory=dict)
     keeps: Mapping[str, Function] = field(default_factory=dict)
-    domain: Kept = NOTHING
+    domain: ConservedFunctions = NOTHING
     forced: tuple[str, ...] = ()
 
     @property
-    def periods(self) -> Array:
+    def periods(self) -> FloatArray:
         """The periods of the coordinates."""
         return np.array([self.angles.get(name, np.inf) for name in self.names])
 
     @property
-    def integrals(self) -> Kept:
+    def integrals(self) -> ConservedFunctions:
         """The functions of `keeps`."""
         if not self.keeps:
             return NOTHING
 
-        def values(points: Array) -> Array:
+        def values(points: FloatArray) -> FloatArray:
             return np.stack([function(points) for function in self.keeps.values()], axis=1)
 
-        return Kept(tuple(self.keeps), values, slope_of(values))
+        return ConservedFunctions(tuple(self.keeps), values, slope_of(values))
 
-    def sizes(self, points: Array) -> Array:
+    def sizes(self, points: FloatArray) -> FloatArray:
         """All ones: coordinates of formulas are taken as they are."""
         return np.ones(len(self.names))
 
-    def image(self, points: Array, count: int = 1, *, slopes: bool = False) -> Image:
+    def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:
         """Images of points (n, size) after `count` steps."""
         slope, total = slope_of(self.step), None
         for _ in range(count):

@@ -14,9 +14,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...core.arrays import FloatArray
 from ...errors import InputError, RunError
 from .floquet import Multipliers, multipliers
-from .maps import Array, Image, Map, measured
+from .maps import Image, Map, normalised
 
 __all__ = [
     "Equations",
@@ -42,9 +43,9 @@ ROUGH = 1e-8
 
 
 class NoOrbitError(RunError):
-    """There is no orbit where one was sought; `partial` holds the points where the search ended."""
+    """No orbit was found; `partial` holds the points where the search ended."""
 
-    def __init__(self, reason: str, points: Array) -> None:
+    def __init__(self, reason: str, points: FloatArray) -> None:
         super().__init__(reason, 0.0, points)
 
     def __str__(self) -> str:
@@ -77,9 +78,9 @@ class Orbit:
     """
 
     names: tuple[str, ...]
-    points: Array
+    points: FloatArray
     duration: float
-    turns: Array
+    turns: FloatArray
     values: Mapping[str, float]
     multipliers: Multipliers
     gap: float
@@ -98,7 +99,7 @@ class Orbit:
 
 @dataclass(frozen=True)
 class Equations:
-    """What the points of an orbit satisfy.
+    """The equations of the points of an orbit.
 
     Parameters
     ----------
@@ -111,10 +112,10 @@ class Equations:
 
     map: Map
     held: Mapping[str, float]
-    sizes: Array
+    sizes: FloatArray
 
-    def __call__(self, points: Array) -> tuple[Array, Array, Image]:
-        """Residuals, their derivatives by all measured coordinates of all points, and the images.
+    def __call__(self, points: FloatArray) -> tuple[FloatArray, FloatArray, Image]:
+        """Residuals, their derivatives by all coordinates, and the images.
 
         The residual of a function is the measured distance to where it has its value, to first
         order.
@@ -131,13 +132,13 @@ class Equations:
             closing[k, :, (k + 1) % count] += np.eye(size)
         domain = self.map.domain
         places = np.zeros((count, len(domain.names), count, size))
-        missed, local = measured(domain.values(points), domain.slopes(points), self.sizes)
+        missed, local = normalised(domain.values(points), domain.slopes(points), self.sizes)
         for k, slope in enumerate(local):
             places[k, :, k] = slope
         rows = [self.map.integrals.names.index(name) for name in self.held]
         levels = np.zeros((len(rows), count, size))
         excess = self.map.integrals.values(points[:1])[0, rows] - list(self.held.values())
-        excess, levels[:, 0] = measured(
+        excess, levels[:, 0] = normalised(
             excess, self.map.integrals.slopes(points[:1])[0, rows], self.sizes
         )
         residuals = np.concatenate([(gaps / self.sizes).ravel(), missed.ravel(), excess])
@@ -146,7 +147,9 @@ class Equations:
         return residuals, slopes, image
 
 
-def periodic_difference(differences: Array, periods: Array) -> tuple[Array, Array]:
+def periodic_difference(
+    differences: FloatArray, periods: FloatArray
+) -> tuple[FloatArray, FloatArray]:
     """Differences of coordinates without whole periods of angles, and these periods."""
     finite = np.where(np.isfinite(periods), periods, 1.0)
     turns = np.where(np.isfinite(periods), np.round(differences / finite), 0.0)
@@ -154,7 +157,7 @@ def periodic_difference(differences: Array, periods: Array) -> tuple[Array, Arra
 
 
 def held_values(
-    made: Map, point: Array, hold: Mapping[str, float] | Iterable[str]
+    made: Map, point: FloatArray, hold: Mapping[str, float] | Iterable[str]
 ) -> dict[str, float]:
     """Values of the integrals that are held: those given, or those at a point.
 
@@ -175,16 +178,16 @@ def held_values(
     return {name: known[name] for name in hold}
 
 
-def shortest(slopes: Array, residuals: Array) -> Array:
+def shortest(slopes: FloatArray, residuals: FloatArray) -> FloatArray:
     """The shortest step that annuls residuals to first order, as far as they can be."""
-    found: Array = np.linalg.lstsq(slopes, -residuals, rcond=FAMILY)[0]
-    return found
+    solution = np.linalg.lstsq(slopes, -residuals, rcond=FAMILY)[0]
+    return np.asarray(solution, dtype=np.float64)
 
 
-def onto(made: Map, points: Array, sizes: Array) -> Array:
+def onto(made: Map, points: FloatArray, sizes: FloatArray) -> FloatArray:
     """The points of the domain of a map that are next to given ones, to rounding."""
     for _ in range(8):
-        misses, slopes = measured(made.domain.values(points), made.domain.slopes(points), sizes)
+        misses, slopes = normalised(made.domain.values(points), made.domain.slopes(points), sizes)
         if not misses.size or np.abs(misses).max() < 1e-15:
             break
         inverse = np.linalg.pinv(slopes, rcond=FAMILY)
@@ -193,9 +196,9 @@ def onto(made: Map, points: Array, sizes: Array) -> Array:
 
 
 def newton_solution(
-    equations: Equations, points: Array, row: tuple[Array, float] | None = None
-) -> tuple[Array, float]:
-    """Points that satisfy equations, by damped Newton steps, and the size of the last step.
+    equations: Equations, points: FloatArray, row: tuple[FloatArray, float] | None = None
+) -> tuple[FloatArray, float]:
+    """A solution by damped Newton steps, and the size of the last step.
 
     Parameters
     ----------
@@ -212,7 +215,7 @@ def newton_solution(
     """
     sizes = equations.sizes
 
-    def evaluated(place: Array) -> tuple[Array, Array]:
+    def scaled_residuals(place: FloatArray) -> tuple[FloatArray, FloatArray]:
         residuals, slopes, _ = equations(place)
         if row is not None:
             direction, value = row
@@ -221,15 +224,15 @@ def newton_solution(
         return residuals, slopes
 
     points = onto(equations.map, points, sizes)
-    residuals, slopes = evaluated(points)
+    residuals, slopes = scaled_residuals(points)
     last = np.inf
     for _ in range(STEPS):
         step = shortest(slopes, residuals).reshape(points.shape)
         size, scale = float(np.abs(step).max()), 1.0 + float(np.abs(points / sizes).max())
         if size >= 0.9 * last and size < 1e-10 * scale:
             break
-        moved = _damped(
-            equations, evaluated, points, step * sizes, float(np.linalg.norm(residuals))
+        moved = _damped_step(
+            equations, scaled_residuals, points, step * sizes, float(np.linalg.norm(residuals))
         )
         if moved is None:
             break
@@ -244,18 +247,18 @@ def newton_solution(
     return points, float(np.abs(last_step).max())
 
 
-def _damped(
+def _damped_step(
     equations: Equations,
-    evaluated: Callable[[Array], tuple[Array, Array]],
-    points: Array,
-    step: Array,
+    scaled_residuals: Callable[[FloatArray], tuple[FloatArray, FloatArray]],
+    points: FloatArray,
+    step: FloatArray,
     norm: float,
-) -> tuple[Array, Array, Array] | None:
-    """The step, or the greatest half, quarter, … of it that makes the residuals smaller."""
+) -> tuple[FloatArray, FloatArray, FloatArray] | None:
+    """The step, or half, a quarter, … of it, that reduces the residuals."""
     for power in range(HALVINGS):
         place = onto(equations.map, points + step * 0.5**power, equations.sizes)
         try:
-            residuals, slopes = evaluated(place)
+            residuals, slopes = scaled_residuals(place)
         except NoOrbitError:
             continue
         if np.linalg.norm(residuals) < norm or norm < ROUGH:
@@ -265,7 +268,7 @@ def _damped(
 
 def find(
     made: Map,
-    guess: Array,
+    guess: FloatArray,
     period: int = 1,
     hold: Mapping[str, float] | Iterable[str] = (),
 ) -> Orbit:
@@ -311,14 +314,14 @@ def find(
         )
     sizes = made.sizes(points)
     points = onto(made, points, sizes)
-    held = held_values(made, points[0], hold)
+    values = held_values(made, points[0], hold)
     while len(points) < period:
         points = np.concatenate([points, made.image(points[-1:]).points])
-    points, error = newton_solution(Equations(made, held, sizes), points)
+    points, error = newton_solution(Equations(made, values, sizes), points)
     return orbit_from_points(made, points, error)
 
 
-def orbit_from_points(made: Map, points: Array, error: float) -> Orbit:
+def orbit_from_points(made: Map, points: FloatArray, error: float) -> Orbit:
     """An orbit with all that is known of it, from its points."""
     image = made.image(points, slopes=True)
     assert image.slopes is not None

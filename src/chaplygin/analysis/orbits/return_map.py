@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from ...core.arrays import FloatArray
 from ...core.laws import Integral
 from ...core.parameters import require_parameters
 from ...core.system import System
@@ -22,7 +23,7 @@ from ...errors import InputError
 from ...flow.sections.poincare_map import PoincareMap
 from ...flow.state_scales import state_scales_at
 from ...formulas.batch import Formulas
-from .maps import Array, Image, Kept
+from .maps import ConservedFunctions, Image
 from .rotation import average, unwrapped_turns
 
 __all__ = ["Circle", "ReturnMap", "Rotations", "parameters_to_state", "rotations"]
@@ -95,54 +96,56 @@ class ReturnMap:
         return tuple(map(str, self.section.system.symbols))
 
     @property
-    def periods(self) -> Array:
+    def periods(self) -> FloatArray:
         """The period of each, infinite where it is no angle."""
         return np.array([self.angles.get(name, np.inf) for name in self.names])
 
     @cached_property
-    def domain(self) -> Kept:
+    def domain(self) -> ConservedFunctions:
         """Relations and the section."""
         system = self.section.system
         names = (*(f"relation {i}" for i in range(1, len(system.relations) + 1)), "section")
-        return self._kept(names, (*system.relations, self.section.section.value))
+        return self._functions(names, (*system.relations, self.section.section.value))
 
     @cached_property
-    def integrals(self) -> Kept:
+    def integrals(self) -> ConservedFunctions:
         """The integrals that hold for these parameters."""
         laws = [law for law in self.section.system.integrals if self._holds(law)]
-        return self._kept(tuple(law.name for law in laws), tuple(law.value for law in laws))
+        return self._functions(tuple(law.name for law in laws), tuple(law.value for law in laws))
 
-    def _kept(self, names: tuple[str, ...], formulas: tuple[Any, ...]) -> Kept:
-        made = Formulas(self.section.system, tuple(to_components(f) for f in formulas))
+    def _functions(
+        self, names: tuple[str, ...], formulas: tuple[sp.Expr, ...]
+    ) -> ConservedFunctions:
+        functions = Formulas(self.section.system, tuple(to_components(f) for f in formulas))
         parameters = self.section.parameters
-        return Kept(
+        return ConservedFunctions(
             names,
-            lambda points: made(points, parameters),
-            lambda points: made.slopes(points, parameters),
+            lambda points: functions(points, parameters),
+            lambda points: functions.slopes(points, parameters),
         )
 
     def _holds(self, law: Integral) -> bool:
-        """Whether an integral needs no condition but on the parameters, which they satisfy."""
+        """Whether an integral has no condition but on parameters, which they satisfy."""
         system = self.section.system
-        given = {str(name): value for name, value in self.section.parameters.items()}
-        values = {s: given.get(str(s), default) for s, default in system.defaults.items()}
+        parameters = {str(name): value for name, value in self.section.parameters.items()}
+        values = {s: parameters.get(str(s), default) for s, default in system.defaults.items()}
         conditions = [to_components(condition) for condition in law.on]
         if any(condition.free_symbols - set(values) for condition in conditions):
             return False
         return all(abs(float(condition.subs(values))) < 1e-12 for condition in conditions)
 
-    def sizes(self, points: Array) -> Array:
+    def sizes(self, points: FloatArray) -> FloatArray:
         """The greatest sizes of the vectors of the state at points (n, size), (size,)."""
-        found: Array = state_scales_at(self.section.system, points[None], self.section.parameters)[
-            0
-        ]
-        return found
+        scales: FloatArray = state_scales_at(
+            self.section.system, points[None], self.section.parameters
+        )[0]
+        return scales
 
-    def image(self, points: Array, count: int = 1, *, slopes: bool = False) -> Image:
-        """Where points (n, size) return for the time numbered `count`."""
+    def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:
+        """The returns number `count` of points (n, size)."""
         if slopes:
-            found = self.section.derivative(points, count)
-            return Image(found.images, found.times, found.matrices)
+            derivative = self.section.derivative(points, count)
+            return Image(derivative.images, derivative.times, derivative.matrices)
         crossed = self.section.returns(points, count)
         return Image(crossed.states[:, -1], crossed.times[:, -1])
 
@@ -176,15 +179,15 @@ class Circle:
         if self.varied not in known:
             raise InputError(f"varied: no parameter {self.varied}; there are {', '.join(known)}")
 
-    def __call__(self, turns: Array, values: Array, count: int) -> Array:
+    def __call__(self, turns: FloatArray, values: FloatArray, count: int) -> FloatArray:
         """Lifts of orbits, (n, count + 1) turns; see :mod:`.arnold_tongues`."""
         names = [str(s) for s in self.section.system.symbols]
         place = names.index(self.angle)
         starts = np.array([[self.state.get(name, 0.0) for name in names]]).repeat(len(turns), 0)
         starts[:, place] = 2 * np.pi * turns
         parameters = {**self.section.parameters, self.varied: np.asarray(values, dtype=float)}
-        found = replace(self.section, parameters=parameters).returns(starts, count)
-        return np.concatenate([turns[:, None], found.states[:, :, place] / (2 * np.pi)], axis=1)
+        crossings = replace(self.section, parameters=parameters).returns(starts, count)
+        return np.concatenate([turns[:, None], crossings.states[:, :, place] / (2 * np.pi)], axis=1)
 
 
 def _require_variable(section: PoincareMap, name: str, where: str) -> None:
@@ -205,13 +208,13 @@ class Rotations:
         0, or why a motion did not return: see `SectionMap.reason`; −1 where the angle has no lift.
     """
 
-    values: Array
-    errors: Array
-    outcome: Array
+    values: FloatArray
+    errors: FloatArray
+    outcome: FloatArray
 
 
-def rotations(section: PoincareMap, starts: Array, angle: Any, count: int = 1000) -> Rotations:
-    """Rotation numbers of an angle on a section, for many starts and parameters of each.
+def rotations(section: PoincareMap, starts: FloatArray, angle: Any, count: int = 1000) -> Rotations:
+    """Rotation numbers of an angle on a section, for many starts and parameters.
 
     Parameters
     ----------

@@ -10,7 +10,7 @@ looked for.)
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,6 +18,8 @@ import numpy as np
 import sympy as sp
 
 from ...arguments import arguments_checked
+from ...core.arrays import FloatArray
+from ...core.parameters import Parameters
 from ...core.system import Parameter, System, flat
 from ...formulas.batch import Formulas
 from ...printing.formula import text
@@ -51,20 +53,20 @@ class Reversor:
     odd: tuple[sp.Symbol, ...]
     vanishing: tuple[sp.Symbol, ...] = ()
 
-    def signs(self, system: System) -> Any:
+    def signs(self, system: System) -> FloatArray:
         """The diagonal of R: +1 and −1 in flat order."""
         return np.array([-1.0 if s in self.odd else 1.0 for s in system.symbols])
 
-    def holds(self, parameters: Mapping[Any, Any]) -> bool:
+    def holds(self, parameters: Parameters) -> bool:
         """Whether it reverses the system with these parameters, by Symbol or name."""
         values = {str(name): value for name, value in parameters.items()}
         return all(values[str(symbol)] == 0 for symbol in self.vanishing)
 
     def words(self, system: System) -> str:
-        """What changes its sign, whole vectors by their names, and what that needs."""
+        """The variables that change sign, and the conditions, in words."""
         whole = [name for name in system.state if set(flat((name,))) <= set(self.odd)]
-        rest = [s for s in self.odd if s not in flat(whole)]
-        names = [text(name) for name in (*whole, *rest)]
+        scalars = [s for s in self.odd if s not in flat(whole)]
+        names = [text(name) for name in (*whole, *scalars)]
         needs = "".join(f"{text(symbol)} = " for symbol in self.vanishing)
         verb = "changes" if len(names) == 1 else "change"
         return f"{', '.join(names)} {verb} sign" + (f" where {needs}0" if needs else "")
@@ -72,7 +74,7 @@ class Reversor:
 
 @arguments_checked
 def reversors(system: System) -> tuple[Reversor, ...]:
-    """All changes of signs that are proven to reverse a system, each with the fewest conditions.
+    """All changes of sign that are proven to reverse a system.
 
     Parameters
     ----------
@@ -95,22 +97,23 @@ def reversors(system: System) -> tuple[Reversor, ...]:
     --------
     >>> import chaplygin as ch
     >>> ball = ch.from_catalogue("unbalanced-ball")
-    >>> [found.words(ball) for found in ch.reversors(ball)][:2]
+    >>> [reversor.words(ball) for reversor in ch.reversors(ball)][:2]
     ['M changes sign', 'M₁, γ₁ change sign where c₁ = 0']
     """
-    found: list[Reversor] = []
-    for made in sorted(_candidates(system), key=lambda r: (len(r.vanishing), len(r.odd))):
+    accepted: list[Reversor] = []
+    for candidate in sorted(_candidates(system), key=lambda r: (len(r.vanishing), len(r.odd))):
         weaker = any(
-            old.odd == made.odd and set(old.vanishing) <= set(made.vanishing) for old in found
+            old.odd == candidate.odd and set(old.vanishing) <= set(candidate.vanishing)
+            for old in accepted
         )
-        if not weaker and reverses(system, {*made.odd, *made.vanishing}):
-            found.append(made)
-    return tuple(found)
+        if not weaker and reverses(system, {*candidate.odd, *candidate.vanishing}):
+            accepted.append(candidate)
+    return tuple(accepted)
 
 
 def _candidates(system: System) -> Iterator[Reversor]:
     """Changes of signs that reverse the equations at some states, by numbers."""
-    loose = [p.symbol for p in system.parameters if _signed(p)]
+    loose = [p.symbol for p in system.parameters if _sign_change(p)]
     units = [(s,) for s in (*system.symbols, *loose)]
     if len(units) > SIGNS:
         units = [flat((name,)) for name in system.state]
@@ -125,8 +128,8 @@ def _candidates(system: System) -> Iterator[Reversor]:
             column[flip] = -1.0
     rates = Formulas(system, system.rates)
     good = np.ones(len(choices), dtype=bool)
-    for point, given, rate in _points(system, loose, rates):
-        turned = rates(states * point, {s: signs * given[s] for s, signs in constants.items()})
+    for point, values, rate in _points(system, loose, rates):
+        turned = rates(states * point, {s: signs * values[s] for s, signs in constants.items()})
         with np.errstate(invalid="ignore"):
             missed = np.abs(turned + states * rate).max(axis=1)
             good &= missed <= CLOSE * np.abs(rate).max()
@@ -137,7 +140,7 @@ def _candidates(system: System) -> Iterator[Reversor]:
         )
 
 
-def _signed(parameter: Parameter) -> bool:
+def _sign_change(parameter: Parameter) -> bool:
     """Whether a parameter may have either sign."""
     conditions = [sp.sympify(c).subs(parameter.symbol, -SMALL) for c in parameter.admissible]
     return all(condition != sp.false for condition in conditions)
@@ -149,10 +152,10 @@ def _points(system: System, loose: list[sp.Symbol], rates: Formulas) -> Iterator
     count = 0
     for _ in range(DRAWS):
         state = random.uniform(0.1, 0.9, size=len(system.symbols))
-        given = {s: SMALL * random.uniform(0.5, 1.5) for s in loose}
-        (rate,) = rates([state], given)
+        values = {s: SMALL * random.uniform(0.5, 1.5) for s in loose}
+        (rate,) = rates([state], values)
         if np.isfinite(rate).all() and np.any(rate):
             count += 1
-            yield state, given, rate
+            yield state, values, rate
         if count == POINTS:
             return

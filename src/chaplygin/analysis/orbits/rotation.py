@@ -15,8 +15,8 @@ from fractions import Fraction
 import numpy as np
 
 from ...arguments import arguments_checked
+from ...core.arrays import FloatArray
 from ...errors import InputError
-from .maps import Array
 
 __all__ = [
     "Rotation",
@@ -74,7 +74,7 @@ class Rotation:
     points: int
 
 
-def average(values: Array) -> tuple[Array, Array]:
+def average(values: FloatArray) -> tuple[FloatArray, FloatArray]:
     """The weighted mean of values along the last axis, and an estimate of its error.
 
     Parameters
@@ -98,14 +98,14 @@ def average(values: Array) -> tuple[Array, Array]:
     return mean, np.maximum(np.abs(halves[0] - halves[1]), rounding)
 
 
-def _weights(count: int) -> Array:
+def _weights(count: int) -> FloatArray:
     place = (np.arange(count) + 0.5) / count
     weight = np.exp(-1 / (place * (1 - place)))
-    found: Array = weight / weight.sum()
-    return found
+    weights: FloatArray = weight / weight.sum()
+    return weights
 
 
-def unwrapped_turns(angles: Array, period: float = 2 * np.pi) -> Array:
+def unwrapped_turns(angles: FloatArray, period: float = 2 * np.pi) -> FloatArray:
     """Turns of an angle of a section, without jumps, from its values modulo a period.
 
     The advance in one step is a continuous function on the circle and misses part of it; the
@@ -133,8 +133,8 @@ def unwrapped_turns(angles: Array, period: float = 2 * np.pi) -> Array:
     order = np.sort(advance)
     gaps = np.diff(np.append(order, order[0] + 1))
     widest = int(gaps.argmax())
-    rest = np.delete(gaps, widest)
-    if gaps[widest] < 0.02 or (len(rest) and gaps[widest] < 2 * rest.max()):
+    others = np.delete(gaps, widest)
+    if gaps[widest] < 0.02 or (len(others) and gaps[widest] < 2 * others.max()):
         raise InputError(
             "angles: the advance in one step covers the whole circle, so that the angle has no "
             "lift; take another angle or section"
@@ -145,8 +145,8 @@ def unwrapped_turns(angles: Array, period: float = 2 * np.pi) -> Array:
     return np.concatenate([[turns[0] % 1.0], turns[0] % 1.0 + np.cumsum(advance)])
 
 
-def frequency(turns: Array, times: Array) -> tuple[float, float]:
-    """Turns per unit of time of an angle of a flow, from a lift at equal times, and the error.
+def frequency(turns: FloatArray, times: FloatArray) -> tuple[float, float]:
+    """The frequency (turns per unit of time) of an angle of a flow, and its error.
 
     Parameters
     ----------
@@ -171,7 +171,7 @@ def frequency(turns: Array, times: Array) -> tuple[float, float]:
     return float(mean), float(error)
 
 
-def rotation(turns: Array, target: float = 1e-10, longest: int = 64) -> Rotation:
+def rotation(turns: FloatArray, target: float = 1e-10, longest: int = 64) -> Rotation:
     """The rotation number of an orbit and what kind of motion it has.
 
     Parameters
@@ -188,14 +188,14 @@ def rotation(turns: Array, target: float = 1e-10, longest: int = 64) -> Rotation
     longest = min(longest, (len(turns) - 1) // ROUNDS)
     verdict, approach = "undecided", None
     if fraction.denominator <= longest:
-        verdict, approach = _around(turns, fraction)
+        verdict, approach = _windings_around(turns, fraction)
     elif error <= target and _passes(turns, value, longest):
         verdict = "quasi-periodic"
     near = fraction if verdict in ("locked", "closed") else None
     return Rotation(value, error, verdict, near, approach, longest, len(turns) - 1)
 
 
-def _around(turns: Array, fraction: Fraction) -> tuple[str, float | None]:
+def _windings_around(turns: FloatArray, fraction: Fraction) -> tuple[str, float | None]:
     """Whether an orbit is or approaches a cycle, and how fast."""
     misses = np.abs(
         turns[fraction.denominator :] - turns[: -fraction.denominator] - fraction.numerator
@@ -225,8 +225,8 @@ def _around(turns: Array, fraction: Fraction) -> tuple[str, float | None]:
     return "undecided", None
 
 
-def _passes(turns: Array, value: float, longest: int) -> bool:
-    """Whether an orbit passes all short cycles: no point returns to itself, or turns about it."""
+def _passes(turns: FloatArray, value: float, longest: int) -> bool:
+    """Whether an orbit lies on no short cycle."""
     for steps in range(1, longest + 1):
         misses = turns[steps:] - turns[:-steps] - round(value * steps)
         if misses.min() <= ROUNDING and misses.max() >= -ROUNDING:
@@ -236,7 +236,7 @@ def _passes(turns: Array, value: float, longest: int) -> bool:
 
 @arguments_checked
 def rotation_number(
-    orbit: Callable[[int], Array],
+    orbit: Callable[[int], FloatArray],
     *,
     target: float = 1e-10,
     longest: int = 64,
@@ -282,10 +282,10 @@ def rotation_number(
                 f"orbit({count}): it must give {count + 1} numbers, the angle before each step "
                 "and after the last"
             )
-        found = rotation(turns, target, longest)
-        settled = found.error <= target and found.verdict != "undecided"
+        number = rotation(turns, target, longest)
+        settled = number.error <= target and number.verdict != "undecided"
         if settled or 2 * count > most:
-            return found
+            return number
         count *= 2
 
 

@@ -6,10 +6,11 @@ from the line of nodes e₃ × M to the line of nodes M × γ.
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Mapping
 
 import numpy as np
 
+from ...core.arrays import FloatArray, IntArray
 from ...core.system import System
 from ...core.vectors import Vector
 from ...errors import InputError
@@ -40,8 +41,8 @@ class Andoyer:
         self.size = len(system.symbols)
         self.momentum, self.normal = momentum_of(system)
 
-    def states(self, points: Any) -> tuple[Any, Any]:
-        """Which points (5, k) have a state, and these states (size, n)."""
+    def states(self, points: FloatArray) -> tuple[IntArray, FloatArray]:
+        """Indices of the points (5, k) with a state, and these states (size, n)."""
         l, x, g, G, H = points
         here = np.flatnonzero((G > 0) & (np.abs(H) <= G) & (np.abs(x) <= 1))
         l, x, g, G, H = points[:, here]
@@ -60,8 +61,8 @@ class Andoyer:
         )
         return here, states
 
-    def points(self, states: Any) -> Any:
-        """(l, L/G, g, G, H) of states (size, k); angles not-a-number where they are undefined."""
+    def points(self, states: FloatArray) -> FloatArray:
+        """(l, L/G, g, G, H) of states (size, k); undefined angles are not-a-number."""
         M, gamma = states[self.momentum], states[self.normal]
         with np.errstate(invalid="ignore", divide="ignore"):
             G = np.sqrt((M * M).sum(axis=0))
@@ -75,7 +76,7 @@ class Andoyer:
         return np.stack([l, m[2], g, G, H])
 
     @staticmethod
-    def span(name: str, known: Any) -> tuple[Any, Any]:
+    def span(name: str, known: Mapping[str, float]) -> tuple[float, float]:
         """The range of one variable, the others being known."""
         if name == "G":
             return np.abs(known["H"]), np.inf

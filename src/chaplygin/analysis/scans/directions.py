@@ -10,10 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
+from ...arguments import Parameters
+from ...core.arrays import FloatArray, IntArray
 from ...core.system import System
 from ...errors import InputError
 from ...flow.batched_linalg import row_dots
@@ -25,7 +26,7 @@ __all__ = ["Directions"]
 
 #: Below this the sine of an angle is rounding.
 _FLAT = 1e-7
-#: How nearly a linear condition must be one on the component along γ.
+#: Tolerance for a linear condition on the component along γ.
 _ALONG = 1e-12
 
 
@@ -51,16 +52,20 @@ class Directions:
 
     names = ("theta", "phi", "psi", "energy")
 
-    def __init__(
-        self, system: System, level: Mapping[str, float], parameters: Mapping[Any, Any] | None
-    ) -> None:
+    def __init__(self, system: System, level: Mapping[str, float], parameters: Parameters) -> None:
         if "energy" not in {law.name for law in system.integrals}:
             raise InputError(f"{system.name}: these coordinates need an integral named energy")
-        held = {**level, "energy": 0.0}
+        levels = {**level, "energy": 0.0}
         self.values = parameter_rows(system, parameters, 1)[0]
-        self.made = find_fibration(system, SystemFormulas(system), held, self.values)
-        shape = [len(part) for part in (self.made.ground, self.made.fibre, self.made.linear)]
-        if shape != [3, 3, 1] or self.made.further or self.made.quadratic.name != "energy":
+        self.fibration = find_fibration(system, SystemFormulas(system), levels, self.values)
+        shape = [
+            len(part) for part in (self.fibration.base, self.fibration.fibre, self.fibration.linear)
+        ]
+        if (
+            shape != [3, 3, 1]
+            or self.fibration.further
+            or self.fibration.quadratic.name != "energy"
+        ):
             raise InputError(
                 f"{system.name}: these coordinates need a vector beside the unit vector gamma and "
                 "one linear condition on it: hold the area integral, or take a system with "
@@ -70,54 +75,54 @@ class Directions:
 
     def _check(self, system: System) -> None:
         gamma = np.array([[0.6, 0.0, -0.8], [0.48, 0.64, 0.6]]).T
-        states = np.zeros((self.made.size, 2))
-        states[list(self.made.ground)] = gamma
-        normals = self.made.parts(states, self.values)[0][:, 0]
+        states = np.zeros((self.fibration.size, 2))
+        states[list(self.fibration.base)] = gamma
+        normals = self.fibration.parts(states, self.values)[0][:, 0]
         if np.abs(np.cross(normals, gamma.T)).max() > _ALONG * np.abs(normals).max():
             raise InputError(
                 f"{system.name}: these coordinates need a linear condition on the component along "
-                f"gamma, which {self.made.linear[0].name} is not"
+                f"gamma, which {self.fibration.linear[0].name} is not"
             )
 
-    def states(self, points: Any) -> tuple[Any, Any]:
-        """Which points (4, k) have a state, and these states (size, n)."""
+    def states(self, points: FloatArray) -> tuple[IntArray, FloatArray]:
+        """Indices of the points (4, k) with a state, and these states (size, n)."""
         theta, phi, psi, energy = points
         gamma, rising, turning = frame(theta, phi)
-        ground = np.zeros((self.made.size, theta.size))
-        ground[list(self.made.ground)] = gamma
-        level = replace(self.made, quadratic=replace(self.made.quadratic, target=energy))
-        rays = level.fill(ground, rising * np.cos(psi) + turning * np.sin(psi), self.values)
+        base = np.zeros((self.fibration.size, theta.size))
+        base[list(self.fibration.base)] = gamma
+        level = replace(self.fibration, quadratic=replace(self.fibration.quadratic, target=energy))
+        rays = level.fill(base, rising * np.cos(psi) + turning * np.sin(psi), self.values)
         here = np.flatnonzero(rays.excess > 0)
         return here, rays.states[:, here]
 
-    def points(self, states: Any) -> Any:
+    def points(self, states: FloatArray) -> FloatArray:
         """(theta, phi, psi, energy) of states; not-a-number where an angle is undefined."""
-        x, y, z = gamma = states[list(self.made.ground)]
+        x, y, z = gamma = states[list(self.fibration.base)]
         theta = np.arctan2(np.hypot(x, y), z)
         phi = np.where(np.hypot(x, y) > _FLAT, np.arctan2(y, x), np.nan)
         _, rising, turning = frame(theta, phi)
-        ground = np.zeros_like(states)
-        ground[list(self.made.ground)] = gamma
-        level = replace(self.made, quadratic=replace(self.made.quadratic, target=np.inf))
+        base = np.zeros_like(states)
+        base[list(self.fibration.base)] = gamma
+        level = replace(self.fibration, quadratic=replace(self.fibration.quadratic, target=np.inf))
         with np.errstate(invalid="ignore"):
-            centre = level.fill(ground, np.nan_to_num(rising), self.values).centre
-        vector = states[list(self.made.fibre)].T
+            centre = level.fill(base, np.nan_to_num(rising), self.values).centre
+        vector = states[list(self.fibration.fibre)].T
         off = vector - centre
         psi = np.arctan2(row_dots(off, turning.T), row_dots(off, rising.T))
-        _, _, A, b, c = self.made.parts(ground, self.values)
+        _, _, A, b, c = self.fibration.parts(base, self.values)
         applied = (A * vector[:, None, :]).sum(axis=2)
         energy = c + row_dots(b, vector) + 0.5 * row_dots(vector, applied)
         return np.stack([theta, phi, psi, energy])
 
     @staticmethod
-    def span(name: str, known: Any) -> tuple[Any, Any]:
+    def span(name: str, known: Mapping[str, float]) -> tuple[float, float]:
         """The range of one variable, the others being known."""
         if name == "energy":
             raise InputError("the energy is a coordinate here: fix it, rather than solve for it")
         return 0.0, np.pi if name == "theta" else 2 * np.pi
 
 
-def frame(theta: Any, phi: Any) -> tuple[Any, Any, Any]:
+def frame(theta: FloatArray, phi: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """γ and the unit vectors in which θ and φ rise, arrays (3, k)."""
     s, c, sp, cp = np.sin(theta), np.cos(theta), np.sin(phi), np.cos(phi)
     return (

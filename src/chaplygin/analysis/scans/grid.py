@@ -13,13 +13,15 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 
+from ...core.arrays import BoolArray, FloatArray, IntArray
 from ...core.parameters import conditions, satisfies
 from ...core.system import System, flat
 from ...core.vectors import Vector, norm_squared, to_components
 from ...errors import InputError
-from ...flow.level_projection import projected
+from ...flow.level_projection import project_to_level
 from ...formulas.batch import Formulas
 from ...formulas.evaluate import formula
 from ...parsing import nearest, parse
@@ -64,7 +66,7 @@ class Axis:
         return sp.Symbol(self.name, real=True)
 
     @property
-    def values(self) -> Any:
+    def values(self) -> FloatArray:
         """The numbers, (count,)."""
         return np.linspace(self.first, self.last, self.count)
 
@@ -107,9 +109,9 @@ class GridCells:
         0, or why there is no motion; see `REASONS`.
     """
 
-    starts: Any
-    parameters: dict[sp.Symbol, Any]
-    reasons: Any
+    starts: FloatArray
+    parameters: dict[sp.Symbol, FloatArray]
+    reasons: IntArray
 
 
 @dataclass(frozen=True)
@@ -121,7 +123,7 @@ class ScanGrid:
     system : System
         Whose motions they are.
     given : System
-        The same phase space in the variables in which a start is given; its definitions give
+        The system in the variables in which a start is given; its definitions give
         the state of `system`.
     base : tuple of float
         The start that is varied, in flat order of `given`.
@@ -153,45 +155,48 @@ class ScanGrid:
         known = {symbol: np.full(count, value) for symbol, value in self.system.defaults.items()}
         known |= {self.x.symbol: x, self.y.symbol: y}
         starts = np.tile(np.array(self.base), (count, 1))
-        parameters: dict[sp.Symbol, Any] = {}
-        for symbol, given in self.set:
-            value = _evaluated(given, known, count)
+        parameters: dict[sp.Symbol, FloatArray] = {}
+        for symbol, formula_value in self.set:
+            value = _numbers_of(formula_value, known, count)
             if symbol in self.system.defaults:
                 known[symbol] = parameters[symbol] = value
             else:
                 starts[:, self.given.symbols.index(symbol)] = value
-        targets = [_evaluated(value, known, count) for _, value in self.levels]
+        targets = [_numbers_of(value, known, count) for _, value in self.levels]
         good = np.isfinite(starts).all(axis=1) & _admissible(self.system, known, count)
         reasons = np.where(good, 0, INADMISSIBLE)
         starts[~good] = np.nan
         for symbol, value in parameters.items():
             value[~good] = self.system.defaults[symbol]
-        starts, met = self._placed(starts, targets, parameters)
+        starts, met = self._projected_starts(starts, targets, parameters)
         reasons[good & ~met] = NO_STATE
         states = Formulas(self.given, self.system.symbols)(starts, parameters)
         states[reasons != 0] = np.nan
         return GridCells(states, parameters, reasons)
 
-    def _placed(
-        self, starts: Any, targets: Sequence[Any], parameters: Mapping[sp.Symbol, Any]
-    ) -> tuple[Any, Any]:
+    def _projected_starts(
+        self,
+        starts: FloatArray,
+        targets: Sequence[FloatArray],
+        parameters: Mapping[sp.Symbol, FloatArray],
+    ) -> tuple[FloatArray, BoolArray]:
         """Starts on the relations and then on the levels, and whether they are there."""
         relations = tuple(to_components(relation) for relation in self.given.relations)
-        met = np.isfinite(starts).all(axis=1)
+        met: BoolArray = np.asarray(np.isfinite(starts).all(axis=1))
         fixed = {*self.held, *(symbol for symbol, _ in self.set)}
         if relations:
-            starts, there = projected(
+            starts, there = project_to_level(
                 Formulas(self.given, relations), starts, 0.0, parameters, self._others(fixed)
             )
-            met = met & there
+            met &= there
         if targets:
             # directions keep still as long as something else can be moved
             wider = fixed | directions(self.given)
             moved = self._others(wider) if any(self._others(wider)) else self._others(fixed)
             wanted = np.stack([*(np.zeros(len(starts)) for _ in relations), *targets], axis=1)
             level = Formulas(self.given, (*relations, *(value for value, _ in self.levels)))
-            starts, there = projected(level, starts, wanted, parameters, moved)
-            met = met & there
+            starts, there = project_to_level(level, starts, wanted, parameters, moved)
+            met &= there
         return starts, met
 
     def _others(self, fixed: Collection[sp.Symbol]) -> list[bool]:
@@ -226,41 +231,43 @@ def scan_grid(
     InputError
         If a name or a formula is wrong, or an axis is of no consequence.
     """
-    given, base = _given(system, start)
+    described, base = _described_system(system, start)
     if x.name == y.name:
         raise InputError(f"{x.name}: the two axes need names that differ")
     texts = dict(formulas or {})
-    symbols = {str(s): s for s in (*given.symbols, *system.defaults)}
+    symbols = {str(s): s for s in (*described.symbols, *system.defaults)}
     for item in (x, y):
         if item.name in texts:
             raise InputError(f"{item.name}: it is an axis and cannot be given by a formula besides")
     known = {str(s): s for s in system.defaults} | {a.name: a.symbol for a in (x, y)}
     values: dict[str, sp.Expr] = {n: parse(t, known, f"{n} = {t}") for n, t in texts.items()}
     used = {s for value in values.values() for s in value.free_symbols}
-    levels = {str(s) for s, _ in given.steps} | quantities_by_name(given).keys()
+    levels = {str(s) for s, _ in described.steps} | quantities_by_name(described).keys()
     for item in (x, y):
         if item.name in symbols.keys() | levels:
             values = {item.name: item.symbol, **values}
         elif item.symbol not in used:
             raise InputError(
                 f"{item.name}: {system.name} has neither parameter, variable nor quantity of this "
-                f"name, and no formula uses it{nearest(item.name, _useful(given))}"
+                f"name, and no formula uses it{nearest(item.name, _useful(described))}"
             )
-    made: list[tuple[sp.Symbol, sp.Expr]] = []
-    asked: list[tuple[sp.Expr, sp.Expr]] = []
+    assignments: list[tuple[sp.Symbol, sp.Expr]] = []
+    conditions: list[tuple[sp.Expr, sp.Expr]] = []
     for name, value in values.items():
         if name in symbols:
-            made.append((symbols[name], value))
+            assignments.append((symbols[name], value))
         elif name in levels:
-            asked.append((formula(given, name), value))
+            conditions.append((formula(described, name), value))
         else:
             raise InputError(
                 f"{name}: {system.name} has neither parameter, variable nor quantity of this name"
-                f"{nearest(name, _useful(given))}"
+                f"{nearest(name, _useful(described))}"
             )
     # parameters first: formulas of the start may use them
-    made.sort(key=lambda pair: pair[0] not in system.defaults)
-    return ScanGrid(system, given, base, x, y, tuple(made), tuple(asked), _held(given, held))
+    assignments.sort(key=lambda pair: pair[0] not in system.defaults)
+    return ScanGrid(
+        system, described, base, x, y, tuple(assignments), tuple(conditions), _held(described, held)
+    )
 
 
 def _useful(system: System) -> list[str]:
@@ -270,21 +277,23 @@ def _useful(system: System) -> list[str]:
     )
 
 
-def _held(given: System, held: Collection[str]) -> tuple[sp.Symbol, ...]:
-    parts = {str(name): flat([name]) for name in given.state}
-    parts |= {str(symbol): (symbol,) for symbol in given.symbols}
+def _held(system: System, held: Collection[str]) -> tuple[sp.Symbol, ...]:
+    parts = {str(name): flat([name]) for name in system.state}
+    parts |= {str(symbol): (symbol,) for symbol in system.symbols}
     for name in held:
         if name not in parts:
             raise InputError(f"{name}: no variable of the start{nearest(name, parts)}")
     return tuple(symbol for name in held for symbol in parts[name])
 
 
-def _given(system: System, start: Mapping[str, Any]) -> tuple[System, tuple[float, ...]]:
-    """A system in the variables in which its start is given, and the start in flat order."""
+def _described_system(
+    system: System, start: Mapping[str, npt.ArrayLike]
+) -> tuple[System, tuple[float, ...]]:
+    """A system in the variables of its start, and the start in flat order."""
     names = [name for name in system.state if str(name) in start]
     if len(names) < len(system.state):
-        made = _by_velocity(system, start)
-        names, system = list(made.state), made
+        described = _by_velocity(system, start)
+        names, system = list(described.state), described
     numbers = [np.atleast_1d(np.asarray(start[str(name)], dtype=np.float64)) for name in names]
     for name, values in zip(names, numbers, strict=True):
         if len(values) != len(flat([name])):
@@ -292,8 +301,8 @@ def _given(system: System, start: Mapping[str, Any]) -> tuple[System, tuple[floa
     return system, tuple(float(value) for values in numbers for value in values)
 
 
-def _by_velocity(system: System, start: Mapping[str, Any]) -> System:
-    """The same phase space described by ω and γ, of which the state consists or follows."""
+def _by_velocity(system: System, start: Mapping[str, npt.ArrayLike]) -> System:
+    """The system with the state ω, γ, from which the other variables follow."""
     follow = [(name, value) for name, value in system.start if name in system.state]
     words = {str(name): name for name, _ in system.definitions}
     words |= {str(name): name for name in system.state}
@@ -326,17 +335,17 @@ def directions(system: System) -> set[sp.Symbol]:
     return set(flat(unit))
 
 
-def _evaluated(value: sp.Expr, known: Mapping[sp.Symbol, Any], count: int) -> Any:
+def _numbers_of(value: sp.Expr, known: Mapping[sp.Symbol, FloatArray], count: int) -> FloatArray:
     """A formula at arrays; not a number where it has no value."""
     names = sorted(value.free_symbols, key=str)
     function = sp.lambdify(names, value, "numpy")
     with np.errstate(all="ignore"):
-        found = function(*(known[name] for name in names))
-    return np.array(np.broadcast_to(np.asarray(found, dtype=np.float64), (count,)))
+        numbers = function(*(known[name] for name in names))
+    return np.array(np.broadcast_to(np.asarray(numbers, dtype=np.float64), (count,)))
 
 
-def _admissible(system: System, known: Mapping[sp.Symbol, Any], count: int) -> Any:
-    """Where all parameters are finite and satisfy what is asked of them."""
+def _admissible(system: System, known: Mapping[sp.Symbol, FloatArray], count: int) -> BoolArray:
+    """Cells in which all parameters are finite and admissible."""
     good = np.ones(count, dtype=bool)
     for parameter in system.parameters:
         good &= np.isfinite(known[parameter.symbol])

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 import sympy as sp
 
+from ...core.arrays import FloatArray, IntArray
 from ...core.parameters import Parameters
 from ...core.system import System
 from ...flow.batch import BatchIntegrator, batch_integrator
@@ -39,7 +40,7 @@ TOTAL = sp.Symbol("integral_in_time", real=True)
 
 @dataclass(frozen=True)
 class SurvivalTime:
-    """How long a motion lasts: until a guard of the system or a failure ends it.
+    """The survival time of a motion: until a guard of the system or a failure ends it.
 
     Attributes
     ----------
@@ -55,7 +56,9 @@ class SurvivalTime:
     tolerance: float = 1e-12
     further: ClassVar[Mapping[str, str]] = {}
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Times, outcomes and times reached, (n,) each."""
         run = batch_integrator(self.system, tolerance=self.tolerance).until(
             starts, [self.until], parameters
@@ -77,11 +80,13 @@ class TimeAverage:
 
     system: System
     until: float
-    formula: Any
+    formula: sp.Expr
     tolerance: float = 1e-12
     further: ClassVar[Mapping[str, str]] = {}
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Means, outcomes and times reached, (n,) each."""
         flow = batch_integrator(_with_total(self.system, self.formula), tolerance=self.tolerance)
         run = flow.until(_from_zero(starts), [self.until], parameters)
@@ -105,12 +110,14 @@ class Maximum:
 
     system: System
     until: float
-    formula: Any
+    formula: sp.Expr
     samples: int = 2048
     tolerance: float = 1e-12
     further: ClassVar[Mapping[str, str]] = {}
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
         flow = batch_integrator(self.system, tolerance=self.tolerance)
         seen = observe(flow, self.formula, starts, self.until, self.samples, parameters)
@@ -119,25 +126,27 @@ class Maximum:
 
 @dataclass(frozen=True)
 class Minimum:
-    """The least value of a formula among equidistant samples of a motion; see `Highest`."""
+    """The least value of a formula among samples of a motion; see `Maximum`."""
 
     system: System
     until: float
-    formula: Any
+    formula: sp.Expr
     samples: int = 2048
     tolerance: float = 1e-12
     further: ClassVar[Mapping[str, str]] = {}
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
         turned = Maximum(self.system, self.until, -self.formula, self.samples, self.tolerance)
-        found = turned(starts, parameters)
-        return {**found, "value": -found["value"]}
+        maximum = turned(starts, parameters)
+        return {**maximum, "value": -maximum["value"]}
 
 
 @dataclass(frozen=True)
 class Frequency:
-    """Turns of an angle per unit of time, by a weighted average; and an estimate of its error.
+    """The frequency of an angle by a weighted average, with an error estimate.
 
     The rate of the angle is integrated along with the motion, so that no turn is lost.
 
@@ -153,12 +162,14 @@ class Frequency:
 
     system: System
     until: float
-    formula: Any
+    formula: sp.Expr
     samples: int = 4096
     tolerance: float = 1e-12
     further: ClassVar[Mapping[str, str]] = {"error": "difference between the halves of the motion"}
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, errors, outcomes and times reached, (n,) each."""
         turns = _with_total(self.system, _rate(self.system, self.formula) / (2 * sp.pi))
         flow = batch_integrator(turns, tolerance=self.tolerance)
@@ -167,16 +178,16 @@ class Frequency:
         return {"value": value, "error": error, "outcome": seen.outcome, "ended": seen.ended}
 
 
-def _with_total(system: System, formula: Any) -> System:
+def _with_total(system: System, formula: sp.Expr) -> System:
     """A system that integrates a formula in time along with its motion."""
     return replace(system, field=(*system.field, (TOTAL, formula)), motion=None)
 
 
-def _from_zero(starts: Any) -> Any:
+def _from_zero(starts: FloatArray) -> FloatArray:
     return np.concatenate([starts, np.zeros((len(starts), 1))], axis=1)
 
 
-def _rate(system: System, formula: Any) -> Any:
+def _rate(system: System, formula: sp.Expr) -> sp.Expr:
     """The derivative of a formula along the motion, through the definitions."""
     rates = dict(zip(system.symbols, system.rates, strict=True))
     for symbol, value in system.needed([formula]):
@@ -184,7 +195,7 @@ def _rate(system: System, formula: Any) -> Any:
     return _changing(formula, rates)
 
 
-def _changing(formula: Any, rates: Mapping[Any, Any]) -> Any:
+def _changing(formula: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
     return sp.Add(*(sp.diff(formula, s) * rates[s] for s in formula.free_symbols if s in rates))
 
 
@@ -202,15 +213,15 @@ class ObservedSeries:
         The times reached.
     """
 
-    values: Any
-    outcome: Any
-    ended: Any
+    values: FloatArray
+    outcome: IntArray
+    ended: FloatArray
 
 
 def observe(
     flow: BatchIntegrator,
-    formula: Any,
-    starts: Any,
+    formula: sp.Expr,
+    starts: FloatArray,
     until: float,
     samples: int,
     parameters: Parameters,
@@ -226,14 +237,14 @@ def observe(
     until : float
         The last time.
     samples : int
-        How many times after the start.
+        Number of times after the start.
     parameters : mapping of Symbol or name to number or (n,) array
     """
     times = np.linspace(0.0, until, samples + 1)
     states = np.array(starts, dtype=np.float64)
     outcome, ended = np.zeros(len(states), dtype=np.int64), np.zeros(len(states))
-    found = np.full((len(states), samples + 1), np.nan)
-    found[:, 0] = values(flow.system, [formula], states, parameters)[:, 0]
+    series = np.full((len(states), samples + 1), np.nan)
+    series[:, 0] = values(flow.system, [formula], states, parameters)[:, 0]
     for first in range(0, samples, KEPT):
         some = slice(first + 1, min(first + KEPT, samples) + 1)
         live = np.flatnonzero(outcome == 0)
@@ -241,7 +252,7 @@ def observe(
             break
         chosen = select_parameters(parameters, live)
         run = flow.until(states[live], times[some] - times[first], chosen)
-        found[live, some] = values(flow.system, [formula], run.states, chosen)[..., 0]
+        series[live, some] = values(flow.system, [formula], run.states, chosen)[..., 0]
         outcome[live], states[live] = run.outcome, run.states[:, -1]
         ended[live] = times[first] + run.ended
-    return ObservedSeries(found, outcome, ended)
+    return ObservedSeries(series, outcome, ended)

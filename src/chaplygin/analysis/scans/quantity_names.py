@@ -36,9 +36,9 @@ class NamedQuantity:
     ----------
     rule : Rule
     name : str
-        What its variable is called.
+        The name of its variable.
     title, unit : str
-        What it is, in words, and its unit.
+        Its meaning in words, and its unit.
     """
 
     rule: Rule
@@ -49,7 +49,7 @@ class NamedQuantity:
 
 @dataclass(frozen=True)
 class _Kind:
-    """A kind of number: how it is made, from a formula or without, its title and its unit."""
+    """A kind of number: its class, title and unit."""
 
     make: Callable[..., Rule]
     title: str
@@ -93,7 +93,7 @@ def quantity_from_text(
     text : str
         A word of `KINDS`, followed by a colon and a formula where it is a number of a formula.
     until : float
-        How long motions are followed.
+        Length of the motions.
     tolerance : float
         Error allowed in a step.
     variables : mapping of str to (str, str), optional
@@ -123,12 +123,12 @@ def quantity_from_text(
             kind.make(system, until, tolerance=tolerance), word, kind.title, kind.unit
         )
     value: Any = formula(system, quantity)
-    made = kind.make(system, until, value, tolerance=tolerance)
+    rule = kind.make(system, until, value, tolerance=tolerance)
     measured = meaning(system, quantity, variables or {})[1] or "unknown"
     if kind.make is Frequency:
         _require_angle(system, text, value, measured)
     unit = kind.unit.format(measured)
-    return NamedQuantity(made, word, kind.title.format(quantity), unit)
+    return NamedQuantity(rule, word, kind.title.format(quantity), unit)
 
 
 def _require_angle(system: System, text: str, value: Any, unit: str) -> None:
@@ -154,5 +154,5 @@ def _rotation(
             f"rotation:{text} on gamma_3"
         )
     where = poincare_section(system, place.strip())
-    made = kind.make(system, until, formula(system, angle.strip()), where, tolerance=tolerance)
-    return NamedQuantity(made, "rotation", kind.title.format(text), kind.unit)
+    rule = kind.make(system, until, formula(system, angle.strip()), where, tolerance=tolerance)
+    return NamedQuantity(rule, "rotation", kind.title.format(text), kind.unit)

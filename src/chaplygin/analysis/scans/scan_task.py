@@ -11,13 +11,17 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
+import numpy.typing as npt
+import sympy as sp
 
 from ..._version import __version__
+from ...core.arrays import FloatArray, IntArray
+from ...core.parameters import Parameters
 from ...core.system import System
 from ...errors import InputError
 from ...flow.batch import batch_integrator
 from ...flow.ensemble.task import Coordinate, Task, Variable
-from ...flow.kernel.runge_kutta import STATUS_MESSAGES
+from ...flow.kernel.outcomes import STATUS_MESSAGES
 from .grid import NO_NUMBER, REASONS, Axis, ScanGrid
 
 __all__ = ["Rule", "Scan", "scan"]
@@ -27,7 +31,7 @@ AT_ONCE = 2048
 
 
 class Rule(Protocol):
-    """A number of motions; a value that can be pickled, and no motion disturbs its neighbours."""
+    """A quantity of motions, computed for many of them independently."""
 
     @property
     def system(self) -> System:
@@ -35,18 +39,20 @@ class Rule(Protocol):
 
     @property
     def until(self) -> float:
-        """How long they are followed."""
+        """The length of the motions."""
 
     @property
     def tolerance(self) -> float:
-        """How exactly."""
+        """The tolerance of the integration."""
 
     @property
     def further(self) -> Mapping[str, str]:
-        """What else it gives, such as an error: names, and meanings."""
+        """Names and meanings of further numbers, such as an error."""
 
-    def __call__(self, starts: Any, parameters: Mapping[Any, Any]) -> Mapping[str, Any]:
-        """The number (``"value"``), ``"outcome"`` and time reached (``"ended"``), (n,) each."""
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> Mapping[str, FloatArray | IntArray]:
+        """Arrays (n,): the number ``"value"``, ``"outcome"``, time reached ``"ended"``."""
 
 
 @dataclass(frozen=True)
@@ -59,9 +65,9 @@ class Scan:
     rule : Rule
         The number.
     name : str
-        What it is to be called.
+        The name of the variable.
     title, unit : str
-        What it is, in words, and its unit.
+        Its meaning in words, and its unit.
     """
 
     plane: ScanGrid
@@ -70,7 +76,7 @@ class Scan:
     title: str
     unit: str = ""
 
-    def __call__(self, first: int, last: int) -> dict[str, Any]:
+    def __call__(self, first: int, last: int) -> dict[str, npt.NDArray[np.number]]:
         """Rows of the chart: numbers, outcomes and times reached, (last − first, columns)."""
         cells = self.plane.cells(first, last)
         good = np.flatnonzero(cells.reasons == 0)
@@ -78,10 +84,10 @@ class Scan:
         outcome = cells.reasons.astype(np.int16)
         if len(good):
             parameters = {symbol: numbers[good] for symbol, numbers in cells.parameters.items()}
-            found = self.rule(cells.starts[good], parameters)
-            outcome[good] = found["outcome"]
+            results = self.rule(cells.starts[good], parameters)
+            outcome[good] = results["outcome"]
             for name, key in (*self.numbers.items(), ("ended", "ended")):
-                arrays[name][good] = found[key]
+                arrays[name][good] = results[key]
             outcome[(outcome == 0) & ~np.isfinite(arrays[self.name])] = NO_NUMBER
         shape = (last - first, self.plane.x.count)
         arrays["outcome"] = outcome
@@ -94,7 +100,9 @@ class Scan:
 
 
 def scan(made: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
-    """The task that computes a chart; see :func:`chaplygin.flow.ensemble.compute.compute`.
+    """The task of a scan.
+
+    See :func:`chaplygin.flow.ensemble.compute.compute`.
 
     Parameters
     ----------
@@ -140,8 +148,8 @@ def scan(made: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
             "number": made.name,
             "until": rule.until,
             "tolerance": rule.tolerance,
-            "parameters": _listed(plane.system.defaults),
-            "start": _listed(dict(zip(plane.given.symbols, plane.base, strict=True))),
+            "parameters": _text_rows(plane.system.defaults),
+            "start": _text_rows(dict(zip(plane.given.symbols, plane.base, strict=True))),
             "formulas": [f"{symbol} = {value}" for symbol, value in plane.set],
             "levels": [f"{quantity} = {value}" for quantity, value in plane.levels],
             "held": [str(symbol) for symbol in plane.held],
@@ -159,12 +167,12 @@ def _coordinate(item: Axis) -> Coordinate:
     return Coordinate((item.name,), item.values, _attributes(item.meaning or item.name, item.unit))
 
 
-def _listed(values: Mapping[Any, float]) -> list[str]:
+def _text_rows(values: Mapping[sp.Symbol | str, float]) -> list[str]:
     return [f"{name} = {value!r}" for name, value in values.items()]
 
 
-def _outcomes(rule: Rule) -> dict[str, Any]:
-    """What outcomes mean: numbers, and as many words for them, with underscores for blanks."""
+def _outcomes(rule: Rule) -> dict[str, object]:
+    """Attributes of the outcome codes, by the CF conventions."""
     flow = batch_integrator(rule.system, tolerance=rule.tolerance)
     reasons = {0: "followed to the end", -1: "not computed yet", **REASONS}
     reasons |= {

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
+import sympy as sp
 
+from ...core.arrays import FloatArray, IntArray
 from ...core.parameters import Parameters
 from ...core.system import System
 from ...flow.batch import Section
@@ -19,7 +21,7 @@ __all__ = ["Winding"]
 
 @dataclass(frozen=True)
 class Winding:
-    """Turns of an angle from return to return, by a weighted average; and an estimate of its error.
+    """The winding number of an angle per return, with an error estimate.
 
     Attributes
     ----------
@@ -29,7 +31,7 @@ class Winding:
     formula : sympy.Expr
         An angle, in radians, up to whole turns.
     section : Section
-        Where the motion is looked at.
+        The section.
     tolerance : float
         See :func:`chaplygin.flow.batch.batch_integrator`.
     count : int
@@ -38,22 +40,24 @@ class Winding:
 
     system: System
     until: float
-    formula: Any
+    formula: sp.Expr
     section: Section
     tolerance: float = 1e-12
     count: int = 500
     further: ClassVar[Mapping[str, str]] = {"error": "difference between the halves of the motion"}
 
-    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+    def __call__(
+        self, starts: FloatArray, parameters: Parameters
+    ) -> dict[str, FloatArray | IntArray]:
         """Values, errors and outcomes, (n,) each; the times reached are not told."""
         returning = PoincareMap(
             self.system, self.section, dict(parameters), self.tolerance, until=self.until
         )
-        found = rotations(returning, starts, self.formula, self.count)
+        result = rotations(returning, starts, self.formula, self.count)
         return {
-            "value": found.values,
-            "error": found.errors,
+            "value": result.values,
+            "error": result.errors,
             # an angle without a lift has no rotation number: nothing has ended the motion
-            "outcome": np.maximum(found.outcome, 0),
+            "outcome": np.maximum(result.outcome, 0),
             "ended": np.full(len(starts), np.nan),
         }

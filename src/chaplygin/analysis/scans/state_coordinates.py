@@ -9,7 +9,7 @@ integral::
     plane = variables.fixed({"g": pi / 2, "H": 0.3}).solved("G", "energy", 1.0)
     states = plane.state([[0.5, 0.1]])
 
-Where there is no state, or none that formulas can tell (G = |L|), the answer is not-a-number;
+If there is no state, or none that formulas determine (G = |L|), the result is not-a-number;
 :meth:`Chart.require` turns that into a sentence.
 """
 
@@ -21,6 +21,8 @@ from typing import Any
 
 import numpy as np
 
+from ...arguments import Parameters
+from ...core.arrays import FloatArray, IntArray
 from ...core.system import System
 from ...errors import InputError
 from ...flow.sampling.great_circles import crossings
@@ -54,20 +56,20 @@ class StateCoordinates:
     periods : tuple of float
         2π for an angle, 0 for what is none.
     domain : str
-        Where the coordinates are defined, in words.
+        The domain of the coordinates, in words.
     """
 
     system: System
-    parameters: Mapping[Any, Any]
+    parameters: Parameters
     names: tuple[str, ...]
     periods: tuple[float, ...]
     domain: str
-    _every: Callable[[Any], tuple[Any, Any]]
-    _point: Callable[[Any], Any]
-    _range: Callable[[str, Mapping[str, Any]], tuple[Any, Any]]
+    _every: Callable[[FloatArray], tuple[IntArray, FloatArray]]
+    _point: Callable[[FloatArray], FloatArray]
+    _range: Callable[[str, Mapping[str, float]], tuple[float, float]]
     _single: bool = True
 
-    def state(self, points: Any, branch: int = 0) -> Any:
+    def state(self, points: FloatArray, branch: int = 0) -> FloatArray:
         """The states of points.
 
         Parameters
@@ -85,20 +87,20 @@ class StateCoordinates:
         """
         rows = self._rows(points, len(self.names))
         which, states = self._every(rows.T)
-        found = np.full((len(rows), len(self.system.symbols)), np.nan)
+        chosen = np.full((len(rows), len(self.system.symbols)), np.nan)
         first = np.searchsorted(which, np.arange(len(rows)))
         many = np.bincount(which, minlength=len(rows))
         place = branch if branch >= 0 else many + branch
         there = np.flatnonzero((place >= 0) & (place < many))
-        found[there] = states.T[(first + place)[there]]
-        return found
+        chosen[there] = states.T[(first + place)[there]]
+        return chosen
 
-    def solutions(self, points: Any) -> Any:
-        """How many states belong to each of the points (n, d); int array (n,)."""
+    def solutions(self, points: FloatArray) -> IntArray:
+        """The number of states (n,) of each of the points (n, d)."""
         rows = self._rows(points, len(self.names))
         return np.bincount(self._every(rows.T)[0], minlength=len(rows))
 
-    def point(self, states: Any) -> Any:
+    def point(self, states: FloatArray) -> FloatArray:
         """The points (n, d) of states (n, size); angles lie in [0, 2π).
 
         Not-a-number where a coordinate is not defined.  The level and the fixed coordinates are
@@ -113,7 +115,7 @@ class StateCoordinates:
                 row[row == period] = 0.0
         return np.ascontiguousarray(points.T)
 
-    def require(self, points: Any) -> None:
+    def require(self, points: FloatArray) -> None:
         """Refuse points at which there is no state.
 
         Raises
@@ -131,25 +133,25 @@ class StateCoordinates:
             raise InputError(f"{self.system.name}: no state at {place}; {self.domain}")
 
     def fixed(self, values: Mapping[str, float]) -> StateCoordinates:
-        """The same chart with some coordinates held at given values."""
+        """The chart with some coordinates held at given values."""
         for name in values:
             self._place(name)
-        kept = [i for i, name in enumerate(self.names) if name not in values]
+        free = [i for i, name in enumerate(self.names) if name not in values]
 
-        def every(points: Any) -> tuple[Any, Any]:
-            return self._every(self._filled(kept, points, values))
+        def every(points: FloatArray) -> tuple[IntArray, FloatArray]:
+            return self._every(self._all_coordinates(free, points, values))
 
-        def span(name: str, known: Mapping[str, Any]) -> tuple[Any, Any]:
+        def span(name: str, known: Mapping[str, float]) -> tuple[float, float]:
             return self._range(name, {**known, **values})
 
         text = "".join(f", {name} = {value:.6g}" for name, value in values.items())
         return replace(
             self,
-            names=tuple(self.names[i] for i in kept),
-            periods=tuple(self.periods[i] for i in kept),
+            names=tuple(self.names[i] for i in free),
+            periods=tuple(self.periods[i] for i in free),
             domain=self.domain + text,
             _every=every,
-            _point=lambda states: self._point(states)[kept],
+            _point=lambda states: self._point(states)[free],
             _range=span,
         )
 
@@ -177,15 +179,15 @@ class StateCoordinates:
             raise InputError(
                 f"{self.system.name} has no integral {integral!r}; it has {', '.join(laws)}"
             )
-        kept = [i for i in range(len(self.names)) if i != place]
+        free = [i for i in range(len(self.names)) if i != place]
         search = _Search(self, place, Formulas(self.system, [laws[integral]]), value)
         return replace(
             self,
-            names=tuple(self.names[i] for i in kept),
-            periods=tuple(self.periods[i] for i in kept),
+            names=tuple(self.names[i] for i in free),
+            periods=tuple(self.periods[i] for i in free),
             domain=f"{self.domain}, and {integral} = {value:.6g} for some {name}",
             _every=search.every,
-            _point=lambda states: self._point(states)[kept],
+            _point=lambda states: self._point(states)[free],
             _single=False,
         )
 
@@ -199,17 +201,19 @@ class StateCoordinates:
             )
         return self.names.index(name)
 
-    def _rows(self, rows: Any, width: int) -> Any:
-        made = np.atleast_2d(np.asarray(rows, dtype=float))
-        if made.shape[1] != width:
+    def _rows(self, rows: FloatArray, width: int) -> FloatArray:
+        array = np.atleast_2d(np.asarray(rows, dtype=float))
+        if array.shape[1] != width:
             raise InputError(
-                f"{self.system.name}: rows of {width} numbers are needed, not of {made.shape[1]}"
+                f"{self.system.name}: rows of {width} numbers are needed, not of {array.shape[1]}"
             )
-        return made
+        return array
 
-    def _filled(self, kept: Sequence[int], points: Any, values: Mapping[str, float]) -> Any:
+    def _all_coordinates(
+        self, free: Sequence[int], points: FloatArray, values: Mapping[str, float]
+    ) -> FloatArray:
         whole = np.empty((len(self.names), points.shape[1]))
-        whole[list(kept)] = points
+        whole[list(free)] = points
         for name, value in values.items():
             whole[self.names.index(name)] = value
         return whole
@@ -219,7 +223,7 @@ def chart(
     system: System,
     name: str,
     level: Mapping[str, float] | None = None,
-    parameters: Mapping[Any, Any] | None = None,
+    parameters: Parameters = None,
 ) -> StateCoordinates:
     """Coordinates of the states of a system.
 
@@ -250,9 +254,7 @@ def chart(
     return CHARTS[name](system, dict(level or {}), dict(parameters or {}))
 
 
-def _ratio(
-    system: System, _: Mapping[str, float], parameters: Mapping[Any, Any]
-) -> StateCoordinates:
+def _ratio(system: System, _: Mapping[str, float], parameters: Parameters) -> StateCoordinates:
     maps = Andoyer(system)
     return StateCoordinates(
         system=system,
@@ -267,20 +269,20 @@ def _ratio(
 
 
 def _andoyer(
-    system: System, level: Mapping[str, float], parameters: Mapping[Any, Any]
+    system: System, level: Mapping[str, float], parameters: Parameters
 ) -> StateCoordinates:
     ratio = _ratio(system, level, parameters)
 
-    def every(points: Any) -> tuple[Any, Any]:
+    def every(points: FloatArray) -> tuple[IntArray, FloatArray]:
         L, G, H, l, g = points
         with np.errstate(invalid="ignore", divide="ignore"):
             return ratio._every(np.stack([l, L / G, g, G, H]))
 
-    def point(states: Any) -> Any:
+    def point(states: FloatArray) -> FloatArray:
         l, x, g, G, H = ratio._point(states)
         return np.stack([G * x, G, H, l, g])
 
-    def span(name: str, known: Mapping[str, Any]) -> tuple[Any, Any]:
+    def span(name: str, known: Mapping[str, float]) -> tuple[float, float]:
         if name == "G":
             return np.maximum(np.abs(known["H"]), np.abs(known["L"])), np.inf
         return (-known["G"], known["G"]) if name == "L" else ratio._range(name, known)
@@ -297,7 +299,7 @@ def _andoyer(
 
 
 def _directions(
-    system: System, level: Mapping[str, float], parameters: Mapping[Any, Any]
+    system: System, level: Mapping[str, float], parameters: Parameters
 ) -> StateCoordinates:
     maps = Directions(system, level, parameters)
     return StateCoordinates(
@@ -312,7 +314,7 @@ def _directions(
     )
 
 
-#: What :func:`chart` knows.
+#: The charts by name.
 CHARTS: Mapping[
     str, Callable[[System, Mapping[str, float], Mapping[Any, Any]], StateCoordinates]
 ] = {
@@ -331,7 +333,7 @@ class _Search:
     formula: Formulas
     value: float
 
-    def every(self, points: Any) -> tuple[Any, Any]:
+    def every(self, points: FloatArray) -> tuple[IntArray, FloatArray]:
         """All states over points (d − 1, k) of the other coordinates."""
         chart, count = self.chart, points.shape[1]
         names = [name for i, name in enumerate(chart.names) if i != self.place]
@@ -339,7 +341,7 @@ class _Search:
         low, high = (np.broadcast_to(np.asarray(end, dtype=float), (count,)) for end in span)
         scale = self._scale(points, low)
 
-        def at(which: Any, way: Any) -> tuple[Any, Any]:
+        def at(which: IntArray, way: FloatArray) -> tuple[FloatArray, FloatArray]:
             # ends are approached like squares: coordinates often end at a square root
             with np.errstate(invalid="ignore", divide="ignore"):
                 finite = low[which] + (high - low)[which] * (1 - np.cos(np.pi * way)) / 2
@@ -348,8 +350,8 @@ class _Search:
             weight = np.where(unbounded, (1 - way**2) ** 2, 1.0)
             return np.where(unbounded, beyond, finite), weight
 
-        def along(which: Any, way: Any) -> tuple[Any, Any]:
-            def value(shift: float) -> Any:
+        def along(which: IntArray, way: FloatArray) -> tuple[FloatArray, FloatArray]:
+            def value(shift: float) -> FloatArray:
                 there, weight = at(which, way + shift)
                 return self._defect(points[:, which], there) * weight
 
@@ -358,21 +360,21 @@ class _Search:
         nodes = np.linspace(0.0, 1.0, _PIECES + 1)
         nodes[0], nodes[-1] = 2 * _STEP, 1 - 2 * _STEP
         which, way = crossings(along, count, nodes)
-        solved = self._polished(points[:, which], at(which, way)[0])
+        solved = self._newton_refined(points[:, which], at(which, way)[0])
         owner, states = chart._every(self._whole(points[:, which], solved))
         return which[owner], states
 
-    def _whole(self, points: Any, solved: Any) -> Any:
+    def _whole(self, points: FloatArray, solved: FloatArray) -> FloatArray:
         return np.insert(points, self.place, solved, axis=0)
 
-    def _defect(self, points: Any, solved: Any) -> Any:
+    def _defect(self, points: FloatArray, solved: FloatArray) -> FloatArray:
         owner, states = self.chart._every(self._whole(points, solved))
         defect = np.full(solved.size, np.nan)
-        found = self.formula(np.ascontiguousarray(states.T), self.chart.parameters)[:, 0]
-        defect[owner] = found - self.value
+        values = self.formula(np.ascontiguousarray(states.T), self.chart.parameters)[:, 0]
+        defect[owner] = values - self.value
         return defect
 
-    def _scale(self, points: Any, low: Any) -> Any:
+    def _scale(self, points: FloatArray, low: FloatArray) -> FloatArray:
         """A size of the coordinate at which the integral has grown to about its value."""
         big = 1e4 * (1 + np.abs(np.where(np.isfinite(low), low, 0.0)))
         growth = np.abs(self._defect(points, big)) / big**2
@@ -380,7 +382,7 @@ class _Search:
             reach = np.sqrt((abs(self.value) + 1e-3) / growth)
         return np.where(np.isfinite(reach) & (reach > 0), reach, 1.0)
 
-    def _polished(self, points: Any, solved: Any) -> Any:
+    def _newton_refined(self, points: FloatArray, solved: FloatArray) -> FloatArray:
         for _ in range(_NEWTON):
             step = _STEP * (1e-3 + np.abs(solved))
             rise = self._defect(points, solved + step) - self._defect(points, solved - step)

@@ -1,4 +1,4 @@
-"""What a system has a name for, and what the name means."""
+"""Named quantities of a system, and their meanings."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ __all__ = ["meaning", "quantities_by_name"]
 
 
 def quantities_by_name(system: System) -> dict[str, sp.Expr]:
-    """Scalar integrals and observables of a system by name; the integral of two of one name."""
+    """Scalar integrals and observables by name; of two with one name, the integral."""
     values = {item.name: to_components(item.value) for item in system.observables}
     values |= {item.name: to_components(item.value) for item in system.integrals}
     return {name: v for name, v in values.items() if not isinstance(v, sp.MatrixBase)}
 
 
 def meaning(system: System, name: str, variables: Mapping[str, tuple[str, str]]) -> tuple[str, str]:
-    """What a parameter, a component, an integral or an observable is, and its unit.
+    """Meaning and unit of a parameter, component, integral or observable.
 
     Parameters
     ----------

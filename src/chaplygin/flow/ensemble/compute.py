@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from .zarr_store import open_store, read_store
 
 if TYPE_CHECKING:
     import xarray as xr
+    from distributed import Client
 
 __all__ = ["compute"]
 
@@ -24,7 +25,7 @@ def compute(
     task: Task,
     where: str | Path | None = None,
     *,
-    client: Any = None,
+    client: Client | str | int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
     """Carry out a task.
@@ -37,11 +38,12 @@ def compute(
         block by block, and begun or gone on with, as it is found.  Without it everything is kept
         in memory.
     client : dask.distributed.Client, str or int, optional
-        Who computes: a Dask client, the address of a scheduler (``"tcp://host:8786"``), a number
+        The cluster that computes: a Dask client, the address of a scheduler
+        (``"tcp://host:8786"``), a number
         of processes of this machine, or ``"local"`` for as many as it has processors.  Without
         it this process does.
     progress : callable, optional
-        Told how much is done, from 0 to 1.
+        Called with the fraction that is done.
 
     Returns
     -------
@@ -58,11 +60,11 @@ def compute(
     """
     text = progress if progress is not None else _silent
     _require_room(task, where)
-    return _in_memory(task, client, text) if where is None else _stored(task, where, client, text)
+    return _in_memory(task, client, text) if where is None else _in_store(task, where, client, text)
 
 
 def _require_room(task: Task, where: str | Path | None) -> None:
-    """Refuse a task whose result finds no room where it is to be; what is there takes none."""
+    """Refuse a task whose result is too large for the memory or the disk."""
     sizes = [
         (task.size * math.prod(variable.shape), np.dtype(variable.dtype).itemsize)
         for variable in task.variables.values()
@@ -74,11 +76,11 @@ def _require_room(task: Task, where: str | Path | None) -> None:
 
 
 def _silent(done: float) -> None:
-    """Progress of which nobody wants to hear."""
+    """Ignore progress."""
 
 
 def _results(
-    task: Task, blocks: Sequence[int], client: Any, progress: Progress
+    task: Task, blocks: Sequence[int], client: Client | str | int | None, progress: Progress
 ) -> Iterator[tuple[int, Arrays]]:
     """The blocks asked for as they come, each with its number."""
     progress(1 - len(blocks) / task.blocks)
@@ -95,7 +97,7 @@ def _results(
         progress(1 - (len(blocks) - count) / task.blocks)
 
 
-def _in_memory(task: Task, client: Any, progress: Progress) -> xr.Dataset:
+def _in_memory(task: Task, client: Client | str | int | None, progress: Progress) -> xr.Dataset:
     import xarray as xr
 
     whole = {
@@ -117,7 +119,9 @@ def _in_memory(task: Task, client: Any, progress: Progress) -> xr.Dataset:
     return xr.Dataset(placed, known, task.attributes).set_coords(of_members)
 
 
-def _stored(task: Task, where: str | Path, client: Any, progress: Progress) -> xr.Dataset:
+def _in_store(
+    task: Task, where: str | Path, client: Client | str | int | None, progress: Progress
+) -> xr.Dataset:
     with open_store(task, Path(where)) as store:
         for block, arrays in _results(store.task, store.missing, client, progress):
             store.write(block, arrays)

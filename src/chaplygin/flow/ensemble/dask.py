@@ -27,10 +27,10 @@ __all__ = ["results"]
 #: Blocks waiting at each thread of the workers, besides the one it is at.
 _WAITING = 1
 
-#: How often Dask may give a block up before it is given up here.
+#: Times that Dask may give up a block before it is given up here.
 _BLAMED = 3
 
-#: How long a scheduler may take to answer.
+#: The time within which a scheduler must answer.
 PATIENCE = "10s"
 
 
@@ -65,7 +65,7 @@ def results(
         ) from None
     if not blocks:
         return
-    with _connected(client) as connected:
+    with _client(client) as connected:
         waiting = deque(blocks)
         blamed: Counter[int] = Counter()
         under_way: dict[Future[Any], int] = {}
@@ -113,18 +113,18 @@ def results(
 
 
 def _compute(packed: bytes, first: int, last: int) -> Arrays:
-    """A block, in a thread of a worker: it stands for one processor, unless its user says more."""
-    from ..batch import THREADS
+    """A block, in a thread of a worker, on CHAPLYGIN_THREADS processors (1)."""
+    from ..threads import THREADS
 
     before = THREADS.set(int(os.environ.get("CHAPLYGIN_THREADS", "1")))
     try:
-        return _unpacked(packed)(first, last)
+        return _work_of(packed)(first, last)
     finally:
         THREADS.reset(before)
 
 
 @functools.lru_cache(maxsize=2)
-def _unpacked(packed: bytes) -> Work:
+def _work_of(packed: bytes) -> Work:
     """The work, once for every worker and not for every block."""
     import cloudpickle
 
@@ -133,7 +133,7 @@ def _unpacked(packed: bytes) -> Work:
 
 
 @contextmanager
-def _connected(client: Client | str | int) -> Iterator[Client]:
+def _client(client: Client | str | int) -> Iterator[Client]:
     """A client; what is opened here is closed here."""
     import dask
     import distributed

@@ -1,4 +1,4 @@
-"""Who takes part in an ensemble: lists and products of starts and parameters, and random starts.
+"""Members of an ensemble: lists and products of starts and parameters, and random starts.
 
 >>> everyone = sampled(100, {"energy": 1.0}, seed=7) * grid(a=[0.1, 0.2])
 >>> everyone.size
@@ -10,10 +10,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
+from ...core.arrays import FloatArray, IntArray
 from ...errors import InputError
 from ...formulas.evaluate import as_float_array
 
@@ -29,7 +30,7 @@ class ListedMembers:
     values : mapping of str to array (n, …)
     """
 
-    values: Mapping[str, Any]
+    values: Mapping[str, FloatArray]
 
     @property
     def size(self) -> int:
@@ -47,7 +48,7 @@ class SampledMembers:
     Parameters
     ----------
     size : int
-        How many.
+        Number of starts.
     level : mapping of str to float
         Values of the integrals held.
     seed : int
@@ -58,8 +59,8 @@ class SampledMembers:
     seed: int
 
     def __str__(self) -> str:
-        held = ", ".join(f"{name} = {value!r}" for name, value in self.level.items())
-        return f"{self.size} drawn on {held} (seed {self.seed})"
+        level = ", ".join(f"{name} = {value!r}" for name, value in self.level.items())
+        return f"{self.size} drawn on {level} (seed {self.seed})"
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,11 +109,11 @@ class Members:
 
     @property
     def draw(self) -> SampledMembers | None:
-        """How starts are drawn, if they are."""
+        """The random starts, if there are any."""
         return next((factor for factor in self.factors if isinstance(factor, SampledMembers)), None)
 
-    def rows(self, first: int, last: int) -> tuple[dict[str, Any], Any]:
-        """What members first, …, last − 1 are given.
+    def rows(self, first: int, last: int) -> tuple[dict[str, FloatArray], IntArray | None]:
+        """Values of the members first, …, last − 1.
 
         Returns
         -------
@@ -122,7 +123,7 @@ class Members:
         """
         sizes = tuple(factor.size for factor in self.factors)
         places = np.unravel_index(np.arange(first, last), sizes)
-        values: dict[str, Any] = {}
+        values: dict[str, FloatArray] = {}
         points = None
         for factor, place in zip(self.factors, places, strict=True):
             if isinstance(factor, SampledMembers):
@@ -132,8 +133,8 @@ class Members:
         return values, points
 
 
-def from_lists(**values: Any) -> Members:
-    """One member for every row: the first of everything, then the second of everything.
+def from_lists(**values: npt.ArrayLike) -> Members:
+    """One member for every row: the first value of each name, then the second.
 
     Parameters
     ----------
@@ -156,12 +157,12 @@ def from_lists(**values: Any) -> Members:
     return Members((ListedMembers(arrays),))
 
 
-def single(**values: Any) -> Members:
+def single(**values: npt.ArrayLike) -> Members:
     """A single member: numbers, and vectors by their components."""
     return from_lists(**{name: _numbers(name, value)[np.newaxis] for name, value in values.items()})
 
 
-def grid(**values: Any) -> Members:
+def grid(**values: npt.ArrayLike) -> Members:
     """Every combination of the values of each name; the last name varies fastest."""
     if not values:
         raise InputError("members of an ensemble: at least one is needed")
@@ -188,11 +189,12 @@ def sampled(count: int, level: Mapping[str, float], seed: int = 0) -> Members:
     return Members((SampledMembers(count, dict(level), seed),))
 
 
-def _numbers(name: str, value: Any) -> Any:
-    return as_float_array(f"members of an ensemble: {name}", value)
+def _numbers(name: str, value: npt.ArrayLike) -> FloatArray:
+    result: FloatArray = as_float_array(f"members of an ensemble: {name}", value)
+    return result
 
 
-def _finite(name: str, value: Any) -> Any:
+def _finite(name: str, value: npt.ArrayLike) -> FloatArray:
     array = np.atleast_1d(_numbers(name, value))
     if not np.all(np.isfinite(array)):
         raise InputError(f"members of an ensemble: {name} must be finite numbers")

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 
 from ...arguments import Numbers, Parameters, arguments_checked
@@ -18,16 +19,17 @@ from ...errors import InputError
 from ...formulas.digest import canonical
 from ...formulas.evaluate import as_float_array
 from ..cost import TooMuchError
-from ..kernel.runge_kutta import STATUS_MESSAGES
+from ..kernel.outcomes import STATUS_MESSAGES
 from ..validation import moments
 from ..variable_metadata import FRAMES, LABELS, variable_metadata
 from .compute import compute
 from .members import Members, from_lists, grid, sampled, single
 from .task import Coordinate, Progress, Task, Variable
-from .work import EnsembleWork, recorded
+from .work import EnsembleWork, quantities_by_name
 
 if TYPE_CHECKING:
     import xarray as xr
+    from distributed import Client
 
 __all__ = ["ensemble", "ensemble_task", "from_lists", "grid", "sampled", "single"]
 
@@ -49,7 +51,7 @@ def ensemble(
     tolerance: float = 1e-13,
     block: int | None = None,
     where: str | Path | None = None,
-    client: Any = None,
+    client: Client | str | int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
     """Many motions of a system, each from its own start with its own parameters.
@@ -75,7 +77,7 @@ def ensemble(
     block : int, optional
         Members computed, written and lost at once; chosen by their size unless given.
     where, client, progress
-        A store on disk, a cluster, who is told; see
+        A store on disk, a cluster, a function that is called with the progress; see
         :func:`~chaplygin.flow.ensemble.compute.compute`.
 
     Returns
@@ -116,8 +118,8 @@ def ensemble(
 
 def ensemble_task(
     system: System,
-    members: Members | Any,
-    times: Any,
+    members: Members | npt.ArrayLike,
+    times: npt.ArrayLike,
     parameters: Parameters = None,
     *,
     record: Sequence[str] = (),
@@ -165,16 +167,16 @@ def ensemble_task(
     )
 
 
-def _times(times: Any) -> tuple[float, ...]:
+def _times(times: npt.ArrayLike) -> tuple[float, ...]:
     """The times of an ensemble, if motions can be looked at there."""
-    given = np.atleast_1d(as_float_array("times", times))
-    moments(given, backward=bool(given.size) and bool(given.flat[-1] < 0))
-    return tuple(given.tolist())
+    row = np.atleast_1d(as_float_array("times", times))
+    moments(row, backward=bool(row.size) and bool(row.flat[-1] < 0))
+    return tuple(row.tolist())
 
 
 def _constants(system: System, parameters: Parameters) -> dict[str, float]:
-    """Values of parameters by name, without those that are the default: they say nothing new."""
-    found, defaults = {}, dict(system.constants)
+    """Values of parameters by name, without those that equal the default."""
+    constants, defaults = {}, dict(system.constants)
     for name, value in (parameters or {}).items():
         number = as_float_array(f"{system.name}: {name}", value)
         if number.ndim:
@@ -182,32 +184,32 @@ def _constants(system: System, parameters: Parameters) -> dict[str, float]:
                 f"{system.name}: {name} must be one number; what varies belongs to the members"
             )
         if defaults.get(str(name)) != float(number):
-            found[str(name)] = float(number)
-    return found
+            constants[str(name)] = float(number)
+    return constants
 
 
 def _variables(work: EnsembleWork, drawn: bool) -> dict[str, Variable]:
-    """Everything that `Motions` gives."""
+    """The variables that `EnsembleWork` computes."""
     system, moments = work.system, len(work.times)
     text = {str(p.symbol): p for p in system.parameters}
-    found = {
+    variables = {
         name: Variable(attributes=_notes(text[name].meaning, text[name].unit, ""), coordinate=True)
         for name in work.varied
     }
     if drawn:
         notes = _notes("number of the start among those drawn", "1", "")
-        found["start"] = Variable(dtype="int64", attributes=notes, coordinate=True)
+        variables["start"] = Variable(dtype="int64", attributes=notes, coordinate=True)
     for item in system.state:
         size = 1 if isinstance(item, sp.Symbol) else len(item.symbols)
         *about, frame = variable_metadata(system, str(item), size)
-        found[str(item)] = _variable(moments, size, frame, *about)
-    for item in recorded(system, work.record):
+        variables[str(item)] = _variable(moments, size, frame, *about)
+    for item in quantities_by_name(system, work.record):
         about = [item.meaning, item.unit, item.source]
-        found[item.name] = _variable(moments, len(item.formulas), item.frame, *about)
-    found["outcome"] = Variable(dtype="int8", attributes=_outcomes(work))
-    found["ended"] = Variable(attributes=_notes("time that was reached", "s", ""))
-    found["steps"] = Variable(dtype="int64", attributes=_notes("steps tried", "1", ""))
-    return found
+        variables[item.name] = _variable(moments, len(item.formulas), item.frame, *about)
+    variables["outcome"] = Variable(dtype="int8", attributes=_outcomes(work))
+    variables["ended"] = Variable(attributes=_notes("time that was reached", "s", ""))
+    variables["steps"] = Variable(dtype="int64", attributes=_notes("steps tried", "1", ""))
+    return variables
 
 
 def _notes(meaning: str, unit: str, source: str) -> dict[str, str]:
@@ -228,7 +230,7 @@ def _variable(
     return Variable(("time", axis), (moments, size), attributes=notes)
 
 
-def _outcomes(work: EnsembleWork) -> dict[str, Any]:
+def _outcomes(work: EnsembleWork) -> dict[str, object]:
     """Flags that say why a motion ended."""
     codes = range(len(STATUS_MESSAGES) + len(work.system.guards))
     reasons = ["the last time was reached", *(work.lanes.reason(code) for code in codes[1:])]
@@ -244,15 +246,15 @@ def _coordinates(work: EnsembleWork, variables: Mapping[str, Variable]) -> dict[
     """The times and the axes that are used."""
     used = {dimension for variable in variables.values() for dimension in variable.dimensions}
     axes = {
-        axis: Coordinate((axis,), list(places), _notes(LABELS[axis], "1", ""))
-        for axis, places in FRAMES.values()
+        axis: Coordinate((axis,), np.array(labels), _notes(LABELS[axis], "1", ""))
+        for axis, labels in FRAMES.values()
         if axis in used
     }
     return {"time": Coordinate(("time",), list(work.times), _notes("time", "s", "")), **axes}
 
 
-def _attributes(work: EnsembleWork) -> dict[str, Any]:
-    """What is told of the whole ensemble."""
+def _attributes(work: EnsembleWork) -> dict[str, object]:
+    """Attributes of the whole ensemble."""
     system = work.system
     constants = {str(p.symbol): p.default for p in system.parameters} | dict(work.parameters)
     text = [f"{s} = {float(v)!r}" for s, v in constants.items() if s not in work.varied]
@@ -272,10 +274,10 @@ def _attributes(work: EnsembleWork) -> dict[str, Any]:
     }
 
 
-def _draw(work: EnsembleWork, parameters: Mapping[str, Any]) -> dict[str, Any]:
-    """Seed and measure of the starts drawn; `parameters` are those of the first member."""
+def _draw(work: EnsembleWork, parameters: Mapping[str, npt.ArrayLike]) -> dict[str, object]:
+    """Seed and measure of random starts, at the parameters of the first member."""
     draw = work.members.draw
     if draw is None:
         return {}
-    first = {name: float(parameters[name][0]) for name in work.varied}
+    first = {name: float(np.asarray(parameters[name])[0]) for name in work.varied}
     return {"seed": draw.seed, "measure": work.level(first).measure}

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, runtime_checkable
 
 import numpy as np
+import numpy.typing as npt
 
 from ...errors import InputError, RunError
 
@@ -23,12 +24,14 @@ if TYPE_CHECKING:
 __all__ = ["Coordinate", "Divisible", "IncompleteError", "Progress", "Task", "Variable", "Work"]
 
 Arrays: TypeAlias = Mapping[str, np.ndarray]
-#: Told how much is done, from 0 to 1.
+#: A function that is called with the fraction done.
 Progress: TypeAlias = Callable[[float], Any]
 
 
 class Work(Protocol):
-    """What computes a block: members first, …, last − 1 ↦ arrays by name, a row per member.
+    """A callable that computes blocks: first, last ↦ arrays by name, a row per member.
+
+    The rows are those of the members first, …, last − 1.
 
     It must be pure (the same numbers give the same bits, wherever and in whatever blocks), and be
     such that it can be pickled and named: a function of a module, a :func:`functools.partial` of
@@ -60,15 +63,15 @@ class Variable:
     dtype : str
         Such as ``"float64"``, ``"int8"``, ``"bool"``.
     attributes : mapping
-        ``long_name``, ``units``, ``source`` and what else is to be said of it.
+        ``long_name``, ``units``, ``source`` and others.
     coordinate : bool
-        Whether it says of every member where it is, rather than what was found there.
+        Whether it locates each member instead of holding a result.
     """
 
     dimensions: tuple[str, ...] = ()
     shape: tuple[int, ...] = ()
     dtype: str = "float64"
-    attributes: Mapping[str, Any] = field(default_factory=dict)
+    attributes: Mapping[str, object] = field(default_factory=dict)
     coordinate: bool = False
 
 
@@ -77,8 +80,8 @@ class Coordinate:
     """A small array that is known beforehand, such as the times of the samples."""
 
     dimensions: tuple[str, ...]
-    values: Any
-    attributes: Mapping[str, Any] = field(default_factory=dict)
+    values: npt.ArrayLike
+    attributes: Mapping[str, object] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -94,7 +97,7 @@ class Task:
     block : int
         Members in a block: what is computed, written and lost at once.
     variables : mapping of str to Variable
-        What `work` gives.
+        The arrays that `work` computes.
     member : str
         Name of the leading axis: ``"run"``, ``"cell"``, …
     coordinates : mapping of str to Coordinate
@@ -116,7 +119,7 @@ class Task:
     variables: Mapping[str, Variable]
     member: str = "run"
     coordinates: Mapping[str, Coordinate] = field(default_factory=dict)
-    attributes: Mapping[str, Any] = field(default_factory=dict)
+    attributes: Mapping[str, object] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         for name in ("size", "block"):
@@ -134,7 +137,7 @@ class Task:
         return math.ceil(self.size / self.block)
 
     def checked(self, arrays: Arrays, first: int, last: int) -> Arrays:
-        """The arrays of a block, if they are what was announced.
+        """The arrays of a block, if names, shapes and types are as declared.
 
         Raises
         ------
@@ -162,7 +165,7 @@ class IncompleteError(RunError):
     def __init__(self, reason: str) -> None:
         super().__init__(reason, float("nan"))
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return type(self), (self.reason,)
 
     def __str__(self) -> str:

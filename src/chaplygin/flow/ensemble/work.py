@@ -5,48 +5,25 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
-import sympy as sp
+import numpy.typing as npt
 
+from ...core.arrays import FloatArray, IntArray
 from ...core.system import System
-from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.evaluate import values
 from ..batch import BatchIntegrator, batch_integrator
 from ..initial_states import flat_starts
 from ..sampling.draw import LevelSampler, level_sampler
-from ..trajectory import by_name
+from ..trajectory import RecordedQuantity, by_name, recorded_quantities
 from .members import ListedMembers, Members, SampledMembers
 from .task import Arrays
 
-__all__ = ["EnsembleWork", "Recorded", "recorded"]
+__all__ = ["EnsembleWork", "quantities_by_name"]
 
 
-@dataclass(frozen=True)
-class Recorded:
-    """A quantity to be recorded along motions.
-
-    Attributes
-    ----------
-    name : str
-    formulas : tuple of sympy.Expr
-        Its components.
-    frame : str
-        Of a vector, as in :class:`chaplygin.core.system.Observable`; empty for a scalar.
-    meaning, unit, source : str
-    """
-
-    name: str
-    formulas: tuple[Any, ...]
-    frame: str
-    meaning: str
-    unit: str
-    source: str
-
-
-def recorded(system: System, names: Sequence[str]) -> tuple[Recorded, ...]:
+def quantities_by_name(system: System, names: Sequence[str]) -> tuple[RecordedQuantity, ...]:
     """Observables and integrals by name; an integral is recorded as ``law_<name>``.
 
     Raises
@@ -54,24 +31,22 @@ def recorded(system: System, names: Sequence[str]) -> tuple[Recorded, ...]:
     InputError
         If the system has no such observable or integral.
     """
-    known = {f"law_{law.name}": _recorded(f"law_{law.name}", "", law) for law in system.integrals}
-    known |= {item.name: _recorded(item.name, item.frame, item) for item in system.observables}
-    found = []
+    known = {quantity.name: quantity for quantity in recorded_quantities(system)}
+    quantities = []
     for name in names:
         label = name if name in known else f"law_{name}"
         if label not in known:
             raise InputError(
                 f"{system.name}: there is no {name} to be recorded; there are "
-                f"{', '.join(known) or 'no observables'}"
+                f"{', '.join(sorted(known, key=_is_observable)) or 'no observables'}"
             )
-        found.append(known[label])
-    return tuple(found)
+        quantities.append(known[label])
+    return tuple(quantities)
 
 
-def _recorded(name: str, frame: str, item: Any) -> Recorded:
-    formula = to_components(sp.sympify(item.value))
-    parts = tuple(formula) if isinstance(formula, sp.MatrixBase) else (formula,)
-    return Recorded(name, parts, frame, item.meaning, item.unit or "1", item.source)
+def _is_observable(name: str) -> bool:
+    """Whether a recorded quantity is none of the integrals, which are listed first."""
+    return not name.startswith("law_")
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +59,7 @@ class EnsembleWork:
     members : Members
     times : tuple of float
     parameters : mapping of str to float
-        The same for all members.
+        Values that all members share.
     tolerance : float
     record : tuple of str
         Observables and integrals, by name.
@@ -115,67 +90,73 @@ class EnsembleWork:
         """Motions first, …, last − 1; arrays by name, a row for each."""
         try:
             starts, parameters, points = self.starts(first, last)
-            marched = self.lanes.until(starts, self.times, parameters)
+            motions = self.lanes.until(starts, self.times, parameters)
         except InputError as error:
             raise InputError(error.message, f"runs {first} to {last - 1}") from error
-        found = {name: parameters[name] for name in self.varied}
+        arrays: dict[str, npt.NDArray[np.number]] = {
+            name: np.asarray(parameters[name]) for name in self.varied
+        }
         if points is not None:
-            found["start"] = points
-        states = marched.states.reshape(-1, marched.states.shape[-1])
+            arrays["start"] = points
+        states = motions.states.reshape(-1, motions.states.shape[-1])
         for variable in map(str, self.system.state):
             block = by_name(self.system, states, variable)
-            found[variable] = block.reshape(*marched.states.shape[:2], *block.shape[1:])
-        for item in recorded(self.system, self.record):
-            block = values(self.system, item.formulas, marched.states, parameters)
-            found[item.name] = block if item.frame else block[..., 0]
-        found["outcome"] = marched.outcome.astype(np.int8)
-        found |= {"ended": marched.ended, "steps": marched.steps}
-        return {name: np.ascontiguousarray(array) for name, array in found.items()}
+            arrays[variable] = block.reshape(*motions.states.shape[:2], *block.shape[1:])
+        for item in quantities_by_name(self.system, self.record):
+            block = values(self.system, item.formulas, motions.states, parameters)
+            arrays[item.name] = block if item.frame else block[..., 0]
+        arrays["outcome"] = motions.outcome.astype(np.int8)
+        arrays |= {"ended": motions.ended, "steps": motions.steps}
+        return {name: np.ascontiguousarray(array) for name, array in arrays.items()}
 
     def part(self, first: int, last: int) -> EnsembleWork:
-        """The work for these members alone, without the rows of others; starts drawn have none."""
+        """The work for these members alone, without the listed rows of others."""
         if self.members.draw is not None:
             return self
-        given, _ = self.members.rows(first - self.offset, last - self.offset)
-        return replace(self, members=Members((ListedMembers(given),)), offset=first)
+        rows, _ = self.members.rows(first - self.offset, last - self.offset)
+        return replace(self, members=Members((ListedMembers(rows),)), offset=first)
 
-    def starts(self, first: int, last: int) -> tuple[Any, dict[str, Any], Any]:
-        """States at time 0, parameters, and numbers among the starts drawn, of some members."""
-        given, points = self.members.rows(first - self.offset, last - self.offset)
-        varied = {name: given.pop(name) for name in self.varied}
-        parameters = {**self.parameters, **varied}
-        if self.members.draw is None:
-            return flat_starts(self.system, given, parameters), parameters, None
-        if given:
+    def starts(
+        self, first: int, last: int
+    ) -> tuple[FloatArray, dict[str, float | FloatArray], IntArray | None]:
+        """Initial states, parameters, and numbers of the random starts, of some members."""
+        rows, points = self.members.rows(first - self.offset, last - self.offset)
+        varied = {name: rows.pop(name) for name in self.varied}
+        parameters: dict[str, float | FloatArray] = {**self.parameters, **varied}
+        if self.members.draw is None or points is None:
+            return flat_starts(self.system, rows, parameters), parameters, None
+        if rows:
             raise InputError(
                 f"{self.system.name}: starts are drawn, so only parameters can be given besides, "
-                f"not {', '.join(given)}"
+                f"not {', '.join(rows)}"
             )
         return self._drawn(self.members.draw, varied, points), parameters, points
 
-    def _drawn(self, draw: SampledMembers, varied: Mapping[str, Any], points: Any) -> Any:
-        """Starts by their numbers, on the levels at the parameters of each."""
-        found = np.empty((len(points), len(self.system.symbols)))
+    def _drawn(
+        self, draw: SampledMembers, varied: Mapping[str, FloatArray], points: IntArray
+    ) -> FloatArray:
+        """Random starts by number, each on the level at its own parameters."""
+        starts = np.empty((len(points), len(self.system.symbols)))
         rows = np.column_stack([np.zeros(len(points)), *varied.values()])
         sets, which = np.unique(rows, axis=0, return_inverse=True)
         for number, row in enumerate(sets[:, 1:].tolist()):
-            here = np.flatnonzero(which.ravel() == number)
-            wanted, begin = points[here], int(points[here].min())
+            indices = np.flatnonzero(which.ravel() == number)
+            numbers, begin = points[indices], int(points[indices].min())
             level = self.level(dict(zip(varied, row, strict=True)))
-            found[here] = level.draw(int(wanted.max()) - begin + 1, seed=draw.seed, first=begin)[
-                wanted - begin
-            ]
-        return found
+            starts[indices] = level.draw(
+                int(numbers.max()) - begin + 1, seed=draw.seed, first=begin
+            )[numbers - begin]
+        return starts
 
     def level(self, varied: Mapping[str, float]) -> LevelSampler:
-        """The level on which starts are drawn, at given values of the parameters that vary."""
-        held = self.members.draw.level if self.members.draw is not None else {}
+        """The level from which starts are drawn, at values of the varying parameters."""
+        level = self.members.draw.level if self.members.draw is not None else {}
         values = {**self.parameters, **varied}
-        return _level(self.system, tuple(held.items()), tuple(values.items()))
+        return _level(self.system, tuple(level.items()), tuple(values.items()))
 
 
 @lru_cache(maxsize=512)
 def _level(
-    system: System, held: tuple[tuple[str, float], ...], values: tuple[tuple[str, float], ...]
+    system: System, level: tuple[tuple[str, float], ...], values: tuple[tuple[str, float], ...]
 ) -> LevelSampler:
-    return level_sampler(system, dict(held), dict(values))
+    return level_sampler(system, dict(level), dict(values))

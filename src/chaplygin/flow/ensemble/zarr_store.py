@@ -1,9 +1,15 @@
 """The Zarr store of a computation in blocks: written so that it can be killed at any moment.
 
-A block has a chunk of every variable.  Each chunk appears whole or not at all, and when all of them
-are there (and on the disk), the block is marked in the array ``done``, which again appears whole or
-not at all.  So a block that is marked is complete, whatever happened; one that is not is computed
-again, to the same bits, and so is one whose chunks have been deleted since.  The store as such
+A block has a chunk of every variable.  Each chunk appears whole or not at all.  When all of them
+are on the disk, their sizes and times of change are written into a table, and when that is on the
+disk too, the block is marked in the array ``done``, which again appears whole or not at all.  So a
+block that is marked is complete, whatever happened; one that is not is computed again, to the same
+bits.
+
+Chunks may be deleted or damaged later.  On opening, a chunk whose size and time of change are those
+in the table is the one that was written.  Any other one (in a copy of the store, after damage) is
+read with its checksum, and a block with a chunk that is missing or damaged is computed again.  So
+an ordinary opening lists the files of the store but reads none of its data.  The store as such
 appears at once too, under a provisional name first.
 """
 
@@ -18,25 +24,29 @@ from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ...core.source_digest import core
+from ...core.arrays import BoolArray
+from ...core.source_digest import computation_digest
 from ...errors import InputError
 from ...formulas.digest import digest, field_digests
+from .chunks import chunk_path, damaged_blocks, flush, write_chunk_table
 from .task import Arrays, IncompleteError, Task
 
 if TYPE_CHECKING:
     import xarray as xr
     import zarr
 
+    ZarrArray: TypeAlias = zarr.Array[Any]
+
 __all__ = ["Store", "open_store", "read_store"]
 
-#: The array that says which blocks are complete.
+#: The array of the marks of complete blocks.
 DONE = "done"
 
-#: Written into every store, so that ours are known from others.
+#: An attribute of every store, by which other stores are recognised.
 FORMAT = "chaplygin blocks 1"
 
 
@@ -47,7 +57,7 @@ class Store:
     Parameters
     ----------
     task : Task
-        What it is to hold, in the blocks that it has.
+        The computation whose result it holds, in the blocks of the store.
     folder : Path
     arrays : mapping of str to zarr.Array
     done : ndarray of bool
@@ -56,14 +66,14 @@ class Store:
 
     task: Task
     folder: Path
-    arrays: Mapping[str, zarr.Array[Any]]
-    done: np.ndarray = field(repr=False)
+    arrays: Mapping[str, ZarrArray]
+    done: BoolArray = field(repr=False)
 
     @property
     def missing(self) -> list[int]:
         """The blocks that are not complete."""
-        found: list[int] = np.flatnonzero(~self.done).tolist()
-        return found
+        blocks: list[int] = np.flatnonzero(~self.done).tolist()
+        return blocks
 
     def write(self, block: int, arrays: Arrays) -> None:
         """Write a block; it counts as done when all of it is on the disk.
@@ -77,16 +87,22 @@ class Store:
         try:
             for name, array in arrays.items():
                 self.arrays[name][first:last] = array
-                _settle(_chunk(self.folder, name, block, array.ndim))
+                flush(chunk_path(self.folder, name, block, array.ndim))
+            chunks = [
+                chunk_path(self.folder, name, block, array.ndim)
+                for name, array in self.arrays.items()
+                if name != DONE
+            ]
+            write_chunk_table(self.folder, block, chunks)
             marked = self.done.copy()
             marked[block] = True
             self.arrays[DONE][:] = marked
-            _settle(_chunk(self.folder, DONE, 0, 1))
+            flush(chunk_path(self.folder, DONE, 0, 1))
         except OSError as problem:
-            raise self._unfinished(problem) from problem
+            raise self._incomplete_error(problem) from problem
         self.done = marked
 
-    def _unfinished(self, problem: OSError) -> IncompleteError:
+    def _incomplete_error(self, problem: OSError) -> IncompleteError:
         return IncompleteError(
             f"{self.folder}: {_reason(problem)}; {self.done.sum()} of {self.task.blocks} blocks "
             "are written and stay: put right what is wrong, and run the same again"
@@ -97,25 +113,11 @@ def _reason(problem: OSError) -> str:
     return "the disk is full" if problem.errno == errno.ENOSPC else problem.strerror or str(problem)
 
 
-def _chunk(folder: Path, name: str, block: int, dimensions: int) -> Path:
-    """The file that holds an array's share of a block."""
-    return folder.joinpath(name, "c", str(block), *["0"] * (dimensions - 1))
-
-
-def _settle(chunk: Path) -> None:
-    """Wait until a chunk is on the disk itself, so that no mark gets there before it."""
-    handle = os.open(chunk, os.O_RDONLY)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)
-
-
 @contextmanager
 def open_store(task: Task, folder: Path) -> Iterator[Store]:
-    """The store of a task, begun or gone on with; nobody else may write to it meanwhile.
+    """The store of a task, created or resumed; nobody else may write to it meanwhile.
 
-    The blocks are those in which it was begun.
+    The blocks are those in which it was created.
 
     Raises
     ------
@@ -124,11 +126,11 @@ def open_store(task: Task, folder: Path) -> Iterator[Store]:
     """
     with ExitStack() as stack:
         try:
-            if _nothing_in(folder):
-                _begin(task, folder)
-            group = _ours(folder)
-            stack.enter_context(_alone(folder))
-            store = _gone_on_with(task, folder, group)
+            if _is_empty(folder):
+                _create(task, folder)
+            group = _group(folder)
+            stack.enter_context(_sole_writer(folder))
+            store = _resumed_store(task, folder, group)
         except OSError as problem:
             raise InputError(f"{folder} cannot be written: {_reason(problem)}") from problem
         yield store
@@ -137,7 +139,7 @@ def open_store(task: Task, folder: Path) -> Iterator[Store]:
 def read_store(folder: str | Path) -> xr.Dataset:
     """The dataset in a store, read from the disk when it is used.
 
-    What is not computed yet is not-a-number (−1 in whole numbers).
+    Numbers that are not computed yet are not-a-number (−1 if they are whole numbers).
 
     Raises
     ------
@@ -146,56 +148,57 @@ def read_store(folder: str | Path) -> xr.Dataset:
     """
     import xarray as xr
 
-    place = Path(folder)
-    group = _ours(place)
-    lost = _lost(place, group, _marks(place, group))
-    if lost:
+    path = Path(folder)
+    group = _group(path)
+    damaged = damaged_blocks(path, _variables(group), _marks(path, group))
+    if damaged:
         raise InputError(
-            f"{place} is damaged: of its finished blocks {len(lost)} have lost a part, the first "
-            f"is {lost[0]}; run the same into it again, and they are computed again"
+            f"{path} is damaged: of its finished blocks {len(damaged)} have lost a part, the first "
+            f"is {damaged[0]}; run the same into it again, and they are computed again"
         )
     try:
         dataset = xr.open_dataset(folder, engine="zarr", chunks=None, decode_times=False)
     except Exception as problem:
-        # what damage makes the libraries raise may be anything
+        # damage may make the libraries raise anything
         raise InputError(
-            f"{place} is damaged: its coordinates cannot be read; delete it or choose another name "
+            f"{path} is damaged: its coordinates cannot be read; delete it or choose another name "
             "for the store, and run the same again"
         ) from problem
     return dataset.drop_vars(DONE)
 
 
-def _begin(task: Task, folder: Path) -> None:
+def _create(task: Task, folder: Path) -> None:
     """An empty store under a provisional name, then under its own."""
     if not folder.parent.is_dir():
         raise InputError(f"{folder} cannot be written: there is no folder {folder.parent}")
     provisional = folder.with_name(f".{folder.name}.begun")
-    with _held(folder.parent, fcntl.LOCK_EX):
+    with _lock(folder.parent, fcntl.LOCK_EX):
         shutil.rmtree(provisional, ignore_errors=True)
         try:
-            if _nothing_in(folder):
-                _lay_out(task, provisional)
+            if _is_empty(folder):
+                _write_layout(task, provisional)
                 provisional.replace(folder)
         finally:
             shutil.rmtree(provisional, ignore_errors=True)
 
 
-def _nothing_in(folder: Path) -> bool:
+def _is_empty(folder: Path) -> bool:
     return not folder.exists() or (folder.is_dir() and not any(folder.iterdir()))
 
 
-def _lay_out(task: Task, folder: Path) -> None:
+def _write_layout(task: Task, folder: Path) -> None:
+    """Write the metadata and the coordinates of an empty store."""
     import zarr
     from zarr.codecs import ZstdCodec
 
-    # so that damage is seen and not read as numbers
-    checked = ZstdCodec(checksum=True)
+    # with it damage is an error and no number
+    compressor = ZstdCodec(checksum=True)
     with warnings.catch_warnings():
-        # texts and consolidated metadata are read everywhere, but not in the standard yet
+        # texts and consolidated metadata are widely read, but not in the standard yet
         warnings.simplefilter("ignore")
         coordinates = [name for name, item in task.variables.items() if item.coordinate]
         group = zarr.create_group(
-            zarr.storage.LocalStore(folder), zarr_format=3, attributes=dict(task.attributes)
+            zarr.storage.LocalStore(folder), zarr_format=3, attributes=_attributes(task.attributes)
         )
         for name, item in task.coordinates.items():
             values = np.asarray(item.values)
@@ -203,29 +206,29 @@ def _lay_out(task: Task, folder: Path) -> None:
                 name,
                 data=values,
                 chunks=values.shape,
-                compressors=checked,
+                compressors=compressor,
                 config={"write_empty_chunks": True},
                 dimension_names=item.dimensions,
-                attributes=dict(item.attributes),
+                attributes=_attributes(item.attributes),
             )
         for name, variable in task.variables.items():
-            here = {"coordinates": " ".join(coordinates)} if coordinates else {}
+            own = {"coordinates": " ".join(coordinates)} if coordinates else {}
             group.create_array(
                 name,
                 shape=(task.size, *variable.shape),
                 chunks=(min(task.block, task.size), *variable.shape),
                 dtype=variable.dtype,
-                compressors=checked,
-                fill_value=_absent(np.dtype(variable.dtype)),
+                compressors=compressor,
+                fill_value=_fill_value(np.dtype(variable.dtype)),
                 dimension_names=(task.member, *variable.dimensions),
-                attributes={**variable.attributes, **({} if variable.coordinate else here)},
+                attributes=_attributes(variable.attributes) | ({} if variable.coordinate else own),
             )
         group.create_array(
             DONE,
             shape=(task.blocks,),
             chunks=(task.blocks,),
             dtype="bool",
-            compressors=checked,
+            compressors=compressor,
             dimension_names=("block",),
             attributes={
                 "long_name": f"whether a block of {task.block} is complete",
@@ -234,19 +237,24 @@ def _lay_out(task: Task, folder: Path) -> None:
                 "format": FORMAT,
                 "block": task.block,
                 "task": _description(task),
-                "program": core(),
+                "program": computation_digest(),
             },
         )
         zarr.consolidate_metadata(group.store)
 
 
-def _absent(dtype: np.dtype[Any]) -> Any:
-    """What stands for a number that is not computed yet."""
+def _attributes(notes: Mapping[str, object]) -> dict[str, Any]:
+    """Attributes as Zarr takes them: numbers, texts, lists."""
+    return dict(notes)
+
+
+def _fill_value(dtype: np.dtype[np.generic]) -> float:
+    """The number in place of one that is not computed yet."""
     return {"f": float("nan"), "i": -1}.get(dtype.kind, 0)
 
 
 def _description(task: Task) -> dict[str, str]:
-    """What tells this experiment from others, by the names of its parts; not its blocks."""
+    """Digests of all that distinguishes this experiment from others, save its blocks."""
     return {
         **{f"attribute {name}": digest(item) for name, item in task.attributes.items()},
         **{f"{name} of the work": value for name, value in field_digests(task.work).items()},
@@ -257,8 +265,8 @@ def _description(task: Task) -> dict[str, str]:
     }
 
 
-def _ours(folder: Path) -> zarr.Group:
-    """The group in a folder that this module has made."""
+def _group(folder: Path) -> zarr.Group:
+    """The group in a folder, if this module has written it."""
     import zarr
 
     if not folder.exists():
@@ -271,17 +279,29 @@ def _ours(folder: Path) -> zarr.Group:
             raise
         known = False
     except Exception:
-        # what a foreign or damaged folder makes the library raise may be anything
+        # a foreign or damaged folder may make the library raise anything
         known = False
     if not known:
         raise InputError(f"{folder} is no store of a computation in blocks: choose another name")
     return group
 
 
-def _marks(folder: Path, group: Any) -> Any:
-    """Which blocks are marked as complete."""
+def _array(group: zarr.Group, name: str) -> ZarrArray:
+    """An array of a group."""
+    array: ZarrArray = group[name]  # type: ignore[assignment]
+    return array
+
+
+def _variables(group: zarr.Group) -> list[ZarrArray]:
+    """The arrays of the variables of the task, in its order."""
+    texts = (name.partition("variable ") for name in _notes(group)["task"])
+    return [_array(group, name) for before, prefix, name in texts if prefix and not before]
+
+
+def _marks(folder: Path, group: zarr.Group) -> BoolArray:
+    """The marks (blocks,) of complete blocks."""
     try:
-        return np.asarray(group[DONE][:])
+        return np.asarray(_array(group, DONE)[:], dtype=bool)
     except Exception as problem:
         raise InputError(
             f"{folder} is damaged: which of its blocks are finished cannot be read; delete it or "
@@ -289,37 +309,17 @@ def _marks(folder: Path, group: Any) -> Any:
         ) from problem
 
 
-def _lost(folder: Path, group: Any, done: Any) -> list[int]:
-    """Blocks that are marked, but of which a chunk is missing, empty or damaged."""
-    text = (name.partition("variable ") for name in group[DONE].attrs["task"])
-    arrays = [group[name] for before, found, name in text if found and not before]
-    return [
-        block
-        for block in np.flatnonzero(done).tolist()
-        if not all(_whole(folder, array, block) for array in arrays)
-    ]
-
-
-def _whole(folder: Path, array: zarr.Array[Any], block: int) -> bool:
-    """Whether an array's share of a block is there and can be read, its checksum included."""
-    chunk = _chunk(folder, array.basename, block, array.ndim)
-    if not chunk.is_file() or chunk.stat().st_size == 0:
-        return False
-    first = block * array.chunks[0]
-    try:
-        array[first : first + array.chunks[0]]
-    except Exception:
-        # what damage makes the library raise may be anything
-        return False
-    return True
+def _notes(group: zarr.Group) -> Mapping[str, Any]:
+    """The attributes of the marks: format, blocks, task and program of a store."""
+    return group[DONE].attrs
 
 
 @contextmanager
-def _alone(folder: Path) -> Iterator[None]:
-    """Write to a store alone."""
+def _sole_writer(folder: Path) -> Iterator[None]:
+    """Lock a store against other writers, or refuse it."""
     with ExitStack() as stack:
         try:
-            stack.enter_context(_held(folder, fcntl.LOCK_EX | fcntl.LOCK_NB))
+            stack.enter_context(_lock(folder, fcntl.LOCK_EX | fcntl.LOCK_NB))
         except BlockingIOError as problem:
             raise InputError(
                 f"{folder} is being written by another process: wait for it"
@@ -328,32 +328,32 @@ def _alone(folder: Path) -> Iterator[None]:
 
 
 @contextmanager
-def _held(folder: Path, how: int) -> Iterator[None]:
-    """Hold a folder for this process; the hold ends with the process, however that ends."""
+def _lock(folder: Path, operation: int) -> Iterator[None]:
+    """Lock a folder; the lock ends with the process, however that ends."""
     handle = os.open(folder, os.O_RDONLY)
     try:
         try:
-            fcntl.flock(handle, how)
+            fcntl.flock(handle, operation)
         except BlockingIOError:
             raise
         except OSError:
-            # some network file systems know no such hold
+            # some network file systems have no such locks
             pass
         yield
     finally:
         os.close(handle)
 
 
-def _gone_on_with(task: Task, folder: Path, group: Any) -> Store:
+def _resumed_store(task: Task, folder: Path, group: zarr.Group) -> Store:
     """The store with its own blocks, if it belongs to the task."""
-    notes = group[DONE].attrs
-    there, here = notes["task"], _description(task)
-    for name in [*here, *there]:
-        if here.get(name) != there.get(name):
+    notes = _notes(group)
+    stored, wanted = notes["task"], _description(task)
+    for name in [*wanted, *stored]:
+        if wanted.get(name) != stored.get(name):
             raise InputError(f"{folder} holds another experiment: {_difference(name, task, group)}")
     done = _marks(folder, group)
-    done[_lost(folder, group, done)] = False
-    if notes.get("program") != core() and not done.all():
+    done[damaged_blocks(folder, _variables(group), done)] = False
+    if notes.get("program") != computation_digest() and not done.all():
         raise InputError(
             f"{folder} was begun by another version of the program, whose numbers may differ in "
             f"their last digits; {_CHOICE}"
@@ -361,23 +361,24 @@ def _gone_on_with(task: Task, folder: Path, group: Any) -> Store:
     for leftover in folder.rglob("*.partial"):
         leftover.unlink()
     arrays = {
-        name: group[name].with_config({"write_empty_chunks": True})
+        name: _array(group, name).with_config({"write_empty_chunks": True})
         for name in (*task.variables, DONE)
     }
     return Store(replace(task, block=notes["block"]), folder, arrays, done)
 
 
-#: What a user may do about a store that is there.
+#: The choices of a user whose store exists already.
 _CHOICE = "choose another name for the store, or remove it (commands: --force)"
 
 
 def _difference(name: str, task: Task, group: zarr.Group) -> str:
-    """In words what is another one there: with both values if they can be told."""
+    """The difference between two experiments in words, with both values if possible."""
     _, _, attribute = name.partition("attribute ")
     if not attribute:
         return f"its {name} is another one; {_CHOICE}"
     called = attribute.replace("section_value", "section").replace("_", " ")
-    there, here = (str(notes.get(attribute)) for notes in (group.attrs, task.attributes))
-    if "\n" in there + here:
+    stored = str(group.attrs.get(attribute))
+    wanted = str(task.attributes.get(attribute))
+    if "\n" in stored + wanted:
         return f"its {called} is another one; {_CHOICE}"
-    return f"its {called} is {there}, not {here}; {_CHOICE}"
+    return f"its {called} is {stored}, not {wanted}; {_CHOICE}"

@@ -6,11 +6,15 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any
+from typing import TypeAlias
 
+import mpmath
 from mpmath import MPContext, libmp
 
 __all__ = ["Approximation", "parts", "series"]
+
+#: A function of an mpmath context and a number.
+SmoothPart: TypeAlias = Callable[[MPContext, mpmath.mpf], mpmath.mpf]
 
 
 @dataclass(frozen=True)
@@ -29,10 +33,10 @@ class Approximation:
     reach: float
 
 
-def _odd(name: str) -> Callable[[Any, Any], Any]:
-    """(f(√t)/√t − 1)/t: what an odd function f(x) = x + x³ (…) has in place of the dots."""
+def _odd(name: str) -> SmoothPart:
+    """The factor g = (f(√t)/√t − 1)/t of an odd function f(x) = x + x³ g(x²)."""
 
-    def smooth(mp: Any, t: Any) -> Any:
+    def smooth(mp: MPContext, t: mpmath.mpf) -> mpmath.mpf:
         x = mp.sqrt(t)
         return (getattr(mp, name)(x) / x - 1) / t
 
@@ -41,7 +45,7 @@ def _odd(name: str) -> Callable[[Any, Any], Any]:
 
 #: Smooth parts of functions and the intervals on which they are wanted, a little widened for
 #: arguments reduced with rounding.
-PARTS: Mapping[str, tuple[Callable[[Any, Any], Any], float, float]] = {
+PARTS: Mapping[str, tuple[SmoothPart, float, float]] = {
     # x = √t up to π/4
     "sin": (_odd("sin"), 0.0, 0.617),
     "cos": (lambda mp, t: ((mp.cos(mp.sqrt(t)) - 1) / t + mp.mpf(1) / 2) / t, 0.0, 0.617),
@@ -75,10 +79,10 @@ def series(name: str, bits: int) -> Approximation:
     value = mp.memoize(lambda t: smooth(mp, t))
     terms = 2
     while True:
-        found, error = mp.chebyfit(value, [first, last], terms, error=True)
+        coefficients, error = mp.chebyfit(value, [first, last], terms, error=True)
         reached = -mp.mag(error)
         if reached >= bits:
-            return Approximation(tuple(map(_fraction, reversed(found))), max(-first, last))
+            return Approximation(tuple(map(_fraction, reversed(coefficients))), max(-first, last))
         # half of what is missing at the present rate, so as not to go too far
         rate = max(1, reached // terms)
         terms += max(1, (bits - reached) // (2 * rate))
@@ -96,22 +100,22 @@ def parts(name: str, bits: tuple[int, ...]) -> tuple[Fraction, ...]:
     """
     mp = MPContext()
     mp.prec = 4 * sum(bits) + 200
-    rest = _fraction(+getattr(mp, name))
-    found = []
+    remainder = _fraction(+getattr(mp, name))
+    pieces = []
     for length in bits:
-        part = _rounded(rest, length)
-        found.append(part)
-        rest -= part
-    return (*found, rest)
+        piece = _nearest_short(remainder, length)
+        pieces.append(piece)
+        remainder -= piece
+    return (*pieces, remainder)
 
 
-def _rounded(value: Fraction, bits: int) -> Fraction:
+def _nearest_short(value: Fraction, bits: int) -> Fraction:
     """The nearest number of so many bits."""
     mp = MPContext()
     mp.prec = bits
     return _fraction(mp.mpf(value.numerator) / value.denominator)
 
 
-def _fraction(value: Any) -> Fraction:
+def _fraction(value: mpmath.mpf) -> Fraction:
     """A number of mpmath, exactly."""
     return Fraction(*libmp.to_rational(value._mpf_))

@@ -1,4 +1,4 @@
-"""What lanes compute with: doubles, and pairs of doubles."""
+"""Arithmetics of the vector code: doubles, and pairs of doubles."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Value: TypeAlias = Any
 
 
 class Arithmetic(Protocol):
-    """What the lanes compute with."""
+    """An arithmetic whose operations are written as vector instructions."""
 
     def __init__(self, writer: IRWriter) -> None: ...
 
@@ -56,7 +56,7 @@ class Arithmetic(Protocol):
         """a + b with an error measured by the larger of the two."""
         ...
 
-    def fused(self, a: Value, b: Value, c: Value) -> Value:
+    def multiply_add(self, a: Value, b: Value, c: Value) -> Value:
         """a b + c with an error measured by the larger of product and c."""
         ...
 
@@ -104,12 +104,12 @@ class Double:
     def load(self, base: str, index: str | int) -> Value:
         """An element of an array of vectors."""
         w = self.writer
-        return w.load(w.type, w.at(w.type, base, index))
+        return w.load(w.type, w.address(w.type, base, index))
 
     def store(self, value: Value, base: str, index: str | int) -> None:
         """Write an element of an array of vectors."""
         w = self.writer
-        w.store(w.type, value, w.at(w.type, base, index))
+        w.store(w.type, value, w.address(w.type, base, index))
 
     def add(self, a: Value, b: Value) -> Value:
         """a + b."""
@@ -131,7 +131,7 @@ class Double:
         """a + b."""
         return self.add(a, b)
 
-    def fused(self, a: Value, b: Value, c: Value) -> Value:
+    def multiply_add(self, a: Value, b: Value, c: Value) -> Value:
         """a b + c, rounded once."""
         return self.fma(a, b, c)
 
@@ -186,26 +186,26 @@ class Pair:
         """An element of an array of pairs of vectors."""
         w = self.writer
         kind = f"[2 x {w.type}]"
-        place = w.at(kind, base, index)
-        return w.load(w.type, place), w.load(w.type, w.at(w.type, place, 1))
+        place = w.address(kind, base, index)
+        return w.load(w.type, place), w.load(w.type, w.address(w.type, place, 1))
 
     def store(self, value: Value, base: str, index: str | int) -> None:
         """Write an element of an array of pairs of vectors."""
         w = self.writer
-        place = w.at(f"[2 x {w.type}]", base, index)
+        place = w.address(f"[2 x {w.type}]", base, index)
         w.store(w.type, value[0], place)
-        w.store(w.type, value[1], w.at(w.type, place, 1))
+        w.store(w.type, value[1], w.address(w.type, place, 1))
 
     def two_sum(self, a: str, b: str) -> Value:
         """The sum of two doubles without error (Knuth)."""
         w = self.writer
         s = w.op("fadd", a, b)
         t = w.op("fsub", s, a)
-        rest = w.op("fadd", w.op("fsub", a, w.op("fsub", s, t)), w.op("fsub", b, t))
-        return s, rest
+        error = w.op("fadd", w.op("fsub", a, w.op("fsub", s, t)), w.op("fsub", b, t))
+        return s, error
 
     def fast_sum(self, a: str, b: str) -> Value:
-        """The same where a is the larger (Dekker)."""
+        """The sum of two doubles without error, if a is the larger (Dekker)."""
         w = self.writer
         s = w.op("fadd", a, b)
         return s, w.op("fsub", b, w.op("fsub", s, a))
@@ -213,10 +213,10 @@ class Pair:
     def add(self, a: Value, b: Value) -> Value:
         """a + b."""
         w = self.writer
-        s, s_rest = self.two_sum(a[0], b[0])
-        t, t_rest = self.two_sum(a[1], b[1])
-        s, s_rest = self.fast_sum(s, w.op("fadd", s_rest, t))
-        return self.fast_sum(s, w.op("fadd", s_rest, t_rest))
+        s, s_error = self.two_sum(a[0], b[0])
+        t, t_error = self.two_sum(a[1], b[1])
+        s, s_error = self.fast_sum(s, w.op("fadd", s_error, t))
+        return self.fast_sum(s, w.op("fadd", s_error, t_error))
 
     def sub(self, a: Value, b: Value) -> Value:
         """a − b."""
@@ -226,11 +226,11 @@ class Pair:
         """a b."""
         w = self.writer
         p = w.op("fmul", a[0], b[0])
-        rest = w.call("fma", a[0], b[0], w.op("fneg", p))
+        error = w.call("fma", a[0], b[0], w.op("fneg", p))
         low = w.op("fmul", a[1], b[1])
         low = w.call("fma", a[0], b[1], low)
         low = w.call("fma", a[1], b[0], low)
-        return self.fast_sum(p, w.op("fadd", rest, low))
+        return self.fast_sum(p, w.op("fadd", error, low))
 
     def fma(self, a: Value, b: Value, c: Value) -> Value:
         """a b + c."""
@@ -239,14 +239,14 @@ class Pair:
     def plus(self, a: Value, b: Value) -> Value:
         """a + b in half the operations.
 
-        Where a and b nearly cancel the error is below 2⁻¹⁰⁴ of these and not of what is left:
+        If a and b nearly cancel, the error is below 2⁻¹⁰⁴ of these and not of the difference:
         rounded numbers are uncertain by as much.
         """
         w = self.writer
-        s, rest = self.two_sum(a[0], b[0])
-        return self.fast_sum(s, w.op("fadd", rest, w.op("fadd", a[1], b[1])))
+        s, error = self.two_sum(a[0], b[0])
+        return self.fast_sum(s, w.op("fadd", error, w.op("fadd", a[1], b[1])))
 
-    def fused(self, a: Value, b: Value, c: Value) -> Value:
+    def multiply_add(self, a: Value, b: Value, c: Value) -> Value:
         """a b + c with an error measured by the larger of product and c."""
         return self.plus(self.mul(a, b), c)
 
@@ -270,9 +270,9 @@ class Pair:
         root = w.call("sqrt", a[0])
         left = self.sub(a, self.mul(self.whole(root), self.whole(root)))
         change = w.op("fdiv", left[0], w.op("fadd", root, root))
-        made = self.fast_sum(root, change)
+        corrected = self.fast_sum(root, change)
         zero = w.compare("oeq", a[0], w.constant(0.0))
-        return self.choose(zero, self.whole(w.constant(0.0)), made)
+        return self.choose(zero, self.whole(w.constant(0.0)), corrected)
 
     def difference(self, a: str, b: str) -> Value:
         """The difference of two registers, without error."""

@@ -1,4 +1,4 @@
-"""Compiled code kept on disk between processes.
+"""Compiled code stored on disk between processes.
 
 An entry is native code, so it is only ever read as :mod:`chaplygin.core.private_files` reads; its
 name is a digest of everything that shaped it (formulas, tolerance, versions, processor).  A cache
@@ -8,55 +8,41 @@ that cannot be used is no error: the code is compiled again.
 from __future__ import annotations
 
 import contextlib
-import hashlib
-import os
 import pickle
 import platform
 from collections.abc import Callable
-from importlib.metadata import version
+from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import TypeVar, cast
 
 from ...core import private_files
-from ...core.source_digest import core
+from ...core.cache import entry_name, folder
 
-__all__ = ["digest", "folder", "remember"]
+__all__ = ["code_name", "remember"]
 
-_KEEP = 200
-_AT_HAND = 32
+Entry = TypeVar("Entry")
 
-
-def folder() -> Path:
-    """Where compiled code is kept; the variable CHAPLYGIN_CACHE overrides the user's own place."""
-    place = private_files.home()
-    return place if os.environ.get("CHAPLYGIN_CACHE") else place / "compiled"
+#: Entries on disk, and in the memory of this process, at most.
+_STORED, _IN_MEMORY = 200, 32
 
 
-def _processor() -> str:
-    """What the compiled code was made for, to the last instruction set."""
+@lru_cache
+def _machine() -> str:
+    """The operating system and the processor, with its instruction sets."""
     info = Path("/proc/cpuinfo")
     if info.exists():
         lines = info.read_text().splitlines()
-        return "".join(sorted({x for x in lines if x.startswith(("flags", "Features", "model"))}))
-    return platform.processor()
+        processor = {x for x in lines if x.startswith(("flags", "Features", "model"))}
+        return "\n".join((platform.platform(), *sorted(processor)))
+    return f"{platform.platform()}\n{platform.processor()}"
 
 
-def digest(*parts: str) -> str:
-    """A name for code shaped by `parts`, on this machine and with these versions."""
-    text = "\x00".join(
-        (
-            *parts,
-            core(),
-            platform.platform(),
-            platform.python_version(),
-            _processor(),
-            *(f"{name} {version(name)}" for name in ("chaplygin", "heyoka", "numpy", "sympy")),
-        )
-    )
-    return hashlib.sha256(text.encode()).hexdigest()
+def code_name(*parts: str) -> str:
+    """The name of code shaped by `parts`, for this machine and these versions."""
+    return entry_name(*parts, _machine())
 
 
-def _read(path: Path) -> Any:
+def _read(path: Path) -> object:
     content = private_files.read_private(path)
     if content is None:
         return None
@@ -65,21 +51,21 @@ def _read(path: Path) -> Any:
     try:
         return pickle.loads(content)
     except Exception:
-        # whatever it may be that libraries built otherwise cannot take apart
+        # libraries built otherwise may raise anything when they unpickle
         return None
 
 
-def _write(path: Path, entry: Any) -> None:
+def _write(path: Path, entry: object) -> None:
     if not private_files.write_private(path, pickle.dumps(entry)):
         return
     with contextlib.suppress(OSError):
         entries = sorted(path.parent.glob("*.code"), key=lambda p: p.stat().st_mtime)
-        for old in entries[:-_KEEP]:
+        for old in entries[:-_STORED]:
             old.unlink(missing_ok=True)
 
 
-def _version(path: Path) -> tuple[int, int] | None:
-    """Which version of a file is there; None if there is none."""
+def _file_version(path: Path) -> tuple[int, int] | None:
+    """Time of change and size of a file; None if there is none."""
     try:
         status = path.stat()
     except OSError:
@@ -88,20 +74,20 @@ def _version(path: Path) -> tuple[int, int] | None:
 
 
 #: Entries of this process, with the version of the file that they were read from or written to.
-_at_hand: dict[Path, tuple[Any, tuple[int, int] | None]] = {}
+_in_memory: dict[Path, tuple[object, tuple[int, int] | None]] = {}
 
 
-def remember(name: str, make: Callable[[], Any]) -> tuple[Any, bool]:
-    """The entry called `name`, and whether it was found; made and kept if it was not."""
+def remember(name: str, compute: Callable[[], Entry]) -> tuple[Entry, bool]:
+    """The entry called `name`, computed if there is none, and whether there was one."""
     path = folder() / f"{name}.code"
-    if path in _at_hand and _at_hand[path][1] == _version(path):
-        return _at_hand[path][0], True
-    entry = _read(path)
-    found = entry is not None
-    if not found:
-        entry = make()
+    if path in _in_memory and _in_memory[path][1] == _file_version(path):
+        return cast("Entry", _in_memory[path][0]), True
+    entry = cast("Entry | None", _read(path))
+    stored = entry is not None
+    if entry is None:
+        entry = compute()
         _write(path, entry)
-    if len(_at_hand) >= _AT_HAND:
-        del _at_hand[next(iter(_at_hand))]
-    _at_hand[path] = entry, _version(path)
-    return entry, found
+    if len(_in_memory) >= _IN_MEMORY:
+        del _in_memory[next(iter(_in_memory))]
+    _in_memory[path] = entry, _file_version(path)
+    return entry, stored

@@ -32,13 +32,13 @@ def evaluate(
     """
     known: dict[int, Value] = {}
 
-    def unknown(node: Term) -> bool:
+    def is_unknown(node: Term) -> bool:
         value = leaf(node)
         if value is not None:
             known[id(node)] = value
         return value is None
 
-    nodes = ordered(terms, unknown)
+    nodes = ordered(terms, is_unknown)
     uses = Counter(id(a) for node in nodes for a in node.operands)
     uses.update(id(term) for term in terms)
 
@@ -71,7 +71,7 @@ def _compute(
                 a = arithmetic.neg(a)
             else:
                 other = arithmetic.neg(other)
-        return arithmetic.fused(a, b, other)
+        return arithmetic.multiply_add(a, b, other)
     values = [known[id(a)] for a in node.operands]
     match node.kind:
         case "number":
@@ -97,7 +97,7 @@ def _compute(
 
 
 def parameter_only_terms(terms: Sequence[Term]) -> list[Term]:
-    """Terms that depend on parameters alone and are used by those that depend on the state.
+    """Terms in the parameters alone that are used by terms in the state.
 
     They are computed once for a trajectory; numbers are not among them.
     """
@@ -120,7 +120,7 @@ def functions(
     lanes: int,
     prepare: str = "prepare",
 ) -> tuple[str, int]:
-    """The text of the functions that compute formulas, and how many constants they share.
+    """The text of functions that compute formulas, and the number of shared constants.
 
     ``@prepare(constants, parameters)`` computes once what depends on parameters alone;
     ``@<piece>(result, state, constants)`` everything else.
@@ -129,7 +129,7 @@ def functions(
     ----------
     arithmetic : Double or Pair
     pieces : mapping of str to sequence of Term
-        What each function computes, by its name.
+        The formulas of each function, by its name.
     lanes : int
     prepare : str
         The name of the first function.
@@ -139,10 +139,10 @@ def functions(
     texts = [_function(arithmetic, lanes, name, terms, slots) for name, terms in pieces.items()]
     number = arithmetic(IRWriter(lanes))
 
-    def given(term: Term) -> Value:
+    def leaf(term: Term) -> Value:
         return number.load("%parameters", term.args[0]) if term.kind == "parameter" else None
 
-    for i, value in enumerate(evaluate(number, constants, given)):
+    for i, value in enumerate(evaluate(number, constants, leaf)):
         number.store(value, "%constants", i)
     head = f"internal void @{prepare}(ptr noalias %constants, ptr noalias %parameters)"
     texts.append(number.writer.text(head, "#1"))

@@ -1,4 +1,4 @@
-"""Numbers kept as a head and a rest, and tricks with the bits of doubles."""
+"""Numbers as sums of a head and a tail, and operations on the bits of doubles."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ __all__ = [
     "integers",
     "is_negative",
     "is_odd",
-    "joined",
     "nearest",
     "polynomial",
     "power_of_two",
     "quotient",
     "reduce_argument",
-    "selected",
+    "select",
+    "total_of",
     "unit",
     "where",
     "where_constant",
@@ -40,10 +40,10 @@ MAGIC = 1.5 * 2.0**52
 
 
 class HeadTail(NamedTuple):
-    """A number as a sum of a rounded number and a small rest."""
+    """A number as the sum of a rounded number and a small remainder."""
 
     head: Value
-    rest: Value
+    tail: Value
 
 
 # --- bits -------------------------------------------------------------------------------------
@@ -65,12 +65,12 @@ def integers(w: IRWriter, name: str, a: str, b: int) -> str:
 
 
 def is_negative(w: IRWriter, a: str) -> str:
-    """Where the sign bit is set."""
+    """The mask of negative numbers, by their sign bit."""
     return w.emit(f"icmp slt {w.whole} {as_integers(w, a)}, zeroinitializer")
 
 
 def is_odd(w: IRWriter, bits: str) -> str:
-    """Where an integer is odd."""
+    """The mask of odd integers."""
     return w.emit(f"trunc {w.whole} {bits} to {w.mask}")
 
 
@@ -102,20 +102,20 @@ def fast_sum(k: Arithmetic, a: Value, b: Value) -> HeadTail:
 
 
 def any_sum(k: Arithmetic, a: Value, b: Value) -> HeadTail:
-    """The same whichever is the larger (Knuth)."""
+    """a + b without error (Knuth)."""
     head = k.add(a, b)
     moved = k.sub(head, a)
     return HeadTail(head, k.add(k.sub(a, k.sub(head, moved)), k.sub(b, moved)))
 
 
-def joined(k: Arithmetic, a: HeadTail) -> Value:
+def total_of(k: Arithmetic, a: HeadTail) -> Value:
     """As one number."""
-    return k.add(a.head, a.rest)
+    return k.add(a.head, a.tail)
 
 
-def selected(k: Arithmetic, mask: str, yes: HeadTail, no: HeadTail) -> HeadTail:
+def select(k: Arithmetic, mask: str, yes: HeadTail, no: HeadTail) -> HeadTail:
     """`yes` where the mask is set, else `no`."""
-    return HeadTail(k.choose(mask, yes.head, no.head), k.choose(mask, yes.rest, no.rest))
+    return HeadTail(k.choose(mask, yes.head, no.head), k.choose(mask, yes.tail, no.tail))
 
 
 def quotient(k: Arithmetic, a: HeadTail, b: HeadTail) -> HeadTail:
@@ -123,7 +123,7 @@ def quotient(k: Arithmetic, a: HeadTail, b: HeadTail) -> HeadTail:
     inverse = k.recip(b.head)
     head = k.mul(a.head, inverse)
     minus = k.neg(head)
-    left = k.fma(minus, b.rest, k.add(k.fma(minus, b.head, a.head), a.rest))
+    left = k.fma(minus, b.tail, k.add(k.fma(minus, b.head, a.head), a.tail))
     return HeadTail(head, k.mul(left, inverse))
 
 
@@ -133,11 +133,14 @@ def polynomial(k: Arithmetic, name: str, t: Value) -> Value:
     High terms are too small for more than their first 53 bits to matter: they take one register
     in any arithmetic.
     """
-    found = series(name, k.bits + 6)
-    sizes = [abs(c) * Fraction(found.reach) ** i for i, c in enumerate(found.coefficients)]
+    approximation = series(name, k.bits + 6)
+    sizes = [
+        abs(c) * Fraction(approximation.reach) ** i
+        for i, c in enumerate(approximation.coefficients)
+    ]
     short = [size * 2 ** (k.bits - 50) < sizes[0] for size in sizes]
     w, lead = k.writer, k.leading(t)
-    *others, top = zip(found.coefficients, short, strict=True)
+    *others, top = zip(approximation.coefficients, short, strict=True)
     register = w.constant(float(top[0]))
     total: Value = None
     for coefficient, small in reversed(others):
@@ -152,17 +155,17 @@ def polynomial(k: Arithmetic, name: str, t: Value) -> Value:
 def difference(k: Arithmetic, a: HeadTail, b: HeadTail) -> HeadTail:
     """a − b, where a is the larger or zero."""
     total = fast_sum(k, a.head, k.neg(b.head))
-    return HeadTail(total.head, k.add(total.rest, k.sub(a.rest, b.rest)))
+    return HeadTail(total.head, k.add(total.tail, k.sub(a.tail, b.tail)))
 
 
 def constant(k: Arithmetic, name: str, factor: Fraction) -> HeadTail:
     """A constant and what is lost by rounding it."""
-    head, rest = parts(name, (53 * k.words,))
-    return HeadTail(k.number(head * factor), k.number(rest * factor))
+    head, tail = parts(name, (53 * k.words,))
+    return HeadTail(k.number(head * factor), k.number(tail * factor))
 
 
 def where(k: Arithmetic, x: Value, relation: str, limit: float) -> str:
-    """Where x has a relation to a number."""
+    """The mask of the lanes in which x has a relation to a number."""
     w = k.writer
     return w.compare(relation, k.leading(x), w.constant(limit))
 
@@ -180,7 +183,9 @@ def copy_sign(k: Arithmetic, x: Value, magnitude: Value) -> Value:
 def reduce_argument(
     k: Arithmetic, x: Value, name: str, factor: Fraction
 ) -> tuple[HeadTail, str, str]:
-    """x less the nearest multiple n of a constant; n as a double, and in the lowest bits.
+    """x less the nearest multiple of a constant, and the multiplier n.
+
+    n is given as a double, and as an integer in the lowest bits.
 
     Multiples of short pieces of the constant are taken off one after another, all but the last
     two without error (Cody and Waite 1980; with fused products Boldo, Daumas and Li 2009).
@@ -194,5 +199,5 @@ def reduce_argument(
         x = k.fma(n, piece, x)
     product = k.mul(n, next_to_last)
     lost = k.fma(n, next_to_last, k.neg(product))
-    head, rest = any_sum(k, x, product)
-    return HeadTail(head, k.add(rest, k.fma(n, last, lost))), turns, bits
+    head, tail = any_sum(k, x, product)
+    return HeadTail(head, k.add(tail, k.fma(n, last, lost))), turns, bits

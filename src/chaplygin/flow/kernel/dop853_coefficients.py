@@ -9,19 +9,23 @@ the published numbers is taken.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import cache, lru_cache
 from typing import Any, NamedTuple, TypeAlias
 
 import flint
 import numpy as np
+import numpy.typing as npt
 from flint import arb
 
 __all__ = ["Table", "explicit_table", "trees", "weights"]
 
-#: A rooted tree: what hangs on its root.
-Tree: TypeAlias = tuple[Any, ...]
+#: A rooted tree: the branches at its root.
+Tree: TypeAlias = tuple["Tree", ...]
+
+#: Numbers: doubles, complex ones, or `arb` with many digits.
+Numbers: TypeAlias = npt.NDArray[Any]
 
 ORDER = 8
 STAGES = 12
@@ -62,20 +66,20 @@ class Table(NamedTuple):
 
 @lru_cache
 def trees(order: int) -> tuple[Tree, ...]:
-    """All rooted trees with a number of nodes, each with its branches in a fixed order."""
+    """All rooted trees with a number of nodes."""
     return tuple(_forests(order - 1, order - 1))
 
 
 def _forests(nodes: int, largest: int) -> Iterator[Tree]:
-    """Collections of trees with so many nodes together, none larger than the one before."""
+    """Forests with a number of nodes, their trees in falling order of size."""
     if nodes == 0:
         yield ()
     for size in range(min(nodes, largest), 0, -1):
         same = trees(size)
-        for rest in _forests(nodes - size, size):
+        for smaller in _forests(nodes - size, size):
             for i, tree in enumerate(same):
-                if not rest or _size(rest[0]) < size or same.index(rest[0]) >= i:
-                    yield (tree, *rest)
+                if not smaller or _size(smaller[0]) < size or same.index(smaller[0]) >= i:
+                    yield (tree, *smaller)
 
 
 @cache
@@ -92,8 +96,8 @@ def _density(tree: Tree) -> int:
     return product
 
 
-def weights(a: Any, b: Any, order: int) -> Any:
-    """What each order condition requires to be 1: γ(t) Σ b_i Φ_i(t).
+def weights(a: Numbers, b: Numbers, order: int) -> Numbers:
+    """The left sides γ(t) Σ b_i Φ_i(t) of the order conditions, which require 1.
 
     Parameters
     ----------
@@ -105,26 +109,32 @@ def weights(a: Any, b: Any, order: int) -> Any:
     """
     known: dict[Tree, Any] = {}
 
-    def branch(tree: Tree) -> Any:
-        """What a tree adds where it hangs: A Φ(t)."""
+    def branch(tree: Tree) -> Numbers:
+        """The factor A Φ(t) of a tree that is a branch of another."""
         if tree not in known:
             known[tree] = a @ stages(tree)
-        return known[tree]
+        result: Numbers = known[tree]
+        return result
 
-    def stages(tree: Tree) -> Any:
-        found = b * 0 + 1
+    def stages(tree: Tree) -> Numbers:
+        product = b * 0 + 1
         for part in tree:
-            found = found * branch(part)
-        return found
+            product = product * branch(part)
+        result: Numbers = product
+        return result
 
-    found = [_density(t) * (b @ stages(t)) for n in range(1, order + 1) for t in trees(n)]
-    return np.array(found)
+    conditions = [_density(t) * (b @ stages(t)) for n in range(1, order + 1) for t in trees(n)]
+    return np.array(conditions)
 
 
 # --- roots ------------------------------------------------------------------------------------
 
 
-def _root(function: Callable[[Any], Any], right: Any, start: Any) -> Any:
+def _root(
+    function: Callable[[Numbers], Numbers],
+    right: Numbers | arb,
+    start: Numbers,
+) -> Numbers:
     """The solution of f(x) = right that is next to doubles which nearly solve it.
 
     Newton's method with the derivative at the start and its pseudoinverse, so that nothing moves
@@ -138,21 +148,23 @@ def _root(function: Callable[[Any], Any], right: Any, start: Any) -> Any:
         change = _middles(inverse @ (right - function(x)))
         x = x + change
         if max(map(abs, change)) < arb(2) ** -BITS:
-            return x
+            result: Numbers = x
+            return result
     raise ArithmeticError("the order conditions were not solved")
 
 
-def _exact(values: Any) -> Any:
+def _exact(values: Numbers) -> Numbers:
     """Doubles as numbers of many digits."""
-    return np.vectorize(arb, otypes=[object])(values)
+    result: Numbers = np.vectorize(arb, otypes=[object])(values)
+    return result
 
 
-def _middles(values: Any) -> Any:
+def _middles(values: Numbers) -> Numbers:
     """Numbers without the bounds of their errors."""
     return np.array([value.mid() for value in values])
 
 
-def _fractions(values: Any) -> tuple[Fraction, ...]:
+def _fractions(values: Numbers) -> tuple[Fraction, ...]:
     """Numbers as they stand in memory."""
     pairs = (arb(value).mid().man_exp() for value in values)
     return tuple(int(mantissa) * Fraction(2) ** int(exponent) for mantissa, exponent in pairs)
@@ -161,12 +173,12 @@ def _fractions(values: Any) -> tuple[Fraction, ...]:
 # --- the method -------------------------------------------------------------------------------
 
 
-def _nodes() -> Any:
+def _nodes() -> Numbers:
     """The times of the stages (Hairer, Nørsett, Wanner 1993, II.5)."""
     root = arb(6).sqrt()
-    first = [arb(0), (12 - 2 * root) / 135, (6 - root) / 45, (6 - root) / 30, (6 + root) / 30]
-    rest = [(1, 3), (1, 4), (4, 13), (127, 195), (3, 5), (6, 7), (1, 1)]
-    return np.array(first + [arb(p) / q for p, q in rest])
+    irrational = [arb(0), (12 - 2 * root) / 135, (6 - root) / 45, (6 - root) / 30, (6 + root) / 30]
+    rational = [(1, 3), (1, 4), (4, 13), (127, 195), (3, 5), (6, 7), (1, 1)]
+    return np.array(irrational + [arb(p) / q for p, q in rational])
 
 
 @lru_cache
@@ -178,18 +190,20 @@ def explicit_table() -> Table:
     places, used = np.nonzero(doubles), np.nonzero(DOP853.B)
     count = len(places[0])
 
-    def unpacked(x: Any) -> tuple[Any, Any]:
-        return _filled((STAGES, STAGES), places, x[:count]), _filled(STAGES, used, x[count:])
+    def method_of(
+        x: Numbers,
+    ) -> tuple[Numbers, Numbers]:
+        return _array_of((STAGES, STAGES), places, x[:count]), _array_of(STAGES, used, x[count:])
 
-    def conditions(x: Any) -> Any:
-        a, b = unpacked(x)
+    def conditions(x: Numbers) -> Numbers:
+        a, b = method_of(x)
         return np.concatenate([weights(a, b, ORDER), a.sum(axis=1)])
 
     with flint.ctx.workprec(BITS + 60):
         c = _nodes()
         ones = [arb(1)] * sum(len(trees(n)) for n in range(1, ORDER + 1))
         start = np.concatenate([doubles[places], DOP853.B[used]])
-        a, b = unpacked(_root(conditions, np.concatenate([ones, c]), start))
+        a, b = method_of(_root(conditions, np.concatenate([ones, c]), start))
         return Table(
             a=tuple(_fractions(a[i, :i]) for i in range(STAGES)),
             b=_fractions(b),
@@ -199,27 +213,31 @@ def explicit_table() -> Table:
         )
 
 
-def _filled(shape: Any, places: Any, values: Any) -> Any:
-    """An array with values in some places."""
-    found = np.zeros(shape, values.dtype)
-    found[places] = values
-    return found
+def _array_of(
+    shape: int | tuple[int, int],
+    indices: tuple[Sequence[int] | npt.NDArray[np.intp], ...],
+    values: Numbers,
+) -> Numbers:
+    """An array that is zero but for values at some indices."""
+    array = np.zeros(shape, values.dtype)
+    array[indices] = values
+    return array
 
 
-def _third_order(c: Any) -> Any:
+def _third_order(c: Numbers) -> Numbers:
     """The weights of the result of order 3: a quadrature with the nodes 0, c₉ and 1."""
     middle = c[8]
     inner = 1 / (6 * middle * (1 - middle))
     last = arb(1) / 2 - inner * middle
-    return _filled(STAGES, ([0, 8, 11],), np.array([1 - inner - last, inner, last]))
+    return _array_of(STAGES, ([0, 8, 11],), np.array([1 - inner - last, inner, last]))
 
 
-def _fifth_order(a: Any, doubles: Any) -> Any:
+def _fifth_order(a: Numbers, doubles: Numbers) -> Numbers:
     """The estimate of order 5, that vanishes for all trees of at most 5 nodes."""
     places = np.nonzero(doubles)
 
-    def conditions(x: Any) -> Any:
+    def conditions(x: Numbers) -> Numbers:
         matrix = a if x.dtype == object else np.array(a, dtype=float)
-        return weights(matrix, _filled(STAGES, places, x), 5)
+        return weights(matrix, _array_of(STAGES, places, x), 5)
 
-    return _filled(STAGES, places, _root(conditions, arb(0), doubles[places]))
+    return _array_of(STAGES, places, _root(conditions, arb(0), doubles[places]))

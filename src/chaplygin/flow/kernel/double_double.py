@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
 import mpmath
 import numpy as np
+import numpy.typing as npt
 
+from ...arguments import Parameters
+from ...core.arrays import FloatArray
 from ...core.system import System
 from ...formulas.evaluate import as_float_array, parameter_rows
 
-__all__ = ["paired", "parameter_pairs", "unpaired"]
+__all__ = ["as_pairs", "from_pairs", "parameter_pairs"]
 
 
-def paired(name: str, values: Any) -> Any:
-    """Numbers as pairs of doubles, the second what rounding to the first leaves: (..., 2).
+def as_pairs(name: str, values: npt.ArrayLike) -> FloatArray:
+    """Numbers as pairs (..., 2) of doubles: the rounded number and its error.
 
     Raises
     ------
@@ -32,30 +32,30 @@ def paired(name: str, values: Any) -> Any:
     return np.array(parts).reshape(*numbers.shape, 2)
 
 
-def parameter_pairs(system: System, parameters: Mapping[Any, Any] | None, count: int) -> Any:
+def parameter_pairs(system: System, parameters: Parameters, count: int) -> FloatArray:
     """Values of the parameters in order: (1 or count, parameters, 2).
 
     See :func:`chaplygin.formulas.evaluate.parameter_rows`; numbers of many digits keep 32 of them.
     """
     rows = parameter_rows(system, parameters, count)
-    made = np.stack([rows, np.zeros_like(rows)], axis=-1)
+    pairs = np.stack([rows, np.zeros_like(rows)], axis=-1)
     if not parameters:
-        return made
-    given = {str(key): np.asarray(value) for key, value in parameters.items()}
+        return pairs
+    values = {str(key): np.asarray(value) for key, value in parameters.items()}
     for i, parameter in enumerate(system.parameters):
-        value = given.get(str(parameter.symbol))
+        value = values.get(str(parameter.symbol))
         if value is not None and value.dtype == object:
-            made[:, i] = paired(str(parameter.symbol), value)
-    return made
+            pairs[:, i] = as_pairs(str(parameter.symbol), value)
+    return pairs
 
 
-def unpaired(first: Any, rest: Any) -> Any:
+def from_pairs(first: FloatArray, second: FloatArray) -> npt.NDArray[np.object_]:
     """The numbers that pairs stand for, as an array of mpmath numbers."""
     with mpmath.workdps(40):
         sums = [
             mpmath.mpf(float(a)) + mpmath.mpf(float(b))
-            for a, b in zip(np.ravel(first), np.ravel(rest), strict=True)
+            for a, b in zip(np.ravel(first), np.ravel(second), strict=True)
         ]
-    made = np.empty(len(sums), dtype=object)
-    made[:] = sums
-    return made.reshape(np.shape(first))
+    numbers = np.empty(len(sums), dtype=object)
+    numbers[:] = sums
+    return numbers.reshape(np.shape(first))

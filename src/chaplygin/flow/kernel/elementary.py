@@ -3,7 +3,7 @@
 Every function is written once over an arithmetic, so that doubles and pairs of doubles share it.
 The argument is reduced to a short interval; there the function is its leading part, exact, and a
 polynomial times something small.  Both are kept apart as long as anything is done with them (a
-`Split` number, head and rest), so that rounding is felt hardly more than once: results are
+`Split` number, head and tail), so that rounding is felt hardly more than once: results are
 within 0.9 units in the last place for doubles, and to 10⁻³¹ for pairs.  Circular functions of
 more than 2⁴⁰ are not a number.
 """
@@ -26,13 +26,13 @@ from .compensated import (
     integers,
     is_negative,
     is_odd,
-    joined,
     nearest,
     polynomial,
     power_of_two,
     quotient,
     reduce_argument,
-    selected,
+    select,
+    total_of,
     unit,
     where,
     where_constant,
@@ -55,8 +55,8 @@ def absolute(k: Arithmetic, x: Value) -> Value:
 
 def sign(k: Arithmetic, x: Value) -> Value:
     """1, −1; zero for zero, not a number for what is none."""
-    found = where_constant(k, where(k, x, "olt", 0.0), -1.0, x)
-    return where_constant(k, where(k, x, "ogt", 0.0), 1.0, found)
+    negative = where_constant(k, where(k, x, "olt", 0.0), -1.0, x)
+    return where_constant(k, where(k, x, "ogt", 0.0), 1.0, negative)
 
 
 # --- circular functions -----------------------------------------------------------------------
@@ -66,23 +66,23 @@ FARTHEST = 2.0**40
 
 
 def _circular(k: Arithmetic, x: Value) -> tuple[HeadTail, HeadTail, str]:
-    """Sine and cosine of x − n π/2, at most π/4 in magnitude, and n in the lowest bits."""
-    (r, rest), _, quadrant = reduce_argument(k, x, "pi", Fraction(1, 2))
+    """Sine and cosine of x − n π/2, |x − n π/2| ≤ π/4, and n in the lowest bits."""
+    (r, tail), _, quadrant = reduce_argument(k, x, "pi", Fraction(1, 2))
     t = k.mul(r, r)
-    sine = HeadTail(r, k.fma(k.mul(r, t), polynomial(k, "sin", t), rest))
+    sine = HeadTail(r, k.fma(k.mul(r, t), polynomial(k, "sin", t), tail))
     top = fast_sum(k, unit(k), k.mul(t, k.number(Fraction(-1, 2))))
-    small = k.fma(k.mul(t, t), polynomial(k, "cos", t), k.neg(k.mul(r, rest)))
-    return sine, HeadTail(top.head, k.add(top.rest, small)), quadrant
+    small = k.fma(k.mul(t, t), polynomial(k, "cos", t), k.neg(k.mul(r, tail)))
+    return sine, HeadTail(top.head, k.add(top.tail, small)), quadrant
 
 
-def _turned(k: Arithmetic, x: Value, quarters: int) -> Value:
+def _shifted_sine(k: Arithmetic, x: Value, quarters: int) -> Value:
     """sin(x + quarters π/2)."""
     w = k.writer
     sine, cosine, quadrant = _circular(k, x)
     quadrant = integers(w, "add", quadrant, quarters)
-    found = joined(k, selected(k, is_odd(w, quadrant), cosine, sine))
+    value = total_of(k, select(k, is_odd(w, quadrant), cosine, sine))
     other = is_odd(w, integers(w, "lshr", quadrant, 1))
-    return _within(k, x, k.choose(other, k.neg(found), found))
+    return _within(k, x, k.choose(other, k.neg(value), value))
 
 
 def _within(k: Arithmetic, x: Value, value: Value) -> Value:
@@ -97,29 +97,29 @@ def _through_zero(k: Arithmetic, x: Value, value: Value) -> Value:
 
 def sin(k: Arithmetic, x: Value) -> Value:
     """Sine."""
-    return _through_zero(k, x, _turned(k, x, 0))
+    return _through_zero(k, x, _shifted_sine(k, x, 0))
 
 
 def cos(k: Arithmetic, x: Value) -> Value:
     """Cosine."""
-    return _turned(k, x, 1)
+    return _shifted_sine(k, x, 1)
 
 
 def tan(k: Arithmetic, x: Value) -> Value:
     """Tangent."""
     sine, cosine, quadrant = _circular(k, x)
     odd = is_odd(k.writer, quadrant)
-    above, below = selected(k, odd, cosine, sine), selected(k, odd, sine, cosine)
+    above, below = select(k, odd, cosine, sine), select(k, odd, sine, cosine)
     below = fast_sum(k, *below)
-    found = joined(k, quotient(k, fast_sum(k, *above), below))
-    return _through_zero(k, x, _within(k, x, k.choose(odd, k.neg(found), found)))
+    ratio = total_of(k, quotient(k, fast_sum(k, *above), below))
+    return _through_zero(k, x, _within(k, x, k.choose(odd, k.neg(ratio), ratio)))
 
 
 # --- their inverses ---------------------------------------------------------------------------
 
 
 def _arcsine(k: Arithmetic, x: Value) -> tuple[HeadTail, str]:
-    """The arcsine of what is at most ½: of |x|, or of √((1 − |x|)/2) where the mask is set."""
+    """The arcsine of |x| ≤ ½, or of √((1 − |x|)/2) where the mask is set; the mask."""
     size = absolute(k, x)
     large = where(k, size, "ogt", 0.5)
     t = k.mul(k.sub(unit(k), size), k.number(Fraction(1, 2)))
@@ -127,10 +127,10 @@ def _arcsine(k: Arithmetic, x: Value) -> tuple[HeadTail, str]:
     lost = k.mul(k.fma(k.neg(root), root, t), k.recip(k.add(root, root)))
     zero = k.number(Fraction(0))
     safe = k.choose(where(k, root, "oeq", 0.0), zero, lost)
-    s = selected(k, large, HeadTail(root, safe), HeadTail(size, zero))
+    s = select(k, large, HeadTail(root, safe), HeadTail(size, zero))
     square = k.choose(large, t, k.mul(size, size))
     cubic = k.mul(k.mul(s.head, square), polynomial(k, "asin", square))
-    return HeadTail(s.head, k.add(s.rest, cubic)), large
+    return HeadTail(s.head, k.add(s.tail, cubic)), large
 
 
 def asin(k: Arithmetic, x: Value) -> Value:
@@ -138,7 +138,7 @@ def asin(k: Arithmetic, x: Value) -> Value:
     s, large = _arcsine(k, x)
     twice = HeadTail(*(k.add(part, part) for part in s))
     far = difference(k, constant(k, "pi", Fraction(1, 2)), twice)
-    return copy_sign(k, x, joined(k, selected(k, large, far, s)))
+    return copy_sign(k, x, total_of(k, select(k, large, far, s)))
 
 
 def acos(k: Arithmetic, x: Value) -> Value:
@@ -150,9 +150,9 @@ def acos(k: Arithmetic, x: Value) -> Value:
     s = HeadTail(*(k.choose(large, k.add(part, part), part) for part in s))
     s = HeadTail(*(k.choose(minus, k.neg(part), part) for part in s))
     zero = k.number(Fraction(0))
-    end = selected(k, negative, constant(k, "pi", Fraction(1)), HeadTail(zero, zero))
+    end = select(k, negative, constant(k, "pi", Fraction(1)), HeadTail(zero, zero))
     middle = constant(k, "pi", Fraction(1, 2))
-    return joined(k, difference(k, selected(k, large, end, middle), s))
+    return total_of(k, difference(k, select(k, large, end, middle), s))
 
 
 def atan2(k: Arithmetic, y: Value, x: Value) -> Value:
@@ -167,7 +167,7 @@ def atan2(k: Arithmetic, y: Value, x: Value) -> Value:
     slope = quotient(k, HeadTail(top, zero), bottom)
     t = k.mul(slope.head, slope.head)
     cubic = k.mul(k.mul(slope.head, t), polynomial(k, "atan", t))
-    angle = HeadTail(slope.head, k.add(slope.rest, cubic))
+    angle = HeadTail(slope.head, k.add(slope.tail, cubic))
 
     behind = is_negative(w, k.leading(x))
     backward = w.emit(f"xor {w.mask} {steep}, {behind}")
@@ -177,13 +177,13 @@ def atan2(k: Arithmetic, y: Value, x: Value) -> Value:
     eighth = constant(k, "pi", Fraction(1, 4))
     head = k.mul(eighths, eighth.head)
     lost = k.fma(eighths, eighth.head, k.neg(head))
-    turned = HeadTail(head, k.fma(eighths, eighth.rest, lost))
+    turned = HeadTail(head, k.fma(eighths, eighth.tail, lost))
     minus = HeadTail(*(k.choose(backward, part, k.neg(part)) for part in angle))
-    return copy_sign(k, y, joined(k, difference(k, turned, minus)))
+    return copy_sign(k, y, total_of(k, difference(k, turned, minus)))
 
 
 def _proper(k: Arithmetic, a: Value, b: Value, swapped: str) -> tuple[Value, Value]:
-    """Two magnitudes with the same ratio, the smaller first, neither huge nor tiny nor 0/0."""
+    """Two magnitudes in the same ratio, the smaller first, scaled to usual size."""
     one = unit(k)
     above, below = k.choose(swapped, b, a), k.choose(swapped, a, b)
     factor = where_constant(k, where(k, below, "olt", 2.0**-500), 2.0**600, one)
@@ -204,7 +204,7 @@ def atan(k: Arithmetic, x: Value) -> Value:
 
 # --- exponentials -----------------------------------------------------------------------------
 
-#: Where the results of exp and of sinh and cosh end, and where exp is nothing any more.
+#: Arguments at which exp, and sinh and cosh, overflow, and at which exp underflows.
 HIGHEST, HIGHEST_HYPERBOLIC, LOWEST = 709.782712893384, 710.4758600739439, -746.0
 #: From here on the hyperbolic tangent is 1 to 106 bits.
 SATURATED = 40.0
@@ -213,36 +213,36 @@ SATURATED = 40.0
 def _exponential(k: Arithmetic, x: Value, halvings: int) -> HeadTail:
     """eˣ by a power of two: 2ⁿ (1 + r + …), |r| ≤ (log 2)/2."""
     w = k.writer
-    (r, rest), turns, _ = reduce_argument(k, x, "ln2", Fraction(1))
+    (r, tail), turns, _ = reduce_argument(k, x, "ln2", Fraction(1))
     top = fast_sum(k, unit(k), r)
-    small = k.fma(k.mul(r, r), polynomial(k, "exp", r), rest)
+    small = k.fma(k.mul(r, r), polynomial(k, "exp", r), tail)
     turns = w.op("fsub", turns, w.constant(float(halvings)))
     # in two steps, for the last numbers before infinity and zero
     first, _ = nearest(w, turns, Fraction(1, 2))
     powers = (first, w.op("fsub", turns, first))
     near, far = (k.whole(power_of_two(w, power)) for power in powers)
-    made = fast_sum(k, top.head, k.add(top.rest, small))
-    return HeadTail(*(k.mul(k.mul(part, near), far) for part in made))
+    mantissa = fast_sum(k, top.head, k.add(top.tail, small))
+    return HeadTail(*(k.mul(k.mul(part, near), far) for part in mantissa))
 
 
 def exp(k: Arithmetic, x: Value) -> Value:
     """Exponential function."""
-    found = joined(k, _exponential(k, x, 0))
-    found = where_constant(k, where(k, x, "ogt", HIGHEST), INFINITY, found)
-    return where_constant(k, where(k, x, "olt", LOWEST), 0.0, found)
+    value = total_of(k, _exponential(k, x, 0))
+    value = where_constant(k, where(k, x, "ogt", HIGHEST), INFINITY, value)
+    return where_constant(k, where(k, x, "olt", LOWEST), 0.0, value)
 
 
 def _hyperbolic(k: Arithmetic, x: Value) -> tuple[HeadTail, HeadTail]:
     """Hyperbolic sine and cosine of a magnitude."""
     large = _exponential(k, x, 1)
     inverse = k.recip(large.head)
-    left = k.fma(k.neg(inverse), large.rest, k.fma(k.neg(inverse), large.head, unit(k)))
+    left = k.fma(k.neg(inverse), large.tail, k.fma(k.neg(inverse), large.head, unit(k)))
     quarter = k.number(Fraction(1, 4))
     small = HeadTail(k.mul(inverse, quarter), k.mul(k.mul(inverse, left), quarter))
     t = k.mul(x, x)
     near = HeadTail(x, k.mul(k.mul(x, t), polynomial(k, "sinh", t)))
     cosine = difference(k, large, HeadTail(*map(k.neg, small)))
-    sine = selected(k, where(k, x, "olt", 0.5), near, difference(k, large, small))
+    sine = select(k, where(k, x, "olt", 0.5), near, difference(k, large, small))
     return sine, cosine
 
 
@@ -251,22 +251,24 @@ def sinh(k: Arithmetic, x: Value) -> Value:
     size = absolute(k, x)
     sine, _ = _hyperbolic(k, size)
     far = where(k, size, "ogt", HIGHEST_HYPERBOLIC)
-    return copy_sign(k, x, where_constant(k, far, INFINITY, joined(k, sine)))
+    return copy_sign(k, x, where_constant(k, far, INFINITY, total_of(k, sine)))
 
 
 def cosh(k: Arithmetic, x: Value) -> Value:
     """Hyperbolic cosine."""
     size = absolute(k, x)
     _, cosine = _hyperbolic(k, size)
-    return where_constant(k, where(k, size, "ogt", HIGHEST_HYPERBOLIC), INFINITY, joined(k, cosine))
+    return where_constant(
+        k, where(k, size, "ogt", HIGHEST_HYPERBOLIC), INFINITY, total_of(k, cosine)
+    )
 
 
 def tanh(k: Arithmetic, x: Value) -> Value:
     """Hyperbolic tangent."""
     size = absolute(k, x)
     sine, cosine = _hyperbolic(k, size)
-    found = joined(k, quotient(k, fast_sum(k, *sine), cosine))
-    return copy_sign(k, x, where_constant(k, where(k, size, "ogt", SATURATED), 1.0, found))
+    ratio = total_of(k, quotient(k, fast_sum(k, *sine), cosine))
+    return copy_sign(k, x, where_constant(k, where(k, size, "ogt", SATURATED), 1.0, ratio))
 
 
 def log(k: Arithmetic, x: Value) -> Value:
@@ -294,11 +296,11 @@ def log(k: Arithmetic, x: Value) -> Value:
     # short, so that its multiples are exact
     high, low = parts("ln2", (k.bits - 11,))
     total = fast_sum(k, k.mul(k.whole(n), k.number(high)), twice.head)
-    rest = k.add(twice.rest, k.fma(k.whole(n), k.number(low), cubic))
-    found = k.add(total.head, k.add(total.rest, rest))
-    found = where_constant(k, where(k, x, "olt", 0.0), float("nan"), found)
-    found = where_constant(k, where(k, x, "oeq", INFINITY), INFINITY, found)
-    return where_constant(k, where(k, x, "oeq", 0.0), -INFINITY, found)
+    tail = k.add(twice.tail, k.fma(k.whole(n), k.number(low), cubic))
+    value = k.add(total.head, k.add(total.tail, tail))
+    value = where_constant(k, where(k, x, "olt", 0.0), float("nan"), value)
+    value = where_constant(k, where(k, x, "oeq", INFINITY), INFINITY, value)
+    return where_constant(k, where(k, x, "oeq", 0.0), -INFINITY, value)
 
 
 FUNCTIONS: Mapping[str, Callable[..., Value]] = {

@@ -1,10 +1,9 @@
-"""What machine code is made of: the formulas of a System, of its deviations and of a section."""
+"""The formulas of a System, of its variations and of a section, for code generation."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
 
@@ -27,7 +26,7 @@ __all__ = [
 
 @dataclass(frozen=True)
 class Section:
-    """Where a motion is looked at: a function vanishes.
+    """A Poincaré section: the zeros of a function, at which motions are recorded.
 
     Attributes
     ----------
@@ -39,9 +38,9 @@ class Section:
         Only crossings where this is positive count.
     """
 
-    value: Any
+    value: sp.Expr
     direction: int = 1
-    where: Any = None
+    where: sp.Expr | None = None
 
 
 @arguments_checked
@@ -131,7 +130,7 @@ class Equations:
 
     @property
     def pieces(self) -> dict[str, tuple[Term, ...]]:
-        """What is evaluated, by the name of the function that does it."""
+        """The formulas of each generated function, by its name."""
         pieces = {"rates": self.rates}
         if self.section is not None and self.slope is not None:
             where = () if self.where is None else (self.where,)
@@ -179,30 +178,30 @@ def equations_of(
 def _variations(graph: Graph, rates: Sequence[Term], deviations: int) -> list[Term]:
     """The variational equations, of one deviation after the other."""
     size = len(rates)
-    found: list[Term] = []
+    variations: list[Term] = []
     for k in range(1, deviations + 1):
         direction = {graph.state(i): graph.state(k * size + i) for i in range(size)}
-        found.extend(graph.along(rates, direction))
-    return found
+        variations.extend(graph.along(rates, direction))
+    return variations
 
 
 def groups(system: System) -> tuple[tuple[int, ...], ...]:
     """The places of the components of each vector of the state; scalars stand alone."""
-    found, first = [], 0
+    blocks, first = [], 0
     for variable in system.state:
         width = 1 if isinstance(variable, sp.Symbol) else len(variable.symbols)
-        found.append(tuple(range(first, first + width)))
+        blocks.append(tuple(range(first, first + width)))
         first += width
-    return tuple(found)
+    return tuple(blocks)
 
 
 def serial(equations: Equations) -> str:
-    """All that the code depends on, as a text."""
+    """All on which the code depends, as a text."""
     pieces = equations.pieces
     heads = [f"{name} {len(piece)}" for name, piece in pieces.items()]
     terms = serial_terms([term for piece in pieces.values() for term in piece])
-    rest = (equations.groups, equations.direction, equations.parameters, equations.deviations)
-    return "\n".join([*heads, terms, *map(str, rest)])
+    layout = (equations.groups, equations.direction, equations.parameters, equations.deviations)
+    return "\n".join([*heads, terms, *map(str, layout)])
 
 
 def serial_terms(terms: Sequence[Term]) -> str:

@@ -19,8 +19,9 @@ from .arithmetic import Double, Pair, Value
 from .codegen import functions
 from .equations import Equations
 from .ir_writer import IRWriter, literal
+from .outcomes import COLLAPSED, NOT_A_NUMBER, STATUS_MESSAGES, STEPS
 from .projection_terms import ProjectionTerms
-from .runge_kutta import COLLAPSED, NOT_A_NUMBER, STATUS_MESSAGES, STEPS, Workspace
+from .runge_kutta import Workspace
 from .tableaux import Gauss
 
 __all__ = ["gauss_loop"]
@@ -42,9 +43,14 @@ class _Loop:
     """The writing of the loop."""
 
     def __init__(
-        self, method: Gauss, equations: Equations, kept: ProjectionTerms | None, refine: bool
+        self, method: Gauss, equations: Equations, projection: ProjectionTerms | None, refine: bool
     ) -> None:
-        self.method, self.equations, self.kept, self.refine = method, equations, kept, refine
+        self.method, self.equations, self.projection, self.refine = (
+            method,
+            equations,
+            projection,
+            refine,
+        )
         self.stages = len(method.b)
         self.size = len(equations.rates)
         self.w = IRWriter(self.stages)
@@ -56,15 +62,15 @@ class _Loop:
         wide = dict(equations.pieces)
         self._functions("wide", Double, wide, self.stages)
         self._functions("fine", Pair, {"fine_rates": equations.rates}, self.stages)
-        if kept is not None:
-            self._functions("exact", Pair, {"residuals": kept.residuals}, 1)
-            self._functions("thin", Double, {"correct": kept.correction}, 1)
-        count = 0 if kept is None else len(kept.residuals)
-        self.space.room("y", 2 * (self.size + count))
-        self.space.room("new", 2 * (self.size + count))
-        self.space.room("point", self.size + count)
-        self.space.room("left", 2 * max(count, 1))
-        self.space.room("move", self.size)
+        if projection is not None:
+            self._functions("exact", Pair, {"residuals": projection.residuals}, 1)
+            self._functions("thin", Double, {"correct": projection.correction}, 1)
+        count = 0 if projection is None else len(projection.residuals)
+        self.space.reserve("y", 2 * (self.size + count))
+        self.space.reserve("new", 2 * (self.size + count))
+        self.space.reserve("point", self.size + count)
+        self.space.reserve("left", 2 * max(count, 1))
+        self.space.reserve("move", self.size)
         for name in ("stage", "rates", "fresh", "before"):
             self._vectors(name, self.size)
         for name in ("fine_stage", "fine_rates", "fine_before"):
@@ -74,7 +80,7 @@ class _Loop:
     def _vectors(self, name: str, count: int) -> None:
         """Room for vectors, at an address that is a multiple of their size."""
         self.space.size += -self.space.size % 8
-        self.space.room(name, count * self.stages)
+        self.space.reserve(name, count * self.stages)
 
     def _functions(
         self,
@@ -87,15 +93,15 @@ class _Loop:
         self.texts.append(text)
         # vectors want addresses that are multiples of their size
         self.space.size += -self.space.size % 8
-        self.space.room(f"{name}_constants", max(constants, 1) * lanes * kind.words)
-        self.space.room(
+        self.space.reserve(f"{name}_constants", max(constants, 1) * lanes * kind.words)
+        self.space.reserve(
             f"{name}_parameters", max(self.equations.parameters, 1) * lanes * kind.words
         )
 
-    def at(self, name: str, doubles: int | str = 0) -> str:
+    def address(self, name: str, doubles: int | str = 0) -> str:
         """The address of a double in an array of the workspace."""
-        base = self.w.at("double", "%work", self.space.places[name])
-        return base if doubles == 0 else self.w.at("double", base, doubles)
+        base = self.w.address("double", "%work", self.space.places[name])
+        return base if doubles == 0 else self.w.address("double", base, doubles)
 
     # --- the loop --------------------------------------------------------------------------------
 
@@ -113,38 +119,42 @@ class _Loop:
 
     def _motion(self, index: str) -> None:
         w = self.w
-        row = w.at("double", "%starts", w.emit(f"mul i64 {index}, {2 * self.size}"))
+        row = w.address("double", "%starts", w.emit(f"mul i64 {index}, {2 * self.size}"))
         for i in range(2 * self.size):
-            w.store("double", w.load("double", w.at("double", row, i)), self.at("y", i))
+            w.store("double", w.load("double", w.address("double", row, i)), self.address("y", i))
         self._parameters(index)
         self.time = w.variable("double", "0.0")
         self.planned = w.variable("double", "0.0")
         self.last_step = w.variable("double", "0.0")
         self.outcome = w.variable("i64", "0")
-        self.tried = w.variable("i64", "0")
+        self.attempts = w.variable("i64", "0")
         self.calm = w.variable("i64", "0")
-        self.taken = w.variable("i64", "0")
+        self.accepted_steps = w.variable("i64", "0")
         self._targets()
         self._first_step()
         self.floor = w.variable(
             "double", self._scalar("fmul", w.load("double", self.planned), literal(1e-12))
         )
         with w.count("%wanted") as sample:
-            target = w.load("double", w.at("double", "%times", sample))
+            target = w.load("double", w.address("double", "%times", sample))
             with w.forever() as leave:
                 leave(w.emit(f"fcmp oge double {w.load('double', self.time)}, {target}"))
                 leave(w.emit(f"icmp ne i64 {w.load('i64', self.outcome)}, 0"))
                 self._step(target)
             fine = w.emit(f"icmp eq i64 {w.load('i64', self.outcome)}, 0")
-            with w.when(fine):
+            with w.branch(fine):
                 self._project()
                 number = w.emit(f"add i64 {w.emit(f'mul i64 {index}, %wanted')}, {sample}")
-                row = w.at("double", "%states", w.emit(f"mul i64 {number}, {2 * self.size}"))
+                row = w.address("double", "%states", w.emit(f"mul i64 {number}, {2 * self.size}"))
                 for i in range(2 * self.size):
-                    w.store("double", w.load("double", self.at("y", i)), w.at("double", row, i))
-        w.store("i64", w.load("i64", self.outcome), w.at("i64", "%outcome", index))
-        w.store("double", w.load("double", self.time), w.at("double", "%ended", index))
-        w.store("i64", w.load("i64", self.tried), w.at("i64", "%taken", index))
+                    w.store(
+                        "double",
+                        w.load("double", self.address("y", i)),
+                        w.address("double", row, i),
+                    )
+        w.store("i64", w.load("i64", self.outcome), w.address("i64", "%outcome", index))
+        w.store("double", w.load("double", self.time), w.address("double", "%ended", index))
+        w.store("i64", w.load("i64", self.attempts), w.address("i64", "%taken", index))
 
     def _scalar(self, op: str, a: str, b: str) -> str:
         return self.w.emit(f"{op} double {a}, {b}")
@@ -152,68 +162,70 @@ class _Loop:
     def _parameters(self, index: str) -> None:
         """Parameters in all lanes, and what depends on them alone."""
         w = self.w
-        row = w.at("double", "%values", w.emit(f"mul i64 {index}, %stride"))
+        row = w.address("double", "%values", w.emit(f"mul i64 {index}, %stride"))
         uses: list[tuple[str, Double | Pair]] = [("wide", self.d), ("fine", self.p)]
-        if self.kept is not None:
+        if self.projection is not None:
             uses += [("exact", self.p1), ("thin", self.d1)]
         for name, arithmetic in uses:
-            base = self.at(f"{name}_parameters")
+            base = self.address(f"{name}_parameters")
             for i in range(self.equations.parameters):
                 words = [
-                    arithmetic.writer.splat(w.load("double", w.at("double", row, 2 * i + k)))
+                    arithmetic.writer.splat(w.load("double", w.address("double", row, 2 * i + k)))
                     for k in range(arithmetic.words)
                 ]
                 arithmetic.store(words[0] if arithmetic.words == 1 else tuple(words), base, i)
-            w.line(f"call void @prepare_{name}(ptr {self.at(f'{name}_constants')}, ptr {base})")
+            w.line(
+                f"call void @prepare_{name}(ptr {self.address(f'{name}_constants')}, ptr {base})"
+            )
 
     def _targets(self) -> None:
         """The values that are to be kept; at first what vanishes is the value itself."""
-        if self.kept is None:
+        if self.projection is None:
             return
         w = self.w
-        count = len(self.kept.residuals)
+        count = len(self.projection.residuals)
         for k in range(2 * count):
-            w.store("double", "0.0", self.at("y", 2 * self.size + k))
+            w.store("double", "0.0", self.address("y", 2 * self.size + k))
         self._residuals("y")
         for k in range(2 * count):
-            value = w.load("double", self.at("left", k))
-            w.store("double", value, self.at("y", 2 * self.size + k))
+            value = w.load("double", self.address("left", k))
+            w.store("double", value, self.address("y", 2 * self.size + k))
 
     def _residuals(self, of: str) -> None:
         self.w.line(
-            f"call void @residuals(ptr {self.at('left')}, ptr {self.at(of)}, "
-            f"ptr {self.at('exact_constants')})"
+            f"call void @residuals(ptr {self.address('left')}, ptr {self.address(of)}, "
+            f"ptr {self.address('exact_constants')})"
         )
 
     def _first_step(self) -> None:
         """A hundredth of the time in which the state changes by its own size."""
         w = self.w
         for i in range(self.size):
-            self.d.store(self._y(i), self.at("stage"), i)
+            self.d.store(self._y(i), self.address("stage"), i)
         self._rates("rates", "stage")
         size, speed = w.constant(1e-12), w.constant(1e-300)
         for i in range(self.size):
-            y, k = self.d.load(self.at("stage"), i), self.d.load(self.at("rates"), i)
+            y, k = self.d.load(self.address("stage"), i), self.d.load(self.address("rates"), i)
             size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
         first = w.op("fmul", w.constant(0.1), w.call("sqrt", w.op("fdiv", size, speed)))
         # at rest nothing tells how fast things go
-        last = w.at("double", "%times", w.emit("sub i64 %wanted, 1"))
+        last = w.address("double", "%times", w.emit("sub i64 %wanted, 1"))
         first = w.call("minnum", first, w.splat(w.load("double", last)))
-        w.store("double", self._lane(first), self.planned)
+        w.store("double", self._first_lane(first), self.planned)
 
-    def _lane(self, vector: str, lane: int = 0) -> str:
+    def _first_lane(self, vector: str, lane: int = 0) -> str:
         return self.w.emit(f"extractelement {self.w.type} {vector}, i64 {lane}")
 
     def _y(self, i: int) -> str:
-        return self.w.splat(self.w.load("double", self.at("y", 2 * i)))
+        return self.w.splat(self.w.load("double", self.address("y", 2 * i)))
 
     def _y_rest(self, i: int) -> str:
-        return self.w.splat(self.w.load("double", self.at("y", 2 * i + 1)))
+        return self.w.splat(self.w.load("double", self.address("y", 2 * i + 1)))
 
     def _rates(self, to: str, of: str) -> None:
         self.w.line(
-            f"call void @rates(ptr {self.at(to)}, ptr {self.at(of)}, "
-            f"ptr {self.at('wide_constants')})"
+            f"call void @rates(ptr {self.address(to)}, ptr {self.address(of)}, "
+            f"ptr {self.address('wide_constants')})"
         )
 
     def _step(self, target: str) -> None:
@@ -230,13 +242,13 @@ class _Loop:
         arrived = w.emit(f"select i1 {final}, double {target}, double {arrived}")
         # the clock shows the sum of all steps, and nothing of it is lost
         whole = self.p.difference(w.splat(arrived), w.splat(now))
-        step = self._lane(whole[0])
-        tried = w.emit(f"add i64 {w.load('i64', self.tried)}, 1")
-        w.store("i64", tried, self.tried)
+        step = self._first_lane(whole[0])
+        attempts = w.emit(f"add i64 {w.load('i64', self.attempts)}, 1")
+        w.store("i64", attempts, self.attempts)
         self._guess(step)
         good = self._iterate(whole)
         self._judge(step, whole, arrived, good)
-        with w.when(w.emit(f"icmp sge i64 {tried}, %limit")):
+        with w.branch(w.emit(f"icmp sge i64 {attempts}, %limit")):
             w.store("i64", str(STEPS), self.outcome)
 
     def _call(self, name: str, *values: str) -> str:
@@ -244,18 +256,18 @@ class _Loop:
         return self.w.emit(f"call double @llvm.{name}.f64({listed})")
 
     def _guess(self, step: str) -> None:
-        """First rates: the polynomial of the step before goes on, or the start stands still."""
+        """First rates: those of the polynomial of the last step, or of the start."""
         w = self.w
         before = w.load("double", self.last_step)
         off = self._call("fabs", self._scalar("fsub", step, before))
         same = w.emit(f"fcmp ole double {off}, {self._scalar('fmul', step, literal(1e-3))}")
-        with w.when(same):
+        with w.branch(same):
             columns = self._columns(self.method.ahead)
             for i in range(self.size):
-                self.d.store(self._applied(columns, "before", i), self.at("rates"), i)
-        with w.when(w.emit(f"xor i1 {same}, true")):
+                self.d.store(self._matrix_product(columns, "before", i), self.address("rates"), i)
+        with w.branch(w.emit(f"xor i1 {same}, true")):
             for i in range(self.size):
-                self.d.store(self._y(i), self.at("stage"), i)
+                self.d.store(self._y(i), self.address("stage"), i)
             self._rates("rates", "stage")
 
     def _columns(self, matrix: Sequence[Sequence[Fraction]]) -> list[str]:
@@ -271,12 +283,12 @@ class _Loop:
         low = [float(x - Fraction(h)) for x, h in zip(entries, high, strict=True)]
         return self._vector(high), self._vector(low)
 
-    def _applied(self, columns: Sequence[str], name: str, i: int) -> str:
+    def _matrix_product(self, columns: Sequence[str], name: str, i: int) -> str:
         """A matrix times the values of one variable in the stages."""
         w = self.w
         total = ""
         for j, column in enumerate(columns):
-            each = w.splat(w.load("double", self.at(name, i * self.stages + j)))
+            each = w.splat(w.load("double", self.address(name, i * self.stages + j)))
             total = w.call("fma", column, each, total) if total else w.op("fmul", column, each)
         return total
 
@@ -284,20 +296,22 @@ class _Loop:
         """Find the stages; a bit tells whether they have come to rest."""
         w, d, h = self.w, self.d, whole[0]
         columns = self._columns(self.method.a)
-        rest = _Rest(self, h, 1e-28, 1e-24)
+        convergence = _Convergence(self, h, 1e-28, 1e-24)
         with w.forever() as leave:
             for i in range(self.size):
-                change = w.call("fma", h, self._applied(columns, "rates", i), self._y_rest(i))
-                d.store(w.op("fadd", self._y(i), change), self.at("stage"), i)
+                change = w.call(
+                    "fma", h, self._matrix_product(columns, "rates", i), self._y_rest(i)
+                )
+                d.store(w.op("fadd", self._y(i), change), self.address("stage"), i)
             self._rates("fresh", "stage")
             changes = []
             for i in range(self.size):
-                fresh = d.load(self.at("fresh"), i)
-                changes.append(w.op("fsub", fresh, d.load(self.at("rates"), i)))
-                d.store(fresh, self.at("rates"), i)
-            rest.look(changes, leave)
-        good = rest.reached()
-        with w.when(good):
+                fresh = d.load(self.address("fresh"), i)
+                changes.append(w.op("fsub", fresh, d.load(self.address("rates"), i)))
+                d.store(fresh, self.address("rates"), i)
+            convergence.look(changes, leave)
+        good = convergence.has_converged()
+        with w.branch(good):
             if self.refine:
                 self._begin_fine(whole)
                 fine = self._iterate_fine(h, columns)
@@ -313,15 +327,14 @@ class _Loop:
         """
         w, p = self.w, self.p
         for i in range(self.size):
-            change = w.call("fma", h, self._applied(columns, "rates", i), self._y_rest(i))
-            p.store(p.two_sum(self._y(i), change), self.at("fine_stage"), i)
+            change = w.call("fma", h, self._matrix_product(columns, "rates", i), self._y_rest(i))
+            p.store(p.two_sum(self._y(i), change), self.address("fine_stage"), i)
         self._fine_rates()
 
     def _fine_rates(self) -> None:
-        self.w.line(
-            f"call void @fine_rates(ptr {self.at('fine_rates')}, ptr {self.at('fine_stage')}, "
-            f"ptr {self.at('fine_constants')})"
-        )
+        names = ("fine_rates", "fine_stage", "fine_constants")
+        arguments = ", ".join(f"ptr {self.address(name)}" for name in names)
+        self.w.line(f"call void @fine_rates({arguments})")
 
     def _begin_fine(self, whole: Value) -> None:
         """Stages of 32 digits from rates of 16."""
@@ -332,36 +345,36 @@ class _Loop:
         for i in range(self.size):
             total: Value = None
             for j, column in enumerate(columns):
-                each = w.splat(w.load("double", self.at("rates", i * self.stages + j)))
+                each = w.splat(w.load("double", self.address("rates", i * self.stages + j)))
                 term = p.mul(column, p.whole(each))
                 total = term if total is None else p.plus(total, term)
-            start = tuple(w.splat(w.load("double", self.at("y", 2 * i + k))) for k in range(2))
-            p.store(p.fused(whole, total, start), self.at("fine_stage"), i)
-            rate = self.d.load(self.at("rates"), i)
-            p.store(p.whole(rate), self.at("fine_before"), i)
+            start = tuple(w.splat(w.load("double", self.address("y", 2 * i + k))) for k in range(2))
+            p.store(p.multiply_add(whole, total, start), self.address("fine_stage"), i)
+            rate = self.d.load(self.address("rates"), i)
+            p.store(p.whole(rate), self.address("fine_before"), i)
 
     def _iterate_fine(self, h: str, columns: Sequence[str]) -> str:
-        """Correct them, each time by what the rates have changed; the place of a bit: at rest."""
+        """Correct them by the changes of the rates; the address of a bit: converged."""
         w, p, d = self.w, self.p, self.d
-        rest = _Rest(self, h, 1e-65, 1e-58)
+        convergence = _Convergence(self, h, 1e-65, 1e-58)
         with w.forever() as leave:
             self._fine_rates()
             changes = []
             for i in range(self.size):
-                now = p.load(self.at("fine_rates"), i)
-                change = p.leading(p.sub(now, p.load(self.at("fine_before"), i)))
-                p.store(now, self.at("fine_before"), i)
-                d.store(change, self.at("fresh"), i)
+                now = p.load(self.address("fine_rates"), i)
+                change = p.leading(p.sub(now, p.load(self.address("fine_before"), i)))
+                p.store(now, self.address("fine_before"), i)
+                d.store(change, self.address("fresh"), i)
                 changes.append(change)
             for i in range(self.size):
-                more = w.op("fmul", h, self._applied(columns, "fresh", i))
-                stage = p.plus(p.load(self.at("fine_stage"), i), p.whole(more))
-                p.store(stage, self.at("fine_stage"), i)
-            rest.look(changes, leave)
-        return rest.place
+                more = w.op("fmul", h, self._matrix_product(columns, "fresh", i))
+                stage = p.plus(p.load(self.address("fine_stage"), i), p.whole(more))
+                p.store(stage, self.address("fine_stage"), i)
+            convergence.look(changes, leave)
+        return convergence.place
 
     def relative(self, h: str, changes: Sequence[str]) -> str:
-        """The largest squared change of a vector of the state by rates, relative to its size."""
+        """The largest squared relative change of a vector of the state by rates."""
         w, d = self.w, self.d
         square = w.op("fmul", h, h)
         worst = w.constant(0.0)
@@ -373,7 +386,7 @@ class _Loop:
         for group in self.equations.groups:
             size, change = whole, w.constant(0.0)
             for i in group:
-                y, k = self._y(i), d.load(self.at("rates"), i)
+                y, k = self._y(i), d.load(self.address("rates"), i)
                 size = w.call("fma", y, y, size)
                 size = w.call("fma", w.op("fmul", k, k), square, size)
                 change = w.call("fma", changes[i], changes[i], change)
@@ -382,7 +395,7 @@ class _Loop:
             worst = w.choose(w.compare("ogt", worst, share), worst, share)
         return self._largest(worst)
 
-    def _turned(self, vector: str, by: int) -> str:
+    def _rotation(self, vector: str, by: int) -> str:
         """The lanes of a vector moved round."""
         kind = self.w.type
         places = ", ".join(f"i32 {(k + by) % self.stages}" for k in range(self.stages))
@@ -392,23 +405,23 @@ class _Loop:
     def _largest(self, vector: str) -> str:
         w, by = self.w, self.stages // 2
         while by:
-            other = self._turned(vector, by)
+            other = self._rotation(vector, by)
             vector = w.choose(w.compare("ogt", vector, other), vector, other)
             by //= 2
-        return self._lane(vector)
+        return self._first_lane(vector)
 
     def _total(self, vector: str) -> str:
         """The sum over the lanes, in all of them."""
         by = self.stages // 2
         while by:
-            vector = self.w.op("fadd", vector, self._turned(vector, by))
+            vector = self.w.op("fadd", vector, self._rotation(vector, by))
             by //= 2
         return vector
 
     def _fine_total(self, value: Value) -> Value:
         by = self.stages // 2
         while by:
-            value = self.p.plus(value, tuple(self._turned(part, by) for part in value))
+            value = self.p.plus(value, tuple(self._rotation(part, by) for part in value))
             by //= 2
         return value
 
@@ -417,7 +430,8 @@ class _Loop:
         w, d, h = self.w, self.d, whole[0]
         top = self._vector([float(x) for x in self.method.top])
         tops = [
-            self._total(w.op("fmul", top, d.load(self.at("rates"), i))) for i in range(self.size)
+            self._total(w.op("fmul", top, d.load(self.address("rates"), i)))
+            for i in range(self.size)
         ]
         estimate = self.relative(h, tops)
         bound = self._scalar("fmul", "%tolerance", "%tolerance")
@@ -431,21 +445,21 @@ class _Loop:
         small = w.emit(f"fcmp ole double {estimate}, {bound}")
         reason = w.emit(f"select i1 {number}, i64 {COLLAPSED}, i64 {NOT_A_NUMBER}")
         reason = w.variable("i64", reason)
-        taken = w.variable("i1", w.emit(f"and i1 {good}, {small}"))
+        accepted = w.variable("i1", w.emit(f"and i1 {good}, {small}"))
         if self.equations.guards:
-            self._guards(h, taken, reason)
+            self._guards(h, accepted, reason)
         factor = w.variable("double", literal(0.5))
-        with w.when(good):
+        with w.branch(good):
             by = self._scalar("fmul", power, literal(0.95))
             by = self._call("maxnum", by, literal(0.3))
             w.store("double", self._call("minnum", by, literal(2.0)), factor)
-        fine = w.load("i1", taken)
-        with w.when(fine):
+        fine = w.load("i1", accepted)
+        with w.branch(fine):
             self._advance(whole)
             w.store("double", arrived, self.time)
             w.store("double", step, self.last_step)
             self._plan_taken(step, w.load("double", factor), estimate, bound)
-        with w.when(w.emit(f"xor i1 {fine}, true")):
+        with w.branch(w.emit(f"xor i1 {fine}, true")):
             shorter = self._call("minnum", w.load("double", factor), literal(0.9))
             shorter = self._scalar("fmul", step, shorter)
             w.store("double", shorter, self.planned)
@@ -453,32 +467,32 @@ class _Loop:
             now = w.load("double", self.time)
             floor = self._scalar("fmul", now, literal(1e-15))
             floor = self._scalar("fadd", floor, w.load("double", self.floor))
-            with w.when(w.emit(f"fcmp ule double {shorter}, {floor}")):
+            with w.branch(w.emit(f"fcmp ule double {shorter}, {floor}")):
                 w.store("i64", w.load("i64", reason), self.outcome)
 
-    def _guards(self, h: str, taken: str, reason: str) -> None:
+    def _guards(self, h: str, accepted: str, reason: str) -> None:
         """A guard that is passed in a stage, or where the step leads, forbids the step."""
         w, d = self.w, self.d
         weights = self._vector([float(x) for x in self.method.b])
         for i in range(self.size):
-            change = self._total(w.op("fmul", weights, d.load(self.at("rates"), i)))
-            d.store(w.call("fma", h, change, self._y(i)), self.at("fresh"), i)
+            change = self._total(w.op("fmul", weights, d.load(self.address("rates"), i)))
+            d.store(w.call("fma", h, change, self._y(i)), self.address("fresh"), i)
         for points in ("stage", "fresh"):
             w.line(
-                f"call void @guards(ptr {self.at('guards')}, ptr {self.at(points)}, "
-                f"ptr {self.at('wide_constants')})"
+                f"call void @guards(ptr {self.address('guards')}, ptr {self.address(points)}, "
+                f"ptr {self.address('wide_constants')})"
             )
             for i in reversed(range(len(self.equations.guards))):
-                passed = w.any(w.compare("ule", d.load(self.at("guards"), i), w.constant(0.0)))
-                with w.when(passed):
-                    w.store("i1", "false", taken)
+                passed = w.any(w.compare("ule", d.load(self.address("guards"), i), w.constant(0.0)))
+                with w.branch(passed):
+                    w.store("i1", "false", accepted)
                     w.store("i64", str(len(STATUS_MESSAGES) + i), reason)
 
     def _plan_taken(self, step: str, factor: str, estimate: str, bound: str) -> None:
-        """The next step: at first as the estimate says; later longer only after a calm while."""
+        """The next step: first by the estimate, later longer only after many easy steps."""
         w = self.w
-        done = w.emit(f"add i64 {w.load('i64', self.taken)}, 1")
-        w.store("i64", done, self.taken)
+        done = w.emit(f"add i64 {w.load('i64', self.accepted_steps)}, 1")
+        w.store("i64", done, self.accepted_steps)
         planned = w.load("double", self.planned)
         early = w.emit(f"icmp sle i64 {done}, {SETTLING}")
         calm = w.emit(
@@ -498,7 +512,7 @@ class _Loop:
             "double", w.emit(f"select i1 {first}, double {free}, double {following}"), self.planned
         )
         due = w.emit(f"urem i64 {done}, {EVERY}")
-        with w.when(w.emit(f"icmp eq i64 {due}, 0")):
+        with w.branch(w.emit(f"icmp eq i64 {due}, 0")):
             self._project()
 
     def _advance(self, whole: Value) -> None:
@@ -506,11 +520,11 @@ class _Loop:
         d, p, p1 = self.d, self.p, self.p1
         weights = self._exact_vector(self.method.b)
         for i in range(self.size):
-            rates = p.load(self.at("fine_rates"), i)
-            d.store(p.leading(rates), self.at("before"), i)
+            rates = p.load(self.address("fine_rates"), i)
+            d.store(p.leading(rates), self.address("before"), i)
             total = p.mul(whole, self._fine_total(p.mul(weights, rates)))
             change = tuple(self._first(part) for part in total)
-            p1.store(p1.add(p1.load(self.at("y"), i), change), self.at("y"), i)
+            p1.store(p1.add(p1.load(self.address("y"), i), change), self.address("y"), i)
 
     def _first(self, vector: str) -> str:
         """The first lane, as a vector of one."""
@@ -521,24 +535,24 @@ class _Loop:
 
     def _project(self) -> None:
         """Move the state to where the kept functions have their values."""
-        if self.kept is None:
+        if self.projection is None:
             return
         w, p1, d1 = self.w, self.p1, self.d1
         self._residuals("y")
         for i in range(self.size):
-            d1.store(p1.load(self.at("y"), i)[0], self.at("point"), i)
-        for k in range(len(self.kept.residuals)):
-            d1.store(p1.load(self.at("left"), k)[0], self.at("point"), self.size + k)
+            d1.store(p1.load(self.address("y"), i)[0], self.address("point"), i)
+        for k in range(len(self.projection.residuals)):
+            d1.store(p1.load(self.address("left"), k)[0], self.address("point"), self.size + k)
         w.line(
-            f"call void @correct(ptr {self.at('move')}, ptr {self.at('point')}, "
-            f"ptr {self.at('thin_constants')})"
+            f"call void @correct(ptr {self.address('move')}, ptr {self.address('point')}, "
+            f"ptr {self.address('thin_constants')})"
         )
         for i in range(self.size):
-            move = p1.whole(d1.load(self.at("move"), i))
-            p1.store(p1.add(p1.load(self.at("y"), i), move), self.at("y"), i)
+            move = p1.whole(d1.load(self.address("move"), i))
+            p1.store(p1.add(p1.load(self.address("y"), i), move), self.address("y"), i)
 
 
-class _Rest:
+class _Convergence:
     """Whether an iteration has come to rest.
 
     It has when its squared change is below a level, or below a second one and no longer falling.
@@ -560,21 +574,21 @@ class _Rest:
         small = w.emit(f"fcmp ole double {change}, {literal(self.small)}")
         level = w.emit(f"fcmp oge double {change}, {before}")
         low = w.emit(f"fcmp ole double {change}, {literal(self.low)}")
-        rest = w.emit(f"or i1 {small}, {w.emit(f'and i1 {level}, {low}')}")
-        w.store("i1", rest, self.place)
-        leave(rest)
+        converged = w.emit(f"or i1 {small}, {w.emit(f'and i1 {level}, {low}')}")
+        w.store("i1", converged, self.place)
+        leave(converged)
         leave(w.emit(f"fcmp uno double {change}, {change}"))
         tries = w.emit(f"add i64 {w.load('i64', self.tries)}, 1")
         w.store("i64", tries, self.tries)
         leave(w.emit(f"icmp sge i64 {tries}, {MOST}"))
 
-    def reached(self) -> str:
+    def has_converged(self) -> str:
         """The answer, a bit."""
         return self.loop.w.load("i1", self.place)
 
 
 def gauss_loop(
-    method: Gauss, equations: Equations, kept: ProjectionTerms | None, refine: bool
+    method: Gauss, equations: Equations, projection: ProjectionTerms | None, refine: bool
 ) -> tuple[str, int]:
     """The text of the loop, and the doubles of memory that it needs.
 
@@ -584,10 +598,10 @@ def gauss_loop(
         Of 4, 8 or 16 stages.
     equations : Equations
         Without a section.
-    kept : Kept or None
-        What the state is moved to keep.
+    projection : ProjectionTerms or None
+        The functions on whose level the state is held.
     refine : bool
         Whether the stages are found to 32 digits.
     """
-    made = _Loop(method, equations, kept, refine)
-    return made.write(), made.space.size
+    loop = _Loop(method, equations, projection, refine)
+    return loop.write(), loop.space.size

@@ -10,7 +10,7 @@ __all__ = ["cubic", "dipping", "hence", "root"]
 def cubic(
     w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str
 ) -> tuple[str, str, str, str]:
-    """a, b, c and d: g + a x + c x² + d x³ goes through both ends, b is its slope at 1."""
+    """a, b, c, d of the cubic g + a x + c x² + d x³ through both ends; b: slope at 1."""
     a, b = w.op("fmul", step, gdot), w.op("fmul", step, gdot_new)
     rise = w.op("fsub", g_new, g)
     d = w.op("fsub", w.op("fadd", a, b), w.op("fmul", w.constant(2.0), rise))
@@ -18,7 +18,7 @@ def cubic(
 
 
 def root(w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> str:
-    """Where in a step the cubic through values and slopes at both ends vanishes."""
+    """The zero in a step of the cubic through values and slopes at both ends."""
     a, _, c, d = cubic(w, step, g, g_new, gdot, gdot_new)
     low, high = w.constant(0.0), w.constant(1.0)
     x = w.op("fdiv", g, w.op("fsub", g, g_new))
@@ -28,11 +28,11 @@ def root(w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -
         slope = w.call("fma", w.constant(3.0), w.op("fmul", d, x), w.op("fadd", c, c))
         slope = w.call("fma", slope, x, a)
         above = w.emit(
-            f"xor {w.mask} {w.compare('ogt', value, w.constant(0.0))}, {w.unless(upward)}"
+            f"xor {w.mask} {w.compare('ogt', value, w.constant(0.0))}, {w.complement(upward)}"
         )
         high, low = w.choose(above, x, high), w.choose(above, low, x)
         trial = w.op("fsub", x, w.op("fdiv", value, slope))
-        inside = w.both(w.compare("ogt", trial, low), w.compare("olt", trial, high))
+        inside = w.conjunction(w.compare("ogt", trial, low), w.compare("olt", trial, high))
         middle = w.op("fmul", w.constant(0.5), w.op("fadd", low, high))
         x = w.choose(inside, trial, middle)
     return w.op("fmul", x, step)
@@ -41,31 +41,35 @@ def root(w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -
 def dipping(
     w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str
 ) -> tuple[str, str]:
-    """Where the cubic has the same sign at both ends but another where it turns in between.
+    """The mask of cubics with one sign at the ends and another at an extremum.
 
     The second result is the step to that turn: taken, it leaves one crossing on each side.
     """
     zero = w.constant(0.0)
     a, b, c, d = cubic(w, step, g, g_new, gdot, gdot_new)
-    turns = w.both(
+    turns = w.conjunction(
         w.compare("olt", w.op("fmul", g, a), zero), w.compare("ogt", w.op("fmul", g, b), zero)
     )
     place = w.variable(w.type, zero)
-    with w.when(w.any(turns)):
+    with w.branch(w.any(turns)):
         # a + 2 c x + 3 d x² = 0, without cancellation
         cubed = w.op("fmul", w.constant(3.0), d)
         root = w.call("fma", c, c, w.op("fneg", w.op("fmul", cubed, a)))
         root = w.call("sqrt", w.call("maxnum", root, zero))
         whole = w.op("fneg", w.op("fadd", c, w.call("copysign", root, c)))
         first, second = w.op("fdiv", a, whole), w.op("fdiv", whole, cubed)
-        inside = w.both(w.compare("ogt", first, zero), w.compare("olt", first, w.constant(1.0)))
+        inside = w.conjunction(
+            w.compare("ogt", first, zero), w.compare("olt", first, w.constant(1.0))
+        )
         x = w.choose(inside, first, second)
         value = w.call("fma", w.call("fma", w.call("fma", d, x, c), x, a), x, g)
         other = w.compare("olt", w.op("fmul", value, g), zero)
-        within = w.both(
+        within = w.conjunction(
             w.compare("ogt", x, w.constant(0.01)), w.compare("olt", x, w.constant(0.99))
         )
-        turn = w.choose(w.both(turns, w.both(other, within)), w.op("fmul", x, step), zero)
+        turn = w.choose(
+            w.conjunction(turns, w.conjunction(other, within)), w.op("fmul", x, step), zero
+        )
         w.store(w.type, turn, place)
     turn = w.load(w.type, place)
     return w.compare("one", turn, zero), turn

@@ -51,7 +51,7 @@ class IRWriter:
     # --- memory and control ------------------------------------------------------------------
 
     def variable(self, kind: str, value: str) -> str:
-        """A place for a value that changes (made in the first block, whatever loop this is in)."""
+        """The address of a variable, allocated in the first block even inside a loop."""
         place = f"%{self.name()}"
         self.entry.append(f"  {place} = alloca {kind}, align 64")
         self.store(kind, value, place)
@@ -65,7 +65,7 @@ class IRWriter:
         """Write a place."""
         self.line(f"store {kind} {value}, ptr {place}, align {_align(kind)}")
 
-    def at(self, kind: str, base: str, index: str | int) -> str:
+    def address(self, kind: str, base: str, index: str | int) -> str:
         """The address of an element of an array."""
         return self.emit(f"getelementptr {kind}, ptr {base}, i64 {index}")
 
@@ -75,8 +75,8 @@ class IRWriter:
         self.lines.append(f"{name}:")
 
     @contextmanager
-    def when(self, condition: str) -> Iterator[None]:
-        """What is written inside happens only if a bit is set."""
+    def branch(self, condition: str) -> Iterator[None]:
+        """A branch: instructions inside are executed only if a bit is set."""
         inside, after = self.name(), self.name()
         self.line(f"br i1 {condition}, label %{inside}, label %{after}")
         self.lines.append(f"{inside}:")
@@ -120,7 +120,7 @@ class IRWriter:
         return self.emit(f"call {self.type} @llvm.{name}.v{self.lanes}f64({listed})")
 
     def compare(self, relation: str, a: str, b: str) -> str:
-        """A mask: where an ordered relation (``"olt"``, ``"ole"``, …) holds; never for a NaN."""
+        """The mask of an ordered relation (``"olt"``, ``"ole"``, …); unset for a NaN."""
         return self.op(f"fcmp {relation}", a, b)
 
     def choose(self, mask: str, yes: str, no: str) -> str:
@@ -128,16 +128,16 @@ class IRWriter:
         kind = self.type
         return self.emit(f"select {self.mask} {mask}, {kind} {yes}, {kind} {no}")
 
-    def both(self, a: str, b: str) -> str:
-        """Where both masks are set."""
+    def conjunction(self, a: str, b: str) -> str:
+        """The mask that is set where both are."""
         return self.emit(f"and {self.mask} {a}, {b}")
 
-    def either(self, a: str, b: str) -> str:
-        """Where at least one of two masks is set."""
+    def disjunction(self, a: str, b: str) -> str:
+        """The mask that is set where at least one of two is."""
         return self.emit(f"or {self.mask} {a}, {b}")
 
-    def unless(self, a: str) -> str:
-        """Where a mask is not set."""
+    def complement(self, a: str) -> str:
+        """The complement of a mask."""
         return self.emit(f"xor {self.mask} {a}, splat (i1 true)")
 
     def any(self, mask: str) -> str:
@@ -145,7 +145,7 @@ class IRWriter:
         return self.emit(f"call i1 @llvm.vector.reduce.or.v{self.lanes}i1({self.mask} {mask})")
 
     def inverse_root(self, value: str, degree: int) -> str:
-        """About value^(−1/degree), to a hundredth, from the exponent's bits; degree a power of 2.
+        """value^(−1/degree) to a hundredth, from the exponent's bits; degree a power of 2.
 
         The bits of a double, as an integer, are about 2⁵² (1023 + log₂ x).
         """
@@ -177,7 +177,7 @@ def literal(value: float) -> str:
 
 
 def _align(kind: str) -> int:
-    """Vectors are aligned as memory is handed out; lanes are powers of two."""
+    """Vectors are aligned_zeros as memory is handed out; lanes are powers of two."""
     if kind.startswith("<"):
         return min(64, 8 * int(kind[1 : kind.index(" ")]))
     return 8

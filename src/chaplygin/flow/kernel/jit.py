@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 import ctypes
-import hashlib
 import itertools
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
 
 import llvmlite
 import llvmlite.binding as llvm
 import numpy as np
 
-from ...core.source_digest import core
+from ...core.arrays import FloatArray
 from . import code_cache as cache
 
-__all__ = ["Native", "aligned", "load_code", "width"]
+__all__ = ["Native", "aligned_zeros", "load_code", "width"]
 
 _ATTRIBUTES = """
 attributes #0 = { nounwind "prefer-vector-width"="512" "min-legal-vector-width"="512" }
@@ -33,22 +31,22 @@ class Native:
     ----------
     functions : dict of str to callable
         C functions by name; they return nothing and release Python's lock.
-    room : int
+    work_size : int
         Doubles of memory that a call needs.
     keeper : object
-        What keeps the code in memory.
-    found : bool
+        An object whose life is that of the code in memory.
+    from_cache : bool
         Whether it came from the cache.
     """
 
     functions: dict[str, Callable[..., None]]
-    room: int
-    keeper: Any
-    found: bool
+    work_size: int
+    keeper: object
+    from_cache: bool
 
 
 @lru_cache
-def _machine() -> Any:
+def _machine() -> llvm.TargetMachine:
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     target = llvm.Target.from_default_triple()
@@ -62,7 +60,7 @@ def _machine() -> Any:
 
 
 @lru_cache
-def _linker() -> Any:
+def _linker() -> llvm.LLJIT:
     return llvm.create_lljit_compiler(_machine())
 
 
@@ -76,7 +74,7 @@ def width() -> int:
 
 
 def _processor() -> str:
-    """What code is made for."""
+    """The target of the code: processor, instruction sets, version of LLVM."""
     return " ".join(
         (
             llvm.get_default_triple(),
@@ -109,27 +107,29 @@ _numbers = itertools.count()
 
 
 def load_code(
-    key: str, text: Callable[[], tuple[str, int]], signatures: dict[str, Sequence[Any]]
+    key: str,
+    text: Callable[[], tuple[str, int]],
+    signatures: Mapping[str, Sequence[type]],
 ) -> Native:
-    """Functions of a text, compiled or fetched from the cache.
+    """Functions of a text in LLVM's assembly language, compiled or from the cache.
 
     Parameters
     ----------
     key : str
         All that the text depends on.
     text : callable
-        Gives the text, and the doubles of memory that a call needs; asked only when the code is
+        Returns the text, and the doubles of memory that a call needs; called only if the code is
         not in the cache.
-    signatures : dict of str to sequence of ctypes types
+    signatures : mapping of str to sequence of ctypes types
         Of each function that is to be called from Python.
     """
-    name = hashlib.sha256("\x00".join((key, _processor(), core())).encode()).hexdigest()
+    name = cache.code_name(key, _processor())
 
-    def make() -> tuple[bytes, int]:
-        written, room = text()
-        return _compile(written), room
+    def object_code() -> tuple[bytes, int]:
+        assembly, work_size = text()
+        return _compile(assembly), work_size
 
-    (code, room), found = cache.remember(name, make)
+    (code, work_size), from_cache = cache.remember(name, object_code)
     library = llvm.JITLibraryBuilder().add_object_img(code).add_current_process()
     for symbol in signatures:
         library = library.export_symbol(symbol)
@@ -138,11 +138,11 @@ def load_code(
         symbol: ctypes.CFUNCTYPE(None, *arguments)(tracker[symbol])
         for symbol, arguments in signatures.items()
     }
-    return Native(functions, room, tracker, found)
+    return Native(functions, work_size, tracker, from_cache)
 
 
-def aligned(doubles: int) -> Any:
+def aligned_zeros(doubles: int) -> FloatArray:
     """Zeros at an address that any vector accepts."""
-    room = np.zeros(doubles + 8)
-    shift = (-room.ctypes.data // 8) % 8
-    return room[shift : shift + doubles]
+    memory = np.zeros(doubles + 8)
+    shift = (-memory.ctypes.data // 8) % 8
+    return memory[shift : shift + doubles]

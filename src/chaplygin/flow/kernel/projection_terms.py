@@ -1,4 +1,4 @@
-"""How to move a state so that integrals and relations keep their values."""
+"""The projection of a state onto a level of integrals and relations, as terms."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class ProjectionTerms:
     Attributes
     ----------
     residuals : tuple of Term
-        What vanishes; the values to be kept are state variables after the last one.
+        Functions that vanish; the values of the level are state variables after the last one.
     correction : tuple of Term
         The change of each state variable that makes them vanish; the residuals are state
         variables after the last one.
@@ -30,19 +30,19 @@ class ProjectionTerms:
 
 def projection_terms(
     graph: Graph,
-    kept: Sequence[Term],
+    conserved: Sequence[Term],
     vanishing: Sequence[Term],
     groups: Sequence[Sequence[int]],
     size: int,
 ) -> ProjectionTerms:
-    """How to move a state so that functions keep their values, and others vanish.
+    """The projection onto values of some functions and zeros of others.
 
     The change is the shortest in which each vector of the state counts relative to its length:
     −D Gᵀ(G D Gᵀ)⁻¹ c, with G the gradients, c the residuals and D the squared lengths.  Where
     gradients are dependent, as in a steady motion, what they share is corrected once.
     """
     states = [graph.state(i) for i in range(size)]
-    held = [*kept, *vanishing]
+    functions = [*conserved, *vanishing]
     zero, one = graph.number(0), graph.number(1)
     lengths = [zero] * size
     for group in groups:
@@ -51,14 +51,16 @@ def projection_terms(
             total = total + states[i] * states[i]
         for i in group:
             lengths[i] = total
-    columns = [graph.along(held, {s: one if s is x else zero for s in states}) for x in states]
-    gradients = [[columns[i][k] for i in range(size)] for k in range(len(held))]
+    columns = [graph.along(functions, {s: one if s is x else zero for s in states}) for x in states]
+    gradients = [[columns[i][k] for i in range(size)] for k in range(len(functions))]
     scaled = [[g * d for g, d in zip(row, lengths, strict=True)] for row in gradients]
     matrix = [[_dot(graph, row, other) for other in scaled] for row in gradients]
-    residuals = [graph.state(size + k) for k in range(len(held))]
-    shares = _solved(graph, matrix, residuals)
-    moves = [-_dot(graph, shares, [scaled[k][i] for k in range(len(held))]) for i in range(size)]
-    left = [value - graph.state(size + k) for k, value in enumerate(kept)]
+    residuals = [graph.state(size + k) for k in range(len(functions))]
+    shares = _solution(graph, matrix, residuals)
+    moves = [
+        -_dot(graph, shares, [scaled[k][i] for k in range(len(functions))]) for i in range(size)
+    ]
+    left = [value - graph.state(size + k) for k, value in enumerate(conserved)]
     return ProjectionTerms((*left, *vanishing), tuple(moves))
 
 
@@ -69,8 +71,8 @@ def _dot(graph: Graph, a: Sequence[Term], b: Sequence[Term]) -> Term:
     return total
 
 
-def _solved(graph: Graph, matrix: list[list[Term]], right: list[Term]) -> list[Term]:
-    """The solution of symmetric equations, leaving out rows that depend on those before."""
+def _solution(graph: Graph, matrix: list[list[Term]], right: list[Term]) -> list[Term]:
+    """The solution of symmetric equations without rows that depend on earlier ones."""
     size = len(right)
     rows = [[*row, b] for row, b in zip(matrix, right, strict=True)]
     pivots = []
@@ -84,10 +86,10 @@ def _solved(graph: Graph, matrix: list[list[Term]], right: list[Term]) -> list[T
             rows[i] = [
                 rows[i][j] - factor * rows[k][j] if j > k else rows[i][j] for j in range(size + 1)
             ]
-    found: list[Term] = [graph.number(0)] * size
+    solution: list[Term] = [graph.number(0)] * size
     for k in reversed(range(size)):
-        rest = rows[k][size]
+        remainder = rows[k][size]
         for j in range(k + 1, size):
-            rest = rest - rows[k][j] * found[j]
-        found[k] = rest * pivots[k]
-    return found
+            remainder = remainder - rows[k][j] * solution[j]
+        solution[k] = remainder * pivots[k]
+    return solution

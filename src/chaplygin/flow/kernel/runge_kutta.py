@@ -20,21 +20,10 @@ from .codegen import functions
 from .equations import Equations
 from .hermite import dipping, hence, root
 from .ir_writer import IRWriter, literal
+from .outcomes import COLLAPSED, IN_VAIN, NOT_A_NUMBER, OVER, STATUS_MESSAGES, STEPS
 from .tableaux import Explicit
 
-__all__ = ["STATUS_MESSAGES", "STEPS", "Workspace", "runge_kutta_loop"]
-
-#: Why a lane ended, by number; guards follow.
-STATUS_MESSAGES = (
-    "",
-    "the step size collapsed (a singularity of the equations is near)",
-    "the state stopped being a number",
-    "the largest number of steps was reached",
-    "the time limit was reached",
-    "a million steps passed without a crossing",
-)
-
-COLLAPSED, NOT_A_NUMBER, STEPS, OVER, IN_VAIN = range(1, len(STATUS_MESSAGES))
+__all__ = ["Workspace", "runge_kutta_loop"]
 
 #: Steps without a crossing after which a motion is given up: what comes to rest crosses nothing.
 MAX_STEPS_WITHOUT_CROSSING = 1e6
@@ -51,7 +40,7 @@ _KEPT = (
     "mode fault event fresh index samples"
 )
 
-# what has to be looked at in a lane
+# events that a lane may have to handle
 _SAMPLE, _POINT, _END = 1.0, 2.0, 3.0
 
 # which stage of its life a lane is in
@@ -60,12 +49,12 @@ _EMPTY, _RUNNING, _REFINING = 0.0, 1.0, 2.0
 
 @dataclass
 class Workspace:
-    """Where things lie in the memory of one thread, counted in vectors."""
+    """The layout of the memory of one thread, in vectors."""
 
     size: int = 0
     places: dict[str, int] = field(default_factory=dict)
 
-    def room(self, name: str, vectors: int = 1) -> int:
+    def reserve(self, name: str, vectors: int = 1) -> int:
         """Room for some vectors."""
         self.places[name] = self.size
         self.size += vectors
@@ -84,7 +73,7 @@ class _March:
         self.dimension = len(equations.rates)
         self.pieces, constants = functions(arithmetic, equations.pieces, lanes)
         self.space = Workspace()
-        #: What each variable changes by, over the length of the step.
+        #: The change of each variable, divided by the length of the step.
         self.results: dict[int, Value] = {}
         words = self.n.words
         for name, count in (
@@ -99,16 +88,16 @@ class _March:
             ("halfway", 1),
             ("guards", max(len(equations.guards), 1)),
         ):
-            self.space.room(name, count * words)
+            self.space.reserve(name, count * words)
         for name in _KEPT.split():
-            self.space.room(name)
+            self.space.reserve(name)
 
     # --- places ------------------------------------------------------------------------------
 
     def place(self, name: str, number: int = 0) -> str:
         """The address of a number of an array."""
         vectors = self.space.places[name] + number * self.n.words
-        return self.w.at(self.w.type, "%work", vectors)
+        return self.w.address(self.w.type, "%work", vectors)
 
     def get(self, name: str) -> str:
         """A vector that the lanes keep."""
@@ -118,9 +107,9 @@ class _March:
         """Change a vector that the lanes keep."""
         self.w.store(self.w.type, value, self.place(name))
 
-    def lane(self, name: str, lane: str) -> str:
+    def lane_address(self, name: str, lane: str) -> str:
         """The address of one lane of a vector."""
-        return self.w.at("double", self.place(name), lane)
+        return self.w.address("double", self.place(name), lane)
 
     def rates(self, stage: int, of: str) -> None:
         """Compute the rates of a stage."""
@@ -144,7 +133,7 @@ class _March:
         with w.forever() as leave:
             self._attend()
             leave(w.emit(f"xor i1 {w.any(self._live())}, true"))
-            with w.when(w.any(w.compare("ogt", self.get("fresh"), w.constant(0.0)))):
+            with w.branch(w.any(w.compare("ogt", self.get("fresh"), w.constant(0.0)))):
                 self._begin_fresh()
             with w.forever() as pause:
                 pause(w.any(w.compare("ogt", self.get("event"), w.constant(0.0))))
@@ -163,7 +152,7 @@ class _March:
     def _start_lanes(self) -> None:
         w, zero = self.w, self.w.constant(0.0)
         with w.count(self.space.size) as i:
-            w.store(w.type, zero, w.at(w.type, "%work", i))
+            w.store(w.type, zero, w.address(w.type, "%work", i))
         # an empty lane asks for a trajectory
         self.put("event", w.constant(_END))
 
@@ -171,31 +160,31 @@ class _March:
         """Look at each lane in which something has happened."""
         w = self.w
         with w.count(w.lanes) as lane:
-            event = w.load("double", self.lane("event", lane))
-            with w.when(w.emit(f"fcmp ogt double {event}, 0.0")):
-                mode = w.load("double", self.lane("mode", lane))
-                with w.when(w.emit(f"fcmp ogt double {mode}, 0.0")):
+            event = w.load("double", self.lane_address("event", lane))
+            with w.branch(w.emit(f"fcmp ogt double {event}, 0.0")):
+                mode = w.load("double", self.lane_address("mode", lane))
+                with w.branch(w.emit(f"fcmp ogt double {mode}, 0.0")):
                     self._leave_sample(lane, event)
-                w.store("double", "0.0", self.lane("event", lane))
-                mode = w.load("double", self.lane("mode", lane))
-                with w.when(w.emit(f"fcmp oeq double {mode}, 0.0")):
+                w.store("double", "0.0", self.lane_address("event", lane))
+                mode = w.load("double", self.lane_address("mode", lane))
+                with w.branch(w.emit(f"fcmp oeq double {mode}, 0.0")):
                     index = w.load("i64", self.next)
-                    with w.when(w.emit(f"icmp slt i64 {index}, %last")):
+                    with w.branch(w.emit(f"icmp slt i64 {index}, %last")):
                         self._take(lane, index)
 
     def _take(self, lane: str, index: str) -> None:
         """Put the next trajectory into a lane."""
         w, words = self.w, self.n.words
         w.store("i64", w.emit(f"add i64 {index}, 1"), self.next)
-        w.store("i64", index, self.lane("index", lane))
+        w.store("i64", index, self.lane_address("index", lane))
         row = w.emit(f"mul i64 {index}, {self.dimension * words}")
         for i in range(self.dimension * words):
-            value = w.load("double", w.at("double", w.at("double", "%starts", row), i))
+            value = w.load("double", w.address("double", w.address("double", "%starts", row), i))
             w.store("double", value, self._component("y", i, lane))
             w.store("double", "0.0", self._component("rest", i, lane))
         row = w.emit(f"mul i64 {index}, %stride")
         for i in range(self.equations.parameters * words):
-            value = w.load("double", w.at("double", w.at("double", "%values", row), i))
+            value = w.load("double", w.address("double", w.address("double", "%values", row), i))
             w.store("double", value, self._component("parameters", i, lane))
         for name, value in (
             ("time", "0.0"),
@@ -207,58 +196,66 @@ class _March:
             ("mode", literal(_RUNNING)),
             ("fresh", "1.0"),
         ):
-            w.store("double", value, self.lane(name, lane))
-        w.store("double", w.load("double", "%times"), self.lane("target", lane))
+            w.store("double", value, self.lane_address(name, lane))
+        w.store("double", w.load("double", "%times"), self.lane_address("target", lane))
 
     def _component(self, name: str, i: int, lane: str) -> str:
-        place = self.w.at(self.w.type, "%work", self.space.places[name] + i)
-        return self.w.at("double", place, lane)
+        place = self.w.address(self.w.type, "%work", self.space.places[name] + i)
+        return self.w.address("double", place, lane)
 
     def _leave_sample(self, lane: str, event: str) -> None:
         """Write down a state, or the end."""
         w = self.w
-        index = w.load("i64", self.lane("index", lane))
-        done = w.emit(f"fptosi double {w.load('double', self.lane('samples', lane))} to i64")
+        index = w.load("i64", self.lane_address("index", lane))
+        done = w.emit(
+            f"fptosi double {w.load('double', self.lane_address('samples', lane))} to i64"
+        )
         over = w.emit(f"fcmp oeq double {event}, {literal(_END)}")
-        with w.when(w.emit(f"xor i1 {over}, true")):
+        with w.branch(w.emit(f"xor i1 {over}, true")):
             self._write_state(lane, index, done)
             done_now = w.emit(f"add i64 {done}, 1")
             w.store(
-                "double", w.emit(f"sitofp i64 {done_now} to double"), self.lane("samples", lane)
+                "double",
+                w.emit(f"sitofp i64 {done_now} to double"),
+                self.lane_address("samples", lane),
             )
-            w.store("i64", done_now, w.at("i64", "%counts", index))
+            w.store("i64", done_now, w.address("i64", "%counts", index))
             full = w.emit(f"icmp sge i64 {done_now}, %wanted")
-            with w.when(full):
+            with w.branch(full):
                 self._finish(lane, index)
             if self.equations.section is not None:
-                steps = w.load("double", self.lane("steps", lane))
-                w.store("double", steps, self.lane("marked", lane))
+                steps = w.load("double", self.lane_address("steps", lane))
+                w.store("double", steps, self.lane_address("marked", lane))
             else:
-                with w.when(w.emit(f"xor i1 {full}, true")):
-                    following = w.load("double", w.at("double", "%times", done_now))
-                    w.store("double", following, self.lane("target", lane))
-        with w.when(over):
+                with w.branch(w.emit(f"xor i1 {full}, true")):
+                    following = w.load("double", w.address("double", "%times", done_now))
+                    w.store("double", following, self.lane_address("target", lane))
+        with w.branch(over):
             self._finish(lane, index)
 
     def _finish(self, lane: str, index: str) -> None:
         w = self.w
-        fault = w.emit(f"fptosi double {w.load('double', self.lane('fault', lane))} to i64")
-        w.store("i64", fault, w.at("i64", "%outcome", index))
+        fault = w.emit(f"fptosi double {w.load('double', self.lane_address('fault', lane))} to i64")
+        w.store("i64", fault, w.address("i64", "%outcome", index))
         w.store(
-            "double", w.load("double", self.lane("time", lane)), w.at("double", "%ended", index)
+            "double",
+            w.load("double", self.lane_address("time", lane)),
+            w.address("double", "%ended", index),
         )
-        steps = w.emit(f"fptosi double {w.load('double', self.lane('steps', lane))} to i64")
-        w.store("i64", steps, w.at("i64", "%taken", index))
-        w.store("double", literal(_EMPTY), self.lane("mode", lane))
+        steps = w.emit(f"fptosi double {w.load('double', self.lane_address('steps', lane))} to i64")
+        w.store("i64", steps, w.address("i64", "%taken", index))
+        w.store("double", literal(_EMPTY), self.lane_address("mode", lane))
 
     def _write_state(self, lane: str, index: str, done: str) -> None:
         """The state of a lane; on a section, moved onto it along the flow."""
         w, words = self.w, self.n.words
         row = w.emit(f"add i64 {w.emit(f'mul i64 {index}, %wanted')}, {done}")
         if self.equations.section is not None:
-            left = w.load("double", self.lane("saved", lane))
-            now = w.load("double", self.lane("time", lane))
-            w.store("double", w.emit(f"fadd double {now}, {left}"), w.at("double", "%moments", row))
+            left = w.load("double", self.lane_address("saved", lane))
+            now = w.load("double", self.lane_address("time", lane))
+            w.store(
+                "double", w.emit(f"fadd double {now}, {left}"), w.address("double", "%moments", row)
+            )
         start = w.emit(f"mul i64 {row}, {self.dimension * words}")
         for i in range(self.dimension * words):
             value = w.load("double", self._component("y", i, lane))
@@ -267,10 +264,10 @@ class _March:
                 value = w.emit(
                     f"call double @llvm.fma.f64(double {left}, double {rate}, double {value})"
                 )
-            w.store("double", value, w.at("double", w.at("double", "%states", start), i))
+            w.store("double", value, w.address("double", w.address("double", "%states", start), i))
 
     def _begin_fresh(self) -> None:
-        """What a lane needs before its first step."""
+        """Initialise a lane before its first step."""
         w, n, zero = self.w, self.n, self.w.constant(0.0)
         fresh = w.compare("ogt", self.get("fresh"), zero)
         w.line(f"call void @prepare(ptr {self.place('constants')}, ptr {self.place('parameters')})")
@@ -284,7 +281,7 @@ class _March:
         first = w.op("fmul", w.constant(1e-2), w.call("sqrt", ratio))
         # at rest nothing tells how fast things go
         index = "0" if self.equations.section else w.emit("sub i64 %wanted, 1")
-        end = w.splat(w.load("double", w.at("double", "%times", index)))
+        end = w.splat(w.load("double", w.address("double", "%times", index)))
         first = w.call("minnum", first, w.call("minnum", end, w.constant(1e6)))
         self.put("step", w.choose(fresh, first, self.get("step")))
         floor = w.op("fmul", w.constant(1e-12), first)
@@ -302,13 +299,13 @@ class _March:
         if self.equations.guards:
             self.evaluate("guards", "y")
             self._notice_guards(fresh)
-        bad = w.both(fresh, w.unless(w.compare("ord", ratio, ratio)))
+        bad = w.conjunction(fresh, w.complement(w.compare("ord", ratio, ratio)))
         self.put("fault", w.choose(bad, w.constant(float(NOT_A_NUMBER)), self.get("fault")))
-        ended = w.both(fresh, w.compare("ogt", self.get("fault"), zero))
+        ended = w.conjunction(fresh, w.compare("ogt", self.get("fault"), zero))
         self.put("event", w.choose(ended, w.constant(_END), self.get("event")))
         self.put("fresh", zero)
 
-    def _passed(self) -> list[str]:
+    def _guard_masks(self) -> list[str]:
         """For each guard, where it is not positive; what is no number is not."""
         w, n = self.w, self.n
         places = range(len(self.equations.guards))
@@ -323,11 +320,11 @@ class _March:
         w = self.w
         fine = "splat (i1 true)"
         fault = self.get("fault")
-        for i, now in reversed(list(enumerate(self._passed()))):
-            passed = w.either(now, before[i]) if before else now
-            fine = w.both(fine, w.unless(passed))
+        for i, now in reversed(list(enumerate(self._guard_masks()))):
+            passed = w.disjunction(now, before[i]) if before else now
+            fine = w.conjunction(fine, w.complement(passed))
             code = w.constant(float(len(STATUS_MESSAGES) + i))
-            fault = w.choose(w.both(among, passed), code, fault)
+            fault = w.choose(w.conjunction(among, passed), code, fault)
         self.put("fault", fault)
         return fine
 
@@ -340,7 +337,9 @@ class _March:
         live = self._live()
         time, target, planned = self.get("time"), self.get("target"), self.get("step")
         left = w.op("fsub", target, time)
-        last = w.both(running, w.compare("oge", w.op("fmul", planned, w.constant(1.00001)), left))
+        last = w.conjunction(
+            running, w.compare("oge", w.op("fmul", planned, w.constant(1.00001)), left)
+        )
         step = w.choose(live, w.choose(last, left, planned), zero)
         arrived = w.op("fadd", time, step)
         # a step that the clock can show, so that no time is lost by rounding
@@ -355,14 +354,14 @@ class _March:
                 self.evaluate("halfway", "stage")
             if stage == HALFWAY and self.equations.guards:
                 self.evaluate("guards", "stage")
-                halfway = self._passed()
+                halfway = self._guard_masks()
             self.rates(stage, "stage")
         for i in range(self.dimension):
             self._advance(step_number, i)
         error = self._error(step)
         last_stage = len(self.method.b)
         self.rates(last_stage, "new")
-        allowed = w.both(live, w.compare("ole", error, w.constant(1.0)))
+        allowed = w.conjunction(live, w.compare("ole", error, w.constant(1.0)))
         number = w.compare("ord", error, error)
         factor = w.op("fmul", w.constant(0.9), w.inverse_root(error, 2 * self.method.order))
         factor = w.choose(w.compare("ogt", factor, w.constant(0.2)), factor, w.constant(0.2))
@@ -373,22 +372,24 @@ class _March:
             excess = self._wavering(step)
             slower = w.op("fmul", w.constant(0.9), w.inverse_root(excess, 8))
             factor = w.choose(w.compare("olt", slower, factor), slower, factor)
-            allowed = w.both(allowed, w.unless(w.compare("ogt", excess, w.constant(1.0))))
+            allowed = w.conjunction(
+                allowed, w.complement(w.compare("ogt", excess, w.constant(1.0)))
+            )
         reason = w.choose(number, w.constant(float(COLLAPSED)), w.constant(float(NOT_A_NUMBER)))
         self.put("fault", w.choose(live, w.choose(allowed, zero, reason), self.get("fault")))
         if self.equations.guards:
             self.evaluate("guards", "new")
             fine = self._notice_guards(allowed, halfway)
-            factor = w.choose(w.both(allowed, w.unless(fine)), w.constant(0.5), factor)
-            allowed = w.both(allowed, fine)
+            factor = w.choose(w.conjunction(allowed, w.complement(fine)), w.constant(0.5), factor)
+            allowed = w.conjunction(allowed, fine)
         following = w.op("fmul", step, factor)
         # a step cut short says nothing against the one that was planned
-        short = w.both(allowed, last)
+        short = w.conjunction(allowed, last)
         following = w.choose(short, w.call("maxnum", following, planned), following)
         moved = allowed
-        event = w.choose(w.both(allowed, last), w.constant(_SAMPLE), zero)
+        event = w.choose(w.conjunction(allowed, last), w.constant(_SAMPLE), zero)
         if self.equations.section is not None:
-            over = w.both(allowed, last)
+            over = w.conjunction(allowed, last)
             fault = w.choose(over, w.constant(float(OVER)), self.get("fault"))
             event = w.choose(over, w.constant(_END), zero)
             moved, following, event, fault = self._cross(
@@ -397,22 +398,24 @@ class _March:
             self.put("fault", fault)
         floor = w.call("fma", w.call("fabs", time), w.constant(1e-15), self.get("floor"))
         tiny = w.compare("ole", w.call("fabs", following), floor)
-        lost = w.both(w.both(live, w.unless(allowed)), tiny)
+        lost = w.conjunction(w.conjunction(live, w.complement(allowed)), tiny)
         steps = w.op("fadd", self.get("steps"), w.choose(live, w.constant(1.0), zero))
         self.put("steps", steps)
         limit = w.splat(w.emit("sitofp i64 %limit to double"))
-        late = w.both(w.compare("oeq", event, zero), w.both(live, w.compare("oge", steps, limit)))
+        late = w.conjunction(
+            w.compare("oeq", event, zero), w.conjunction(live, w.compare("oge", steps, limit))
+        )
         self.put("fault", w.choose(late, w.constant(float(STEPS)), self.get("fault")))
         if self.equations.section is not None:
             vain = w.op("fsub", steps, self.get("marked"))
-            vain = w.both(
+            vain = w.conjunction(
                 w.compare("oeq", event, zero),
                 w.compare("oge", vain, w.constant(MAX_STEPS_WITHOUT_CROSSING)),
             )
-            vain = w.both(live, vain)
+            vain = w.conjunction(live, vain)
             self.put("fault", w.choose(vain, w.constant(float(IN_VAIN)), self.get("fault")))
-            late = w.either(late, vain)
-        event = w.choose(w.either(lost, late), w.constant(_END), event)
+            late = w.disjunction(late, vain)
+        event = w.choose(w.disjunction(lost, late), w.constant(_END), event)
         self.put("step", w.choose(live, following, zero))
         self.put("event", event)
         self.put("time", w.choose(moved, w.choose(last, target, arrived), time))
@@ -421,8 +424,8 @@ class _March:
                 value = n.choose(moved, n.load(self.place(source), i), n.load(self.place(name), i))
                 n.store(value, self.place(name), i)
             fresh = n.load(self.place("rates", last_stage * self.dimension), i)
-            kept = n.choose(moved, fresh, n.load(self.place("rates"), i))
-            n.store(kept, self.place("rates"), i)
+            chosen = n.choose(moved, fresh, n.load(self.place("rates"), i))
+            n.store(chosen, self.place("rates"), i)
 
     def _y(self, i: int) -> Value:
         return self.n.load(self.place("y"), i)
@@ -439,11 +442,11 @@ class _March:
             for i in members[1:]:
                 k = n.plus(k, n.load(rates, i))
             a = n.number(weight)
-            total = n.mul(a, k) if total is None else n.fused(a, k, total)
+            total = n.mul(a, k) if total is None else n.multiply_add(a, k, total)
         return total
 
     def _apart(self, weights: Sequence[Fraction], *members: int) -> Value:
-        """The same from the sum that gives the result, where few weights differ from its own."""
+        """A linear combination, from the sum of the result if few weights differ."""
         others = [weight - b for weight, b in zip(weights, self.method.b, strict=True)]
         nothing = Fraction(0)
         if len(members) > 1 or others.count(nothing) <= list(weights).count(nothing):
@@ -498,17 +501,17 @@ class _March:
         size, speed = floor, w.constant(0.0)
         e5, e3 = w.constant(0.0), w.constant(0.0)
         for members in components:
-            y = self._added([n.leading(self._y(i)) for i in members])
-            k = self._added([n.leading(n.load(self.place("rates"), i)) for i in members])
+            y = self._register_sum([n.leading(self._y(i)) for i in members])
+            k = self._register_sum([n.leading(n.load(self.place("rates"), i)) for i in members])
             size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
-            # what cancels here is as small as the tolerance: in pairs, doubles would not do
+            # the sums cancel to the size of the tolerance: pairs need all their digits here
             a = n.leading(self._sum(self.method.e5, *members))
             b = n.leading(self._apart(self.method.e3, *members))
             e5, e3 = w.call("fma", a, a, e5), w.call("fma", b, b, e3)
         share = w.op("fdiv", w.constant(1.0), w.call("fma", square, speed, size))
         return w.op("fmul", e5, share), w.op("fmul", e3, share)
 
-    def _added(self, values: Sequence[str]) -> str:
+    def _register_sum(self, values: Sequence[str]) -> str:
         total = values[0]
         for value in values[1:]:
             total = self.w.op("fadd", total, value)
@@ -529,20 +532,25 @@ class _March:
         g, g_here, gdot = self.get("g"), self.get("g_here"), self.get("gdot")
         g_new = n.leading(n.load(self.place("section"), 0))
         gdot_new = n.leading(n.load(self.place("section"), 1))
-        rises = w.both(w.compare("olt", g, zero), w.compare("oge", g_new, zero))
-        falls = w.both(w.compare("ogt", g, zero), w.compare("ole", g_new, zero))
+        rises = w.conjunction(w.compare("olt", g, zero), w.compare("oge", g_new, zero))
+        falls = w.conjunction(w.compare("ogt", g, zero), w.compare("ole", g_new, zero))
         dips, turn = dipping(w, step, g_here, g_new, gdot, gdot_new)
-        dips = w.both(w.both(running, allowed), w.both(dips, w.unless(w.either(rises, falls))))
+        dips = w.conjunction(
+            w.conjunction(running, allowed),
+            w.conjunction(dips, w.complement(w.disjunction(rises, falls))),
+        )
         direction = self.equations.direction
-        through = w.either(rises, falls) if direction == 0 else rises if direction > 0 else falls
-        crossed = w.both(w.both(running, allowed), through)
+        through = (
+            w.disjunction(rises, falls) if direction == 0 else rises if direction > 0 else falls
+        )
+        crossed = w.conjunction(w.conjunction(running, allowed), through)
         # running lanes: stop before a crossing and go to it
-        moved = w.both(allowed, w.unless(w.either(crossed, dips)))
+        moved = w.conjunction(allowed, w.complement(w.disjunction(crossed, dips)))
         following = w.choose(dips, turn, following)
         event = w.choose(dips, zero, event)
         fault = w.choose(dips, zero, fault)
         place = w.variable(w.type, zero)
-        with w.when(w.any(crossed)):
+        with w.branch(w.any(crossed)):
             w.store(w.type, root(w, step, g, g_new, gdot, gdot_new), place)
         ahead = w.load(w.type, place)
         saved = self.get("saved")
@@ -553,35 +561,37 @@ class _March:
         mode = w.choose(crossed, w.constant(_REFINING), self.get("mode"))
         tries = w.choose(crossed, zero, self.get("tries"))
         # refining lanes: Newton's method in time
-        arrived = w.both(refining, allowed)
+        arrived = w.conjunction(refining, allowed)
         left = w.op("fdiv", w.op("fneg", g_new), gdot_new)
         close = w.compare("ole", w.call("fabs", left), w.op("fmul", w.constant(1e-8), saved))
-        there = w.both(arrived, close)
+        there = w.conjunction(arrived, close)
         tries = w.choose(arrived, w.op("fadd", tries, w.constant(1.0)), tries)
         # a section that is only touched is left
-        stuck = w.both(w.both(arrived, w.unless(close)), w.compare("ogt", tries, w.constant(12.0)))
-        following = w.choose(w.both(arrived, w.unless(close)), left, following)
+        stuck = w.conjunction(
+            w.conjunction(arrived, w.complement(close)), w.compare("ogt", tries, w.constant(12.0))
+        )
+        following = w.choose(w.conjunction(arrived, w.complement(close)), left, following)
         counted = there
         if self.equations.where is not None:
             where = n.leading(n.load(self.place("section"), 2))
-            counted = w.both(there, w.compare("ogt", where, zero))
-        back = w.either(there, stuck)
+            counted = w.conjunction(there, w.compare("ogt", where, zero))
+        back = w.disjunction(there, stuck)
         event = w.choose(counted, w.constant(_POINT), event)
         following = w.choose(back, saved, following)
         mode = w.choose(back, w.constant(_RUNNING), mode)
-        # where the section lies, for what writes the point down
+        # the position of the section, for the code that records the point
         saved = w.choose(counted, left, saved)
         self.put("saved", saved)
         self.put("mode", mode)
         self.put("tries", tries)
-        # what has just been crossed is not crossed again, but may be crossed back
+        # a section that was just crossed is not crossed again, but may be crossed back
         self.put("g", w.choose(moved, w.choose(back, hence(w, gdot_new), g_new), g))
         self.put("g_here", w.choose(moved, g_new, self.get("g_here")))
         self.put("gdot", w.choose(moved, gdot_new, gdot))
         return moved, following, event, fault
 
     def _wavering(self, step: str) -> str:
-        """The square of how far the section's function is from the cubic through both ends.
+        """The squared distance of the section's function from the cubic of the step.
 
         Up to 1 it crosses zero where the cubic does; beyond, it may have turned unseen in between.
         """
@@ -616,5 +626,5 @@ def runge_kutta_loop(
     lanes : int
         Trajectories in a vector.
     """
-    made = _March(arithmetic, method, equations, lanes)
-    return made.write(), made.space.size * lanes
+    loop = _March(arithmetic, method, equations, lanes)
+    return loop.write(), loop.space.size * lanes

@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any
 
 import mpmath
+
+from ...core.arrays import FloatArray
 
 __all__ = ["Explicit", "Gauss", "explicit", "explicit_fine", "gauss"]
 
@@ -34,7 +35,10 @@ class Explicit:
 
 @lru_cache
 def explicit() -> Explicit:
-    """Dormand and Prince's method of order 8 with 12 stages (Hairer, Nørsett, Wanner 1993)."""
+    """Dormand and Prince's method of order 8 with 12 stages.
+
+    Hairer, Nørsett, Wanner 1993, II.5.
+    """
     from scipy.integrate import DOP853
 
     stages = len(DOP853.B)
@@ -48,14 +52,14 @@ def explicit() -> Explicit:
 
 @lru_cache
 def explicit_fine() -> Explicit:
-    """The same method with coefficients of 60 digits."""
+    """Dormand and Prince's method with coefficients of 60 digits."""
     from .dop853_coefficients import explicit_table
 
     table = explicit_table()
     return Explicit(table.a, table.b, table.e3, table.e5)
 
 
-def _fractions(values: Any) -> tuple[Fraction, ...]:
+def _fractions(values: FloatArray) -> tuple[Fraction, ...]:
     return tuple(Fraction(float(v)) for v in values)
 
 
@@ -110,35 +114,35 @@ def gauss(stages: int) -> Gauss:
         )
 
 
-def _roots(stages: int) -> list[Any]:
+def _roots(stages: int) -> list[mpmath.mpf]:
     """The roots of the Legendre polynomial on [−1, 1]: eigenvalues of Jacobi's matrix."""
     jacobi = mpmath.matrix(stages)
     for k in range(1, stages):
         jacobi[k - 1, k] = jacobi[k, k - 1] = k / mpmath.sqrt(4 * k * k - 1)
-    roots: list[Any] = list(mpmath.eigsy(jacobi, eigvals_only=True))
+    roots: list[mpmath.mpf] = list(mpmath.eigsy(jacobi, eigvals_only=True))
     return roots
 
 
-def _legendre(count: int, x: Any) -> list[Any]:
+def _legendre(count: int, x: mpmath.mpf) -> list[mpmath.mpf]:
     """L_0 … L_{count−1} on [0, 1]."""
     return [mpmath.legendre(k, 2 * x - 1) for k in range(count)]
 
 
-def _primitives(count: int, x: Any) -> list[Any]:
+def _primitives(count: int, x: mpmath.mpf) -> list[mpmath.mpf]:
     """Their integrals from 0 to x."""
     values = _legendre(count + 1, x)
-    rest = [(values[k + 1] - values[k - 1]) / (2 * (2 * k + 1)) for k in range(1, count)]
-    return [x, *rest]
+    higher = [(values[k + 1] - values[k - 1]) / (2 * (2 * k + 1)) for k in range(1, count)]
+    return [x, *higher]
 
 
-def _combine(values: list[Any], expand: list[list[Any]]) -> list[Any]:
+def _combine(values: list[mpmath.mpf], expand: list[list[mpmath.mpf]]) -> list[mpmath.mpf]:
     return [
         mpmath.fsum(v * row[j] for v, row in zip(values, expand, strict=True))
         for j in range(len(expand))
     ]
 
 
-def _exact(values: list[Any]) -> tuple[Fraction, ...]:
+def _exact(values: list[mpmath.mpf]) -> tuple[Fraction, ...]:
     """Numbers of many digits as fractions."""
     scale = 2**240
     return tuple(Fraction(int(mpmath.nint(v * scale)), scale) for v in values)

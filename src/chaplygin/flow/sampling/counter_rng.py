@@ -7,10 +7,10 @@ at once.  A generator with a memory would make member k depend on the members dr
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
+import numpy.typing as npt
 
+from ...core.arrays import FloatArray, IntArray
 from ...errors import InputError
 
 __all__ = ["counter_normals", "philox", "uniforms"]
@@ -22,8 +22,12 @@ _HALF = np.uint64(32)
 _ROUNDS = 10
 
 
-def philox(key: tuple[int, int], counter: tuple[Any, Any, Any, Any]) -> tuple[Any, Any, Any, Any]:
-    """Four random words of 32 bits, as uint64, from a key and arrays of counters of 32 bits."""
+def philox(
+    key: tuple[int, int], counter: tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike, npt.ArrayLike]
+) -> tuple[
+    npt.NDArray[np.uint64], npt.NDArray[np.uint64], npt.NDArray[np.uint64], npt.NDArray[np.uint64]
+]:
+    """Four random 32-bit words, as uint64, from a key and arrays of 32-bit counters."""
     a, b, c, d = (np.asarray(word, dtype=np.uint64) for word in counter)
     for turn in range(_ROUNDS):
         first, second = (
@@ -36,7 +40,9 @@ def philox(key: tuple[int, int], counter: tuple[Any, Any, Any, Any]) -> tuple[An
     return a, b, c, d
 
 
-def uniforms(seed: int, members: Any, attempts: Any, many: int) -> Any:
+def uniforms(
+    seed: int, members: npt.NDArray[np.integer], attempts: IntArray | FloatArray, many: int
+) -> FloatArray:
     """Numbers uniform in (0, 1), of 53 bits.
 
     Parameters
@@ -46,7 +52,7 @@ def uniforms(seed: int, members: Any, attempts: Any, many: int) -> Any:
     members, attempts : int arrays (k,)
         Whose numbers they are, and for which of its attempts.
     many : int
-        How many for each.
+        Numbers for each.
 
     Returns
     -------
@@ -62,14 +68,16 @@ def uniforms(seed: int, members: Any, attempts: Any, many: int) -> Any:
     key = (seed & 0xFFFFFFFF, seed >> 32)
     member = np.asarray(members, dtype=np.uint64)
     attempt = np.asarray(attempts, dtype=np.uint64)
-    rows: list[Any] = []
+    rows: list[FloatArray] = []
     for slot in range((many + 1) // 2):
         words = philox(key, (slot, attempt & _WORD, member & _WORD, member >> _HALF))
         rows += [_fraction(*words[:2]), _fraction(*words[2:])]
     return np.array(rows[:many]).reshape(many, member.size)
 
 
-def counter_normals(seed: int, members: Any, attempts: Any, many: int) -> Any:
+def counter_normals(
+    seed: int, members: npt.NDArray[np.integer], attempts: IntArray | FloatArray, many: int
+) -> FloatArray:
     """Numbers of the standard normal distribution, array (many, k); see `uniforms`."""
     flat = uniforms(seed, members, attempts, many + many % 2)
     radius = np.sqrt(-2 * np.log(flat[0::2]))
@@ -78,6 +86,6 @@ def counter_normals(seed: int, members: Any, attempts: Any, many: int) -> Any:
     return pairs[:many]
 
 
-def _fraction(high: Any, low: Any) -> Any:
+def _fraction(high: npt.NDArray[np.uint64], low: npt.NDArray[np.uint64]) -> FloatArray:
     bits = ((high >> np.uint64(5)) << np.uint64(26)) | (low >> np.uint64(6))
     return (bits.astype(float) + 0.5) * 2.0**-53

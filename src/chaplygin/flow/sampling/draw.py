@@ -13,11 +13,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from ...arguments import Parameters, arguments_checked
+from ...core.arrays import BoolArray, FloatArray, IntArray
 from ...core.laws import Measure
 from ...core.system import System
 from ...core.vectors import to_components
@@ -36,7 +36,7 @@ __all__ = ["LevelSampler", "level_sampler", "sample_level"]
 
 #: Attempts looked at together.
 _BATCH = 1 << 14
-#: What is put on top of the largest density that was met.
+#: The bound of the density, relative to the largest value that was met.
 _MARGIN = 1.15
 #: Attempts from which their yield is estimated.
 _TRIAL = 1 << 11
@@ -55,14 +55,14 @@ def sample_level(
     *,
     seed: int = 0,
     first: int = 0,
-) -> Any:
+) -> FloatArray:
     """Points drawn uniformly on a level of the integrals.
 
     Parameters
     ----------
     system : System
     count : int
-        How many.
+        Number of points.
     level : mapping of str to float
         Values of the held integrals by name; the relations of the system hold anyway.
     parameters : mapping of Symbol or name to float, optional
@@ -94,7 +94,7 @@ def sample_level(
 
 @dataclass(frozen=True)
 class LevelSampler:
-    """A level of the integrals from which points can be drawn; made by `prepared`.
+    """A level of the integrals from which points can be drawn; see `level_sampler`.
 
     Attributes
     ----------
@@ -111,71 +111,77 @@ class LevelSampler:
 
     system: System
     values: Mapping[str, float]
-    parameters: Any
+    parameters: FloatArray
     measure: str
     invariant: bool
-    _thrower: Proposal
+    _proposal: Proposal
     _held: Compiled
-    _targets: Any
+    _targets: FloatArray
     _slopes: Compiled
     _density: Compiled | None
     _bound: float
     _tries: int
 
-    def draw(self, count: int, *, seed: int = 0, first: int = 0) -> Any:
+    def draw(self, count: int, *, seed: int = 0, first: int = 0) -> FloatArray:
         """Points `first` to `first` + `count`; array (count, size).  See :func:`draw`."""
         if count < 0:
             raise InputError(f"count = {count}: it must not be negative")
         size = len(self.system.symbols)
         # beside the points, as many numbers again while they are drawn
         require_room(16.0 * count * size, None, f"{count:,} starts at once")
-        found = np.empty((count, size))
+        points = np.empty((count, size))
         pending, attempt, tries = np.arange(count), 0, self._tries
         while pending.size:
-            left = []
+            unmet = []
             for start in range(0, pending.size, _BATCH // tries):
                 some = pending[start : start + _BATCH // tries]
                 states, done = self._first(seed, first + some, attempt, tries)
-                found[some[done]] = states
-                left.append(some[~done])
-            pending, attempt = np.concatenate(left), attempt + tries
+                points[some[done]] = states
+                unmet.append(some[~done])
+            pending, attempt = np.concatenate(unmet), attempt + tries
             tries = min(tries + 1, _BATCH)
             if attempt > _PATIENCE:
                 raise InputError(
                     f"{self.system.name}: the level {level_label(self.values)} is too thin: no "
                     f"point of it was met in {attempt} attempts"
                 )
-        return found
+        return points
 
-    def _first(self, seed: int, members: Any, attempt: int, tries: int) -> tuple[Any, Any]:
+    def _first(
+        self, seed: int, members: IntArray, attempt: int, tries: int
+    ) -> tuple[FloatArray, BoolArray]:
         """The first accepted of some attempts of each member, and which members have one."""
         from scipy.special import ndtr
 
-        many = self._thrower.numbers
+        many = self._proposal.numbers
         owners = np.repeat(members, tries)
         gauss = counter_normals(
             seed, owners, attempt + np.tile(np.arange(tries), members.size), many + 1
         )
-        spots = self._thrower.spots(gauss[:many])
-        density = self.density(spots)
-        dice = self._bound * ndtr(gauss[many])
-        # of the points of a throw at most one is taken, each as often as its density says
-        rank = np.arange(spots.which.size) - np.searchsorted(spots.which, spots.which)
-        hit = np.zeros(spots.which.size, dtype=bool)
+        weighted_points = self._proposal.weighted_points(gauss[:many])
+        density = self.density(weighted_points)
+        thresholds = self._bound * ndtr(gauss[many])
+        # at most one point of a proposal is accepted, each with the frequency of its density
+        rank = np.arange(weighted_points.which.size) - np.searchsorted(
+            weighted_points.which, weighted_points.which
+        )
+        hit = np.zeros(weighted_points.which.size, dtype=bool)
         passed = np.zeros(owners.size)
         for turn in range(rank.max(initial=-1) + 1):
             here = np.flatnonzero(rank == turn)
-            throw = spots.which[here]
-            below = passed[throw] <= dice[throw]
+            throw = weighted_points.which[here]
+            below = passed[throw] <= thresholds[throw]
             passed[throw] += density[here]
-            hit[here] = below & (dice[throw] < passed[throw])
+            hit[here] = below & (thresholds[throw] < passed[throw])
         if (passed > self._bound).any():
             raise self._beyond()
-        taken = np.flatnonzero(hit)
-        owner, first = np.unique(spots.which[taken] // tries, return_index=True)
+        accepted = np.flatnonzero(hit)
+        owner, first = np.unique(weighted_points.which[accepted] // tries, return_index=True)
         done = np.zeros(members.size, dtype=bool)
         done[owner] = True
-        return self._settled(np.ascontiguousarray(spots.states[:, taken[first]])).T, done
+        return self._onto_level(
+            np.ascontiguousarray(weighted_points.states[:, accepted[first]])
+        ).T, done
 
     def _beyond(self) -> InputError:
         return InputError(
@@ -183,23 +189,26 @@ class LevelSampler:
             "that could be found: it lies next to a critical level"
         )
 
-    def density(self, spots: WeightedPoints) -> Any:
-        """The density to be drawn by, relative to that of the throws."""
-        return spots.volume * self._weight(spots.states)
+    def density(self, weighted_points: WeightedPoints) -> FloatArray:
+        """The target density, relative to that of the proposals."""
+        return weighted_points.volume * self._weight(weighted_points.states)
 
-    def _weight(self, states: Any) -> Any:
-        """The density to be drawn by, relative to ∏ δ(relations) ∏ δ(held integrals) dx."""
+    def _weight(self, states: FloatArray) -> FloatArray:
+        """The target density, relative to ∏ δ(relations) ∏ δ(held integrals) dx."""
         if self._density is not None:
-            return np.abs(self._density(states, self.parameters)[0])
+            density: FloatArray = np.abs(self._density(states, self.parameters)[0])
+            return density
         slopes = self._gradients(states)
-        return np.sqrt(np.linalg.det(slopes @ np.swapaxes(slopes, 1, 2)))
+        gram: FloatArray = slopes @ np.swapaxes(slopes, 1, 2)
+        result: FloatArray = np.sqrt(np.linalg.det(gram))
+        return result
 
-    def _gradients(self, states: Any) -> Any:
+    def _gradients(self, states: FloatArray) -> FloatArray:
         size, k = states.shape
         flat = self._slopes(states, self.parameters).T
         return np.ascontiguousarray(flat).reshape(k, self._targets.size, size)
 
-    def _settled(self, states: Any) -> Any:
+    def _onto_level(self, states: FloatArray) -> FloatArray:
         """States moved onto the level along the shortest way, by Newton's method."""
         for _ in range(_NEWTON):
             defect = self._held(states, self.parameters) - self._targets[:, None]
@@ -219,19 +228,19 @@ def level_sampler(
     values = parameter_rows(system, parameters, 1)[0]
     validate_level(system, level, values)
     sheet = SystemFormulas(system)
-    made = find_fibration(system, sheet, level, values)
-    thrower = _thrower(system, sheet, made, level, values)
-    law, density = _density(system, sheet, level, thrower, values)
+    fibration = find_fibration(system, sheet, level, values)
+    proposal = _proposal(system, sheet, fibration, level, values)
+    law, density = _density(system, sheet, level, proposal, values)
     conditions = [sheet.read(to_components(relation)) for relation in system.relations]
-    held = {law.name: sheet.read(law.value) for law in system.integrals if law.name in level}
-    conditions += [held[name] for name in level]
+    integrals = {law.name: sheet.read(law.value) for law in system.integrals if law.name in level}
+    conditions += [integrals[name] for name in level]
     blank = LevelSampler(
         system=system,
         values=dict(level),
         parameters=values,
         measure=measure_label(law),
         invariant=law is not None,
-        _thrower=thrower,
+        _proposal=proposal,
         _held=Compiled(conditions),
         _targets=np.array([0.0] * len(system.relations) + [float(v) for v in level.values()]),
         _slopes=Compiled([term for row in sheet.slopes(conditions) for term in row]),
@@ -239,19 +248,19 @@ def level_sampler(
         _bound=np.inf,
         _tries=1,
     )
-    return _bounded(blank)
+    return _with_bound_on_density(blank)
 
 
 def _density(
     system: System,
     sheet: SystemFormulas,
     level: Mapping[str, float],
-    thrower: Proposal,
-    values: Any,
+    proposal: Proposal,
+    values: FloatArray,
 ) -> tuple[Measure | None, Compiled | None]:
-    """The invariant measure that holds here and has one sign on the level, and its density."""
-    states = thrower.spots(
-        counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), thrower.numbers)
+    """The invariant measure that has one sign on the level, and its density."""
+    states = proposal.weighted_points(
+        counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
     ).states
     for law in measures(system, level, values):
         density = Compiled([sheet.read(law.value)])
@@ -261,40 +270,44 @@ def _density(
     return None, None
 
 
-def _thrower(
-    system: System, sheet: SystemFormulas, made: Fibration, level: Mapping[str, float], values: Any
+def _proposal(
+    system: System,
+    sheet: SystemFormulas,
+    fibration: Fibration,
+    level: Mapping[str, float],
+    values: FloatArray,
 ) -> Proposal:
-    """What throws points onto the level; refuse a level that is empty."""
+    """The proposal of points on the level; refuse a level that is empty."""
 
-    def room(gauss: Any) -> tuple[Any, Any]:
-        places = made.normed(gauss)
-        return places, made.over(places, values).excess
+    def excess(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
+        places = fibration.uniform_points(gauss)
+        return places, fibration.over(places, values).excess
 
-    def same(gauss: Any, _: Any) -> Any:
+    def same(gauss: FloatArray, _: FloatArray) -> FloatArray:
         return gauss
 
-    spare, top = maximise(made, room, same, made.numbers)
+    spare, top = maximise(fibration, excess, same, fibration.numbers)
     if not spare > 0:
-        names = {c.name for c in (made.quadratic, *made.further)}
+        names = {c.name for c in (fibration.quadratic, *fibration.further)}
         raise _empty(
             system,
             level,
             names,
-            f"{made.quadratic.name} is at least {made.quadratic.target - spare:.6g}",
+            f"{fibration.quadratic.name} is at least {fibration.quadratic.target - spare:.6g}",
         )
-    if not made.further:
-        return RayProposal(made, values)
-    if len(made.further) > 1:
+    if not fibration.further:
+        return RayProposal(fibration, values)
+    if len(fibration.further) > 1:
         raise InputError(
-            f"{system.name}: {' and '.join(c.name for c in made.further)} cannot both be held "
-            f"besides {made.quadratic.name}; one of them can"
+            f"{system.name}: {' and '.join(c.name for c in fibration.further)} cannot both be held "
+            f"besides {fibration.quadratic.name}; one of them can"
         )
-    slice_ = GreatCircleProposal.of(made, sheet, values)
-    (further,) = made.further
+    slice_ = GreatCircleProposal.from_fibration(fibration, sheet, values)
+    (further,) = fibration.further
 
-    def signed(sign: float) -> Callable[[Any], tuple[Any, Any]]:
-        def height(gauss: Any) -> tuple[Any, Any]:
-            places = made.normed(gauss)
+    def height_of(sign: float) -> Callable[[FloatArray], tuple[FloatArray, FloatArray]]:
+        def height(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
+            places = fibration.uniform_points(gauss)
             difference = sign * slice_.value(places)[0]
             real = np.isfinite(difference)
             return places[:, real], difference[real]
@@ -302,7 +315,8 @@ def _thrower(
         return height
 
     low, high = (
-        further.target + sign * maximise(made, signed(sign), same, made.numbers, top[:, None])[0]
+        further.target
+        + sign * maximise(fibration, height_of(sign), same, fibration.numbers, top[:, None])[0]
         for sign in (-1.0, 1.0)
     )
     if not low < further.target < high:
@@ -314,22 +328,22 @@ def _thrower(
 
 def _empty(system: System, level: Mapping[str, float], names: set[str], reach: str) -> InputError:
     others = {name: value for name, value in level.items() if name not in names}
-    given = f"with {level_label(others)} " if others else ""
-    return InputError(f"{system.name}: the level {level_label(level)} is empty: {given}{reach}")
+    condition = f"with {level_label(others)} " if others else ""
+    return InputError(f"{system.name}: the level {level_label(level)} is empty: {condition}{reach}")
 
 
-def _bounded(level: LevelSampler) -> LevelSampler:
-    """The level with a bound of what the densities of the points of one throw add up to."""
-    thrower = level._thrower
+def _with_bound_on_density(level: LevelSampler) -> LevelSampler:
+    """The level with a bound of the total density of the points of one proposal."""
+    proposal = level._proposal
 
-    def height(gauss: Any) -> tuple[Any, Any]:
-        spots = thrower.spots(gauss)
-        return spots.places, level.density(spots)
+    def height(gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
+        weighted_points = proposal.weighted_points(gauss)
+        return weighted_points.places, level.density(weighted_points)
 
-    top, _ = maximise(thrower.made, height, thrower.near, thrower.numbers)
-    bound = _MARGIN * thrower.most * top
-    trial = counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), thrower.numbers)
-    taken = height(trial)[1].sum() / (_TRIAL * bound)
+    top, _ = maximise(proposal.fibration, height, proposal.perturbed, proposal.numbers)
+    bound = _MARGIN * proposal.most * top
+    trial = counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
+    share = height(trial)[1].sum() / (_TRIAL * bound)
     # half of the attempts that a point takes, so that few are made in vain
-    tries = int(np.clip(0.5 / max(taken, 1 / _BATCH), 1, _BATCH))
+    tries = int(np.clip(0.5 / max(share, 1 / _BATCH), 1, _BATCH))
     return replace(level, _bound=bound, _tries=tries)

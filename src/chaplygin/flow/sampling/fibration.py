@@ -9,10 +9,10 @@ over every point of the base lie an ellipsoid (a level of the energy) and planes
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
+from ...core.arrays import FloatArray
 from ...formulas.compiled import Compiled
 from ...formulas.graph import Term
 from ..batched_linalg import batched_matvec, batched_solve, norm_squared_columns, row_dots
@@ -35,7 +35,7 @@ class LevelCondition:
 
     name: str
     term: Term
-    target: Any
+    target: float | FloatArray
 
 
 @dataclass(frozen=True)
@@ -81,26 +81,26 @@ class Fibration:
         return len(self.fibre) - len(self.linear)
 
     @property
-    def ground(self) -> tuple[int, ...]:
+    def base(self) -> tuple[int, ...]:
         """Places of the variables of the base: unit vectors, then angles."""
         return (*(place for places in self.spheres for place in places), *self.angles)
 
     @property
     def balls(self) -> tuple[slice, ...]:
-        """The unit vectors among the numbers y that make a point: of the base, and of the ray."""
+        """Slices of the unit vectors in the numbers y of a point: base and ray."""
         sizes = [*map(len, self.spheres)]
         ends = [sum(sizes[: i + 1]) for i in range(len(sizes))]
-        start = len(self.ground)
+        start = len(self.base)
         parts = [slice(end - size, end) for end, size in zip(ends, sizes, strict=True)]
         return (*parts, slice(start, start + len(self.fibre)))
 
     @property
     def numbers(self) -> int:
-        """How many numbers y make a point of the level."""
-        return len(self.ground) + len(self.fibre)
+        """The number of coordinates y of a point of the level."""
+        return len(self.base) + len(self.fibre)
 
-    def normed(self, gauss: Any) -> Any:
-        """Points y, uniform on the product of spheres and circles, from normal numbers (y, k).
+    def uniform_points(self, gauss: FloatArray) -> FloatArray:
+        """Uniform points on the product of spheres and circles from normal numbers (y, k).
 
         Angles come by the normal distribution function, uniform in (0, 2π).
         """
@@ -109,30 +109,32 @@ class Fibration:
         places = gauss.copy()
         for part in self.balls:
             places[part] = gauss[part] / np.sqrt(norm_squared_columns(gauss[part]))
-        for row in range(len(self.ground) - len(self.angles), len(self.ground)):
+        for row in range(len(self.base) - len(self.angles), len(self.base)):
             places[row] = 2 * np.pi * ndtr(gauss[row])
         return places
 
-    def ground_states(self, places: Any) -> Any:
+    def base_states(self, places: FloatArray) -> FloatArray:
         """The variables of the base (b, k) that points y (y, k) make."""
-        return np.array(self.axes)[:, None] * places[: len(self.ground)]
+        return np.array(self.axes)[:, None] * places[: len(self.base)]
 
-    def gauss(self, places: Any) -> Any:
-        """Numbers of which `normed` makes the points y."""
+    def gauss(self, places: FloatArray) -> FloatArray:
+        """Numbers of which `uniform_points` makes the points y."""
         from scipy.special import ndtri
 
         numbers = places.copy()
-        for row in range(len(self.ground) - len(self.angles), len(self.ground)):
+        for row in range(len(self.base) - len(self.angles), len(self.base)):
             numbers[row] = ndtri(np.mod(places[row] / (2 * np.pi), 1.0))
         return numbers
 
-    def over(self, places: Any, parameters: Any) -> FibrePoints:
+    def over(self, places: FloatArray, parameters: FloatArray) -> FibrePoints:
         """The points of the level that points y (y, k) make."""
         states = np.zeros((self.size, places.shape[1]))
-        states[list(self.ground)] = self.ground_states(places)
-        return self.fill(states, places[len(self.ground) :], parameters)
+        states[list(self.base)] = self.base_states(places)
+        return self.fill(states, places[len(self.base) :], parameters)
 
-    def fill(self, states: Any, directions: Any, parameters: Any) -> FibrePoints:
+    def fill(
+        self, states: FloatArray, directions: FloatArray, parameters: FloatArray
+    ) -> FibrePoints:
         """Put points of the level over base points, along rays of given directions.
 
         Parameters
@@ -179,8 +181,8 @@ class Fibration:
             saddle=corner,
         )
 
-    def parts(self, states: Any, parameters: Any) -> tuple[Any, ...]:
-        """What the conditions are in the fibres over base points.
+    def parts(self, states: FloatArray, parameters: FloatArray) -> tuple[FloatArray, ...]:
+        """Coefficients of the conditions in the fibres over base points.
 
         Slopes (k, m, f) and values (k, m) of the linear conditions at zero fibre; second
         derivatives (k, f, f), slopes (k, f) and values (k,) of the quadratic one.
@@ -202,12 +204,12 @@ class FibrePoints:
     states : array (size, k)
         Not-a-number in the fibre where there is no point.
     excess : array (k,)
-        How far the quadratic integral is above its least value in the fibre; negative where no
+        The level of the quadratic integral less its least value in the fibre; negative if no
         point lies above this point of the base.
     volume : array (k,)
         The volume δ(conditions) d(fibre) for a unit solid angle of rays; zero where no point is.
     centre, pull : arrays (k, f), (k, m)
-        Where the quadratic integral is least in the fibre, and the multipliers of the linear
+        The minimum of the quadratic integral in the fibre, and the multipliers of the linear
         conditions there.
     ray, length : arrays (k, f), (k,)
         Unit vectors and lengths of the rays.
@@ -220,14 +222,14 @@ class FibrePoints:
         The matrix of the equations for centre and pull.
     """
 
-    states: Any
-    excess: Any
-    volume: Any
-    centre: Any
-    pull: Any
-    ray: Any
-    length: Any
-    share: Any
-    span: Any
-    normals: Any
-    saddle: Any
+    states: FloatArray
+    excess: FloatArray
+    volume: FloatArray
+    centre: FloatArray
+    pull: FloatArray
+    ray: FloatArray
+    length: FloatArray
+    share: FloatArray
+    span: FloatArray
+    normals: FloatArray
+    saddle: FloatArray

@@ -1,14 +1,14 @@
-"""How a level of the integrals of a System lies over a base: found from its formulas."""
+"""The fibration of a level of the integrals of a System, found from its formulas."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 import sympy as sp
 
+from ...core.arrays import FloatArray
 from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
@@ -23,16 +23,16 @@ __all__ = ["find_fibration"]
 _BOUNDING = ("energy", "hamiltonian")
 #: Base points at which boundedness is looked at.
 _SAMPLE = 256
-#: What counts as no change.
+#: Changes below this count as none.
 _SAME = 1e-10
 #: Least ratio of the axes of an ellipsoid, squared.
 _DEFINITE = 1e-12
 
 
 def find_fibration(
-    system: System, sheet: SystemFormulas, level: Mapping[str, float], values: Any
+    system: System, sheet: SystemFormulas, level: Mapping[str, float], values: FloatArray
 ) -> Fibration:
-    """How a level of the integrals lies over a base.
+    """The fibration of a level of the integrals over a compact base.
 
     Parameters
     ----------
@@ -52,15 +52,17 @@ def find_fibration(
     spheres, others = _ellipsoids(system, values)
     relations = [LevelCondition("", sheet.read(relation), 0.0) for relation in others]
     formulas = {law.name: law.value for law in system.integrals}
-    held = [LevelCondition(name, sheet.read(formulas[name]), float(level[name])) for name in level]
-    for bound in sorted(held, key=lambda condition: condition.name not in _BOUNDING):
-        rest = [condition for condition in held if condition is not bound]
-        found = _with_bound(system, sheet, spheres, relations, bound, rest)
-        if found is not None and _bounded(found, values):
-            return found
-    given = " and ".join(f"{name} = {value:.6g}" for name, value in level.items())
+    conditions = [
+        LevelCondition(name, sheet.read(formulas[name]), float(level[name])) for name in level
+    ]
+    for bound in sorted(conditions, key=lambda condition: condition.name not in _BOUNDING):
+        further = [condition for condition in conditions if condition is not bound]
+        fibration = _with_bound(system, sheet, spheres, relations, bound, further)
+        if fibration is not None and _is_bounded(fibration, values):
+            return fibration
+    text = " and ".join(f"{name} = {value:.6g}" for name, value in level.items())
     raise InputError(
-        f"{system.name}: the level {given or 'of no integral'} is not bounded in a way that can "
+        f"{system.name}: the level {text or 'of no integral'} is not bounded in a way that can "
         "be seen: among what is held there must be an integral, such as the energy, that is "
         f"quadratic and definite in {_names(system, _loose(system, spheres))}"
     )
@@ -81,21 +83,21 @@ def _with_bound(
     spheres: Mapping[tuple[int, ...], tuple[float, ...]],
     relations: list[LevelCondition],
     bound: LevelCondition,
-    rest: list[LevelCondition],
+    others: list[LevelCondition],
 ) -> Fibration | None:
-    """The bundle in which `bound` is the quadratic condition; None where that cannot be."""
+    """The fibration with `bound` as its quadratic condition, if there is one."""
     fibre, angles = _loose(system, spheres), list[int]()
     terms = [bound.term, *(relation.term for relation in relations)]
     while curved := sheet.depends(_second(sheet, terms, fibre)) & set(fibre):
         angles += sorted(curved)
         fibre = [i for i in fibre if i not in curved]
-    degree = {id(c): _degree(sheet, c.term, fibre) for c in (*relations, bound, *rest)}
+    degree = {id(c): _degree(sheet, c.term, fibre) for c in (*relations, bound, *others)}
     if degree[id(bound)] != 2 or any(degree[id(relation)] != 1 for relation in relations):
         return None
-    linear = [*relations, *(c for c in rest if degree[id(c)] == 1)]
+    linear = [*relations, *(c for c in others if degree[id(c)] == 1)]
     # a fibre needs two rays at least: two points at its ends would have no bounded density
     linear = linear[: max(len(relations), len(fibre) - 2)]
-    further = [c for c in rest if c not in linear]
+    further = [c for c in others if c not in linear]
     if len(fibre) - len(linear) < 2:
         return None
     slopes = sheet.slopes([c.term for c in (*linear, bound)])
@@ -136,55 +138,55 @@ def _degree(sheet: SystemFormulas, term: Term, places: Sequence[int]) -> int:
     return 3 if sheet.depends(_second(sheet, [term], places)) & inside else 2
 
 
-def _at_random(made: Fibration) -> Any:
+def _at_random(fibration: Fibration) -> FloatArray:
     """States over random points of the base, their fibre zero."""
-    gauss = counter_normals(0, np.arange(_SAMPLE), np.zeros(_SAMPLE), made.numbers)
-    states = np.zeros((made.size, _SAMPLE))
-    states[list(made.ground)] = made.ground_states(made.normed(gauss))
+    gauss = counter_normals(0, np.arange(_SAMPLE), np.zeros(_SAMPLE), fibration.numbers)
+    states = np.zeros((fibration.size, _SAMPLE))
+    states[list(fibration.base)] = fibration.base_states(fibration.uniform_points(gauss))
     return states
 
 
-def _periodic(made: Fibration, states: Any, values: Any) -> bool:
+def _periodic(fibration: Fibration, states: FloatArray, values: FloatArray) -> bool:
     """Whether nothing changes when an angle of the base grows by a turn."""
     turned = states.copy()
-    turned[list(made.angles)] += 2 * np.pi
-    here, there = (made.coefficients(s, values) for s in (states, turned))
+    turned[list(fibration.angles)] += 2 * np.pi
+    here, there = (fibration.coefficients(s, values) for s in (states, turned))
     return bool((np.abs(there - here) <= _SAME * (1 + np.abs(here))).all())
 
 
-def _bounded(made: Fibration, values: Any) -> bool:
-    """Whether the quadratic condition is definite on the fibres over a sample of base points."""
-    states = _at_random(made)
-    if not _periodic(made, states, values):
+def _is_bounded(fibration: Fibration, values: FloatArray) -> bool:
+    """Whether the quadratic condition is definite over a sample of base points."""
+    states = _at_random(fibration)
+    if not _periodic(fibration, states, values):
         return False
-    n, _, A, _, _ = made.parts(states, values)
+    n, _, A, _, _ = fibration.parts(states, values)
     if not (np.isfinite(n).all() and np.isfinite(A).all()):
         return False
-    across = np.eye(len(made.fibre)) - np.linalg.pinv(n) @ n if n.shape[1] else 1.0
+    across = np.eye(len(fibration.fibre)) - np.linalg.pinv(n) @ n if n.shape[1] else 1.0
     sizes = np.linalg.eigvalsh(across @ A @ across if n.shape[1] else A)[:, n.shape[1] :]
     return bool((sizes[:, 0] > _DEFINITE * sizes[:, -1]).all())
 
 
 def _ellipsoids(
-    system: System, values: Any
+    system: System, values: FloatArray
 ) -> tuple[dict[tuple[int, ...], tuple[float, ...]], list[sp.Expr]]:
-    """The variables that lie on ellipsoids with their half axes; and the relations left.
+    """The variables on ellipsoids with their half axes, and the other relations.
 
     δ(∑ xᵢ²/aᵢ² − 1) dx is the uniform measure of the unit vectors xᵢ/aᵢ, up to a constant.
     """
     places = {symbol: i for i, symbol in enumerate(system.symbols)}
     numbers = dict(zip((p.symbol for p in system.parameters), map(float, values), strict=True))
-    found: dict[tuple[int, ...], tuple[float, ...]] = {}
+    ellipsoids: dict[tuple[int, ...], tuple[float, ...]] = {}
     others: list[sp.Expr] = []
     for relation in system.relations:
         formula = to_components(relation)
         free = sorted(formula.free_symbols & set(places), key=places.__getitem__)
         axes = _axes(formula, free, numbers)
-        if axes is None or {places[s] for s in free} & {i for own in found for i in own}:
+        if axes is None or {places[s] for s in free} & {i for own in ellipsoids for i in own}:
             others.append(formula)
         else:
-            found[tuple(places[s] for s in free)] = axes
-    return found, others
+            ellipsoids[tuple(places[s] for s in free)] = axes
+    return ellipsoids, others
 
 
 def _axes(

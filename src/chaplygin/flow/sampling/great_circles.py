@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from ...core.arrays import BoolArray, FloatArray, IntArray
 from ...formulas.compiled import Compiled, SystemFormulas
 from ..batched_linalg import batched_matvec, batched_solve, norm_squared_columns, row_dots
 from .fibration import Fibration, FibrePoints
@@ -28,9 +29,9 @@ PIECES = 1
 #: than this, relative to the largest value on the curve.
 _HALVINGS = 10
 _CUBIC = 0.01
-#: How fine a crossing is found; the state is then settled on its level.
+#: Accuracy of a crossing, before the state is moved onto its level.
 _FINE = 1e-12
-#: Where a piece that ends at the edge of the level is looked at first, in its own parameter.
+#: First argument in a piece that ends at the edge of the level, in its own parameter.
 _EDGE = 1e-5
 
 #: From curves and parameters on them to values and slopes.
@@ -43,7 +44,7 @@ class GreatCircleProposal:
 
     Attributes
     ----------
-    made : Bundle
+    fibration : Fibration
     parameters : array (p,)
     target : float
     terms : Compiled
@@ -53,49 +54,51 @@ class GreatCircleProposal:
         condition and of each linear one, and the slopes of these in the fibre.
     """
 
-    made: Fibration
-    parameters: Any
-    target: float
+    fibration: Fibration
+    parameters: FloatArray
+    target: float | FloatArray
     terms: Compiled
     central: Compiled
 
     @staticmethod
-    def of(made: Fibration, sheet: SystemFormulas, parameters: Any) -> GreatCircleProposal:
+    def from_fibration(
+        fibration: Fibration, sheet: SystemFormulas, parameters: FloatArray
+    ) -> GreatCircleProposal:
         """The slice of a bundle that has one further condition."""
-        (further,) = made.further
-        own, outer = sheet.slopes([further.term, made.quadratic.term])
-        conditions = [made.quadratic.term, *(c.term for c in made.linear)]
+        (further,) = fibration.further
+        own, outer = sheet.slopes([further.term, fibration.quadratic.term])
+        conditions = [fibration.quadratic.term, *(c.term for c in fibration.linear)]
         slopes = sheet.slopes(conditions)
-        mixed = [sheet.slopes([row[i] for i in made.fibre]) for row in slopes]
+        mixed = [sheet.slopes([row[i] for i in fibration.fibre]) for row in slopes]
         central = [
             term
             for row, second in zip(slopes, mixed, strict=True)
-            for j in made.ground
+            for j in fibration.base
             for term in (row[j], *(line[j] for line in second))
         ]
         terms = Compiled([further.term, *own, *outer])
-        return GreatCircleProposal(made, parameters, further.target, terms, Compiled(central))
+        return GreatCircleProposal(fibration, parameters, further.target, terms, Compiled(central))
 
     # --- values and slopes ---------------------------------------------------------------------
 
-    def excess(self, places: Any) -> tuple[Any, Any]:
-        """How far the level reaches over base points, and its slopes in y (k, y)."""
-        rays = self.made.over(places, self.parameters)
-        ground, _ = self._central(rays)
+    def excess(self, places: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """The excess of the level over base points, and its slopes in y (k, y)."""
+        rays = self.fibration.over(places, self.parameters)
+        base, _ = self._central(rays)
         slopes = np.zeros(places.shape[::-1])
         # the least value in a fibre has the slopes of the Lagrange function
         pulls = np.concatenate([np.ones((places.shape[1], 1)), rays.pull], axis=1)
-        for j in range(len(self.made.ground)):
-            slopes[:, j] = -row_dots(pulls, ground[:, :, j])
+        for j in range(len(self.fibration.base)):
+            slopes[:, j] = -row_dots(pulls, base[:, :, j])
         return rays.excess, self._tangent(places, slopes)
 
-    def value(self, places: Any) -> tuple[Any, Any, FibrePoints]:
+    def value(self, places: FloatArray) -> tuple[FloatArray, FloatArray, FibrePoints]:
         """F − c, its slopes in y (k, y) and the points of the level."""
-        made, size = self.made, self.made.size
-        rays = made.over(places, self.parameters)
+        fibration, size = self.fibration, self.fibration.size
+        rays = fibration.over(places, self.parameters)
         flat = np.ascontiguousarray(self.terms(rays.states, self.parameters).T)
         F, own, outer = flat[:, 0], flat[:, 1 : size + 1], flat[:, size + 1 :]
-        fibre, ground = list(made.fibre), list(made.ground)
+        fibre, base = list(fibration.fibre), list(fibration.base)
         with np.errstate(invalid="ignore", divide="ignore"):
             rise = row_dots(own[:, fibre], rays.ray) / row_dots(outer[:, fibre], rays.ray)
         # slopes of F along the level: what is left when the length of the ray adapts
@@ -106,7 +109,7 @@ class GreatCircleProposal:
         )
         values, mixed = self._central(rays)
         slopes = np.concatenate(
-            [free[:, ground], inside * (rays.length / rays.span)[:, None]], axis=1
+            [free[:, base], inside * (rays.length / rays.span)[:, None]], axis=1
         )
         f = len(fibre)
         reach = batched_solve(
@@ -114,7 +117,7 @@ class GreatCircleProposal:
         )
         lean, push = reach[:, :f], reach[:, f:]
         shares, shadow = self._shares(rays, across), rays.ray
-        for j in range(len(ground)):
+        for j in range(len(base)):
             turned = mixed[:, :, j]
             slopes[:, j] -= row_dots(lean, turned[:, 0]) + row_dots(push, values[:, 1:, j])
             slopes[:, j] -= row_dots(rays.pull, batched_matvec(turned[:, 1:], lean))
@@ -123,49 +126,49 @@ class GreatCircleProposal:
             slopes[:, j] -= rays.length * tilt
         return F - self.target, self._tangent(places, slopes), rays
 
-    def _shares(self, rays: FibrePoints, vectors: Any) -> Any:
+    def _shares(self, rays: FibrePoints, vectors: FloatArray) -> FloatArray:
         """Coefficients of vectors in the slopes of the linear conditions."""
         gram = rays.normals @ np.swapaxes(rays.normals, 1, 2)
         return batched_solve(gram, batched_matvec(rays.normals, vectors))
 
-    def _central(self, rays: FibrePoints) -> tuple[Any, Any]:
+    def _central(self, rays: FibrePoints) -> tuple[FloatArray, FloatArray]:
         """`central` at the centres: slopes (k, 1 + m, b) and mixed ones (k, 1 + m, b, f)."""
-        made = self.made
-        f, b, m = len(made.fibre), len(made.ground), len(made.linear)
+        fibration = self.fibration
+        f, b, m = len(fibration.fibre), len(fibration.base), len(fibration.linear)
         states = rays.states.copy()
-        states[list(made.fibre)] = rays.centre.T
+        states[list(fibration.fibre)] = rays.centre.T
         flat = np.ascontiguousarray(self.central(states, self.parameters).T)
         table = flat.reshape(len(flat), 1 + m, b, 1 + f)
         return table[..., 0], table[..., 1:]
 
-    def _tangent(self, places: Any, slopes: Any) -> Any:
-        """Slopes in y, of slopes in the variables of the base and the direction of the ray."""
-        made = slopes.copy()
-        made[:, : len(self.made.axes)] *= self.made.axes
-        return self._across(places, made)
+    def _tangent(self, places: FloatArray, slopes: FloatArray) -> FloatArray:
+        """Slopes in y from those in the base variables and the direction of the ray."""
+        tangents = slopes.copy()
+        tangents[:, : len(self.fibration.axes)] *= self.fibration.axes
+        return self._across(places, tangents)
 
-    def _across(self, places: Any, vectors: Any) -> Any:
+    def _across(self, places: FloatArray, vectors: FloatArray) -> FloatArray:
         """Vectors without their parts along the unit vectors."""
-        made = vectors.copy()
-        for part in self.made.balls:
+        tangents = vectors.copy()
+        for part in self.fibration.balls:
             unit, own = places[part].T, vectors[:, part]
-            made[:, part] = own - row_dots(own, unit)[:, None] * unit
-        return made
+            tangents[:, part] = own - row_dots(own, unit)[:, None] * unit
+        return tangents
 
-    # --- throws ------------------------------------------------------------------------------
+    # --- proposals ---------------------------------------------------------------------------
 
     @property
     def numbers(self) -> int:
-        """How many normal numbers a throw takes: a point y and a direction."""
-        return 2 * self.made.numbers
+        """The number of normal numbers of a proposal: a point y and a direction."""
+        return 2 * self.fibration.numbers
 
     @property
     def most(self) -> float:
         """Three: so short a geodesic rarely meets a smooth surface more than once."""
         return 3.0
 
-    def spots(self, gauss: Any) -> WeightedPoints:
-        """The points where the geodesics thrown by normal numbers (numbers, k) meet the level."""
+    def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
+        """Points of the level on the geodesics of normal numbers (numbers, k)."""
         which, places = self.crossings(*self.curves(gauss))
         _, slopes, rays = self.value(places)
         with np.errstate(invalid="ignore", divide="ignore"):
@@ -174,23 +177,25 @@ class GreatCircleProposal:
         states = np.ascontiguousarray(rays.states[:, real])
         return WeightedPoints(which[real], places[:, real], states, volume[real])
 
-    def near(self, gauss: Any, fresh: Any) -> Any:
+    def perturbed(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
         """Geodesics that begin at places made of `gauss` (y, k)."""
-        return np.concatenate([gauss, fresh[self.made.numbers :]])
+        return np.concatenate([gauss, fresh[self.fibration.numbers :]])
 
     # --- curves ----------------------------------------------------------------------------------
 
-    def curves(self, gauss: Any) -> tuple[Any, Any]:
-        """Uniform points y and uniform unit tangent vectors (y, k) from normal numbers (2 y, k)."""
+    def curves(self, gauss: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Uniform points and unit tangent vectors (y, k) from normal numbers (2 y, k)."""
         half = gauss.shape[0] // 2
-        places = self.made.normed(gauss[:half])
+        places = self.fibration.uniform_points(gauss[:half])
         pushes = self._across(places, np.ascontiguousarray(gauss[half:].T)).T
         return places, pushes / np.sqrt(norm_squared_columns(pushes))
 
-    def moved(self, places: Any, pushes: Any, way: Any) -> tuple[Any, Any]:
+    def geodesic_points(
+        self, places: FloatArray, pushes: FloatArray, way: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
         """Points and velocities on geodesics, after a way (k,) at unit speed."""
         there, speed = places + way * pushes, pushes.copy()
-        for part in self.made.balls:
+        for part in self.fibration.balls:
             rate = np.sqrt(norm_squared_columns(pushes[part]))
             turn = rate * way
             across = pushes[part] / rate
@@ -198,21 +203,23 @@ class GreatCircleProposal:
             speed[part] = rate * (across * np.cos(turn) - places[part] * np.sin(turn))
         return there, speed
 
-    def crossings(self, places: Any, pushes: Any) -> tuple[Any, Any]:
-        """Where geodesics meet the hypersurface: numbers of the curves, and points y (y, n)."""
+    def crossings(self, places: FloatArray, pushes: FloatArray) -> tuple[IntArray, FloatArray]:
+        """Intersections of geodesics with the level: curve numbers, points y (y, n)."""
 
-        def reach(which: Any, way: Any) -> tuple[Any, Any]:
-            there, speed = self.moved(places[:, which], pushes[:, which], way)
+        def reach(which: IntArray, way: FloatArray) -> tuple[FloatArray, FloatArray]:
+            there, speed = self.geodesic_points(places[:, which], pushes[:, which], way)
             value, slopes = self.excess(there)
             return value, row_dots(slopes, speed.T)
 
         which, low, high = _parts(reach, places.shape[1])
 
-        def along(index: Any, angle: Any) -> tuple[Any, Any]:
+        def along(index: IntArray, angle: FloatArray) -> tuple[FloatArray, FloatArray]:
             # at the edge of the level rays shrink like a square root, which the cosine smooths
             half = (high[index] - low[index]) / 2
             way = low[index] + half * (1 - np.cos(np.pi * angle))
-            there, speed = self.moved(places[:, which[index]], pushes[:, which[index]], way)
+            there, speed = self.geodesic_points(
+                places[:, which[index]], pushes[:, which[index]], way
+            )
             value, slopes, _ = self.value(there)
             return value, row_dots(slopes, speed.T) * half * np.pi * np.sin(np.pi * angle)
 
@@ -221,10 +228,12 @@ class GreatCircleProposal:
         index, angle = crossings(along, which.size, nodes)
         half = (high[index] - low[index]) / 2
         way = low[index] + half * (1 - np.cos(np.pi * angle))
-        return which[index], self.moved(places[:, which[index]], pushes[:, which[index]], way)[0]
+        return which[index], self.geodesic_points(
+            places[:, which[index]], pushes[:, which[index]], way
+        )[0]
 
 
-def _parts(reach: Along, count: int) -> tuple[Any, Any, Any]:
+def _parts(reach: Along, count: int) -> tuple[IntArray, FloatArray, FloatArray]:
     """The parts of curves over which the level lies: curves, beginnings and ends."""
     which, way = crossings(reach, count, np.linspace(0.0, LENGTH, PIECES + 1))
     curve = np.concatenate([np.arange(count), which, np.arange(count)])
@@ -239,19 +248,19 @@ def _parts(reach: Along, count: int) -> tuple[Any, Any, Any]:
 
 @dataclass(frozen=True)
 class Steps:
-    """Intervals of functions: whose they are, their ends, values and slopes there (2, n)."""
+    """Intervals of functions: owner, ends, values and slopes at the ends (2, n)."""
 
-    owner: Any
-    ends: Any
-    values: Any
-    slopes: Any
+    owner: IntArray
+    ends: FloatArray
+    values: FloatArray
+    slopes: FloatArray
 
-    def __getitem__(self, chosen: Any) -> Steps:
+    def __getitem__(self, chosen: IntArray) -> Steps:
         return Steps(
             self.owner[chosen], self.ends[:, chosen], self.values[:, chosen], self.slopes[:, chosen]
         )
 
-    def joined(self, other: Steps) -> Steps:
+    def union(self, other: Steps) -> Steps:
         """These and others."""
         return Steps(
             np.append(self.owner, other.owner),
@@ -260,7 +269,7 @@ class Steps:
             np.append(self.slopes, other.slopes, axis=1),
         )
 
-    def halved(self, along: Along) -> tuple[Steps, Any]:
+    def halves(self, along: Along) -> tuple[Steps, FloatArray]:
         """Both halves of each, and by how much a cubic through the ends misses the middle."""
         middle = self.ends.mean(axis=0)
         value, slope = along(self.owner, middle)
@@ -271,10 +280,10 @@ class Steps:
         outer = (self.ends, self.values, self.slopes)
         left = Steps(self.owner, *(np.stack([o[0], i]) for o, i in zip(outer, inner, strict=True)))
         right = Steps(self.owner, *(np.stack([i, o[1]]) for o, i in zip(outer, inner, strict=True)))
-        return left.joined(right), np.tile(np.abs(value - cubic), 2)
+        return left.union(right), np.tile(np.abs(value - cubic), 2)
 
 
-def crossings(along: Along, count: int, nodes: Any) -> tuple[Any, Any]:
+def crossings(along: Along, count: int, nodes: FloatArray) -> tuple[IntArray, FloatArray]:
     """All zeros of functions of one variable.
 
     Parameters
@@ -282,7 +291,7 @@ def crossings(along: Along, count: int, nodes: Any) -> tuple[Any, Any]:
     along : callable
         Numbers of functions (n,) and arguments (n,) ↦ values (n,) and slopes (n,).
     count : int
-        How many functions.
+        Number of functions.
     nodes : array
         Arguments to begin with; intervals in which a function is no cubic are halved.
 
@@ -291,7 +300,7 @@ def crossings(along: Along, count: int, nodes: Any) -> tuple[Any, Any]:
     int array, array
         Functions and arguments, by function and in rising order.
     """
-    steps = _resolved(along, count, nodes)
+    steps = _cubic_steps(along, count, nodes)
     sure = steps[np.flatnonzero(steps.values[0] * steps.values[1] < 0)]
     dips = steps[np.flatnonzero(_may_dip(steps))]
     turn = _zero(lambda which, s: along(dips.owner[which], s)[1], *dips.ends)
@@ -300,12 +309,12 @@ def crossings(along: Along, count: int, nodes: Any) -> tuple[Any, Any]:
     owner = np.concatenate([sure.owner, dips.owner[past], dips.owner[past]])
     low = np.concatenate([sure.ends[0], dips.ends[0, past], turn[past]])
     high = np.concatenate([sure.ends[1], turn[past], dips.ends[1, past]])
-    found = _zero(lambda which, s: along(owner[which], s)[0], low, high)
-    order = np.lexsort((found, owner))
-    return owner[order], found[order]
+    zeros = _zero(lambda which, s: along(owner[which], s)[0], low, high)
+    order = np.lexsort((zeros, owner))
+    return owner[order], zeros[order]
 
 
-def _resolved(along: Along, count: int, nodes: Any) -> Steps:
+def _cubic_steps(along: Along, count: int, nodes: FloatArray) -> Steps:
     """Intervals so short that every function is nearly a cubic in each."""
     flat = along(np.repeat(np.arange(count), nodes.size), np.tile(nodes, count))
     value, slope = (part.reshape(count, nodes.size) for part in flat)
@@ -318,35 +327,41 @@ def _resolved(along: Along, count: int, nodes: Any) -> Steps:
     )
     done = steps[np.arange(0)]
     for _ in range(_HALVINGS):
-        steps, missed = steps.halved(along)
+        steps, missed = steps.halves(along)
         rough = missed > _CUBIC * scale[steps.owner]
-        done, steps = done.joined(steps[np.flatnonzero(~rough)]), steps[np.flatnonzero(rough)]
-    return done.joined(steps)
+        done, steps = done.union(steps[np.flatnonzero(~rough)]), steps[np.flatnonzero(rough)]
+    return done.union(steps)
 
 
-def _may_dip(steps: Steps) -> Any:
-    """Where a function of one sign may go to zero and come back inside an interval."""
+def _may_dip(steps: Steps) -> BoolArray:
+    """Intervals in which a function of one sign may touch zero."""
     sign = np.sign(steps.values[0])
     left, right = sign * steps.values
     down, up = sign * steps.slopes
     with np.errstate(invalid="ignore", divide="ignore"):
-        # where the tangents at both ends meet; a curve that bends one way stays above
+        # intersection of the tangents at both ends; a convex curve stays above it
         meet = (right - left - up * np.diff(steps.ends, axis=0)[0]) / (down - up)
         lowest = left + down * meet
-        return (right > 0) & (down < 0) & (up > 0) & (lowest < 0.5 * np.minimum(left, right))
+        result: BoolArray = (
+            (right > 0) & (down < 0) & (up > 0) & (lowest < 0.5 * np.minimum(left, right))
+        )
+        return result
 
 
-def _zero(function: Callable[[Any, Any], Any], low: Any, high: Any) -> Any:
+def _zero(
+    function: Callable[[FloatArray, FloatArray], FloatArray], low: FloatArray, high: FloatArray
+) -> FloatArray:
     """Zeros between arguments at which functions have opposite signs."""
     from scipy.optimize import elementwise
 
     if not low.size:
         return low
     which = np.arange(low.size)
-    found = elementwise.find_root(
+    zeros = elementwise.find_root(
         lambda argument, own: function(own.astype(int), argument),
         (low, high),
         args=(which.astype(float),),
         tolerances={"xatol": _FINE},
     )
-    return found.x
+    result: FloatArray = zeros.x
+    return result

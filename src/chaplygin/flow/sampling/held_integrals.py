@@ -1,13 +1,13 @@
-"""What may be held on a level: which integrals are there, and which measure is invariant."""
+"""Integrals that can define a level, and the invariant measures on it."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 import sympy as sp
 
+from ...core.arrays import FloatArray
 from ...core.laws import Measure
 from ...core.system import System
 from ...core.vectors import to_components
@@ -19,7 +19,7 @@ __all__ = ["level_label", "measure_label", "measures", "validate_level"]
 _ROUNDING = 1e-12
 
 
-def validate_level(system: System, level: Mapping[str, float], values: Any) -> None:
+def validate_level(system: System, level: Mapping[str, float], values: FloatArray) -> None:
     """Refuse integrals that the system has not, or not at these parameters.
 
     Raises
@@ -42,8 +42,10 @@ def validate_level(system: System, level: Mapping[str, float], values: Any) -> N
                 )
 
 
-def _vanishes(system: System, formula: Any, level: Mapping[str, float], values: Any) -> bool:
-    """Whether a formula is zero at these parameters, or an integral that is held at zero."""
+def _vanishes(
+    system: System, formula: sp.Expr, level: Mapping[str, float], values: FloatArray
+) -> bool:
+    """Whether a formula is zero at these parameters, or an integral with value zero."""
     written = to_components(formula)
     parameters = [p.symbol for p in system.parameters]
     if written.free_symbols <= set(parameters):
@@ -56,7 +58,7 @@ def _vanishes(system: System, formula: Any, level: Mapping[str, float], values: 
     )
 
 
-def measures(system: System, level: Mapping[str, float], values: Any) -> list[Measure]:
+def measures(system: System, level: Mapping[str, float], values: FloatArray) -> list[Measure]:
     """The measures claimed of a system whose conditions hold here."""
     return [
         law

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 
+from ...core.arrays import FloatArray, IntArray
 from .counter_rng import counter_normals
 from .fibration import Fibration
 
@@ -29,114 +30,114 @@ class WeightedPoints:
     Attributes
     ----------
     which : int array (n,)
-        The throw from which each came, in rising order.
+        The index of the proposal of each, in rising order.
     places : array (y, n)
         Their unit vectors and angles; see :class:`~chaplygin.flow.sampling.fibration.Fibration`.
     states : array (size, n)
     volume : array (n,)
-        δ(relations and held integrals) dx over the density of the throws, up to a constant.
+        δ(relations and held integrals) dx over the density of the proposals, up to a constant.
     """
 
-    which: Any
-    places: Any
-    states: Any
-    volume: Any
+    which: IntArray
+    places: FloatArray
+    states: FloatArray
+    volume: FloatArray
 
 
 class Proposal(Protocol):
-    """What makes points of a level of normal numbers."""
+    """A map from normal numbers to weighted points of a level."""
 
     @property
-    def made(self) -> Fibration:
-        """How the level lies over its base."""
+    def fibration(self) -> Fibration:
+        """The fibration of the level over its base."""
 
     @property
     def numbers(self) -> int:
-        """How many normal numbers a throw takes."""
+        """The number of normal numbers of a proposal."""
 
     @property
     def most(self) -> float:
-        """How many points of the greatest density a throw may give, near enough."""
+        """The number of points of the greatest density in a proposal, roughly."""
 
-    def spots(self, gauss: Any) -> WeightedPoints:
-        """The points that throws (numbers, k) give."""
+    def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
+        """The points of proposals (numbers, k)."""
 
-    def near(self, gauss: Any, fresh: Any) -> Any:
-        """Throws that come close to places made of `gauss` (y, k); `fresh` (numbers, k)."""
+    def perturbed(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
+        """Proposals near the points of `gauss` (y, k), with fresh numbers (numbers, k)."""
 
 
 @dataclass(frozen=True)
 class RayProposal:
-    """The ends of rays of random direction over random base points: where nothing else is held."""
+    """The ends of random rays over random base points, if nothing further is held."""
 
-    made: Fibration
-    parameters: Any
+    fibration: Fibration
+    parameters: FloatArray
 
     @property
     def numbers(self) -> int:
-        """How many normal numbers a throw takes."""
-        return self.made.numbers
+        """The number of normal numbers of a proposal."""
+        return self.fibration.numbers
 
     @property
     def most(self) -> float:
         """One."""
         return 1.0
 
-    def spots(self, gauss: Any) -> WeightedPoints:
-        """The points that throws (numbers, k) give."""
-        places = self.made.normed(gauss)
-        rays = self.made.over(places, self.parameters)
+    def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
+        """The points of proposals (numbers, k)."""
+        places = self.fibration.uniform_points(gauss)
+        rays = self.fibration.over(places, self.parameters)
         real = np.flatnonzero(rays.volume > 0)
         states = np.ascontiguousarray(rays.states[:, real])
         return WeightedPoints(real, places[:, real], states, rays.volume[real])
 
-    def near(self, gauss: Any, fresh: Any) -> Any:
-        """The same throws again."""
+    def perturbed(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
+        """The normal numbers themselves, unchanged."""
         return gauss
 
 
 def maximise(
-    made: Fibration,
-    height: Callable[[Any], tuple[Any, Any]],
-    start: Callable[[Any, Any], Any],
+    fibration: Fibration,
+    height: Callable[[FloatArray], tuple[FloatArray, FloatArray]],
+    start: Callable[[FloatArray, FloatArray], FloatArray],
     many: int,
-    first: Any = None,
-) -> tuple[float, Any]:
+    first: FloatArray | None = None,
+) -> tuple[float, FloatArray]:
     """The largest value met of a quantity, and the place.
 
     Parameters
     ----------
-    made : Bundle
+    fibration : Fibration
     height : callable
         Throws (many, k) ↦ places (y, n) and values (n,), n whatever comes of them.
     start : callable
-        (places as normal numbers (y, k), normal numbers (many, k)) ↦ throws near these places.
+        (places as normal numbers (y, k), normal numbers (many, k)) ↦ proposals near these points.
     many : int
     first : array (y, k), optional
-        Places to begin with besides those of random throws.
+        Points to begin with besides random ones.
 
     Returns
     -------
     float, array (y,)
-        Minus infinity where no throw gives anything.
+        Minus infinity if no proposal has a point.
     """
     places, values = height(counter_normals(_SEED, np.arange(_PILOT), np.zeros(_PILOT), many))
     if first is not None:
-        more = height(start(made.gauss(first), _fresh(first.shape[1], _ROUNDS + 1, many)))
+        more = height(start(fibration.gauss(first), _fresh(first.shape[1], _ROUNDS + 1, many)))
         places, values = np.append(places, more[0], axis=1), np.append(values, more[1])
     for turn in range(_ROUNDS):
         if not values.size:
-            return -np.inf, np.zeros(made.numbers)
+            return -np.inf, np.zeros(fibration.numbers)
         best = np.argsort(-values, kind="stable")[:_BEST]
         places, values = places[:, best], values[best]
-        around = np.repeat(made.gauss(places), _AROUND, axis=1)
-        noise = _fresh(around.shape[1], turn + 1, made.numbers + many)
-        moved = around + 0.4 * 0.7**turn * noise[: made.numbers]
-        more = height(start(moved, noise[made.numbers :]))
+        around = np.repeat(fibration.gauss(places), _AROUND, axis=1)
+        noise = _fresh(around.shape[1], turn + 1, fibration.numbers + many)
+        moved = around + 0.4 * 0.7**turn * noise[: fibration.numbers]
+        more = height(start(moved, noise[fibration.numbers :]))
         places, values = np.append(places, more[0], axis=1), np.append(values, more[1])
     top = int(np.argmax(values))
     return float(values[top]), places[:, top]
 
 
-def _fresh(count: int, turn: int, many: int) -> Any:
+def _fresh(count: int, turn: int, many: int) -> FloatArray:
     return counter_normals(_SEED, np.arange(count), np.full(count, turn), many)

@@ -8,13 +8,16 @@ from importlib.metadata import version
 from typing import Any, Protocol
 
 import numpy as np
+import numpy.typing as npt
+import sympy as sp
 
+from ...core.arrays import FloatArray
 from ...core.vectors import Vector, to_components
 from ...errors import InputError
 from ...formulas.batch import Formulas
 from ...formulas.evaluate import parameter_rows
 from ..ensemble.task import Coordinate, Task, Variable
-from ..kernel.runge_kutta import STATUS_MESSAGES
+from ..kernel.outcomes import STATUS_MESSAGES
 from ..trajectory import by_name
 from ..variable_metadata import FRAMES, LABELS, variable_metadata
 from .poincare_map import PoincareMap
@@ -40,27 +43,27 @@ class Quantity:
         In state, definitions and parameters.
     meaning, unit : str
     label : str
-        What figures call it, in place of the name.
+        The label in figures, in place of the name.
     """
 
     name: str
-    formula: Any
+    formula: sp.Expr
     meaning: str
     unit: str = "1"
     label: str = ""
 
 
 class Columns(Protocol):
-    """Functions on the section that are no formulas, such as coordinates found by cases.
+    """Functions on the section without a formula, such as coordinates by cases.
 
     A frozen dataclass with ``__call__``, so that it can be pickled and named.
     """
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
-        """What they are; formulas are not looked at."""
+        """Names, meanings and units; their formulas are ignored."""
 
-    def __call__(self, states: Any) -> Any:
+    def __call__(self, states: FloatArray) -> FloatArray:
         """The columns (n, quantities) at states (n, size)."""
 
 
@@ -80,15 +83,15 @@ class Returns:
     """
 
     returns: PoincareMap
-    starts: Any
+    starts: FloatArray
     count: int
     quantities: tuple[Quantity, ...]
     columns: Columns | None = None
 
-    def __call__(self, first: int, last: int) -> dict[str, Any]:
+    def __call__(self, first: int, last: int) -> dict[str, npt.NDArray[np.generic]]:
         """The arrays of a block, by the names of the dataset."""
         crossed = self.returns.returns(self.starts[first:last], self.count)
-        found: dict[str, Any] = {
+        arrays: dict[str, Any] = {
             "time": crossed.times,
             "points": crossed.counts.astype("int64"),
             "outcome": crossed.outcome.astype("int64"),
@@ -98,31 +101,31 @@ class Returns:
         flat = crossed.states.reshape(-1, self.returns.size)
         for name in map(str, system.state):
             rows = by_name(system, flat, name)
-            found[name] = np.ascontiguousarray(rows.reshape(*crossed.times.shape, *rows.shape[1:]))
+            arrays[name] = np.ascontiguousarray(rows.reshape(*crossed.times.shape, *rows.shape[1:]))
         formulas = Formulas(system, [item.formula for item in self.quantities])
-        groups: list[tuple[Sequence[Quantity], Callable[[Any], Any]]] = [
+        groups: list[tuple[Sequence[Quantity], Callable[[FloatArray], FloatArray]]] = [
             (self.quantities, lambda x: formulas(x, self.returns.parameters))
         ]
         if self.columns is not None:
             groups.append((self.columns.quantities, self.columns))
         for quantities, columns in groups:
             for item in quantities:
-                found[item.name] = np.empty(crossed.times.shape)
+                arrays[item.name] = np.empty(crossed.times.shape)
             # piece by piece, since every operation of a formula leaves an array behind
             for place in range(0, len(flat), PIECE):
                 values = columns(flat[place : place + PIECE])
                 for item, column in zip(quantities, values.T, strict=True):
-                    found[item.name].reshape(-1)[place : place + PIECE] = column
-        return found
+                    arrays[item.name].reshape(-1)[place : place + PIECE] = column
+        return arrays
 
 
 def section_task(
     returns: PoincareMap,
-    starts: Any,
+    starts: Sequence[Sequence[float]] | FloatArray,
     count: int,
     quantities: Sequence[Quantity] = (),
     columns: Columns | None = None,
-    attributes: Mapping[str, Any] | None = None,
+    attributes: Mapping[str, object] | None = None,
     meanings: Mapping[str, tuple[str, str]] | None = None,
 ) -> Task:
     """The task that computes the returns of many motions to a section.
@@ -141,9 +144,9 @@ def section_task(
     count : int
         Returns of each motion.
     quantities : sequence of Quantity, optional
-        What to record besides.
+        Further quantities to record.
     columns : Columns, optional
-        The same, of functions that are no formulas.
+        Further functions without a formula.
     attributes : mapping, optional
         Further attributes of the result, such as a seed.
     meanings : mapping of str to (str, str), optional
@@ -214,12 +217,12 @@ def _variable(count: int, meaning: str, unit: str) -> Variable:
     return Variable(("section_point",), (count,), attributes=_notes(meaning, unit))
 
 
-def _notes(meaning: str, unit: str, source: str = "") -> dict[str, Any]:
+def _notes(meaning: str, unit: str, source: str = "") -> dict[str, str]:
     return {"long_name": meaning, "units": unit, "source": source}
 
 
-def _outcome(returns: PoincareMap) -> dict[str, Any]:
-    """Why a run ended, told by its numbers as in the CF conventions."""
+def _outcome(returns: PoincareMap) -> dict[str, object]:
+    """Attributes of the codes with which a run ends, by the CF conventions."""
     reasons = {0: "all its points"}
     reasons |= {
         code: returns.reason(code)
@@ -232,7 +235,7 @@ def _outcome(returns: PoincareMap) -> dict[str, Any]:
     }
 
 
-def _facts(returns: PoincareMap) -> dict[str, Any]:
+def _facts(returns: PoincareMap) -> dict[str, object]:
     system = returns.system
     (numbers,) = parameter_rows(system, returns.parameters, 1)
     names = [str(item.symbol) for item in system.parameters]

@@ -1,4 +1,4 @@
-"""A section of a flow as a map: where a motion goes through a surface again.
+"""The Poincaré map of a flow: the first return to a surface.
 
 Let a motion ẋ = f(x) leave a point x of the surface g = 0 and come back to it, through it in the
 same direction, after the time T(x).  P(x) = φ_T(x), the first return, is a map of the surface
@@ -18,9 +18,11 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 
 from ...arguments import Quantity, arguments_checked
+from ...core.arrays import FloatArray
 from ...core.parameters import parameters_by_symbol
 from ...core.system import System
 from ...core.vectors import to_components
@@ -42,7 +44,7 @@ class Derivative:
     Attributes
     ----------
     images : array (n, size)
-        Where the points return; NaN for those that do not.
+        The returns of the points; NaN for those that do not return.
     times : array (n,)
         Times of return.
     matrices : array (n, size, size)
@@ -52,10 +54,10 @@ class Derivative:
         ∂(time)/∂(point).
     """
 
-    images: Any
-    times: Any
-    matrices: Any
-    time_slopes: Any
+    images: FloatArray
+    times: FloatArray
+    matrices: FloatArray
+    time_slopes: FloatArray
 
 
 @arguments_checked
@@ -68,7 +70,7 @@ class PoincareMap:
     system : System
         Points are its states in flat order; a system lifted to space carries its attitude along.
     section : Section
-        Where the motion is looked at.
+        The section at which motions are recorded.
     parameters : mapping of Symbol or name to number or array (n,), optional
         Values that replace the defaults; an array has one for every point.
     tolerance : float
@@ -113,7 +115,7 @@ class PoincareMap:
         """Number of coordinates of a point."""
         return len(self.system.symbols)
 
-    def __call__(self, points: Any) -> Any:
+    def __call__(self, points: npt.ArrayLike) -> FloatArray:
         """The first return.
 
         Parameters
@@ -126,9 +128,9 @@ class PoincareMap:
         array of the same shape
             NaN for a point that does not return; `returns` tells why.
         """
-        given = np.asarray(points, dtype=float)
-        found = self.returns(np.atleast_2d(given), 1).states[:, 0]
-        return found.reshape(given.shape)
+        rows = np.asarray(points, dtype=float)
+        images = self.returns(np.atleast_2d(rows), 1).states[:, 0]
+        return images.reshape(rows.shape)
 
     @arguments_checked
     def returns(self, points: Any, count: int, threads: int | None = None) -> BatchCrossings:
@@ -141,23 +143,23 @@ class PoincareMap:
         threads : int, optional
             All cores if left out; the result does not depend on it.
         """
-        return self._lanes(0).returns(
+        return self._integrator(0).returns(
             points, count, self.parameters, until=self.until, threads=threads
         )
 
     @arguments_checked
-    def iterate(self, points: Any, count: int) -> Any:
+    def iterate(self, points: Any, count: int) -> FloatArray:
         """The map applied `count` times: array of the shape of `points`.
 
         The motion is followed in one piece, without stopping at the section.
         """
-        given = np.asarray(points, dtype=float)
+        rows = np.asarray(points, dtype=float)
         if count == 0:
-            return given.copy()
+            return rows.copy()
         if count < 0:
-            return self.inverse.iterate(given, -count)
-        found = self.returns(np.atleast_2d(given), count).states[:, -1]
-        return found.reshape(given.shape)
+            return self.inverse.iterate(rows, -count)
+        images = self.returns(np.atleast_2d(rows), count).states[:, -1]
+        return images.reshape(rows.shape)
 
     @arguments_checked
     def derivative(self, points: Any, count: int = 1) -> Derivative:
@@ -172,12 +174,12 @@ class PoincareMap:
         if count < 1:
             raise InputError(f"a derivative of {count} returns: there must be one at least")
         frame = np.broadcast_to(np.eye(self.size), (len(starts), self.size, self.size))
-        crossed = self._lanes(self.size).returns(
+        crossed = self._integrator(self.size).returns(
             starts, count, self.parameters, until=self.until, deviations=frame.copy()
         )
         images, times = crossed.states[:, -1], crossed.times[:, -1]
         # deviations are rows there, columns here
-        flow = np.swapaxes(crossed.deviations[:, -1], 1, 2)
+        flow = np.swapaxes(np.asarray(crossed.deviations)[:, -1], 1, 2)
         rates = self._rates(images, self.parameters)
         normals = self._value.slopes(images, self.parameters)[:, 0]
         across = np.einsum("ni,ni->n", normals, rates)[:, None]
@@ -187,14 +189,15 @@ class PoincareMap:
 
     @arguments_checked
     def reason(self, code: int) -> str:
-        """What an outcome of `returns` means, in words; nothing for 0."""
-        return self._lanes(0).reason(code)
+        """The reason why a motion of `returns` ended, in words; empty for 0."""
+        return self._integrator(0).reason(code)
 
-    def residual(self, points: Any) -> Any:
+    def residual(self, points: npt.ArrayLike) -> FloatArray:
         """The section's value at points (..., size): zero on it."""
-        return self._value(points, self.parameters)[..., 0]
+        result: FloatArray = self._value(points, self.parameters)[..., 0]
+        return result
 
-    def dimension(self, point: Any, *, integrals: bool = True) -> int:
+    def dimension(self, point: npt.ArrayLike, *, integrals: bool = True) -> int:
         """The dimension of the section near a point.
 
         Relations, the section itself and, unless they are to be left out, the known integrals
@@ -237,7 +240,7 @@ class PoincareMap:
 
     # --- inner parts -----------------------------------------------------------------------
 
-    def _lanes(self, deviations: int) -> BatchIntegrator:
+    def _integrator(self, deviations: int) -> BatchIntegrator:
         return batch_integrator(
             self.system,
             tolerance=self.tolerance,
@@ -255,8 +258,8 @@ class PoincareMap:
         return Formulas(self.system, self.system.rates)
 
 
-def slab(section: Section, quantity: Any, width: float) -> Section:
-    """A section where only crossings with |quantity| < width count; see `PoincareMap.within`.
+def slab(section: Section, quantity: sp.Expr, width: float) -> Section:
+    """The section with the condition |quantity| < width; see `PoincareMap.within`.
 
     Raises
     ------

@@ -1,0 +1,51 @@
+"""The motions of one call shared between threads."""
+
+from __future__ import annotations
+
+import itertools
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from contextvars import ContextVar
+
+import numpy as np
+
+__all__ = ["THREADS", "available_threads", "run_in_threads"]
+
+#: Threads that a section of a program may use at most; set by code that runs several at once.
+THREADS: ContextVar[int] = ContextVar("THREADS", default=2**31)
+
+#: Motions of a piece at least: fewer are done sooner than a thread begins.
+_PIECE = 32
+
+
+def available_threads() -> int:
+    """Processors that this section of the program may use."""
+    if hasattr(os, "sched_getaffinity"):
+        processors = len(os.sched_getaffinity(0))
+    else:
+        processors = os.cpu_count() or 1
+    return min(processors, THREADS.get())
+
+
+def run_in_threads(compute: Callable[[int, int], None], count: int, threads: int | None) -> None:
+    """Call ``compute(first, last)`` on ranges that together are 0, …, count − 1.
+
+    Parameters
+    ----------
+    compute : callable
+    count : int
+        Number of motions.
+    threads : int or None
+        All processors that may be used if None.
+    """
+    threads = available_threads() if threads is None else threads
+    pieces = 1 if threads == 1 else min(4 * threads, count // _PIECE)
+    edges = np.linspace(0, count, max(pieces, 1) + 1).astype(int)
+    if len(edges) == 2:
+        compute(0, count)
+        return
+    with ThreadPoolExecutor(threads) as pool:
+        jobs = [pool.submit(compute, int(a), int(b)) for a, b in itertools.pairwise(edges)]
+        for job in jobs:
+            job.result()
