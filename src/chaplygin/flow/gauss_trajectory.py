@@ -86,7 +86,7 @@ def collocate(
         motion = flow.until([point], moments - moments[0], constants)
     good = np.isfinite(motion.states[0]).all(axis=1)
     states = _states(flow, motion, good)
-    doubles = {symbol: float(value) for symbol, value in constants.items()}
+    doubles = {symbol: float(np.asarray(value, dtype=float)) for symbol, value in constants.items()}
     recorded = recorded_values(lifted, states.astype(float), doubles)
     statistics = Statistics(
         steps=int(motion.steps[0]),

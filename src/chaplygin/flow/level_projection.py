@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
-from ..arguments import Parameters
+from ..arguments import Parameters, ParameterValue
 from ..core.arrays import BoolArray, FloatArray
 from ..formulas.batch import Formulas
 
@@ -86,9 +86,7 @@ def project_to_level(
 
 def select_parameters(
     parameters: Parameters, chosen: npt.NDArray[np.integer] | BoolArray
-) -> dict[sp.Symbol | str, FloatArray]:
+) -> dict[sp.Symbol | str, ParameterValue]:
     """The parameters of some of the motions: arrays are indexed, numbers stay."""
-    return {
-        name: value[chosen] if np.ndim(value) else value
-        for name, value in (parameters or {}).items()
-    }
+    arrays = {name: np.asarray(value) for name, value in (parameters or {}).items()}
+    return {name: value[chosen] if value.ndim else value[()] for name, value in arrays.items()}

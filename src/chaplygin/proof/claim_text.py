@@ -18,12 +18,12 @@ from ..core.laws import (
     Reduction,
     Symmetry,
 )
+from ..core.named_formulas import expand
 from ..core.system import System
 from ..core.vectors import Vector, to_components
 from .fields.quotient_ring import Poly
 from .level.level_formulas import assumed_relations
 from .level.named_formulas import scalars
-from .level.trigonometric import expanded
 
 __all__ = ["admissible", "claim_text", "guards", "powers_text", "terms_text"]
 
@@ -112,7 +112,7 @@ def _there(system: System, law: Isomorphism, condition: sp.Expr) -> sp.Expr:
     target = law.target
     theirs = {*target.symbols, *target.defaults, *(s for s, _ in target.steps)}
     steps = {s: value for s, value in system.steps if s not in theirs}
-    return expanded(to_components(condition), steps)
+    return expand(to_components(condition), steps)
 
 
 def _bracket(law: PoissonStructure) -> Text:

@@ -6,14 +6,13 @@ import io
 import json
 import zipfile
 from dataclasses import asdict
-from importlib.metadata import version
 from pathlib import Path
 
 import mpmath
 import numpy as np
 import numpy.typing as npt
 
-from ..core.source_digest import core
+from ..core.cache import entry_name
 from ..errors import InputError
 from ..experiment.files import completed
 from ..experiment.study import Study
@@ -23,9 +22,6 @@ from ..flow.trajectory import Event, Statistics
 from ..formulas.digest import digest
 
 __all__ = ["read_trajectory", "store_trajectory", "trajectory_digest"]
-
-#: Libraries on which the last digits of a trajectory may depend.
-_LIBRARIES = ("heyoka", "llvmlite", "mpmath", "numpy", "sympy")
 
 #: Digits of the start that take part in the digest.
 _DIGITS = 50
@@ -41,10 +37,9 @@ def trajectory_digest(study: Study, pieces: int) -> str | None:
         Pieces into which each sample interval is divided.
     """
     start = [mpmath.nstr(x, _DIGITS) for x in study.start]
-    libraries = [version(name) for name in _LIBRARIES]
     text = study.complete_toml()
     try:
-        return digest((core(), libraries, text, study.system_on_level, start, pieces))
+        return entry_name("trajectory", digest((text, study.system_on_level, start, pieces)))
     except InputError:
         return None
 

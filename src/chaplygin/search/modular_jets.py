@@ -275,12 +275,12 @@ class Evaluator(Evaluation[Jet]):
             inner, theta = self(base), self(letters / number.q)
             wild = power((inner.value + theta.value) % prime(), _WILD)
             slope = theta.value * wild % prime() * inverse(inner.value) % prime()
-            product = product * self._power(inner.chained(wild, slope), int(number.p))
+            product = product * self._raised(inner.chained(wild, slope), int(number.p))
         return product
 
-    def _power(self, base: Jet, exponent: int) -> Jet:
+    def _raised(self, base: Jet, exponent: int) -> Jet:
         if exponent < 0:
-            return self._power(self._reciprocal(base), -exponent)
+            return self._raised(self._reciprocal(base), -exponent)
         below = power(base.value, max(exponent - 1, 0))
         return base.chained(below * base.value % prime(), below * exponent % prime())
 

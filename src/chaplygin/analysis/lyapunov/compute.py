@@ -244,7 +244,10 @@ def _spectrum(
         for item, rate in zip(directions.removed, rates, strict=True)
     )
     named = {str(symbol): value for symbol, value in system.defaults.items()}
-    values = {str(name): float(value) for name, value in (parameters or {}).items()}
+    values = {
+        str(name): float(np.asarray(value, dtype=float))
+        for name, value in (parameters or {}).items()
+    }
     return Spectrum(
         system,
         named | values,

@@ -195,7 +195,9 @@ class LevelFormulas:
 
     # --- evaluation --------------------------------------------------------------------------
 
-    def numbers(self, values: Mapping[str, fmpq | arb], exact: bool) -> Rationals | Balls:
+    def numbers(
+        self, values: Mapping[str, sp.Rational | fmpq | arb | float], exact: bool
+    ) -> Rationals | Balls:
         """The field of numbers at a point."""
         return Rationals(values) if exact else Balls(values)
 
