@@ -209,6 +209,14 @@ class Graph:
                 known[id(node)] = self._change(node, changes) if changes else zero
         return [known[id(term)] for term in terms]
 
+    def jacobian(self, terms: Sequence[Term], variables: Sequence[Term]) -> list[list[Term]]:
+        """The partial derivatives: one row for each term, one column for each variable."""
+        zero, one = self.number(0), self.number(1)
+        columns = [
+            self.along(terms, {v: one if v is x else zero for v in variables}) for x in variables
+        ]
+        return [list(row) for row in zip(*columns, strict=True)]
+
     def _change(self, node: Term, changes: Sequence[Term]) -> Term:
         kind = node.kind
         args: tuple[Term, ...] = node.args
