@@ -149,13 +149,13 @@ class TaylorExpansion(Evaluation[Series]):
             # π, e, π^e: numbers of their own
             return self.constant(self._formal_value(formula))
         if isinstance(formula, (AppliedUndef, sp.Derivative)):
-            return self._unspecified(formula)
+            return self._unspecified_function(formula)
         raise InputError(
             f"{formula}: its derivatives at a point cannot be computed exactly; known are sums, "
             "products, powers with rational exponents, sin, cos, tan, exp, log, asin, acos, atan"
         )
 
-    def _unknown(self, symbol: sp.Symbol) -> Series:
+    def _symbol(self, symbol: sp.Symbol) -> Series:
         if symbol not in self.values:
             raise InputError(f"no value is given for {symbol}")
         series = self.constant(self.values[symbol])
@@ -190,7 +190,7 @@ class TaylorExpansion(Evaluation[Series]):
             self._formal[formula] = self.numbers.drawn(random.Random(f"{self._seed} {formula}"))
         return self._formal[formula]
 
-    def _unspecified(self, formula: sp.Expr) -> Series:
+    def _unspecified_function(self, formula: sp.Expr) -> Series:
         """A function of some variables that nobody specified, or a derivative of it."""
         function = formula.expr if isinstance(formula, sp.Derivative) else formula
         orders = dict(formula.variable_count) if isinstance(formula, sp.Derivative) else {}

@@ -156,7 +156,7 @@ class Evaluator(Evaluation[Jet]):
     def _constant(self, number: sp.Expr) -> Jet:
         return Jet(self.field.rational(exact_number(number)), {})
 
-    def _unknown(self, symbol: sp.Symbol) -> Jet:
+    def _symbol(self, symbol: sp.Symbol) -> Jet:
         if symbol in self._inverse:
             return self._of_inverse(*self._inverse[symbol])
         if symbol in self._inverted:
@@ -194,7 +194,7 @@ class Evaluator(Evaluation[Jet]):
             inner = self(formula.args[0])
             return Jet(inner.slopes.get(ALONG, self.field.zero), {})
         if isinstance(formula, AppliedUndef | sp.Derivative | sp.Subs):
-            return self._unspecified(formula)
+            return self._unspecified_function(formula)
         return self._elementary(formula)
 
     def _of_inverse(self, inversion: Inversion, number: int) -> Jet:
@@ -249,12 +249,12 @@ class Evaluator(Evaluation[Jet]):
         outer = self(exponent)
         if outer.slopes:
             raise OutOfReachError(f"the exponent {exponent} changes along the motion")
-        raised = self._raised(inner.value, exponent, outer.value)
+        raised = self._root_power(inner.value, exponent, outer.value)
         if not inner.slopes:
             return Jet(raised, {})
         return inner.through(raised, outer.value * raised / inner.value)
 
-    def _raised(self, base: Element, exponent: sp.Expr, value: Element) -> Element:
+    def _root_power(self, base: Element, exponent: sp.Expr, value: Element) -> Element:
         """A power with an exponent that is rational, or becomes so on the level, or is symbolic."""
         number = exponent if exponent.is_Rational else self.field.as_rational(value)
         if number is not None:
@@ -270,13 +270,13 @@ class Evaluator(Evaluation[Jet]):
         value = self.field.exponential(inner.value)
         return inner.through(value, value)
 
-    def _unspecified(self, formula: sp.Expr) -> Jet:
+    def _unspecified_function(self, formula: sp.Expr) -> Jet:
         """A value of an unspecified function, or of one of its derivatives."""
-        function, orders, places = _taken_apart(formula)
+        function, orders, places = _function_and_orders(formula)
         inner = [self(place) for place in places]
         values = [jet.value for jet in inner]
 
-        def named(counts: tuple[int, ...]) -> Element:
+        def partial_derivative(counts: tuple[int, ...]) -> Element:
             if self._is_zero(function, counts, values):
                 return self.field.zero
             return self.field.unspecified(function, counts, values)
@@ -285,19 +285,19 @@ class Evaluator(Evaluation[Jet]):
         for j, jet in enumerate(inner):
             if jet.slopes:
                 raised = tuple(n + (i == j) for i, n in enumerate(orders))
-                partial = named(raised)
+                partial = partial_derivative(raised)
                 for i, slope in jet.slopes.items():
                     part = partial * slope
                     slopes[i] = slopes[i] + part if i in slopes else part
-        return Jet(named(orders), slopes)
+        return Jet(partial_derivative(orders), slopes)
 
     def _is_zero(self, function: str, orders: tuple[int, ...], values: Sequence[Element]) -> bool:
         """Whether the conditions say that a value of an unspecified function is zero."""
         for zero in self.zeros:
-            other, counts, places = _taken_apart(zero)
+            other, counts, places = _function_and_orders(zero)
             if (other, counts) == (function, orders):
-                there = [self.value(place) for place in places]
-                if self.field.same(there, values):
+                arguments = [self.value(place) for place in places]
+                if self.field.same(arguments, values):
                     return True
         return False
 
@@ -363,7 +363,7 @@ def _as_ratio(formula: sp.Expr) -> sp.Expr:
     }[type(formula)]
 
 
-def _taken_apart(formula: sp.Expr) -> tuple[str, tuple[int, ...], tuple[sp.Expr, ...]]:
+def _function_and_orders(formula: sp.Expr) -> tuple[str, tuple[int, ...], tuple[sp.Expr, ...]]:
     """Name of an unspecified function, orders of its derivatives, and where it is taken."""
     places: dict[sp.Symbol, sp.Expr] = {}
     inner = formula

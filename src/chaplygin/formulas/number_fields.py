@@ -28,7 +28,7 @@ def ball_precision() -> AbstractContextManager[None]:
     return context
 
 
-def _invented(seed: str) -> fmpq:
+def _arbitrary_number(seed: str) -> fmpq:
     """A rational number that depends on its seed alone: the value of an unspecified function."""
     generator = random.Random(seed)
     return fmpq(generator.choice((-1, 1)) * generator.randint(20, 60), generator.randint(20, 60))
@@ -107,7 +107,7 @@ class Rationals:
 
     def unspecified(self, function: str, orders: Sequence[int], arguments: Sequence[fmpq]) -> fmpq:
         """A value of an unspecified function, or of one of its partial derivatives."""
-        return _invented(f"{function}{tuple(orders)}{arguments}")
+        return _arbitrary_number(f"{function}{tuple(orders)}{arguments}")
 
     def same(self, first: Sequence[fmpq], second: Sequence[fmpq]) -> bool:
         """Whether a function has one value at two places."""
@@ -185,8 +185,8 @@ class Balls:
         for other, places, value in self._seen:
             if other == key and self.same(places, arguments):
                 return value
-        invented = _invented(f"{key}{[a.str(12, radius=False) for a in arguments]}")
-        self._seen.append((key, tuple(arguments), arb(invented.p) / arb(invented.q)))
+        number = _arbitrary_number(f"{key}{[a.str(12, radius=False) for a in arguments]}")
+        self._seen.append((key, tuple(arguments), arb(number.p) / arb(number.q)))
         return self._seen[-1][2]
 
     def same(self, first: Sequence[arb], second: Sequence[arb]) -> bool:
