@@ -73,7 +73,7 @@ class Translator(Evaluation[hy.expression]):
             return hy.expression(_WIDE(int(number.p)) / _WIDE(int(number.q)))
         return hy.expression(_WIDE(str(sp.N(number, 40))))
 
-    def _unknown(self, symbol: sp.Symbol) -> hy.expression:
+    def _symbol(self, symbol: sp.Symbol) -> hy.expression:
         return self._function(symbol)
 
     def _sum(self, formula: sp.Add) -> hy.expression:

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
+import numpy.typing as npt
+import sympy as sp
 
+from ..core.arrays import FloatArray
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
-from .evaluate import numbers, parameter_rows
+from .evaluate import ParameterValues, numbers, parameter_rows
 from .graph import Graph, Reader, Term
 
 __all__ = ["Formulas"]
@@ -36,9 +38,11 @@ class Formulas:
     """
 
     system: System
-    formulas: Sequence[Any]
+    formulas: Sequence[sp.Expr]
 
-    def __call__(self, states: Any, parameters: Mapping[Any, Any] | None = None) -> Any:
+    def __call__(
+        self, states: npt.ArrayLike, parameters: ParameterValues | None = None
+    ) -> FloatArray:
         """The formulas at states.
 
         Parameters
@@ -54,16 +58,18 @@ class Formulas:
         array (..., formulas)
             Infinite or not a number where a formula has no value.
         """
-        return self._evaluated(self._terms, states, parameters)
+        return self._values(self._terms, states, parameters)
 
-    def slopes(self, states: Any, parameters: Mapping[Any, Any] | None = None) -> Any:
+    def slopes(
+        self, states: npt.ArrayLike, parameters: ParameterValues | None = None
+    ) -> FloatArray:
         """Their derivatives with respect to the state.
 
         Returns
         -------
         array (..., formulas, size)
         """
-        flat = self._evaluated(self._slope_terms, states, parameters)
+        flat = self._values(self._slope_terms, states, parameters)
         return flat.reshape(*flat.shape[:-1], len(self.formulas), len(self.system.symbols))
 
     @cached_property
@@ -71,10 +77,10 @@ class Formulas:
         known = {*self.system.symbols, *self.system.defaults, *dict(self.system.steps)}
         formulas = [to_components(formula) for formula in self.formulas]
         for formula in formulas:
-            strange = sorted(map(str, formula.free_symbols - known))
-            if strange:
+            unknown = sorted(map(str, formula.free_symbols - known))
+            if unknown:
                 raise InputError(
-                    f"{self.system.name}: the formula {formula} uses {', '.join(strange)}, which "
+                    f"{self.system.name}: the formula {formula} uses {', '.join(unknown)}, which "
                     "is neither a state variable, a definition nor a parameter"
                 )
         reader = Reader(self.system, Graph())
@@ -85,19 +91,12 @@ class Formulas:
         if not self._terms:
             return []
         graph = self._terms[0].graph
-        size = len(self.system.symbols)
-        columns = [
-            graph.along(
-                self._terms,
-                {graph.state(i): graph.number(int(i == j)) for i in range(size)},
-            )
-            for j in range(size)
-        ]
-        return [term for row in zip(*columns, strict=True) for term in row]
+        states = [graph.state(i) for i in range(len(self.system.symbols))]
+        return [slope for row in graph.jacobian(self._terms, states) for slope in row]
 
-    def _evaluated(
-        self, terms: Sequence[Term], states: Any, parameters: Mapping[Any, Any] | None
-    ) -> Any:
+    def _values(
+        self, terms: Sequence[Term], states: npt.ArrayLike, parameters: ParameterValues | None
+    ) -> FloatArray:
         points = np.asarray(states, dtype=float)
         count = len(points) if points.ndim > 1 else 1
         rows = parameter_rows(self.system, parameters, count)
@@ -105,6 +104,6 @@ class Formulas:
             return numbers(terms, points, rows[0])
         return numbers(terms, points, rows.reshape(count, *(1,) * (points.ndim - 2), -1))
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> dict[str, object]:
         # terms are told apart by their identity, which another process does not keep
         return {"system": self.system, "formulas": self.formulas}

@@ -5,29 +5,16 @@ What is asked once is better served by :mod:`chaplygin.formulas.batch`, which co
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from ..core.arrays import FloatArray
 from ..core.system import System
+from .evaluate import NUMPY
 from .graph import Graph, Reader, Term, ordered
 
 __all__ = ["Compiled", "SystemFormulas"]
-
-#: How an operation is written in Python on arrays.
-_WRITTEN: Mapping[str, str] = {
-    "add": "{} + {}",
-    "sub": "{} - {}",
-    "mul": "{} * {}",
-    "neg": "-{}",
-    "recip": "1.0 / {}",
-    "atan2": "arctan2({}, {})",
-    "asin": "arcsin({})",
-    "acos": "arccos({})",
-    "atan": "arctan({})",
-    "positive": "where({} > 0, {}, {})",
-}
 
 
 class Compiled:
@@ -47,24 +34,23 @@ class Compiled:
             elif node.number is not None:
                 text = repr(float(node.number))
             else:
-                pattern = _WRITTEN.get(node.kind, node.kind + "({})")
-                text = pattern.format(*(names[id(a)] for a in node.operands))
+                text = f"{node.kind}({', '.join(names[id(a)] for a in node.operands)})"
             names[id(node)] = f"t{i}"
             lines.append(f"    t{i} = {text}")
-        lines += [f"    made[{row}] = {names[id(term)]}" for row, term in enumerate(terms)]
-        text = "\n".join(["def function(state, parameter, made):", *lines, "    return made"])
-        scope: dict[str, Any] = dict(vars(np))
+        lines += [f"    values[{row}] = {names[id(term)]}" for row, term in enumerate(terms)]
+        text = "\n".join(["def function(state, parameter, values):", *lines, "    return values"])
+        scope: dict[str, Callable[..., FloatArray]] = dict(NUMPY)
         exec(compile(text, "<formulas>", "exec"), scope)
-        self._function: Callable[..., Any] = scope["function"]
-        self._many = len(terms)
+        self._function = scope["function"]
+        self._size = len(terms)
 
-    def __call__(self, states: Any, parameters: Any) -> Any:
+    def __call__(self, states: FloatArray, parameters: FloatArray) -> FloatArray:
         """Values (terms, k) at states (size, k), each variable in a row, and parameters (p,).
 
         Not-a-number where a formula has no real value.
         """
         with np.errstate(all="ignore"):
-            return self._function(states, parameters, np.empty((self._many, states.shape[1])))
+            return self._function(states, parameters, np.empty((self._size, states.shape[1])))
 
 
 class SystemFormulas:
@@ -86,13 +72,8 @@ class SystemFormulas:
 
     def slopes(self, terms: Sequence[Term]) -> list[list[Term]]:
         """The derivatives of terms: one row for each term, one column for each variable."""
-        zero, one = self.graph.number(0), self.graph.number(1)
-        columns = [
-            self.graph.along(terms, {v: one if v is leaf else zero for v in self.state})
-            for leaf in self.state
-        ]
-        return [list(row) for row in zip(*columns, strict=True)]
+        return self.graph.jacobian(terms, self.state)
 
     def depends(self, terms: Sequence[Term]) -> set[int]:
-        """The places of the state variables that occur in terms."""
+        """The indices of the state variables that occur in terms."""
         return {node.args[0] for node in ordered(terms) if node.kind == "state"}

@@ -23,7 +23,7 @@ __all__ = ["canonical", "digest", "field_digests"]
 _OF_A_SYSTEM = ("name", "field", "definitions", "parameters", "relations", "guards", "start")
 
 
-def digest(value: Any) -> str:
+def digest(value: object) -> str:
     """A short name for `value`: equal values have equal names, on every machine.
 
     Parameters
@@ -40,7 +40,7 @@ def digest(value: Any) -> str:
     return hashlib.sha256(_text(value)).hexdigest()[:32]
 
 
-def field_digests(work: Any) -> dict[str, str]:
+def field_digests(work: object) -> dict[str, str]:
     """Digests of a piece of work by the names of what it is made of.
 
     Parameters
@@ -54,9 +54,9 @@ def field_digests(work: Any) -> dict[str, str]:
         ``"function"`` and every argument or field; so that what differs can be named.
     """
     if isinstance(work, functools.partial):
-        found = {"function": digest(work.func)}
-        found |= {f"argument {place}": digest(value) for place, value in enumerate(work.args, 1)}
-        return found | {name: digest(value) for name, value in work.keywords.items()}
+        digests = {"function": digest(work.func)}
+        digests |= {f"argument {n}": digest(value) for n, value in enumerate(work.args, 1)}
+        return digests | {name: digest(value) for name, value in work.keywords.items()}
     if is_dataclass(work) and not isinstance(work, type):
         return {"function": digest(type(work))} | {
             item.name: digest(getattr(work, item.name)) for item in fields(work)
@@ -66,61 +66,65 @@ def field_digests(work: Any) -> dict[str, str]:
 
 @lru_cache(maxsize=64)
 def canonical(system: System) -> System:
-    """The same system, written so that its formulas stay as they are when it is sent to a worker.
+    """An equal system, the formulas of which do not change when it is sent to a worker.
 
     SymPy writes some of its own products, such as −(a + b), in another way when it unpickles them;
     and the same bits everywhere need the same formulas everywhere.
     """
-    found: System = pickle.loads(pickle.dumps(system))
-    return found
+    copy: System = pickle.loads(pickle.dumps(system))
+    return copy
 
 
-def _text(value: Any) -> bytes:
+def _text(value: object) -> bytes:
     """Kind and content of a value, without ambiguity."""
     kind, content = _content(value)
     return f"{kind}:{len(content)}:".encode() + content
 
 
-def _joined(values: Sequence[bytes]) -> bytes:
+def _concatenated_digests(values: Sequence[bytes]) -> bytes:
     return b"".join(hashlib.sha256(value).digest() for value in values)
 
 
-def _content(value: Any) -> tuple[str, bytes]:
+def _content(value: object) -> tuple[str, bytes]:
     match value:
         case None | bool() | int() | float() | complex() | str() | np.generic():
             return _plain(value)
         case bytes():
             return "bytes", value
         case np.ndarray() if value.dtype.hasobject:
-            return "objects", _joined([_text(value.shape), *map(_text, value.ravel().tolist())])
+            return "objects", _concatenated_digests(
+                [_text(value.shape), *map(_text, value.ravel().tolist())]
+            )
         case np.ndarray():
             shape = f"{value.dtype.str}{value.shape}".encode()
             return "array", shape + np.ascontiguousarray(value).tobytes()
         case sp.Basic() | sp.MatrixBase():
             return "formula", sp.srepr(value).encode()
         case functools.partial():
-            return "partial", _joined([_text(field_digests(value))])
+            return "partial", _concatenated_digests([_text(field_digests(value))])
         case System():
-            return "System", _joined([_text(item) for item in _of_a_system(value)])
+            return "System", _concatenated_digests([_text(item) for item in _of_a_system(value)])
         case Mapping():
             pairs = sorted((_text(key), _text(item)) for key, item in value.items())
-            return "mapping", _joined([part for pair in pairs for part in pair])
+            return "mapping", _concatenated_digests([part for pair in pairs for part in pair])
         case Set():
-            return "set", _joined(sorted(map(_text, value)))
+            return "set", _concatenated_digests(sorted(map(_text, value)))
         case Sequence():
-            return "sequence", _joined([_text(item) for item in value])
+            return "sequence", _concatenated_digests([_text(item) for item in value])
         case _:
-            return _named(value)
+            return _instance_or_name(value)
 
 
 def _of_a_system(system: System) -> list[Any]:
     """What shapes the motions of a System and what is measured along them; texts do not."""
     seen = [(item.name, item.value) for item in system.observables]
-    laws = [(law.name, law.on, formula) for law in system.laws for formula in _used(law)]
+    laws = [
+        (law.name, law.on, formula) for law in system.laws for formula in _formulas_with_effect(law)
+    ]
     return [*(getattr(system, name) for name in _OF_A_SYSTEM), seen, laws]
 
 
-def _used(law: Law) -> tuple[Any, ...]:
+def _formulas_with_effect(law: Law) -> tuple[Any, ...]:
     """The formula of a law from which numbers are made: recorded, drawn by, or divided out."""
     match law:
         case Integral():
@@ -138,11 +142,11 @@ def _plain(value: Any) -> tuple[str, bytes]:
     return type(plain).__name__, repr(plain).encode()
 
 
-def _named(value: Any) -> tuple[str, bytes]:
+def _instance_or_name(value: Any) -> tuple[str, bytes]:
     """A dataclass by its type and fields; a function or a type by where it stands."""
     if is_dataclass(value) and not isinstance(value, type):
         contents: Iterable[Any] = (getattr(value, item.name) for item in fields(value))
-        return "instance", _joined([_text(type(value)), *map(_text, contents)])
+        return "instance", _concatenated_digests([_text(type(value)), *map(_text, contents)])
     name = getattr(value, "__qualname__", "<")
     if "<" in name:
         raise InputError(

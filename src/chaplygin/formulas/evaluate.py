@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
-from typing import Any
+from typing import TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 
+from ..core.arrays import FloatArray
 from ..core.parameters import parameters_by_symbol, require_admissible
 from ..core.system import Quantity, System
 from ..core.vectors import to_components
@@ -26,7 +28,17 @@ __all__ = [
     "values",
 ]
 
-_NUMPY: Mapping[str, Any] = {
+#: Values of parameters by symbol or name; an array has one for each motion.
+ParameterValues: TypeAlias = Mapping[str, npt.ArrayLike] | Mapping[sp.Symbol, npt.ArrayLike]
+
+
+def _positive(test: FloatArray, yes: FloatArray, no: FloatArray) -> FloatArray:
+    chosen: FloatArray = np.where(test > 0, yes, no)
+    return chosen
+
+
+#: The operations of terms as functions of arrays.
+NUMPY: Mapping[str, Callable[..., FloatArray]] = {
     "add": np.add,
     "sub": np.subtract,
     "mul": np.multiply,
@@ -47,7 +59,7 @@ _NUMPY: Mapping[str, Any] = {
     "log": np.log,
     "abs": np.abs,
     "sign": np.sign,
-    "positive": lambda a, yes, no: np.where(a > 0, yes, no),
+    "positive": _positive,
 }
 
 
@@ -60,11 +72,12 @@ def relation_terms(system: System) -> tuple[Term, ...]:
     graph = reader.graph
     states = [graph.state(i) for i in range(len(system.symbols))]
     relations = [reader(relation) for relation in system.relations]
-    zero, one = graph.number(0), graph.number(1)
-    sizes = [zero] * len(relations)
-    for x in states:
-        slopes = graph.along(relations, {s: one if s is x else zero for s in states})
-        sizes = [size + graph.call("abs", x * d) for size, d in zip(sizes, slopes, strict=True)]
+    sizes = []
+    for row in graph.jacobian(relations, states):
+        size = graph.number(0)
+        for x, slope in zip(states, row, strict=True):
+            size = size + graph.call("abs", x * slope)
+        sizes.append(size)
     return (*relations, *sizes)
 
 
@@ -76,7 +89,7 @@ def read_formulas(system: System) -> tuple[Reader, tuple[Term, ...]]:
     return reader, tuple(rates)
 
 
-def as_float_array(name: str, given: Any) -> Any:
+def as_float_array(name: str, given: npt.ArrayLike) -> FloatArray:
     """Numbers as doubles.
 
     Raises
@@ -90,7 +103,7 @@ def as_float_array(name: str, given: Any) -> Any:
         raise InputError(f"{name}: all must be real numbers, in rows of one length") from None
 
 
-def formula(system: System, quantity: Any) -> Any:
+def formula(system: System, quantity: sp.Expr | float | str) -> sp.Expr:
     """A scalar formula of a system: itself, or what a text says.
 
     Parameters
@@ -105,28 +118,26 @@ def formula(system: System, quantity: Any) -> Any:
     InputError
         If the text cannot be read, or is not a scalar.
     """
+    expression = quantity
     if isinstance(quantity, str):
-        named: dict[str, Any] = {item.name: item.value for item in system.observables}
+        named = {item.name: item.value for item in system.observables}
         named |= {law.name: law.value for law in system.integrals}
-        if quantity in named:
-            found = named[quantity]
-        else:
-            found = parse_formula(quantity, _names(system), f"{system.name}: quantity")
-    else:
-        found = quantity
-    value = to_components(sp.sympify(found))
+        expression = named.get(quantity)
+        if expression is None:
+            expression = parse_formula(quantity, _names(system), f"{system.name}: quantity")
+    value = to_components(sp.sympify(expression))
     if isinstance(value, sp.MatrixBase):
         raise InputError(f"{system.name}: {quantity} is a vector; name one of its components")
     return value
 
 
-def _names(system: System) -> dict[str, Any]:
+def _names(system: System) -> dict[str, Quantity]:
     quantities: list[Quantity] = [*system.state, *(name for name, _ in system.definitions)]
     quantities.extend(p.symbol for p in system.parameters)
     return {str(q): q for q in quantities}
 
 
-def parameter_rows(system: System, parameters: Mapping[Any, Any] | None, count: int) -> Any:
+def parameter_rows(system: System, parameters: ParameterValues | None, count: int) -> FloatArray:
     """Values of the parameters in order, (1, parameters), or (count, parameters) if some vary.
 
     Parameters
@@ -144,7 +155,7 @@ def parameter_rows(system: System, parameters: Mapping[Any, Any] | None, count: 
         length.
     """
     parameters_by_symbol(system, parameters)
-    columns: dict[str, Any] = dict(system.constants)
+    columns: dict[str, FloatArray | float] = dict(system.constants)
     for key, value in (parameters or {}).items():
         column = as_float_array(f"{system.name}: {key}", value)
         if column.shape not in ((), (count,)):
@@ -157,8 +168,8 @@ def parameter_rows(system: System, parameters: Mapping[Any, Any] | None, count: 
         columns[str(key)] = column
     varied = any(np.ndim(column) for column in columns.values())
     rows = np.empty((count if varied else 1, len(columns)))
-    for i, column in enumerate(columns.values()):
-        rows[:, i] = column
+    for i, entries in enumerate(columns.values()):
+        rows[:, i] = entries
     if parameters:
         require_admissible(system, dict(zip(system.defaults, rows.T, strict=True)))
     return rows
@@ -166,10 +177,10 @@ def parameter_rows(system: System, parameters: Mapping[Any, Any] | None, count: 
 
 def values(
     system: System,
-    formulas: Sequence[Any],
-    states: Any,
-    parameters: Mapping[Any, Any] | None = None,
-) -> Any:
+    formulas: Sequence[sp.Expr | float | str],
+    states: npt.ArrayLike,
+    parameters: ParameterValues | None = None,
+) -> FloatArray:
     """Scalar formulas at many states.
 
     Parameters
@@ -205,9 +216,9 @@ def values(
     return numbers(terms, points, spread)
 
 
-def numbers(terms: Sequence[Term], states: Any, parameters: Any) -> Any:
+def numbers(terms: Sequence[Term], states: FloatArray, parameters: FloatArray) -> FloatArray:
     """Terms at states (..., size) with parameters (..., parameters): (..., terms)."""
-    known: dict[int, Any] = {}
+    known: dict[int, FloatArray | np.float64] = {}
     with np.errstate(all="ignore"):
         for node in ordered(terms):
             if node.kind == "number":
@@ -217,7 +228,7 @@ def numbers(terms: Sequence[Term], states: Any, parameters: Any) -> Any:
             elif node.kind == "parameter":
                 known[id(node)] = parameters[..., node.args[0]]
             else:
-                known[id(node)] = _NUMPY[node.kind](*(known[id(a)] for a in node.operands))
+                known[id(node)] = NUMPY[node.kind](*(known[id(a)] for a in node.operands))
     result = np.empty((*states.shape[:-1], len(terms)))
     for i, term in enumerate(terms):
         result[..., i] = known[id(term)]

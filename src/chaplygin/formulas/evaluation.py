@@ -54,7 +54,7 @@ class Evaluation(ABC, Generic[N]):
         if formula.is_Rational or formula.is_Float:
             return self._constant
         if formula.is_Symbol:
-            return self._unknown
+            return self._symbol
         if formula.is_Add:
             return self._sum
         if formula.is_Mul:
@@ -69,8 +69,8 @@ class Evaluation(ABC, Generic[N]):
     def _constant(self, number: sp.Expr) -> N:
         """A rational or decimal number."""
 
-    def _unknown(self, symbol: sp.Symbol) -> N:
-        """Complain of a symbol that has neither a value nor a definition."""
+    def _symbol(self, symbol: sp.Symbol) -> N:
+        """The element of a symbol without value and definition: none, unless a subclass has one."""
         raise KeyError(symbol)
 
     @abstractmethod

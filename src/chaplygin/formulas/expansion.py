@@ -12,7 +12,6 @@ import random
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import combinations_with_replacement
 from math import factorial, lcm
-from typing import Any
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
@@ -21,7 +20,7 @@ from ..core.named_formulas import expand
 from ..errors import InputError
 from ..parsing.exact_decimals import exact_number
 from .evaluation import Evaluation
-from .taylor import Numbers, Series
+from .taylor import Number, Numbers, Series
 
 __all__ = ["TaylorExpansion", "add_angle", "angles", "combination"]
 
@@ -36,18 +35,20 @@ _OPAQUE = (sp.log, sp.atan, sp.asin, sp.acos)
 
 def combination(argument: sp.Expr, steps: Steps) -> dict[sp.Expr, sp.Rational]:
     """An argument as a sum of rational multiples of angles; sp.pi stands for a half turn."""
-    found = sp.expand(expand(argument, steps)).as_coefficients_dict()
-    return {core: sp.Rational(factor) for core, factor in found.items()}
+    multiples = sp.expand(expand(argument, steps)).as_coefficients_dict()
+    return {core: sp.Rational(factor) for core, factor in multiples.items()}
 
 
-def angles(formulas: Iterable[sp.Expr], steps: Steps, kinds: Sequence[Any] = _CIRCULAR) -> Angles:
+def angles(
+    formulas: Iterable[sp.Expr], steps: Steps, kinds: Sequence[type[sp.Expr]] = _CIRCULAR
+) -> Angles:
     """The angles in formulas; with ``kinds=(sp.exp,)`` the exponents."""
-    found: dict[sp.Expr, int] = {}
+    divisors: dict[sp.Expr, int] = {}
     for formula in (*formulas, *steps.values()):
         for node in formula.atoms(*kinds):
             for core, factor in combination(node.args[0], steps).items():
-                found[core] = lcm(found.get(core, 1), int(factor.q))
-    return found
+                divisors[core] = lcm(divisors.get(core, 1), int(factor.q))
+    return divisors
 
 
 class TaylorExpansion(Evaluation[Series]):
@@ -76,8 +77,8 @@ class TaylorExpansion(Evaluation[Series]):
         self,
         numbers: Numbers,
         variables: Sequence[sp.Symbol],
-        values: Mapping[sp.Symbol, Any],
-        circles: Mapping[sp.Expr, tuple[Any, Any]],
+        values: Mapping[sp.Symbol, Number],
+        circles: Mapping[sp.Expr, tuple[Number, Number]],
         units: Angles,
         steps: Steps,
         order: int,
@@ -88,10 +89,10 @@ class TaylorExpansion(Evaluation[Series]):
         self.values, self.circles, self.units = dict(values), dict(circles), dict(units)
         self.variables = tuple(variables)
         self.ring = numbers.ring([f"x{i}" for i, _ in enumerate(self.variables)])
-        self._formal: dict[sp.Expr, Any] = {}
+        self._formal: dict[sp.Expr, Number] = {}
         self._seed = seed
 
-    def constant(self, value: Any) -> Series:
+    def constant(self, value: Number) -> Series:
         """A number."""
         return Series.constant(self.numbers, self.ring, value, self.order)
 
@@ -142,19 +143,19 @@ class TaylorExpansion(Evaluation[Series]):
             # π, e, π^e: numbers of their own
             return self.constant(self._formal_value(formula))
         if isinstance(formula, (AppliedUndef, sp.Derivative)):
-            return self._unspecified(formula)
+            return self._unspecified_function(formula)
         raise InputError(
             f"{formula}: its derivatives at a point cannot be computed exactly; known are sums, "
             "products, powers with rational exponents, sin, cos, tan, exp, log, asin, acos, atan"
         )
 
-    def _unknown(self, symbol: sp.Symbol) -> Series:
+    def _symbol(self, symbol: sp.Symbol) -> Series:
         if symbol not in self.values:
             raise InputError(f"no value is given for {symbol}")
-        found = self.constant(self.values[symbol])
+        series = self.constant(self.values[symbol])
         if symbol in self.variables and self.order:
-            found.parts[1] = self.ring.gens()[self.variables.index(symbol)]
-        return found
+            series.parts[1] = self.ring.gens()[self.variables.index(symbol)]
+        return series
 
     def _circular(self, formula: sp.Expr) -> Series:
         one, zero = self.numbers.number(1), self.numbers.number(0)
@@ -177,13 +178,13 @@ class TaylorExpansion(Evaluation[Series]):
             value = value * self._formal_value(sp.exp(core / 60)) ** whole
         return self(formula.args[0]).exponential(value)
 
-    def _formal_value(self, formula: sp.Expr) -> Any:
+    def _formal_value(self, formula: sp.Expr) -> Number:
         """A number of its own for a transcendental value."""
         if formula not in self._formal:
             self._formal[formula] = self.numbers.drawn(random.Random(f"{self._seed} {formula}"))
         return self._formal[formula]
 
-    def _unspecified(self, formula: sp.Expr) -> Series:
+    def _unspecified_function(self, formula: sp.Expr) -> Series:
         """A function of some variables that nobody specified, or a derivative of it."""
         function = formula.expr if isinstance(formula, sp.Derivative) else formula
         orders = dict(formula.variable_count) if isinstance(formula, sp.Derivative) else {}
@@ -211,11 +212,14 @@ class TaylorExpansion(Evaluation[Series]):
 
 
 def add_angle(
-    start: tuple[Any, Any], unit: tuple[Any, Any], times: int, none: tuple[Any, Any]
-) -> tuple[Any, Any]:
+    start: tuple[Number, Number],
+    unit: tuple[Number, Number],
+    times: int,
+    none: tuple[Number, Number],
+) -> tuple[Number, Number]:
     """Sine and cosine of an angle increased by a multiple of the unit."""
     s, c = unit if times >= 0 else (none[0] - unit[0], unit[1])
-    found = start
+    sine, cosine = start
     for _ in range(abs(times)):
-        found = (found[0] * c + found[1] * s, found[1] * c - found[0] * s)
-    return found
+        sine, cosine = sine * c + cosine * s, cosine * c - sine * s
+    return sine, cosine

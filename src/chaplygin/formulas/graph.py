@@ -86,21 +86,21 @@ class Graph:
     """Terms, each made once."""
 
     def __init__(self) -> None:
-        self._made: dict[tuple[Any, ...], Term] = {}
+        self._terms: dict[tuple[Any, ...], Term] = {}
 
     def _term(self, kind: str, *args: Any) -> Term:
         key = (kind, *(id(a) if isinstance(a, Term) else a for a in args))
-        found = self._made.get(key)
-        if found is None:
-            found = self._made[key] = Term(self, kind, args)
-        return found
+        term = self._terms.get(key)
+        if term is None:
+            term = self._terms[key] = Term(self, kind, args)
+        return term
 
     def state(self, index: int) -> Term:
-        """A state variable, by its place in flat order."""
+        """A state variable, by its index in flat order."""
         return self._term("state", index)
 
     def parameter(self, index: int) -> Term:
-        """A parameter, by its place."""
+        """A parameter, by its index."""
         return self._term("parameter", index)
 
     def number(self, value: Fraction | int) -> Term:
@@ -151,7 +151,7 @@ class Graph:
             return self.neg(self.mul(a.args[0], b))
         if b.kind == "neg":
             return self.neg(self.mul(a, b.args[0]))
-        if self._made.get(("mul", id(b), id(a))) is not None:
+        if self._terms.get(("mul", id(b), id(a))) is not None:
             a, b = b, a
         return self._term("mul", a, b)
 
@@ -209,6 +209,14 @@ class Graph:
                 known[id(node)] = self._change(node, changes) if changes else zero
         return [known[id(term)] for term in terms]
 
+    def jacobian(self, terms: Sequence[Term], variables: Sequence[Term]) -> list[list[Term]]:
+        """The partial derivatives: one row for each term, one column for each variable."""
+        zero, one = self.number(0), self.number(1)
+        columns = [
+            self.along(terms, {v: one if v is x else zero for v in variables}) for x in variables
+        ]
+        return [list(row) for row in zip(*columns, strict=True)]
+
     def _change(self, node: Term, changes: Sequence[Term]) -> Term:
         kind = node.kind
         args: tuple[Term, ...] = node.args
@@ -259,19 +267,19 @@ def ordered(terms: Iterable[Term], wanted: Callable[[Term], bool] = lambda _: Tr
     about once.
     """
     seen: set[int] = set()
-    found: list[Term] = []
+    order: list[Term] = []
     for root in terms:
         pending: list[tuple[Term, bool]] = [(root, False)]
         while pending:
             node, ready = pending.pop()
             if ready:
-                found.append(node)
+                order.append(node)
             elif id(node) not in seen:
                 seen.add(id(node))
                 if wanted(node):
                     pending.append((node, True))
                     pending.extend((a, False) for a in reversed(node.operands))
-    return found
+    return order
 
 
 class Reader(Evaluation[Term]):
@@ -302,7 +310,7 @@ class Reader(Evaluation[Term]):
             raise InputError(f"{number}: a number in a formula must be real and finite")
         return self.graph.number(Fraction(str(decimal)))
 
-    def _unknown(self, symbol: sp.Symbol) -> Term:
+    def _symbol(self, symbol: sp.Symbol) -> Term:
         raise InputError(f"{symbol}: neither a state variable, a definition nor a parameter")
 
     def _sum(self, formula: sp.Add) -> Term:

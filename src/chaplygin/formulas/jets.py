@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
@@ -27,12 +27,16 @@ MOST_MULTIPLES = 24
 ALONG = -1
 
 
+#: An element of the field in use; no static type has the arithmetic of all of them.
+Element: TypeAlias = Any
+
+
 @dataclass(frozen=True)
 class Jet:
     """A value and its derivatives in numbered directions; a missing one is zero."""
 
-    value: Any
-    slopes: Mapping[int, Any]
+    value: Element
+    slopes: Mapping[int, Element]
 
     def __add__(self, other: Jet) -> Jet:
         slopes = dict(self.slopes)
@@ -47,7 +51,7 @@ class Jet:
             slopes[i] = slopes[i] + part if i in slopes else part
         return Jet(self.value * other.value, slopes)
 
-    def through(self, value: Any, derivative: Any) -> Jet:
+    def through(self, value: Element, derivative: Element) -> Jet:
         """A function of this jet, by its value and derivative here."""
         return Jet(value, {i: derivative * slope for i, slope in self.slopes.items()})
 
@@ -137,22 +141,22 @@ class Evaluator(Evaluation[Jet]):
             self.moving,
         )
 
-    def value(self, formula: Any) -> Any:
+    def value(self, formula: sp.Expr) -> Element:
         """Value alone."""
         return self(formula).value
 
-    def slope(self, formula: Any, direction: int = ALONG) -> Any:
+    def slope(self, formula: sp.Expr, direction: int = ALONG) -> Element:
         """One derivative."""
         return self(formula).slopes.get(direction, self.field.zero)
 
-    def __call__(self, formula: Any) -> Jet:
+    def __call__(self, formula: sp.Expr) -> Jet:
         """The jet of a formula."""
         return self._visit(sp.sympify(formula))
 
     def _constant(self, number: sp.Expr) -> Jet:
         return Jet(self.field.rational(exact_number(number)), {})
 
-    def _unknown(self, symbol: sp.Symbol) -> Jet:
+    def _symbol(self, symbol: sp.Symbol) -> Jet:
         if symbol in self._inverse:
             return self._of_inverse(*self._inverse[symbol])
         if symbol in self._inverted:
@@ -190,20 +194,20 @@ class Evaluator(Evaluation[Jet]):
             inner = self(formula.args[0])
             return Jet(inner.slopes.get(ALONG, self.field.zero), {})
         if isinstance(formula, AppliedUndef | sp.Derivative | sp.Subs):
-            return self._unspecified(formula)
+            return self._unspecified_function(formula)
         return self._elementary(formula)
 
     def _of_inverse(self, inversion: Inversion, number: int) -> Jet:
         """An entry of A: a generator, with the slopes −A J̇ A."""
         A = [self.field.generator(str(s)) for s in inversion.name]
-        rests = [self(self._by_name[s].rest) for s in inversion.of]
+        remainders = [self(self._by_name[s].rest) for s in inversion.of]
         row, column = next((i, j) for i in range(3) for j in range(3) if _SIX[i][j] == number)
         slopes = {}
-        for direction in {d for rest in rests for d in rest.slopes}:
+        for direction in {d for remainder in remainders for d in remainder.slopes}:
             total = self.field.zero
             for i in range(3):
                 for j in range(3):
-                    slope = rests[_SIX[i][j]].slopes.get(direction)
+                    slope = remainders[_SIX[i][j]].slopes.get(direction)
                     if slope is not None:
                         total = total - A[_SIX[row][i]] * slope * A[_SIX[j][column]]
             slopes[direction] = total
@@ -224,7 +228,7 @@ class Evaluator(Evaluation[Jet]):
         slopes = self(self._by_name[inversion.of[number]].rest).slopes
         return Jet(minors[number] / determinant, slopes)
 
-    def _fold(self, parts: Any, combine: Callable[[Jet, Jet], Jet]) -> Jet:
+    def _fold(self, parts: Sequence[sp.Expr], combine: Callable[[Jet, Jet], Jet]) -> Jet:
         result = self._visit(parts[0])
         for part in parts[1:]:
             result = combine(result, self._visit(part))
@@ -245,12 +249,12 @@ class Evaluator(Evaluation[Jet]):
         outer = self(exponent)
         if outer.slopes:
             raise OutOfReachError(f"the exponent {exponent} changes along the motion")
-        raised = self._raised(inner.value, exponent, outer.value)
+        raised = self._root_power(inner.value, exponent, outer.value)
         if not inner.slopes:
             return Jet(raised, {})
         return inner.through(raised, outer.value * raised / inner.value)
 
-    def _raised(self, base: Any, exponent: Any, value: Any) -> Any:
+    def _root_power(self, base: Element, exponent: sp.Expr, value: Element) -> Element:
         """A power with an exponent that is rational, or becomes so on the level, or is symbolic."""
         number = exponent if exponent.is_Rational else self.field.as_rational(value)
         if number is not None:
@@ -258,42 +262,42 @@ class Evaluator(Evaluation[Jet]):
         terms = (term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(exponent)))
         return self.field.power(base, [(theta, number) for number, theta in terms], value)
 
-    def _exponential(self, formula: Any) -> Jet:
+    def _exponential(self, formula: sp.Expr) -> Jet:
         exponent = sp.expand(formula.args[0])
         if exponent.is_Add:
             return self._fold([sp.exp(term) for term in exponent.args], Jet.__mul__)
         inner = self(exponent)
-        made = self.field.exponential(inner.value)
-        return inner.through(made, made)
+        value = self.field.exponential(inner.value)
+        return inner.through(value, value)
 
-    def _unspecified(self, formula: Any) -> Jet:
+    def _unspecified_function(self, formula: sp.Expr) -> Jet:
         """A value of an unspecified function, or of one of its derivatives."""
-        function, orders, places = _taken_apart(formula)
+        function, orders, places = _function_and_orders(formula)
         inner = [self(place) for place in places]
         values = [jet.value for jet in inner]
 
-        def named(counts: tuple[int, ...]) -> Any:
+        def partial_derivative(counts: tuple[int, ...]) -> Element:
             if self._is_zero(function, counts, values):
                 return self.field.zero
             return self.field.unspecified(function, counts, values)
 
-        slopes: dict[int, Any] = {}
+        slopes: dict[int, Element] = {}
         for j, jet in enumerate(inner):
             if jet.slopes:
                 raised = tuple(n + (i == j) for i, n in enumerate(orders))
-                partial = named(raised)
+                partial = partial_derivative(raised)
                 for i, slope in jet.slopes.items():
                     part = partial * slope
                     slopes[i] = slopes[i] + part if i in slopes else part
-        return Jet(named(orders), slopes)
+        return Jet(partial_derivative(orders), slopes)
 
-    def _is_zero(self, function: str, orders: tuple[int, ...], values: Sequence[Any]) -> bool:
+    def _is_zero(self, function: str, orders: tuple[int, ...], values: Sequence[Element]) -> bool:
         """Whether the conditions say that a value of an unspecified function is zero."""
         for zero in self.zeros:
-            other, counts, places = _taken_apart(zero)
+            other, counts, places = _function_and_orders(zero)
             if (other, counts) == (function, orders):
-                there = [self.value(place) for place in places]
-                if self.field.same(there, values):
+                arguments = [self.value(place) for place in places]
+                if self.field.same(arguments, values):
                     return True
         return False
 
@@ -315,22 +319,22 @@ class Evaluator(Evaluation[Jet]):
         if isinstance(formula, sp.atan2):
             upper, lower = inner
             square = lower.value * lower.value + upper.value * upper.value
-            made = upper.through(field.known("atan2", values), lower.value / square)
-            return made + lower.through(field.zero, field.zero - upper.value / square)
+            angle = upper.through(field.known("atan2", values), lower.value / square)
+            return angle + lower.through(field.zero, field.zero - upper.value / square)
         x = values[0]
         if isinstance(formula, sp.atan):
             return inner[0].through(field.known("atan", values), one / (one + x * x))
         if isinstance(formula, sp.asin | sp.acos):
-            rest = field.root(one - x * x, 2)
+            root = field.root(one - x * x, 2)
             sign = one if isinstance(formula, sp.asin) else field.zero - one
-            return inner[0].through(field.known(type(formula).__name__, values), sign / rest)
+            return inner[0].through(field.known(type(formula).__name__, values), sign / root)
         if isinstance(formula, sp.Abs):
             raise OutOfReachError("an absolute value; write it with a square root")
         raise OutOfReachError(
             f"the formula {formula} is of a kind ({type(formula).__name__}) unknown here"
         )
 
-    def _circular(self, formula: Any) -> Jet:
+    def _circular(self, formula: sp.Expr) -> Jet:
         angle = formula.args[0]
         spread = sp.expand_trig(formula) if _few_multiples(angle) else formula
         if spread != formula:
@@ -342,13 +346,13 @@ class Evaluator(Evaluation[Jet]):
         return inner.through(cosine, self.field.zero - sine)
 
 
-def _few_multiples(angle: Any) -> bool:
+def _few_multiples(angle: sp.Expr) -> bool:
     """Whether sine and cosine of the multiples in an angle are short polynomials."""
     factors = (term.as_coeff_Mul()[0] for term in sp.Add.make_args(sp.expand(angle)))
     return all(abs(factor) <= MOST_MULTIPLES for factor in factors)
 
 
-def _as_ratio(formula: Any) -> Any:
+def _as_ratio(formula: sp.Expr) -> sp.Expr:
     angle = formula.args[0]
     sine, cosine = sp.sin(angle), sp.cos(angle)
     return {
@@ -359,14 +363,14 @@ def _as_ratio(formula: Any) -> Any:
     }[type(formula)]
 
 
-def _taken_apart(formula: Any) -> tuple[str, tuple[int, ...], tuple[Any, ...]]:
+def _function_and_orders(formula: sp.Expr) -> tuple[str, tuple[int, ...], tuple[sp.Expr, ...]]:
     """Name of an unspecified function, orders of its derivatives, and where it is taken."""
-    places: dict[Any, Any] = {}
+    places: dict[sp.Symbol, sp.Expr] = {}
     inner = formula
     while isinstance(inner, sp.Subs):
         places = {**dict(zip(inner.variables, inner.point, strict=True)), **places}
         inner = inner.expr
-    counted: dict[Any, int] = {}
+    counted: dict[sp.Symbol, int] = {}
     if isinstance(inner, sp.Derivative):
         for variable, count in inner.variable_count:
             counted[variable] = counted.get(variable, 0) + int(count)

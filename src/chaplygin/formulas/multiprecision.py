@@ -131,7 +131,7 @@ class _Jets(Evaluation[Pair]):
 
     def _sum(self, formula: sp.Add) -> Pair:
         terms = self._parts(formula)
-        return mpmath.fsum(value for value, _ in terms), _combined(
+        return mpmath.fsum(value for value, _ in terms), _weighted_sum(
             [mpmath.mpf(1)] * len(terms), terms
         )
 
@@ -139,7 +139,7 @@ class _Jets(Evaluation[Pair]):
         factors = self._parts(formula)
         values = [value for value, _ in factors]
         others = [mpmath.fprod((*values[:i], *values[i + 1 :])) for i in range(len(values))]
-        return mpmath.fprod(values), _combined(others, factors)
+        return mpmath.fprod(values), _weighted_sum(others, factors)
 
     def _power(self, formula: sp.Pow) -> Pair:
         return self._function(formula)
@@ -150,10 +150,10 @@ class _Jets(Evaluation[Pair]):
         parts = self._parts(formula)
         function = _with_partial_derivatives(formula.func, len(parts), exponent)
         value, *partial = function(*(value for value, _ in parts))
-        return value, _combined(partial, parts)
+        return value, _weighted_sum(partial, parts)
 
 
-def _combined(weights: Sequence[mpmath.mpf], parts: Sequence[Pair]) -> dict[int, mpmath.mpf]:
+def _weighted_sum(weights: Sequence[mpmath.mpf], parts: Sequence[Pair]) -> dict[int, mpmath.mpf]:
     """Σ weight · derivative."""
     total: dict[int, mpmath.mpf] = {}
     for weight, (_, row) in zip(weights, parts, strict=True):

@@ -9,7 +9,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager
-from typing import Any
+from typing import NoReturn
 
 import sympy as sp
 from flint import arb, ctx, fmpq
@@ -24,11 +24,11 @@ PRECISION = 320
 
 def ball_precision() -> AbstractContextManager[None]:
     """The precision with which balls are computed, as a context."""
-    made: AbstractContextManager[None] = ctx.workprec(PRECISION)
-    return made
+    context: AbstractContextManager[None] = ctx.workprec(PRECISION)
+    return context
 
 
-def _invented(seed: str) -> fmpq:
+def _arbitrary_number(seed: str) -> fmpq:
     """A rational number that depends on its seed alone: the value of an unspecified function."""
     generator = random.Random(seed)
     return fmpq(generator.choice((-1, 1)) * generator.randint(20, 60), generator.randint(20, 60))
@@ -57,57 +57,59 @@ class Rationals:
     exact = True
     one, zero = fmpq(1), fmpq(0)
 
-    def __init__(self, values: Mapping[str, Any]) -> None:
+    def __init__(self, values: Mapping[str, fmpq]) -> None:
         self.values = dict(values)
 
-    def rational(self, value: Any) -> fmpq:
+    def rational(self, value: sp.Rational) -> fmpq:
         """A rational number."""
         number = sp.Rational(value)
         return fmpq(int(number.p), int(number.q))
 
-    def generator(self, name: str) -> Any:
+    def generator(self, name: str) -> fmpq:
         """Value of a symbol at the point."""
         return self.values[name]
 
-    def vanishes(self, element: Any) -> bool:
+    def vanishes(self, element: fmpq) -> bool:
         """Whether a number is zero."""
         return bool(element == 0)
 
-    def root(self, element: Any, degree: int) -> Any:
+    def root(self, element: fmpq, degree: int) -> fmpq:
         """The positive root."""
         if element == 0 and degree > 1:
             raise ZeroDivisionError
         return exact_root(element, degree)
 
-    def power(self, element: Any, exponents: Iterable[tuple[Any, Any]], value: Any) -> Any:
+    def power(
+        self, element: fmpq, exponents: Iterable[tuple[sp.Expr, sp.Rational]], value: fmpq
+    ) -> NoReturn:
         """A power with a symbolic exponent."""
         raise NotExactError
 
-    def as_rational(self, element: Any) -> Any:
+    def as_rational(self, element: fmpq) -> fmpq:
         """The number itself."""
         return element
 
-    def circle(self, angle: Any) -> Any:
+    def circle(self, angle: fmpq) -> NoReturn:
         """Sine and cosine."""
         raise NotExactError
 
-    def exponential(self, element: Any) -> Any:
+    def exponential(self, element: fmpq) -> NoReturn:
         """The exponential."""
         raise NotExactError
 
-    def pi(self) -> Any:
+    def pi(self) -> NoReturn:
         """The number π."""
         raise NotExactError
 
-    def known(self, name: str, arguments: Sequence[Any]) -> Any:
+    def known(self, name: str, arguments: Sequence[fmpq]) -> NoReturn:
         """A value of a function such as the logarithm, which is not rational."""
         raise NotExactError
 
-    def unspecified(self, function: str, orders: Sequence[int], arguments: Sequence[Any]) -> Any:
+    def unspecified(self, function: str, orders: Sequence[int], arguments: Sequence[fmpq]) -> fmpq:
         """A value of an unspecified function, or of one of its partial derivatives."""
-        return _invented(f"{function}{tuple(orders)}{arguments}")
+        return _arbitrary_number(f"{function}{tuple(orders)}{arguments}")
 
-    def same(self, first: Sequence[Any], second: Sequence[Any]) -> bool:
+    def same(self, first: Sequence[fmpq], second: Sequence[fmpq]) -> bool:
         """Whether a function has one value at two places."""
         return list(first) == list(second)
 
@@ -115,30 +117,30 @@ class Rationals:
 class Balls:
     """Real balls (midpoint and radius); what holds for them holds for every number inside.
 
-    To be used inside :func:`precise`.
+    To be used inside :func:`ball_precision`.
     """
 
     exact = False
 
-    def __init__(self, values: Mapping[str, Any]) -> None:
+    def __init__(self, values: Mapping[str, fmpq | arb]) -> None:
         self.values = {name: arb(value) for name, value in values.items()}
         self.one, self.zero = arb(1), arb(0)
-        self._seen: list[tuple[tuple[str, tuple[int, ...]], tuple[Any, ...], Any]] = []
+        self._seen: list[tuple[tuple[str, tuple[int, ...]], tuple[arb, ...], arb]] = []
 
-    def rational(self, value: Any) -> Any:
+    def rational(self, value: sp.Rational) -> arb:
         """A rational number."""
         number = sp.Rational(value)
         return arb(int(number.p)) / arb(int(number.q))
 
-    def generator(self, name: str) -> Any:
+    def generator(self, name: str) -> arb:
         """Value of a symbol at the point."""
         return self.values[name]
 
-    def vanishes(self, element: Any) -> bool:
+    def vanishes(self, element: arb) -> bool:
         """Whether a ball contains zero, so that nothing can be said against it."""
         return 0 in element
 
-    def root(self, element: Any, degree: int) -> Any:
+    def root(self, element: arb, degree: int) -> arb:
         """The positive root."""
         if degree == 1:
             return element
@@ -146,47 +148,48 @@ class Balls:
             raise ZeroDivisionError
         return element.root(degree)
 
-    def power(self, element: Any, exponents: Iterable[tuple[Any, Any]], value: Any) -> Any:
+    def power(
+        self, element: arb, exponents: Iterable[tuple[sp.Expr, sp.Rational]], value: arb
+    ) -> arb:
         """A power whose exponent has the given value."""
         if not element > 0:
             raise ZeroDivisionError
         return element**value
 
-    def as_rational(self, element: Any) -> Any:
+    def as_rational(self, element: arb) -> None:
         """Unknown for a ball."""
         return None
 
-    def circle(self, angle: Any) -> Any:
+    def circle(self, angle: arb) -> tuple[arb, arb]:
         """Sine and cosine."""
         return angle.sin(), angle.cos()
 
-    def exponential(self, element: Any) -> Any:
+    def exponential(self, element: arb) -> arb:
         """The exponential."""
         return element.exp()
 
-    def pi(self) -> Any:
+    def pi(self) -> arb:
         """The number π."""
         return arb.pi()
 
-    def known(self, name: str, arguments: Sequence[Any]) -> Any:
+    def known(self, name: str, arguments: Sequence[arb]) -> arb:
         """A value of a function such as the logarithm; ZeroDivisionError where it has none."""
-        first, *rest = arguments
-        value = getattr(arb, name)(first, *rest)
+        value: arb = getattr(arb, name)(*arguments)
         if not value.is_finite():
             raise ZeroDivisionError
         return value
 
-    def unspecified(self, function: str, orders: Sequence[int], arguments: Sequence[Any]) -> Any:
+    def unspecified(self, function: str, orders: Sequence[int], arguments: Sequence[arb]) -> arb:
         """A value of an unspecified function, or of one of its partial derivatives."""
         key = (function, tuple(orders))
         for other, places, value in self._seen:
             if other == key and self.same(places, arguments):
                 return value
-        made = _invented(f"{key}{[a.str(12, radius=False) for a in arguments]}")
-        self._seen.append((key, tuple(arguments), arb(made.p) / arb(made.q)))
+        number = _arbitrary_number(f"{key}{[a.str(12, radius=False) for a in arguments]}")
+        self._seen.append((key, tuple(arguments), arb(number.p) / arb(number.q)))
         return self._seen[-1][2]
 
-    def same(self, first: Sequence[Any], second: Sequence[Any]) -> bool:
+    def same(self, first: Sequence[arb], second: Sequence[arb]) -> bool:
         """Whether a function may be given one value at two places.
 
         Places whose balls overlap are the same, or a function can have one value at both.

@@ -178,7 +178,7 @@ class StraightLineProgram(Evaluation[int]):
         exact = exact_number(number)
         return self._operation("constant", number=fmpq(int(exact.p), int(exact.q)))
 
-    def _unknown(self, symbol: sp.Symbol) -> int:
+    def _symbol(self, symbol: sp.Symbol) -> int:
         raise InputError(f"{symbol}: {_ALGEBRAIC}")
 
     def _sum(self, formula: sp.Add) -> int:

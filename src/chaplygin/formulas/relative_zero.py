@@ -14,12 +14,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import TypeAlias
 
 import mpmath
 import sympy as sp
 from flint import arb, fmpq
 
+from ..core.system import Quantity
 from ..core.vectors import Vector
 from .evaluation import Evaluation
 from .multiprecision import mpmath_function
@@ -37,7 +38,7 @@ GIVEN = fmpq(1, 10**9)
 _DIGITS = 60
 
 
-def vanishes(ball: Any, size: Any, part: fmpq = RESOLUTION) -> bool:
+def vanishes(ball: arb, size: arb, part: fmpq = RESOLUTION) -> bool:
     """Whether a ball cannot be told from zero, `size` being what is not small.
 
     Parameters
@@ -47,6 +48,9 @@ def vanishes(ball: Any, size: Any, part: fmpq = RESOLUTION) -> bool:
         What counts as nothing, relative to the size.
     """
     return bool(abs(ball).lower() <= arb(part) * abs(size).upper())
+
+
+Real: TypeAlias = Fraction | mpmath.mpf
 
 
 @dataclass(frozen=True)
@@ -60,8 +64,8 @@ class Sized:
         Not negative, and zero only where all terms are.
     """
 
-    value: Any
-    size: Any
+    value: Real
+    size: Real
 
     def vanishes(self, part: fmpq = RESOLUTION) -> bool:
         """Whether nothing is left of the terms but a `part` of them."""
@@ -83,7 +87,7 @@ class Sized:
 
 
 def measured(
-    state: Iterable[Any], symbols: Sequence[sp.Symbol], numbers: Sequence[Fraction]
+    state: Iterable[Quantity], symbols: Sequence[sp.Symbol], numbers: Sequence[Fraction]
 ) -> dict[sp.Symbol, Sized]:
     """The numbers of a state with their sizes: a component of a vector is as large as the vector.
 
@@ -98,13 +102,13 @@ def measured(
     numbers : sequence of Fraction
     """
     known = dict(zip(symbols, numbers, strict=False))
-    found = {symbol: Sized(x, abs(x)) for symbol, x in known.items()}
+    sizes = {symbol: Sized(x, abs(x)) for symbol, x in known.items()}
     for name in state:
         if isinstance(name, Vector):
             parts = [s for s in name.symbols if s in known]
             size = max((abs(known[s]) for s in parts), default=Fraction(0))
-            found |= {s: Sized(known[s], size) for s in parts}
-    return found
+            sizes |= {s: Sized(known[s], size) for s in parts}
+    return sizes
 
 
 def sized(
@@ -137,20 +141,20 @@ def sized(
 # --- arithmetic ----------------------------------------------------------------------------
 
 
-def _mpf(number: Any) -> Any:
+def _mpf(number: Real) -> mpmath.mpf:
     if isinstance(number, Fraction):
         return mpmath.mpf(number.numerator) / number.denominator
     return number
 
 
-def _alike(*numbers: Any) -> tuple[Any, ...]:
+def _alike(*numbers: Real) -> tuple[Real, ...]:
     """All of them fractions, or none."""
     if all(isinstance(number, Fraction) for number in numbers):
         return numbers
     return tuple(_mpf(number) for number in numbers)
 
 
-def _times(one: Any, other: Any) -> Any:
+def _times(one: Real, other: Real) -> Real:
     first, second = _alike(one, other)
     return first * second
 

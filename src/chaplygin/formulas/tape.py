@@ -135,8 +135,9 @@ class Tape:
             written = written.xreplace(inner)
             if sp.count_ops(written) > LARGEST:
                 return value
-        found = simplify_small(written)
-        return found if sp.count_ops(found) <= max(SMALL // 2, sp.count_ops(value)) else value
+        shortened = simplify_small(written)
+        limit = max(SMALL // 2, sp.count_ops(value))
+        return shortened if sp.count_ops(shortened) <= limit else value
 
     def steps(self, wanted: Iterable[sp.Expr]) -> tuple[Step, ...]:
         """The definitions on which formulas depend, in an order in which each can be computed."""
@@ -172,7 +173,7 @@ def simplify_small(value: sp.Expr) -> sp.Expr:
 
 
 def _spread(value: sp.Expr) -> int:
-    """At most so many terms has a formula when it is multiplied out."""
+    """A bound of the number of terms of a formula that is multiplied out."""
     match value:
         case sp.Add():
             return sum(_spread(part) for part in value.args)
@@ -194,14 +195,14 @@ def _on_circles(value: sp.Expr, angles: Iterable[sp.Expr]) -> sp.Expr:
 def _on_circle(value: sp.Expr, sine: sp.Expr, cosine: sp.Expr) -> sp.Expr:
     """A formula multiplied out, without the squares of the sine or without those of the cosine."""
     squares = {p for p in value.atoms(sp.Pow) if p.base in (sine, cosine) and _whole(p.exp)}
-    found = [value]
+    candidates = [value]
     for one, other in ((sine, cosine), (cosine, sine)):
         table = {
             p: one ** (p.exp % 2) * (1 - other**2) ** (p.exp // 2) for p in squares if p.base == one
         }
         if table:
-            found.append(sp.expand(value.xreplace(table)))
-    return min(found, key=sp.count_ops)
+            candidates.append(sp.expand(value.xreplace(table)))
+    return min(candidates, key=sp.count_ops)
 
 
 def _whole(exponent: sp.Expr) -> bool:

@@ -13,8 +13,9 @@ import random
 from collections.abc import Sequence
 from fractions import Fraction
 from math import isqrt
-from typing import Any
+from typing import Any, TypeAlias
 
+import sympy as sp
 from flint import (
     Ordering,
     fmpq,
@@ -32,6 +33,14 @@ __all__ = ["PRIMES", "IrrationalError", "Modular", "Numbers", "Rational", "Serie
 #: Primes p with (p − 1)/2 prime: every number has roots of odd degree, every second one a square
 #: root; 2 and 3 have square roots.
 PRIMES = (4611686018427376319, 4611686018427375743, 4611686018427369527)
+#: A rational number (fmpq) or a residue (nmod); no static type has the arithmetic of both.
+Number: TypeAlias = Any
+#: A polynomial with such coefficients.
+Polynomial: TypeAlias = Any
+#: A matrix of such numbers.
+Matrix: TypeAlias = Any
+Fractional: TypeAlias = int | Fraction | fmpq | sp.Rational
+
 #: Numbers drawn for coordinates: numerators up to, denominators up to.
 HEIGHT = 5
 
@@ -45,16 +54,16 @@ class Rational:
 
     exact = True
 
-    def number(self, value: Any) -> Any:
+    def number(self, value: Fractional) -> Number:
         """An integer or fraction as a number of this kind."""
-        made = Fraction(value) if not hasattr(value, "p") else Fraction(int(value.p), int(value.q))
-        return fmpq(made.numerator, made.denominator)
+        fraction = _fraction(value)
+        return fmpq(fraction.numerator, fraction.denominator)
 
-    def drawn(self, dice: random.Random) -> Any:
+    def drawn(self, dice: random.Random) -> Number:
         """A small number at random, not zero."""
         return fmpq(dice.choice((-1, 1)) * dice.randint(1, HEIGHT), dice.randint(1, HEIGHT))
 
-    def root(self, value: Any, degree: int) -> Any:
+    def root(self, value: fmpq, degree: int) -> Number:
         """The positive root.
 
         Raises
@@ -65,7 +74,7 @@ class Rational:
         top, bottom = (_whole_root(int(part), degree) for part in (value.p, value.q))
         return fmpq(top, bottom)
 
-    def zero_of(self, coefficients: Sequence[Any]) -> Any:
+    def zero_of(self, coefficients: Sequence[Number]) -> Number:
         """A zero of the polynomial with these coefficients, the constant one first.
 
         Raises
@@ -75,11 +84,11 @@ class Rational:
         """
         return _linear_zero(fmpq_poly(list(coefficients)))
 
-    def ring(self, names: Sequence[str]) -> Any:
+    def ring(self, names: Sequence[str]) -> fmpq_mpoly_ctx:
         """Polynomials in the variables given."""
         return fmpq_mpoly_ctx.get(list(names), Ordering.lex)
 
-    def matrix(self, rows: Sequence[Sequence[Any]], width: int) -> Any:
+    def matrix(self, rows: Sequence[Sequence[Number]], width: int) -> Matrix:
         """A matrix with exact elimination."""
         return fmpq_mat(len(rows), width, [entry for row in rows for entry in row])
 
@@ -92,18 +101,19 @@ class Modular:
     def __init__(self, prime: int = PRIMES[0]) -> None:
         self.prime = prime
 
-    def number(self, value: Any) -> Any:
+    def number(self, value: Fractional) -> Number:
         """An integer or fraction as a number of this kind."""
         if isinstance(value, int):
             return nmod(value, self.prime)
-        made = Fraction(value) if not hasattr(value, "p") else Fraction(int(value.p), int(value.q))
-        return nmod(made.numerator % self.prime, self.prime) / nmod(made.denominator, self.prime)
+        fraction = _fraction(value)
+        above = nmod(fraction.numerator % self.prime, self.prime)
+        return above / nmod(fraction.denominator, self.prime)
 
-    def drawn(self, dice: random.Random) -> Any:
+    def drawn(self, dice: random.Random) -> Number:
         """A number at random, not zero."""
         return nmod(dice.randrange(1, self.prime), self.prime)
 
-    def root(self, value: Any, degree: int) -> Any:
+    def root(self, value: nmod, degree: int) -> Number:
         """A root; of a fraction that has a rational one, the positive one.
 
         Raises
@@ -130,7 +140,7 @@ class Modular:
             whole, degree = half, degree // 2
         return nmod(pow(whole, pow(degree, -1, self.prime - 1), self.prime), self.prime)
 
-    def fraction(self, value: Any) -> Fraction | None:
+    def fraction(self, value: nmod) -> Fraction | None:
         """The fraction of small numerator and denominator that a number stands for, if any."""
         bound = isqrt(self.prime // 2)
         before, last = (self.prime, 0), (int(value), 1)
@@ -141,7 +151,7 @@ class Modular:
             return None
         return Fraction(last[0], last[1])
 
-    def zero_of(self, coefficients: Sequence[Any]) -> Any:
+    def zero_of(self, coefficients: Sequence[Number]) -> Number:
         """A zero of the polynomial with these coefficients, the constant one first.
 
         Raises
@@ -151,24 +161,31 @@ class Modular:
         """
         return _linear_zero(nmod_poly([int(c) for c in coefficients], self.prime))
 
-    def ring(self, names: Sequence[str]) -> Any:
+    def ring(self, names: Sequence[str]) -> nmod_mpoly_ctx:
         """Polynomials in the variables given."""
         return nmod_mpoly_ctx.get(list(names), modulus=self.prime, ordering=Ordering.lex)
 
-    def matrix(self, rows: Sequence[Sequence[Any]], width: int) -> Any:
+    def matrix(self, rows: Sequence[Sequence[Number]], width: int) -> Matrix:
         """A matrix with exact elimination."""
         return nmod_mat(len(rows), width, [int(e) for row in rows for e in row], self.prime)
 
 
-Numbers = Rational | Modular
+Numbers: TypeAlias = Rational | Modular
+Ring: TypeAlias = fmpq_mpoly_ctx | nmod_mpoly_ctx
 
 
-def _linear_zero(polynomial: Any) -> Any:
+def _linear_zero(polynomial: Polynomial) -> Number:
     """The zero of a factor of degree one; the last of them, which for a root is positive."""
     for factor, _ in reversed(polynomial.factor()[1]):
         if factor.degree() == 1:
             return -factor[0] / factor[1]
     raise IrrationalError
+
+
+def _fraction(value: Fractional) -> Fraction:
+    if isinstance(value, fmpq | sp.Rational):
+        return Fraction(int(value.p), int(value.q))
+    return Fraction(value)
 
 
 def _whole_root(value: int, degree: int) -> int:
@@ -195,11 +212,11 @@ class Series:
 
     __slots__ = ("numbers", "parts", "ring")
 
-    def __init__(self, numbers: Numbers, ring: Any, parts: list[Any]) -> None:
+    def __init__(self, numbers: Numbers, ring: Ring, parts: list[Polynomial]) -> None:
         self.numbers, self.ring, self.parts = numbers, ring, parts
 
     @classmethod
-    def constant(cls, numbers: Numbers, ring: Any, value: Any, order: int) -> Series:
+    def constant(cls, numbers: Numbers, ring: Ring, value: Number, order: int) -> Series:
         """A number."""
         none = ring.constant(0)
         whole = int(value) if isinstance(value, nmod) else value
@@ -211,7 +228,7 @@ class Series:
         return len(self.parts) - 1
 
     @property
-    def value(self) -> Any:
+    def value(self) -> Number:
         """The number at the origin."""
         first = self.parts[0]
         if first.is_zero():
@@ -229,20 +246,20 @@ class Series:
         """Whether nothing but its value is known to be other than zero."""
         return all(part.is_zero() for part in self.parts[1:])
 
-    def _made(self, parts: list[Any]) -> Series:
+    def _with_parts(self, parts: list[Polynomial]) -> Series:
         return Series(self.numbers, self.ring, parts)
 
-    def _like(self, value: Any) -> Series:
+    def _like(self, value: Number) -> Series:
         return Series.constant(self.numbers, self.ring, value, self.order)
 
     def __add__(self, other: Series) -> Series:
-        return self._made([a + b for a, b in zip(self.parts, other.parts, strict=False)])
+        return self._with_parts([a + b for a, b in zip(self.parts, other.parts, strict=False)])
 
     def __sub__(self, other: Series) -> Series:
-        return self._made([a - b for a, b in zip(self.parts, other.parts, strict=False)])
+        return self._with_parts([a - b for a, b in zip(self.parts, other.parts, strict=False)])
 
     def __neg__(self) -> Series:
-        return self._made([-a for a in self.parts])
+        return self._with_parts([-a for a in self.parts])
 
     def __mul__(self, other: Series) -> Series:
         order = min(self.order, other.order)
@@ -254,23 +271,23 @@ class Series:
                 if i + j > order:
                     break
                 parts[i + j] = parts[i + j] + a * b
-        return self._made(parts)
+        return self._with_parts(parts)
 
     def __truediv__(self, other: Series) -> Series:
         return self * other.power(-1, 1)
 
-    def scaled(self, factor: Any) -> Series:
+    def scaled(self, factor: Number) -> Series:
         """A multiple by a number."""
         whole = factor if self.numbers.exact else int(factor)
-        return self._made([part * whole for part in self.parts])
+        return self._with_parts([part * whole for part in self.parts])
 
     def cut(self, order: int) -> Series:
         """The same, known up to a lower order."""
-        return self._made(self.parts[: order + 1])
+        return self._with_parts(self.parts[: order + 1])
 
     def derivative(self, variable: int) -> Series:
         """The partial derivative, known up to one order less."""
-        return self._made([part.derivative(variable) for part in self.parts[1:]])
+        return self._with_parts([part.derivative(variable) for part in self.parts[1:]])
 
     def power(self, top: int, bottom: int) -> Series:
         """The power with exponent top/bottom.
@@ -283,12 +300,12 @@ class Series:
             If there is no such root of the value.
         """
         if bottom == 1 and top >= 0:
-            found, base = self._like(1), self
+            product, base = self._like(1), self
             while top:
                 if top & 1:
-                    found = found * base
+                    product = product * base
                 base, top = base * base, top >> 1
-            return found
+            return product
         value = self.value
         if value == 0:
             raise ZeroDivisionError
@@ -300,39 +317,40 @@ class Series:
                 factor = top * i - bottom * (k - i)
                 if factor and not self.parts[i].is_zero():
                     total = total + self.parts[i] * parts[k - i] * factor
-            parts.append(self._divided(total, value * bottom * k))
-        return self._made(parts)
+            parts.append(self._quotient(total, value * bottom * k))
+        return self._with_parts(parts)
 
-    def _divided(self, part: Any, number: Any) -> Any:
+    def _quotient(self, part: Polynomial, number: Number) -> Polynomial:
         inverse = 1 / number
         return part * (inverse if self.numbers.exact else int(inverse))
 
-    def primitive(self, value: Any, slope: Series) -> Series:
+    def primitive(self, value: Number, slope: Series) -> Series:
         """A function of this series, by its value at the origin and its derivative along it."""
         parts = [self._like(value).parts[0]]
         for k in range(1, self.order + 1):
             total = self.ring.constant(0)
             for i in range(1, k + 1):
                 total = total + self.parts[i] * slope.parts[k - i] * i
-            parts.append(self._divided(total, self.numbers.number(k)))
-        return self._made(parts)
+            parts.append(self._quotient(total, self.numbers.number(k)))
+        return self._with_parts(parts)
 
-    def exponential(self, value: Any) -> Series:
+    def exponential(self, value: Number) -> Series:
         """The exponential, by its value at the origin."""
-        found = self._like(value).cut(0)
+        series = self._like(value).cut(0)
         for k in range(1, self.order + 1):
-            found = self.cut(k).primitive(value, self._made([*found.parts, self.ring.constant(0)]))
-        return found
+            slope = self._with_parts([*series.parts, self.ring.constant(0)])
+            series = self.cut(k).primitive(value, slope)
+        return series
 
-    def circle(self, sine: Any, cosine: Any) -> tuple[Series, Series]:
+    def circle(self, sine: Number, cosine: Number) -> tuple[Series, Series]:
         """Sine and cosine, by their values at the origin."""
         zero = self.ring.constant(0)
         s, c = self._like(sine).cut(0), self._like(cosine).cut(0)
         for k in range(1, self.order + 1):
             here = self.cut(k)
-            turned = -self._made([*s.parts, zero])
+            turned = -self._with_parts([*s.parts, zero])
             s, c = (
-                here.primitive(sine, self._made([*c.parts, zero])),
+                here.primitive(sine, self._with_parts([*c.parts, zero])),
                 here.primitive(cosine, turned),
             )
         return s, c

@@ -185,7 +185,7 @@ class Evaluator(Evaluation[Jet]):
         exact = exact_number(number)
         return self.constant(int(exact.p) * pow(int(exact.q), -1, prime()))
 
-    def _unknown(self, symbol: sp.Symbol) -> Jet:
+    def _symbol(self, symbol: sp.Symbol) -> Jet:
         return self._function(symbol)
 
     def _sum(self, formula: sp.Add) -> Jet:
