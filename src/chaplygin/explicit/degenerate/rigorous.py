@@ -23,6 +23,7 @@ from ...formulas.balls import ball, components
 from ...mechanics.rolling.attitude import attitude
 from ..genus_two.separated_motion import chain
 from ..one_degree.chebyshev_integrals import Integrals, integrals, working_bits
+from ..one_degree.inverse import enclosed_root
 from ..one_degree.vectors import cross, dot, product
 from ..one_degree.working_precision import exact_time, working_digits
 from .analytic_formula import analytic, root, triad, velocity
@@ -285,7 +286,7 @@ class Rigorous:
     # --- answers ---------------------------------------------------------------------------
 
     def _phase(self, time: arb) -> tuple[arb, int]:
-        """σ at a time, less whole periods of a periodic motion, and how many these are."""
+        """σ at a time, less whole periods of a periodic motion, and their number."""
         rough = self.solution.clock.moment(np.array([float(time.mid())]))
         turns = 0
         sigma = (arb(float(rough.remainder[0])) * self._speed).mid()
@@ -294,20 +295,8 @@ class Rigorous:
         else:
             turns = int(rough.turns[0])
             time = time - turns * self._total(0, 2 * arb.pi())
-        for _ in range(8):
-            step = (self._total(0, sigma) - time) / self._rate(sigma)
-            sigma = (sigma - step).mid()
-            if abs(step) < arb(2) ** (-ctx.prec // 2):
-                break
-        # one step of Newton's method in intervals proves the root
-        defect = time - self._total(0, sigma)
-        reach = 2 * abs(defect / self._rate(sigma)).upper()
-        for _ in range(40):
-            image = sigma + defect / self._rate(arb(sigma, reach))
-            if image.is_finite() and arb(sigma, reach).contains(image):
-                return image, turns
-            reach = 2 * reach
-        return arb(sigma, arb("inf")), turns
+        sigma = enclosed_root(lambda x: self._total(0, x) - time, self._rate, sigma)
+        return sigma, turns
 
     def _rate(self, sigma: arb) -> arb:
         return self._integrands(self._numerators)(acb(sigma))[0].real
