@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
-from typing import Generic, TypeVar
+from typing import Generic
 
 import numpy as np
 from flint import acb, arb, ctx
@@ -20,7 +20,7 @@ from ...core.arrays import FloatArray
 from ...formulas.relative_zero import vanishes
 from .chebyshev_integrals import Integrals, Table, integrals, working_bits
 from .divided_differences import slope, value
-from .functions import BALLS, Functions
+from .functions import BALLS, Count, Functions, T
 from .inverse import enclosed_root
 from .phase_reduction import pair, reduced_phase
 from .turning_points import End, next_end
@@ -35,10 +35,6 @@ FAST = 19
 Rates = Callable[[acb, acb], Sequence[acb]]
 #: (chart, σ, derivatives of t and of the quadratures by σ, their values) ↦ those of further ones.
 Nested = Callable[[Uniformisation, acb, Sequence[acb], Sequence[acb]], Sequence[acb]]
-
-#: One time in balls, or many in double precision; and whole numbers beside them.
-T = TypeVar("T", arb, FloatArray)
-Count = TypeVar("Count", int, FloatArray)
 
 
 @dataclass(frozen=True)
