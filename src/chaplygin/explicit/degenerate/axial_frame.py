@@ -23,13 +23,11 @@ from flint import acb, arb
 from ...core.system import System
 from ..base.solution import ClosedForm, NamedConstant
 from ..one_degree import FAST, MotionSample, QuadratureMotion
-from ..one_degree.functions import BALLS, Functions
+from ..one_degree.functions import BALLS, Count, Functions, T
 from ..one_degree.solution import (
     BodyFrame,
-    Count,
     Inclination,
     QuadratureSolution,
-    T,
     euler_quaternion,
 )
 from ..one_degree.uniformisation import Oscillating

@@ -20,23 +20,19 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TypeAlias, TypeVar
+from typing import TypeAlias
 
 import sympy as sp
-from flint import acb, arb
+from flint import arb
 
-from ...core.arrays import FloatArray
 from ..one_degree.divided_differences import Argument, analytic_root
-from ..one_degree.functions import Functions
+from ..one_degree.functions import Functions, N
 from ..one_degree.uniformisation import Equation
 from ..one_degree.vectors import cross, dot
 
 __all__ = ["Axial", "ChaplyginAxial", "VeselovaAxial"]
 
 Vector: TypeAlias = Sequence[arb]
-
-#: Balls, or arrays in double precision.
-N = TypeVar("N", arb, acb, FloatArray)
 
 
 @dataclass(frozen=True)

@@ -14,17 +14,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeAlias, TypeVar
+from typing import TypeAlias
 
 import numpy as np
 from flint import acb, arb, ctx
 
 from ...core.arrays import FloatArray
+from ..one_degree.functions import B
 
 __all__ = ["Thetas"]
 
-#: Real or complex balls.
-B = TypeVar("B", arb, acb)
 #: A function and its derivative.
 Pair: TypeAlias = tuple[B, B]
 

@@ -1,8 +1,8 @@
 """States of a degenerate motion in balls, with proven bounds of all errors.
 
-The clock and the places are integrated in the phase σ = |dU/dτ| τ, over one period of a periodic
-motion, or over as much as is asked for of the window outside of which an asymptotic one agrees
-with its limits to the digits wanted.  Beyond it the numerators are those of the limit with balls
+The clock and the position are integrated in the phase σ = |dU/dτ| τ, over one period of a periodic
+motion, or over the part needed of the window outside which an asymptotic one agrees with its limits
+to the digits wanted.  Beyond it the numerators are those of the limit with balls
 for the remaining difference, so that one period of them bounds every period to come.
 """
 
@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, TypeAlias
 
 import numpy as np
 import sympy as sp
@@ -23,6 +23,8 @@ from ...formulas.balls import ball, components
 from ...mechanics.rolling.attitude import attitude
 from ..genus_two.separated_motion import chain
 from ..one_degree.chebyshev_integrals import Integrals, integrals, working_bits
+from ..one_degree.functions import B
+from ..one_degree.inverse import enclosed_root
 from ..one_degree.vectors import cross, dot, product
 from ..one_degree.working_precision import exact_time, working_digits
 from .analytic_formula import analytic, root, triad, velocity
@@ -32,12 +34,8 @@ from .theta_motion import Asymptotic, direction
 
 __all__ = ["rigorous_state"]
 
-#: Real or complex balls.
-B = TypeVar("B", arb, acb)
 #: σ ↦ N and N′ in complex balls.
 Numerators: TypeAlias = Callable[[acb], tuple[list[acb], list[acb]]]
-#: ν and ν′ ↦ values of formulas in balls.
-BallFunction: TypeAlias = Callable[[Sequence[B], Sequence[B]], list[B]]
 #: The distance, in σ, to which boxes reach from a panel in which functions are bounded.
 REACH = 4
 #: Balls smaller than this are points; larger ones are boxes, on which only bounds are wanted.
@@ -285,7 +283,7 @@ class Rigorous:
     # --- answers ---------------------------------------------------------------------------
 
     def _phase(self, time: arb) -> tuple[arb, int]:
-        """σ at a time, less whole periods of a periodic motion, and how many these are."""
+        """σ at a time, less whole periods of a periodic motion, and their number."""
         rough = self.solution.clock.moment(np.array([float(time.mid())]))
         turns = 0
         sigma = (arb(float(rough.remainder[0])) * self._speed).mid()
@@ -294,20 +292,8 @@ class Rigorous:
         else:
             turns = int(rough.turns[0])
             time = time - turns * self._total(0, 2 * arb.pi())
-        for _ in range(8):
-            step = (self._total(0, sigma) - time) / self._rate(sigma)
-            sigma = (sigma - step).mid()
-            if abs(step) < arb(2) ** (-ctx.prec // 2):
-                break
-        # one step of Newton's method in intervals proves the root
-        defect = time - self._total(0, sigma)
-        reach = 2 * abs(defect / self._rate(sigma)).upper()
-        for _ in range(40):
-            image = sigma + defect / self._rate(arb(sigma, reach))
-            if image.is_finite() and arb(sigma, reach).contains(image):
-                return image, turns
-            reach = 2 * reach
-        return arb(sigma, arb("inf")), turns
+        sigma = enclosed_root(lambda x: self._total(0, x) - time, self._rate, sigma)
+        return sigma, turns
 
     def _rate(self, sigma: arb) -> arb:
         return self._integrands(self._numerators)(acb(sigma))[0].real

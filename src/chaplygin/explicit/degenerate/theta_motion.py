@@ -19,20 +19,19 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TypeAlias, TypeVar
+from typing import TypeAlias
 
 import numpy as np
-from flint import acb, arb
+from flint import arb
 
 from ...core.arrays import FloatArray
 from ..one_degree.divided_differences import analytic_root
+from ..one_degree.functions import B
 from ..one_degree.vectors import dot
 from .jacobi_theta import Thetas
 
 __all__ = ["Asymptotic", "Numerators", "Periodic", "direction", "direction_array"]
 
-#: Real or complex balls.
-B = TypeVar("B", arb, acb)
 #: N and N′, or ν and ν′.
 Pair: TypeAlias = tuple[list[B], list[B]]
 

@@ -39,11 +39,19 @@ def _constants(top: Top) -> list[NamedConstant]:
     ]
 
 
-def steady_form(top: Top, rest: Equilibrium) -> ClosedForm:
+def steady_form(top: Top, equilibrium: Equilibrium) -> ClosedForm:
     """The form of a permanent rotation."""
     nutation = "square of the frequency of nutation"
-    constants = [*_constants(top), NamedConstant("w^2", rest.rigidity, nutation, "rad^2/s^2")]
-    return _form(rest.description("permanent rotation"), EQUATIONS, constants, (float(rest.x),) * 2)
+    constants = [
+        *_constants(top),
+        NamedConstant("w^2", equilibrium.rigidity, nutation, "rad^2/s^2"),
+    ]
+    return _form(
+        equilibrium.description("permanent rotation"),
+        EQUATIONS,
+        constants,
+        (float(equilibrium.x),) * 2,
+    )
 
 
 def form_of(top: Top, chart: Uniformisation, motion: QuadratureMotion) -> ClosedForm:

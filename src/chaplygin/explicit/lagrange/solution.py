@@ -23,13 +23,11 @@ from ...errors import InputError
 from ...formulas.relative_zero import GIVEN, vanishes
 from ..base.solution import Solution
 from ..one_degree import Equilibrium, MotionSample, QuadratureMotion, motion_chart
-from ..one_degree.functions import BALLS, Functions
+from ..one_degree.functions import BALLS, Count, Functions, T
 from ..one_degree.solution import (
     BodyFrame,
-    Count,
     Inclination,
     QuadratureSolution,
-    T,
     intrinsic_angle,
 )
 from ..one_degree.uniform import Rotation, UniformSolution

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
-from typing import Generic, TypeVar
+from typing import Generic
 
 import numpy as np
 from flint import acb, arb, ctx
@@ -20,7 +20,8 @@ from ...core.arrays import FloatArray
 from ...formulas.relative_zero import vanishes
 from .chebyshev_integrals import Integrals, Table, integrals, working_bits
 from .divided_differences import slope, value
-from .functions import BALLS, Functions
+from .functions import BALLS, Count, Functions, T
+from .inverse import enclosed_root
 from .phase_reduction import pair, reduced_phase
 from .turning_points import End, next_end
 from .uniformisation import Asymptotic, Equation, Heteroclinic, Oscillating, Uniformisation
@@ -34,10 +35,6 @@ FAST = 19
 Rates = Callable[[acb, acb], Sequence[acb]]
 #: (chart, σ, derivatives of t and of the quadratures by σ, their values) ↦ those of further ones.
 Nested = Callable[[Uniformisation, acb, Sequence[acb], Sequence[acb]], Sequence[acb]]
-
-#: One time in balls, or many in double precision; and whole numbers beside them.
-T = TypeVar("T", arb, FloatArray)
-Count = TypeVar("Count", int, FloatArray)
 
 
 @dataclass(frozen=True)
@@ -307,22 +304,12 @@ class QuadratureMotion:
         return MotionSample(periods, phase, tail, values, 1 / self.chart.clock(acb(phase)).real)
 
     def _phase(self, known: Integrals, moment: arb) -> arb:
-        """σ with t(σ) = moment: Newton's method, then one step of it in intervals as a proof."""
-        sigma = arb(self.fast.phase(moment))
-        for _ in range(8):
-            step = (known.value(0, sigma) - moment) / self.chart.clock(acb(sigma)).real
-            sigma = (sigma - step).mid()
-            if abs(step) < arb(2) ** (-ctx.prec // 2):
-                break
-        defect = moment - known.value(0, sigma)
-        reach = 2 * abs(defect / self.chart.clock(acb(sigma)).real).upper()
-        for _ in range(60):
-            ball = arb(sigma, reach)
-            image = sigma + defect / self.chart.clock(acb(ball)).real
-            if image.is_finite() and ball.contains(image):
-                return image
-            reach = 2 * reach
-        return arb(sigma, arb("inf"))
+        """σ with t(σ) = moment."""
+        return enclosed_root(
+            lambda sigma: known.value(0, sigma) - moment,
+            lambda sigma: self.chart.clock(acb(sigma)).real,
+            self.fast.phase(moment),
+        )
 
     # --- in double precision ---------------------------------------------------------------
 

@@ -12,10 +12,16 @@ from flint import acb, arb
 from ...core.arrays import FloatArray
 from .divided_differences import analytic_root
 
-__all__ = ["BALLS", "DOUBLES", "Functions"]
+__all__ = ["BALLS", "DOUBLES", "B", "Count", "Functions", "N", "T"]
 
-#: The numbers of a formula that is written once.
+#: Real or complex balls.
+B = TypeVar("B", arb, acb)
+#: Real numbers: balls, or arrays in double precision.
+T = TypeVar("T", arb, FloatArray)
+#: Balls, or arrays in double precision.
 N = TypeVar("N", arb, acb, FloatArray)
+#: A whole number beside a ball, or an array of them.
+Count = TypeVar("Count", int, FloatArray)
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Generic, TypeVar
+from typing import Generic
 
 import numpy as np
 import sympy as sp
@@ -37,7 +37,7 @@ from .angles import (
     unit_complex,
 )
 from .chebyshev_integrals import working_bits
-from .functions import BALLS, DOUBLES, Functions
+from .functions import BALLS, DOUBLES, Count, Functions, T
 from .vectors import times
 from .working_precision import exact_time, working_digits
 
@@ -47,8 +47,6 @@ __all__ = ["BodyFrame", "Inclination", "QuadratureSolution", "euler_quaternion",
 #: computed as that of a slow turn.
 SLOW = 1e-3
 
-T = TypeVar("T", arb, FloatArray)
-Count = TypeVar("Count", int, FloatArray)
 Parameters = Mapping[sp.Symbol, object]
 
 

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TypeVar
 
 import numpy as np
 import sympy as sp
@@ -24,13 +23,12 @@ from ...core.system import System
 from ..base.solution import ClosedForm, Solution
 from .angles import LinearPhase, circular_path, circular_paths
 from .chebyshev_integrals import working_bits
-from .functions import BALLS, DOUBLES, Functions
+from .functions import BALLS, DOUBLES, Functions, T
 from .vectors import cross, dot, product, times
 from .working_precision import exact_time, working_digits
 
 __all__ = ["Rotation", "UniformSolution"]
 
-T = TypeVar("T", arb, FloatArray)
 Vector = Sequence[arb]
 
 #: Digits behind the phases in double precision.

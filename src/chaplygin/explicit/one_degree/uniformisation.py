@@ -13,20 +13,15 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import TypeVar
 
 import numpy as np
 from flint import acb, arb
 
-from ...core.arrays import FloatArray
 from .divided_differences import Formula, analytic_root, slope, value
-from .functions import BALLS, Functions
+from .functions import BALLS, Functions, N
 from .turning_points import End
 
 __all__ = ["Asymptotic", "Equation", "Heteroclinic", "Oscillating", "Uniformisation"]
-
-#: Balls, or arrays in double precision.
-N = TypeVar("N", arb, acb, FloatArray)
 
 
 @dataclass(frozen=True)

@@ -3,16 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TypeVar
 
-from flint import acb, arb
-
-from ...core.arrays import FloatArray
+from .functions import N
 
 __all__ = ["conjugate", "cross", "dot", "product", "times"]
-
-#: Balls, or arrays in double precision.
-N = TypeVar("N", arb, acb, FloatArray)
 
 
 def dot(a: Sequence[N], b: Sequence[N]) -> N:

@@ -107,7 +107,7 @@ def _steady_solution(
     parameters: Mapping[sp.Symbol, Written],
     level: Level,
     start: StartState,
-    rest: Equilibrium,
+    equilibrium: Equilibrium,
 ) -> UniformSolution:
     """A permanent rotation: θ rests, the contact runs along a circle or a line."""
     normal = start.normal
@@ -125,7 +125,7 @@ def _steady_solution(
         vectors=(omega, normal),
         spin=Rotation([arb(0), arb(0), arb(1)], own),
         precession=Rotation(normal, precession),
-        closed_form=steady_form(level, rest, (own, precession)),
+        closed_form=steady_form(level, equilibrium, (own, precession)),
         attitude=attitude,
         velocity=velocity,
         position=start.position,

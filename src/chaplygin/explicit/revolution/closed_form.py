@@ -79,17 +79,17 @@ def form_of(level: Level, motion: QuadratureMotion) -> ClosedForm:
     )
 
 
-def steady_form(level: Level, rest: Equilibrium, rates: tuple[arb, arb]) -> ClosedForm:
+def steady_form(level: Level, equilibrium: Equilibrium, rates: tuple[arb, arb]) -> ClosedForm:
     """The form of a permanent rotation with the given φ̇ and ψ̇."""
     constants = (
         *_constants(level),
-        NamedConstant("theta", rest.x.acos(), "inclination of the axis", "rad"),
+        NamedConstant("theta", equilibrium.x.acos(), "inclination of the axis", "rad"),
         NamedConstant("phi'", rates[0], "rate of intrinsic rotation", "rad/s"),
         NamedConstant("psi'", rates[1], "rate of precession", "rad/s"),
         NamedConstant(
-            "w^2", rest.rigidity, "square of the frequency of small nutations", "rad^2/s^2"
+            "w^2", equilibrium.rigidity, "square of the frequency of small nutations", "rad^2/s^2"
         ),
     )
-    u = float(rest.x)
-    motion = rest.description("permanent rotation" if level.K != 0 else "equilibrium")
+    u = float(equilibrium.x)
+    motion = equilibrium.description("permanent rotation" if level.K != 0 else "equilibrium")
     return ClosedForm(TITLE, motion, _equations(level), constants, ((u, u),), SOURCE)

@@ -160,10 +160,10 @@ def columns_at(body: AxisymmetricBody, K: float) -> Column:
         for x, rising in _zeros(G):
             energy = body.value(body.energy, x) + square / (2 * (1 - x * x))
             rests.append(PermanentRotation(x, energy, rising))
-        rests.sort(key=lambda rest: float(rest.h))
+        rests.sort(key=lambda rotation: float(rotation.h))
         counts = [0]
-        for rest in rests:
-            counts.append(counts[-1] + (1 if rest.stable else -1))
+        for rotation in rests:
+            counts.append(counts[-1] + (1 if rotation.stable else -1))
         return Column(float(K), tuple(rests), tuple(counts))
 
 
@@ -172,9 +172,9 @@ def motions_at(column: Column, h: float) -> int | None:
     with ctx.workprec(BITS):
         value = exact(h)
         energy = arb(fmpq(value.numerator, value.denominator))
-        if any(rest.h.overlaps(energy) for rest in column.rests):
+        if any(rotation.h.overlaps(energy) for rotation in column.rests):
             return None
-        return column.counts[sum(bool(rest.h < energy) for rest in column.rests)]
+        return column.counts[sum(bool(rotation.h < energy) for rotation in column.rests)]
 
 
 @lru_cache(maxsize=64)
@@ -232,7 +232,10 @@ def _curves(columns: Sequence[Column]) -> list[tuple[FloatArray, bool]]:
     running: list[tuple[Points, bool]] = []
     done: list[tuple[Points, bool]] = []
     for column in columns:
-        free = [((float(rest.h), column.K, float(rest.u)), rest.stable) for rest in column.rests]
+        free = [
+            ((float(rotation.h), column.K, float(rotation.u)), rotation.stable)
+            for rotation in column.rests
+        ]
         pairs = sorted(
             (abs(points[-1][2] - point[2]), i, j)
             for i, (points, stable) in enumerate(running)
