@@ -19,10 +19,10 @@ from chaplygin.errors import InputError
 from chaplygin.experiment.closed_form import (
     ball,
     closed_form_section,
+    closed_form_trajectory,
     dataset,
     diagram_if_known,
     equation,
-    evaluated,
     letters,
     number,
     solution_of_study,
@@ -95,7 +95,7 @@ def spinning() -> tuple[Study, Solution]:
 
 def test_what_is_recorded_is_what_a_run_records() -> None:
     study, solution = spinning()
-    run, found = study.trajectory(), evaluated(study, solution, study.times)
+    run, found = study.trajectory(), closed_form_trajectory(study, solution, study.times)
     assert list(found.recorded) == list(run.recorded)
     for name, values in run.recorded.items():
         assert found.recorded[name].shape == values.shape
@@ -109,7 +109,7 @@ def test_what_is_recorded_is_what_a_run_records() -> None:
 
 def test_the_start_is_recorded_whatever_the_times() -> None:
     study, solution = spinning()
-    made = dataset(study, evaluated(study, solution, [7.0, 8.0]), solution)
+    made = dataset(study, closed_form_trajectory(study, solution, [7.0, 8.0]), solution)
     assert "attitude_w = 1.0" in made.attrs["start"]
 
 

@@ -9,13 +9,13 @@ from pathlib import Path
 import pytest
 
 from chaplygin.errors import InputError
-from chaplygin.experiment.files import check_target, completed
+from chaplygin.experiment.files import atomic_file, check_target
 from chaplygin.report.study_folder import begin, check_folder, end
 
 
 def filled(target: Path, text: str = "new") -> None:
     check_target(target, force=True)
-    with completed(target) as place:
+    with atomic_file(target) as place:
         place.write_text(text)
 
 
@@ -36,7 +36,7 @@ def test_only_regular_files_are_replaced(tmp_path: Path) -> None:
     refused(tmp_path / "loop", "cannot be written")
     (tmp_path / "null").symlink_to("/dev/null")
     refused(tmp_path / "null", "is a device")
-    with pytest.raises(InputError, match="is a pipe"), completed(pipe) as place:
+    with pytest.raises(InputError, match="is a pipe"), atomic_file(pipe) as place:
         place.write_text("new")
     assert stat.S_ISFIFO(pipe.stat().st_mode)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["loop", "null", "pipe"]
@@ -60,7 +60,7 @@ def test_a_read_only_file_stays(tmp_path: Path) -> None:
     file.write_text("old")
     file.chmod(0o444)
     refused(file, "is read-only and is not replaced")
-    with pytest.raises(InputError, match="read-only"), completed(file) as place:
+    with pytest.raises(InputError, match="read-only"), atomic_file(file) as place:
         place.write_text("new")
     assert file.read_text() == "old"
     assert list(tmp_path.iterdir()) == [file]

@@ -10,11 +10,7 @@ import pytest
 from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.study import Study, prepare
 from chaplygin.report import stored_trajectory
-from chaplygin.report.stored_trajectory import (
-    read_trajectory,
-    store_trajectory,
-    trajectory_digest,
-)
+from chaplygin.report.stored_trajectory import read_trajectory, store_trajectory, trajectory_digest
 
 FALL = """
 title = "Falling"

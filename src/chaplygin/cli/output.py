@@ -116,10 +116,10 @@ def written(output: Path) -> Iterator[Path]:
     """A file to be filled, which becomes the output when the block ends well."""
     from tempfile import TemporaryDirectory
 
-    from ..experiment.files import completed
+    from ..experiment.files import atomic_file
 
     if output != STANDARD_OUTPUT:
-        with completed(output) as place:
+        with atomic_file(output) as place:
             yield place
         return
     with TemporaryDirectory() as folder:

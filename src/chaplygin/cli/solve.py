@@ -182,9 +182,9 @@ def _rows(
     if digits is not None:
         yield from _balls(study, solution, moments, digits)
         return
-    from ..experiment.closed_form import dataset, evaluated
+    from ..experiment.closed_form import closed_form_trajectory, dataset
 
-    variables = dataset(study, evaluated(study, solution, _doubles(moments)), solution)
+    variables = dataset(study, closed_form_trajectory(study, solution, _doubles(moments)), solution)
     for name in map(str, variables.data_vars):
         if name == "energy":  # the same as law_energy
             continue
@@ -273,9 +273,9 @@ def _states(
             parts = [{"value": middle, "error": radius} for middle, radius in balls]
             yield {"time": float(time), **dict(zip(names, parts, strict=True))}
         return
-    from ..experiment.closed_form import dataset, evaluated
+    from ..experiment.closed_form import closed_form_trajectory, dataset
 
-    variables = dataset(study, evaluated(study, solution, _doubles(moments)), solution)
+    variables = dataset(study, closed_form_trajectory(study, solution, _doubles(moments)), solution)
     for index, time in enumerate(moments):
         at = variables.isel(time=index)
         yield {
@@ -287,9 +287,9 @@ def _states(
 def _write(
     study: Study, solution: Solution, moments: list[Fraction], output: Path, force: bool
 ) -> None:
-    from ..experiment.closed_form import dataset, evaluated
+    from ..experiment.closed_form import closed_form_trajectory, dataset
 
-    trajectory = evaluated(study, solution, _doubles(moments))
+    trajectory = closed_form_trajectory(study, solution, _doubles(moments))
     deliver(dataset(study, trajectory, solution), output, force)
     inform(f"written to {name_of(output)}")
 

@@ -6,61 +6,18 @@ import sympy as sp
 
 from ..catalogue.balls.ball_entry import ball_variables
 from ..catalogue.balls.ball_laws import known_ball_laws
-from ..core.system import Parameter
 from ..core.vectors import Vector
 from ..mechanics.ball.ball import RollingBall
-from ..mechanics.ball.surface import (
-    CircularCylinder,
-    Cone,
-    EllipsoidSurface,
-    EllipticCylinder,
-    FlatSurface,
-    ImplicitSurface,
-    Paraboloid,
-    Ring,
-    Side,
-    SmoothSurface,
-    SphericalSurface,
-)
+from ..mechanics.ball.surface import ImplicitSurface, SmoothSurface
 from ..printing.numerals import number
 from .file.ball_model import BallExperiment, moment
-from .file.ball_tables import (
-    ConeTable,
-    CylinderTable,
-    EllipsoidSurfaceTable,
-    FlatTable,
-    ImplicitSurfaceTable,
-    ParaboloidTable,
-    RingTable,
-    RoundTable,
-    SmoothTable,
-)
 from .file.shape_tables import BallTable
-from .file.table import FormulaTable
 from .mechanism import identifier
 from .subject import PlacedBallSubject
 
-__all__ = ["ball_subject", "smooth_surface"]
+__all__ = ["ball_subject"]
 
 R = Vector("R")
-
-#: A surface in words, by the kind of its table.
-_NAMES = {
-    "plane": "a plane",
-    "sphere": "a sphere",
-    "cylinder": "a cylinder",
-    "cone": "a cone",
-    "ellipsoid": "an ellipsoid",
-    "paraboloid": "a paraboloid",
-    "torus": "a torus",
-    "implicit": "a surface given by an equation",
-}
-
-
-def _numbers(table: FormulaTable, where: str) -> tuple[Parameter, ...]:
-    return tuple(
-        Parameter(symbol, f"number in the {where}", value) for symbol, value in table.values
-    )
 
 
 def ball_subject(experiment: BallExperiment) -> PlacedBallSubject:
@@ -72,7 +29,7 @@ def ball_subject(experiment: BallExperiment) -> PlacedBallSubject:
         If its parts do not fit together; the message names the place in the file.
     """
     with experiment.placing_errors("surface"):
-        surface = smooth_surface(experiment.surface)
+        surface = experiment.surface.surface()
     with experiment.placing_errors("field"):
         potential = _potential(experiment)
     with experiment.placing_errors("body", "shape"):
@@ -88,38 +45,6 @@ def ball_subject(experiment: BallExperiment) -> PlacedBallSubject:
         setting=_setting(experiment, ball),
         ball=ball,
     )
-
-
-def smooth_surface(table: SmoothTable) -> SmoothSurface:
-    """The surface that a table describes.
-
-    Raises
-    ------
-    InputError
-        If a number is not admissible.
-    """
-    side, axis = table.side, table.axis
-    match table:
-        case FlatTable():
-            return FlatSurface(side=side, axis=axis)
-        case RoundTable():
-            inside: Side = "inside" if table.radius < 0 else side
-            return SphericalSurface(abs(table.radius), side=inside, axis=axis)
-        case CylinderTable(axes=None):
-            return CircularCylinder(table.radius or 0.0, side=side, axis=axis)
-        case CylinderTable():
-            return EllipticCylinder(table.axes or (0.0, 0.0), side=side, axis=axis)
-        case ConeTable():
-            return Cone(table.slope, side=side, axis=axis)
-        case EllipsoidSurfaceTable():
-            return EllipsoidSurface(table.axes, side=side, axis=axis)
-        case ParaboloidTable():
-            return Paraboloid(table.radii, side=side, axis=axis)
-        case RingTable():
-            return Ring(table.radius, table.tube, side=side, axis=axis)
-        case ImplicitSurfaceTable():
-            formula = table.expression(table.equation)
-            return ImplicitSurface(formula, _numbers(table, "surface"), side=side, axis=axis)
 
 
 def _potential(experiment: BallExperiment) -> sp.Expr:
@@ -153,13 +78,13 @@ def _rolling_ball(
         gravity=field.gravity,
         direction=field.direction,
         potential=potential,
-        numbers=_numbers(field, "potential"),
+        numbers=field.numbers("number in the potential"),
     )
 
 
 def _support(experiment: BallExperiment, ball: RollingBall) -> str:
     """The surface that carries the ball, in words."""
-    name = _NAMES[experiment.surface.kind]
+    name = experiment.surface.surface_name
     if ball.carrier == "centre":
         return f"with its centre on {name}"
     inside = ball.surface.side == "inside"

@@ -35,7 +35,7 @@ def body_of_catalogue(experiment: SystemExperiment) -> BodySubject:
         variables=item.variables,
         plan=item.plan,
         setting="" if rolling is None else rolling_setting(rolling),
-        support=rolling,
+        rolling=rolling,
         heading=start.heading,
         normal=start.normal,
         letters=item.letters,

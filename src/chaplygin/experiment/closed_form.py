@@ -33,9 +33,9 @@ __all__ = [
     "ClosedFormSection",
     "ball",
     "closed_form_section",
+    "closed_form_trajectory",
     "dataset",
     "diagram_if_known",
-    "evaluated",
     "number",
     "solution_of_study",
     "solved_if_known",
@@ -84,7 +84,9 @@ def in_space(study: Study, solution: Solution) -> bool:
     return moves and len(solution.system.symbols) > len(study.system.symbols)
 
 
-def evaluated(study: Study, solution: Solution, times: Sequence[float] | FloatArray) -> Trajectory:
+def closed_form_trajectory(
+    study: Study, solution: Solution, times: Sequence[float] | FloatArray
+) -> Trajectory:
     """A motion at chosen times, with all that a run records.
 
     Parameters
@@ -136,7 +138,7 @@ def dataset(study: Study, trajectory: Trajectory, solution: Solution) -> xr.Data
 
 def units(study: Study, solution: Solution) -> dict[sp.Symbol, str]:
     """The unit of every component of the lifted state, where it is known."""
-    variables = dataset(study, evaluated(study, solution, [0.0]), solution)
+    variables = dataset(study, closed_form_trajectory(study, solution, [0.0]), solution)
     by_symbol: dict[sp.Symbol, str] = {}
     for name in solution.system.state:
         unit = str(variables[str(name)].units) if str(name) in variables else "m"
@@ -203,7 +205,7 @@ def closed_form_section(solution: Solution, trajectory: Trajectory) -> ClosedFor
         source=form.source,
         equations=tuple(Markup(displayed(equation(left, right))) for left, right in form.equations),
         rows=tuple(
-            (_symbol(figure.symbol), printed(number(figure)), letters(figure.meaning))
+            (_symbol(figure.symbol), typeset_value(number(figure)), letters(figure.meaning))
             for figure in form.figures
         ),
         ovals=tuple(signed(f"[{low:.12g}, {high:.12g}]") for low, high in form.ovals),
@@ -231,7 +233,7 @@ def equation(left: sp.Expr, right: sp.Expr) -> str:
     return re.sub(r"\\text\{d([a-z]+)\}", differential, written)
 
 
-def printed(value: str) -> str:
+def typeset_value(value: str) -> str:
     """A value with its error and unit, signs, powers of ten and units as in print."""
     return unit(signed(value))
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ..errors import InputError
 
-__all__ = ["check_target", "completed"]
+__all__ = ["atomic_file", "check_target"]
 
 #: Kinds of files that are no regular files, with the tests for them.
 _OTHERS = (
@@ -60,7 +60,7 @@ def _check_replaced(target: Path, status: os.stat_result, force: bool) -> None:
 
 
 @contextmanager
-def completed(target: Path) -> Iterator[Path]:
+def atomic_file(target: Path) -> Iterator[Path]:
     """A temporary file that becomes `target` only when the block ends well.
 
     Where `target` is a link, the file to which it points is replaced; a file that is replaced

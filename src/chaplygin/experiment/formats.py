@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import InputError
-from .files import check_target, completed
+from .files import atomic_file, check_target
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -60,7 +60,7 @@ def save(dataset: xr.Dataset, path: Path, force: bool = False) -> None:
         _save_zarr(dataset, path)
         return
     content = csv_text(dataset).encode("utf-8") if ending == ".csv" else netcdf(dataset)
-    with completed(path) as temporary:
+    with atomic_file(path) as temporary:
         temporary.write_bytes(content)
 
 

@@ -29,7 +29,7 @@ __all__ = [
     "StartValues",
     "initial_state_from_values",
     "lift_of",
-    "normalised",
+    "normalised_vectors",
     "on_level",
     "unit_vectors",
 ]
@@ -102,7 +102,9 @@ def lift_of(system: System, values: StartValues) -> dict[str, float | tuple[floa
     return lift
 
 
-def normalised(values: StartValues, names: Collection[str]) -> dict[str, tuple[float, list[float]]]:
+def normalised_vectors(
+    values: StartValues, names: Collection[str]
+) -> dict[str, tuple[float, list[float]]]:
     """Length and direction of those vectors whose length is not one."""
     lengths = {}
     for name in names & values.keys():

@@ -24,7 +24,7 @@ from .section_coordinates import is_angle, usual, within_a_turn
 from .study import Study
 from .without_lift import without_reconstruction
 
-__all__ = ["DIRECTIONS", "Place", "Reduced", "Starts", "coordinates_of", "section_of"]
+__all__ = ["DIRECTIONS", "Place", "ReducedCoordinates", "Starts", "coordinates_of", "section_of"]
 
 #: Functions whose value is an angle.
 ANGLES = (sp.atan2, sp.atan, sp.asin, sp.acos)
@@ -168,7 +168,7 @@ def _level(system: System, start: FloatArray) -> dict[str, float]:
 
 
 @dataclass(frozen=True)
-class Reduced:
+class ReducedCoordinates:
     """Two or three coordinates of a chart of the reduced system.
 
     Attributes
@@ -229,7 +229,7 @@ def coordinates_of(
     text: str,
     variables: Mapping[str, tuple[str, str]] | None = None,
     passed: str = "",
-) -> tuple[tuple[str, ...], tuple[Quantity, ...], Reduced | None]:
+) -> tuple[tuple[str, ...], tuple[Quantity, ...], ReducedCoordinates | None]:
     """The coordinates in which a section is drawn, and those to be recorded.
 
     Parameters
@@ -254,7 +254,9 @@ def coordinates_of(
     text = text.strip() or usual(system, passed)
     name, colon, listed = text.partition(":")
     if colon:
-        reduced = Reduced(system, name.strip(), tuple(part.strip() for part in listed.split(",")))
+        reduced = ReducedCoordinates(
+            system, name.strip(), tuple(part.strip() for part in listed.split(","))
+        )
         return tuple(item.name for item in reduced.quantities), (), reduced
     parts = _at_commas(text)
     if len(parts) not in (2, 3):

@@ -36,7 +36,7 @@ def rolling_subject(experiment: RollingExperiment) -> BodySubject:
         start_values={"omega": start.omega, "gamma": start.gamma},
         until=experiment.run.until,
         setting=rolling_setting(rolling),
-        support=rolling,
+        rolling=rolling,
         from_catalogue=False,
         heading=start.heading,
         normal=start.normal,

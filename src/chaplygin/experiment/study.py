@@ -32,7 +32,7 @@ from .file.models import (
     StateExperiment,
     SystemExperiment,
 )
-from .initial_state import StartValues, normalised, on_level
+from .initial_state import StartValues, normalised_vectors, on_level
 from .rolling import rolling_subject
 from .subject import Subject, Variables
 
@@ -100,7 +100,9 @@ class Study(WithOverview):
         lengths = tuple(
             f"start.{name} has length {length:.9g}; it was normalised to "
             f"[{', '.join(f'{x:.17g}' for x in direction)}]"
-            for name, (length, direction) in normalised(values, self.subject.directions).items()
+            for name, (length, direction) in normalised_vectors(
+                values, self.subject.directions
+            ).items()
         )
         return (*lengths, *self.subject.remarks)
 
@@ -171,7 +173,7 @@ class Study(WithOverview):
                 trajectory = integrate(
                     self.system_on_level,
                     start,
-                    _subdivided(self.times, pieces),
+                    _subdivided_times(self.times, pieces),
                     # collocation always computes with all digits
                     tolerance=run.tolerance if run.method == "taylor" else None,
                     precision=run.precision,
@@ -194,7 +196,7 @@ class Study(WithOverview):
         return trajectory
 
 
-def _subdivided(times: FloatArray, pieces: int) -> FloatArray:
+def _subdivided_times(times: FloatArray, pieces: int) -> FloatArray:
     """Times with each interval divided, the given ones unchanged to the bit."""
     indices = np.arange((len(times) - 1) * pieces + 1) / pieces
     return np.interp(indices, np.arange(len(times)), times)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TypeAlias
+from typing import ClassVar, TypeAlias
 
 import mpmath
 
@@ -56,6 +56,8 @@ class Subject:
         Duration (s).
     variables : mapping of str to (str, str)
         Meaning and unit of variables of the state, where the start is given by it.
+    rolling : Rolling, optional
+        The rolling body and its surface.
     plan : Plan, optional
         The drawing of a mechanism in the plane.
     setting : str
@@ -66,13 +68,15 @@ class Subject:
     start_values: StartValues
     until: float
     variables: Variables = field(default_factory=dict)
+    rolling: Rolling | None = None
     plan: Plan | None = None
     setting: str = ""
 
-    @property
-    def rolling(self) -> Rolling | None:
-        """The rolling body and its surface, if there is one."""
-        return None
+    starts_by_velocity: ClassVar[bool] = False
+    """Whether the start gives ω and γ, from which the state follows."""
+
+    has_own_reconstruction: ClassVar[bool] = False
+    """Whether the equations of the motion in space are particular to this system."""
 
     @property
     def model(self) -> Rolling | Mechanism | None:
@@ -88,11 +92,6 @@ class Subject:
     def remarks(self) -> tuple[str, ...]:
         """Sentences on what is unusual about it."""
         return ()
-
-    @property
-    def starts_by_velocity(self) -> bool:
-        """Whether the start gives ω and γ, from which the state follows."""
-        return False
 
     @property
     def directions(self) -> set[str]:
@@ -150,11 +149,6 @@ class Subject:
         return []
 
     @property
-    def has_own_reconstruction(self) -> bool:
-        """Whether the equations of the motion in space are particular to this system."""
-        return False
-
-    @property
     def derivation_notes(self) -> tuple[str, ...]:
         """Sentences on what is recorded besides the state, and on the constraints."""
         return ()
@@ -166,8 +160,6 @@ class BodySubject(Subject):
 
     Attributes
     ----------
-    support : Rolling or None
-        The body and its surface; None for a fixed point.
     from_catalogue : bool
         Whether the catalogue describes the body, and not the user.
     heading : float
@@ -178,16 +170,12 @@ class BodySubject(Subject):
         Meanings of letters that this system alone has.
     """
 
-    support: Rolling | None = None
+    starts_by_velocity = True
+
     from_catalogue: bool = True
     heading: float = 0.0
     normal: Sequence[float] = _UPWARDS
     letters: Mapping[str, str] = field(default_factory=dict)
-
-    @property
-    def rolling(self) -> Rolling | None:
-        """The body and its surface; None for a fixed point."""
-        return self.support
 
     @property
     def summary(self) -> str:
@@ -201,11 +189,6 @@ class BodySubject(Subject):
             return ()
         outside = centre_outside(self.rolling.body.shape)
         return ("body.shape.centre puts the centre of mass outside the body",) if outside else ()
-
-    @property
-    def starts_by_velocity(self) -> bool:
-        """True."""
-        return True
 
     @property
     def directions(self) -> set[str]:
@@ -305,6 +288,8 @@ class DescribedSubject(Subject):
         The Lagrangian, frame and constraints from which the system was derived.
     """
 
+    has_own_reconstruction = True
+
     mechanism: Mechanism | None = None
 
     @property
@@ -322,11 +307,6 @@ class DescribedSubject(Subject):
     def recorded_names(self) -> list[str]:
         """The observables."""
         return [item.name for item in self._observables]
-
-    @property
-    def has_own_reconstruction(self) -> bool:
-        """True."""
-        return True
 
     @property
     def derivation_notes(self) -> tuple[str, ...]:

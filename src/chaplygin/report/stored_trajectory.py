@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from ..core.cache import entry_name
 from ..errors import InputError
-from ..experiment.files import completed
+from ..experiment.files import atomic_file
 from ..experiment.study import Study
 from ..flow.integrator import Trajectory
 from ..flow.taylor import number_type
@@ -68,7 +68,7 @@ def store_trajectory(path: Path, key: str | None, trajectory: Trajectory) -> Non
     }
     # as bytes, since NumPy's own format does not know numbers of 34 digits
     contents = {name: np.frombuffer(array.tobytes(), np.uint8) for name, array in arrays.items()}
-    with completed(path) as temporary, temporary.open("wb") as stream:
+    with atomic_file(path) as temporary, temporary.open("wb") as stream:
         np.savez(stream, allow_pickle=False, **{"": np.array(json.dumps(facts)), **contents})
 
 

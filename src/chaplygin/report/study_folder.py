@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from ..errors import InputError
-from ..experiment.files import check_target, completed
+from ..experiment.files import atomic_file, check_target
 
 __all__ = ["TRAJECTORY", "begin", "check_folder", "end", "is_begun"]
 
@@ -78,7 +78,7 @@ def begin(folder: Path, experiment: str, force: bool) -> None:
         (folder / "figures").mkdir(parents=True, exist_ok=True)
     except OSError as problem:
         raise InputError(f"{folder} cannot be written: {problem.strerror}") from problem
-    with completed(mark) as temporary:
+    with atomic_file(mark) as temporary:
         temporary.write_text(experiment, encoding="utf-8")
 
 

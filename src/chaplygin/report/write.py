@@ -12,7 +12,7 @@ from ..analysis.classification.facts import ProofBudget
 from ..errors import InterruptionError, RunError
 from ..experiment.closed_form import diagram_if_known, solved_if_known
 from ..experiment.dataset import write
-from ..experiment.files import completed
+from ..experiment.files import atomic_file
 from ..experiment.plan import PlanMotion, plan_motion
 from ..experiment.study import Study, dataset_of
 from ..explicit.base.solution import Solution
@@ -82,7 +82,7 @@ def write_study(
     dataset = dataset_of(study, trajectory, complete=failure is None)
     # what is there is of this study, or may be replaced
     write(dataset, folder / "trajectory.nc", force=True)
-    with completed(folder / "experiment.toml") as temporary:
+    with atomic_file(folder / "experiment.toml") as temporary:
         temporary.write_text(study.complete_toml(), encoding="utf-8")
     report.say("looking for a closed form")
     solution = solved_if_known(study)
@@ -92,7 +92,7 @@ def write_study(
         for suffix in ("svg", "png"):
             figures.save(figure, folder / "figures" / f"{name}.{suffix}")
     text = page.render(study, trajectory, dataset, pictures, patience, failure, solution)
-    with completed(folder / "report.html") as temporary:
+    with atomic_file(folder / "report.html") as temporary:
         temporary.write_text(text, encoding="utf-8")
     end(folder)
     return trajectory, failure

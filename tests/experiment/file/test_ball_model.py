@@ -10,7 +10,6 @@ from pydantic import ValidationError
 
 from chaplygin.analysis.classification.facts import ProofBudget
 from chaplygin.errors import InputError
-from chaplygin.experiment.ball import smooth_surface
 from chaplygin.experiment.file.ball_model import BallExperiment, moment
 from chaplygin.experiment.file.ball_tables import CylinderTable, RoundTable
 from chaplygin.experiment.file.models import RollingExperiment, catalogue_experiment, loads
@@ -123,7 +122,7 @@ def test_a_full_tensor_may_be_spherical():
 
 
 def test_a_negative_radius_is_the_inside():
-    assert smooth_surface(RoundTable(radius=-2.0)).side == "inside"
+    assert RoundTable(radius=-2.0).surface().side == "inside"
 
 
 def test_the_setting_in_words():

@@ -8,7 +8,7 @@ import pytest
 import tomli_w
 from hypothesis import given, strategies as st
 
-from chaplygin.experiment.file.toml import Key, dotted, dumps, key_lines
+from chaplygin.experiment.file.toml import Key, dotted_key, dumps, key_lines
 
 TRICKY = '''# [not.a.table]
 top = 1
@@ -107,7 +107,7 @@ def test_every_key_is_found_on_its_line(tables: dict[str, Any]) -> None:
         found = key_lines(text)
         lines = text.split("\n")
         for path in paths(tables):
-            assert lines[found[path] - 1].startswith(f"{dotted(path[-1:])} = ")
+            assert lines[found[path] - 1].startswith(f"{dotted_key(path[-1:])} = ")
 
 
 @given(nested)
@@ -124,4 +124,4 @@ def test_vectors_and_matrices_stand_on_one_line() -> None:
     ("key", "text"), [(("body", "mass"), "body.mass"), (("a b", "c"), '"a b".c'), ((), "")]
 )
 def test_dotted(key: Key, text: str) -> None:
-    assert dotted(key) == text
+    assert dotted_key(key) == text

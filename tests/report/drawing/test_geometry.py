@@ -12,7 +12,7 @@ from chaplygin.report.drawing.shading import (
     PlaneGround,
     SphereGround,
     cast_shadow,
-    shaded,
+    shaded_colours,
     sphere_shades,
 )
 from chaplygin.report.drawing.view import View, rotation_matrices, unit
@@ -173,7 +173,7 @@ def test_shell_that_rolls_with_its_inner_side_is_hollow():
 def test_placing_moves_everything_rigidly():
     outline = outline_from_contact(ellipsoid(1.0, 0.6, 0.3))
     rotation = rotation_matrices(np.array([0.3, -0.5, 0.2, 0.7]))
-    placed = outline.placed(rotation, np.array([1.0, 2.0, 3.0]))
+    placed = outline.in_space(rotation, np.array([1.0, 2.0, 3.0]))
     np.testing.assert_allclose(placed.vertices[5], rotation @ outline.vertices[5] + [1, 2, 3])
     np.testing.assert_allclose(placed.normals[5], rotation @ outline.normals[5])
     seam, moved = outline.seams[0], placed.seams[0]
@@ -200,9 +200,9 @@ def test_near_facets_cover_the_body_once():
 def test_shading_darkens_what_turns_from_the_lamp():
     grey = np.full((3, 3), 0.5)
     away = unit(np.cross(VIEW.light, VIEW.toward))
-    lit = shaded(grey, np.stack([VIEW.light, away, -VIEW.light]), VIEW, 0.5)[:, 0]
+    lit = shaded_colours(grey, np.stack([VIEW.light, away, -VIEW.light]), VIEW, 0.5)[:, 0]
     assert lit[0] > lit[1] > lit[2] > 0.2
-    flat = shaded(grey, np.stack([VIEW.light, away, -VIEW.light]), VIEW, 0.0)
+    flat = shaded_colours(grey, np.stack([VIEW.light, away, -VIEW.light]), VIEW, 0.0)
     assert np.ptp(flat) == 0
 
 
@@ -245,7 +245,7 @@ def test_convex_hull_of_few_points():
 
 def test_shadow_of_a_ball_on_the_plane_is_an_ellipse_at_its_foot():
     light = unit(np.array([0.3, 0.1, 1.0]))
-    body = outline_from_contact(ball(1.0)).placed(np.eye(3), np.array([4.0, 5.0, 1.0]))
+    body = outline_from_contact(ball(1.0)).in_space(np.eye(3), np.array([4.0, 5.0, 1.0]))
     shadow = cast_shadow(body.vertices, PlaneGround(), light)
     np.testing.assert_array_equal(shadow[:, 2], 0.0)
     assert area(shadow[:, :2]) == pytest.approx(np.pi / light[2], rel=0.01)
@@ -254,7 +254,7 @@ def test_shadow_of_a_ball_on_the_plane_is_an_ellipse_at_its_foot():
 
 @pytest.mark.parametrize(("radius", "height"), [(2.0, 2.5), (-2.0, -1.5)])
 def test_shadow_lies_on_the_sphere_under_the_ball(radius, height):
-    body = outline_from_contact(ball(0.5)).placed(np.eye(3), np.array([0.0, 0.0, height]))
+    body = outline_from_contact(ball(0.5)).in_space(np.eye(3), np.array([0.0, 0.0, height]))
     shadow = cast_shadow(body.vertices, SphereGround(radius), np.array([0.0, 0.0, 1.0]))
     np.testing.assert_allclose(np.linalg.norm(shadow, axis=1), 2.0)
     np.testing.assert_allclose(np.hypot(*shadow[:, :2].T), 0.5, rtol=0.01)
@@ -262,7 +262,7 @@ def test_shadow_lies_on_the_sphere_under_the_ball(radius, height):
 
 
 def test_body_under_a_sphere_casts_no_shadow_on_it():
-    body = outline_from_contact(ball(0.5)).placed(np.eye(3), np.array([0.0, 0.0, -2.5]))
+    body = outline_from_contact(ball(0.5)).in_space(np.eye(3), np.array([0.0, 0.0, -2.5]))
     assert len(cast_shadow(body.vertices, SphereGround(2.0), np.array([0.0, 0.0, 1.0]))) == 0
 
 

@@ -10,6 +10,18 @@ from typing import ClassVar, Literal
 import sympy as sp
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
+from ...mechanics.ball.surface import (
+    CircularCylinder,
+    Cone,
+    EllipsoidSurface,
+    EllipticCylinder,
+    FlatSurface,
+    ImplicitSurface,
+    Paraboloid,
+    Ring,
+    SmoothSurface,
+    SphericalSurface,
+)
 from .table import (
     DIRECTION,
     FORMULA,
@@ -52,15 +64,36 @@ class _SurfaceTable(FormulaTable):
     side: Literal["outside", "inside"] = Field(default="outside", description=SIDES)
     """The side of the ball; above counts as outside, below as inside."""
 
+    surface_class: ClassVar[type[SmoothSurface]]
+    surface_name: ClassVar[str]
+    """The name of the surface in titles, with its article."""
+
+    def surface(self) -> SmoothSurface:
+        """The surface, whose numbers have the names of the keys.
+
+        Raises
+        ------
+        InputError
+            If a number is not admissible.
+        """
+        numbers = self.model_dump(exclude={"kind", "given", "parameters"})
+        return self.surface_class(**numbers)
+
 
 class FlatTable(_SurfaceTable):
     """The plane z = 0."""
+
+    surface_class = FlatSurface
+    surface_name = "a plane"
 
     kind: Literal["plane"] = "plane"
 
 
 class RoundTable(_SurfaceTable):
     """A sphere about the origin; a negative radius, too, means its inside."""
+
+    surface_class = SphericalSurface
+    surface_name = "a sphere"
 
     kind: Literal["sphere"] = "sphere"
     radius: Number = Field(description="a finite number, positive outside and negative inside")
@@ -72,9 +105,17 @@ class RoundTable(_SurfaceTable):
             raise ValueError("must not be zero; it is positive outside and negative inside")
         return radius
 
+    def surface(self) -> SmoothSurface:
+        """The sphere, with the ball inside if the radius is negative."""
+        side = "inside" if self.radius < 0 else self.side
+        return SphericalSurface(abs(self.radius), side=side, axis=self.axis)
+
 
 class CylinderTable(_SurfaceTable):
     """A cylinder about the axis, circular (radius) or elliptic (axes)."""
+
+    surface_class = CircularCylinder
+    surface_name = "a cylinder"
 
     kind: Literal["cylinder"] = "cylinder"
     radius: Positive | None = Field(default=None, description=POSITIVE)
@@ -86,9 +127,18 @@ class CylinderTable(_SurfaceTable):
             raise ValueError("give either radius (circular) or axes (elliptic) of the cylinder")
         return self
 
+    def surface(self) -> SmoothSurface:
+        """The circular or the elliptic cylinder."""
+        if self.axes is not None:
+            return EllipticCylinder(self.axes, side=self.side, axis=self.axis)
+        return CircularCylinder(self.radius or 0.0, side=self.side, axis=self.axis)
+
 
 class ConeTable(_SurfaceTable):
     """The half z > 0 of the cone x² + y² = slope² z²."""
+
+    surface_class = Cone
+    surface_name = "a cone"
 
     kind: Literal["cone"] = "cone"
     slope: Positive = Field(description=POSITIVE)
@@ -97,12 +147,18 @@ class ConeTable(_SurfaceTable):
 class EllipsoidSurfaceTable(_SurfaceTable):
     """An ellipsoid about the origin with its axes along x, y, z."""
 
+    surface_class = EllipsoidSurface
+    surface_name = "an ellipsoid"
+
     kind: Literal["ellipsoid"] = "ellipsoid"
     axes: tuple[Positive, Positive, Positive] = Field(description="3 positive semi-axes")
 
 
 class ParaboloidTable(_SurfaceTable):
     """The paraboloid z = x²/2p + y²/2q with radii = [p, q], also hyperbolic."""
+
+    surface_class = Paraboloid
+    surface_name = "a paraboloid"
 
     kind: Literal["paraboloid"] = "paraboloid"
     radii: tuple[Number, Number] = Field(description="2 finite numbers, not zero")
@@ -118,6 +174,9 @@ class ParaboloidTable(_SurfaceTable):
 class RingTable(_SurfaceTable):
     """A torus about the axis: radius of the centre circle and radius of the tube."""
 
+    surface_class = Ring
+    surface_name = "a torus"
+
     kind: Literal["torus"] = "torus"
     radius: Positive = Field(description=POSITIVE)
     tube: Positive = Field(description=POSITIVE)
@@ -127,6 +186,9 @@ class ImplicitSurfaceTable(_SurfaceTable):
     """The surface f(x, y, z) = 0, space axes; outside is where f is positive."""
 
     variables: ClassVar[tuple[str, ...]] = ("x", "y", "z")
+
+    surface_class = ImplicitSurface
+    surface_name = "a surface given by an equation"
 
     kind: Literal["implicit"] = "implicit"
     equation: str = Field(description=FORMULA)
@@ -138,6 +200,12 @@ class ImplicitSurfaceTable(_SurfaceTable):
         if formula is not None and not {s.name for s in formula.free_symbols} & set(cls.variables):
             raise ValueError("the equation of a surface must contain x, y or z")
         return text
+
+    def surface(self) -> SmoothSurface:
+        """The surface, its equation read."""
+        numbers = self.numbers("number in the surface")
+        equation = self.expression(self.equation)
+        return ImplicitSurface(equation, numbers, side=self.side, axis=self.axis)
 
 
 SmoothTable = (

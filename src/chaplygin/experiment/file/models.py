@@ -1,12 +1,12 @@
-"""The experiment file: what the command line, the web page and Python share.
+"""The experiment file, from which the command line and Python start.
 
 A TOML file describes a body that rolls on a plane or a sphere (`RollingExperiment`), a homogeneous
 ball that rolls on any other surface (`BallExperiment`), a system of the catalogue, or a system of
 the user's own, by its Lagrangian (`MechanismExperiment`) or by its equations
-(`EquationsExperiment`); further a start, and how the motion is computed. What moves in the
-catalogue's system is mostly a body whose start is given by ω and γ (`SystemExperiment`); of any
-other system the start gives the state by the names of its variables (`StateExperiment`). The keys,
-their meaning, units and frames are those of `chaplygin.experiment.file.tables`, `ball_tables` and
+(`EquationsExperiment`); further a start and the computation of the motion. Most systems of the
+catalogue are bodies whose start is given by ω and γ (`SystemExperiment`); for any other system the
+start gives the state by the names of its variables (`StateExperiment`). Keys, their meaning, units
+and frames are described in the modules `tables`, `shape_tables`, `ball_tables` and
 `mechanism_tables`.
 """
 

@@ -10,15 +10,7 @@ from typing import ClassVar, Literal, get_args
 
 from pydantic import Field, StrictBool, ValidationInfo, field_validator, model_validator
 
-from ...mechanics.rolling.shapes import (
-    Ball,
-    Disk,
-    Ellipsoid,
-    Implicit,
-    Revolution,
-    Shape,
-    Torus,
-)
+from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Shape, Torus
 from .table import FORMULA, POSITIVE, THREE, FormulaTable, Number, Positive, Vector
 
 __all__ = [

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from ...errors import InputError
-from .toml import Key, Tables, dotted, key_lines
+from .toml import Key, Tables, dotted_key, key_lines
 
 __all__ = ["Source"]
 
@@ -109,13 +109,13 @@ class Source:
             if key == path:
                 return f"--set {setting}"
             if key[: len(path)] == path:
-                return f"--set {setting}, {dotted(key)}"
+                return f"--set {setting}, {dotted_key(key)}"
             if key and path[: len(key)] == key and key not in self._lines:
                 makers.append(f"--set {setting}")
         if makers:
             return " ".join(dict.fromkeys(reversed(makers)))
         number = self.line(key)
-        parts = [self.name, f"line {number}" if number else "", dotted(key)]
+        parts = [self.name, f"line {number}" if number else "", dotted_key(key)]
         return ", ".join(part for part in parts if part)
 
     def line(self, key: Key) -> int:

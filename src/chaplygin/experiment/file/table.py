@@ -13,6 +13,7 @@ from typing import Annotated, ClassVar
 import sympy as sp
 from pydantic import BaseModel, ConfigDict, Field, Strict, ValidationInfo, field_validator
 
+from ...core.system import Parameter
 from ...core.vectors import real_symbol
 from ...parsing import RESERVED, parse
 
@@ -50,6 +51,10 @@ class FormulaTable(Table):
     def values(self) -> tuple[tuple[sp.Symbol, float], ...]:
         """The named numbers, by their symbols."""
         return tuple((real_symbol(name), value) for name, value in self.parameters.items())
+
+    def numbers(self, meaning: str) -> tuple[Parameter, ...]:
+        """The named numbers as parameters of that meaning."""
+        return tuple(Parameter(symbol, meaning, value) for symbol, value in self.values)
 
     def expression(self, text: str) -> sp.Expr:
         """A formula of this table as an expression in the symbols of its names."""

@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 import tomli_w
 
-__all__ = ["Key", "Tables", "dotted", "dumps", "key_lines"]
+__all__ = ["Key", "Tables", "dotted_key", "dumps", "key_lines"]
 
 Key = tuple[str, ...]
 
@@ -113,7 +113,7 @@ def dumps(tables: Mapping[str, object]) -> str:
     return "\n\n".join(_blocks((), tables)) + "\n"
 
 
-def dotted(key: Key) -> str:
+def dotted_key(key: Key) -> str:
     """A path as it stands in a TOML file, parts quoted where they must be."""
     return ".".join(tomli_w.dumps({part: 0}).removesuffix(" = 0\n") for part in key)
 
@@ -123,7 +123,7 @@ def _blocks(path: Key, table: Mapping[str, object]) -> Iterator[str]:
     inner = {key: value for key, value in table.items() if isinstance(value, Mapping)}
     lines = [_assignment(key, value) for key, value in table.items() if key not in inner]
     if lines:
-        header = [f"[{dotted(path)}]"] if path else []
+        header = [f"[{dotted_key(path)}]"] if path else []
         yield "\n".join(header + lines)
     for key, value in inner.items():
         yield from _blocks((*path, key), value)
@@ -131,7 +131,7 @@ def _blocks(path: Key, table: Mapping[str, object]) -> Iterator[str]:
 
 def _assignment(key: str, value: object) -> str:
     if isinstance(value, list | tuple):
-        return f"{dotted((key,))} = {_array(value)}"
+        return f"{dotted_key((key,))} = {_array(value)}"
     return tomli_w.dumps({key: value}).rstrip("\n")
 
 

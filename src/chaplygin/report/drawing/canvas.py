@@ -19,7 +19,7 @@ from ...core.arrays import BoolArray, FloatArray
 from .curves import runs
 from .dataset_access import unit_of
 from .mesh import Facets, SurfaceCurve
-from .shading import shaded, sphere_shades
+from .shading import shaded_colours, sphere_shades
 from .style import GROUND_DARK, GROUND_LIGHT, INK, QUIET, TIME_COLOURS
 from .view import View
 
@@ -84,7 +84,7 @@ class Canvas:
 
         `side` is 1 for their outer side, -1 for the inner.
         """
-        colours = shaded(tones[facets.tones], side * facets.normals, self.view, contrast)
+        colours = shaded_colours(tones[facets.tones], side * facets.normals, self.view, contrast)
         shades, members = np.unique(np.round(colours * _SHADES), axis=0, return_inverse=True)
         corners = self.view.project(facets.polygons)
         # A hairline of the facets' own colour covers the seams that smoothing would leave.
@@ -113,7 +113,9 @@ class Canvas:
             self.axes.add_artist(patch)
             patch.set_clip_path(cut, self.axes.transData)
 
-    def timed(self, points: FloatArray, fractions: FloatArray, width: float, alpha: float) -> None:
+    def time_coloured(
+        self, points: FloatArray, fractions: FloatArray, width: float, alpha: float
+    ) -> None:
         """Draw a curve (n, 3) in the colours of time; fractions (n,) of the time gone by."""
         if len(points) < 2:
             return
@@ -205,7 +207,7 @@ def timed_on_surface(
     """Draw the visible part of a curve on a surface in the colours of time."""
     seen: BoolArray = sheet.view.faces_reader(side * curve.normals)
     for run in runs(seen[1:] | seen[:-1]):
-        sheet.timed(curve.points[run], fractions[run], width, alpha)
+        sheet.time_coloured(curve.points[run], fractions[run], width, alpha)
 
 
 def mark_ends(sheet: Canvas, curve: SurfaceCurve, side: float) -> None:

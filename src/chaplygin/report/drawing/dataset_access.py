@@ -112,7 +112,7 @@ def typeset(name: str) -> str:
 _NOBODYS = 0xE000
 
 
-def wrapped(text: str, width: int = 50) -> str:
+def wrapped_text(text: str, width: int = 50) -> str:
     """A text in lines of about `width` characters, names set as letters."""
     names = list(map(typeset, _LETTER.findall(text)))
     # a name is a letter wide: one of those that have no meaning stands for it

@@ -18,7 +18,7 @@ from matplotlib.text import Text
 from matplotlib.ticker import AutoLocator
 
 from ...errors import InputError
-from ...experiment.files import completed
+from ...experiment.files import atomic_file
 from .style import ALARM, COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE
 
 FORMATS: dict[str, dict[str, None]] = {
@@ -72,7 +72,7 @@ def save(figure: Figure, path: str | FilePath) -> FilePath:
         raise InputError(
             f"{target}: a figure is written as {', '.join(FORMATS)}; the file name must end so"
         )
-    with completed(target) as place:
+    with atomic_file(target) as place:
         if suffix == ".svg":
             place.write_text(f"{_PROLOG}{svg_text(figure)}\n", encoding="utf-8")
         else:

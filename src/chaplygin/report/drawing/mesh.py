@@ -105,7 +105,7 @@ class BodyMesh:
         """The polygons of the mesh."""
         return Facets(self.vertices[self.faces], self.normals, self.tones)
 
-    def placed(self, rotation: FloatArray, centre: FloatArray) -> BodyMesh:
+    def in_space(self, rotation: FloatArray, centre: FloatArray) -> BodyMesh:
         """The body in space.
 
         Parameters

@@ -36,7 +36,9 @@ class SphereGround:
 Ground: TypeAlias = PlaneGround | SphereGround
 
 
-def shaded(colours: FloatArray, normals: FloatArray, view: View, contrast: float) -> FloatArray:
+def shaded_colours(
+    colours: FloatArray, normals: FloatArray, view: View, contrast: float
+) -> FloatArray:
     """Colours of a lit surface.
 
     Parameters

@@ -120,11 +120,11 @@ def _line(axes: Axes, boundary: Boundary, lines: Mapping[int, Heights]) -> None:
         if column in lines:
             xs, ys = lines[column]
             pieces.append(np.column_stack([xs, ys[:, rank]]))
-    for piece in _chained(pieces):
+    for piece in _connected_curves(pieces):
         axes.plot(*piece.T, **_line_style(boundary))
 
 
-def _chained(pieces: Sequence[FloatArray]) -> list[FloatArray]:
+def _connected_curves(pieces: Sequence[FloatArray]) -> list[FloatArray]:
     """Pieces of curves joined at common ends, so that dashes continue."""
     curves: list[FloatArray] = []
     for piece in pieces:

@@ -154,12 +154,12 @@ class Grid:
             )
             self.members[np.outer(wide, tall)] = -1
 
-    def of(self, regions: Sequence[Region]) -> BoolArray:
+    def in_regions(self, regions: Sequence[Region]) -> BoolArray:
         """The points of the raster in some regions."""
         wanted = [n for n, region in enumerate(self.regions) if region in regions]
         return np.asarray(np.isin(self.members, wanted))
 
-    def room(self, inside: BoolArray) -> FloatArray:
+    def label_scale(self, inside: BoolArray) -> FloatArray:
         """The size of the label that fits at each point; 1 just fits."""
         framed = np.pad(inside, 1)
         # in units of half a label
@@ -178,17 +178,17 @@ def places(
 
     Keys are the numbers of the regions; 0 is the one for the regions without motions.
     """
-    free = grid.of(empty)
+    free = grid.in_regions(empty)
     positions: dict[int, tuple[Place, Place | None]] = {}
     for region in text:
-        room = grid.room(grid.of([region]))
+        room = grid.label_scale(grid.in_regions([region]))
         if room.max() <= 0:
             continue
         inside = _largest(room)
         if room[inside] >= 1.25:
             positions[region.number] = (grid.place(inside), None)
             continue
-        outside = _nearest(grid.room(free) >= 1.5, inside)
+        outside = _nearest(grid.label_scale(free) >= 1.5, inside)
         if outside is None:
             positions[region.number] = (grid.place(inside), None)
             continue
@@ -198,7 +198,7 @@ def places(
             max(outside[0] - reach[0], 0) : outside[0] + reach[0],
             max(outside[1] - reach[1], 0) : outside[1] + reach[1],
         ] = False
-    room = grid.room(free)
+    room = grid.label_scale(free)
     if room.max() >= 1.5:
         positions[0] = (grid.place(_largest(room)), None)
     return positions

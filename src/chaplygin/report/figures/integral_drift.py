@@ -38,7 +38,7 @@ def drift(dataset: xr.Dataset) -> Figure:
     InputError
         If the dataset has nothing that is conserved.
     """
-    names = conserved(dataset)
+    names = conserved_variables(dataset)
     if not names:
         raise InputError(
             f"the figure drift needs an integral, and the trajectory of {title_of(dataset)} has "
@@ -124,7 +124,7 @@ def _starts_at_zero(values: FloatArray) -> bool:
     return first == 0.0 or bool(first < NOTHING and change > 1e-6 * first)
 
 
-def conserved(dataset: xr.Dataset) -> list[str]:
+def conserved_variables(dataset: xr.Dataset) -> list[str]:
     """Variables that ought to stay constant, that of the energy first.
 
     An energy that is recorded and is no integral is not among them.
@@ -139,7 +139,9 @@ def conserved(dataset: xr.Dataset) -> list[str]:
 
 def drifts(dataset: xr.Dataset) -> bool:
     """Whether anything that ought to stay constant changes by a bit or more."""
-    return any(np.nanmax(relative_drift(dataset, name)) > 0.0 for name in conserved(dataset))
+    return any(
+        np.nanmax(relative_drift(dataset, name)) > 0.0 for name in conserved_variables(dataset)
+    )
 
 
 def _law_label(dataset: xr.Dataset, name: str) -> str:

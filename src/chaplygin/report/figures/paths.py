@@ -96,7 +96,7 @@ def _path_on_plane(
     axes.set_ylabel(with_unit("$y$", units))
     from_above = View(-np.pi / 2, np.pi / 2)
     sheet = Canvas(axes, from_above)
-    sheet.timed(points, time_shares(times), 1.6, 1.0)
+    sheet.time_coloured(points, time_shares(times), 1.6, 1.0)
     mark_ends(sheet, on_ground(points, PlaneGround()), 1.0)
 
 

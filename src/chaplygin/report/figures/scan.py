@@ -17,7 +17,7 @@ from matplotlib.patches import Patch
 
 from ...core.arrays import FloatArray
 from ...errors import InputError
-from ..drawing.dataset_access import readable, title_of, typeset, unit_of, with_unit, wrapped
+from ..drawing.dataset_access import readable, title_of, typeset, unit_of, with_unit, wrapped_text
 from ..drawing.style import INK, QUIET, STYLE, WIDTH
 
 __all__ = ["chart"]
@@ -129,7 +129,7 @@ def _mark(bar: Colorbar, value: float, meaning: str) -> None:
 
 def _title(number: xr.DataArray) -> str:
     """The meaning of the numbers."""
-    return wrapped(str(number.attrs.get("long_name", number.name)))
+    return wrapped_text(str(number.attrs.get("long_name", number.name)))
 
 
 def _norm(values: FloatArray, mark: float | None) -> tuple[Normalize, str]:
@@ -177,6 +177,6 @@ def _label(dataset: xr.Dataset, name: str) -> str:
     """Name, meaning and unit of an axis."""
     meaning = str(dataset[name].attrs.get("long_name", name))
     letters = typeset(name)
-    shown = wrapped(meaning) if meaning != name else letters
+    shown = wrapped_text(meaning) if meaning != name else letters
     text = f"{shown}  {letters}" if letters.startswith("$") and shown != letters else shown
     return with_unit(text, unit_of(dataset, name))

@@ -238,10 +238,10 @@ def turning_angles(quaternions: FloatArray) -> tuple[tuple[str, str, str], list[
         names = ("yaw", "pitch", "roll")
         first, last = np.arctan2(R[:, 1, 0], R[:, 0, 0]), np.arctan2(R[:, 2, 1], R[:, 2, 2])
         middle = pitch
-    return names, [_continued(first), middle, _continued(last)]
+    return names, [_continuous_angle(first), middle, _continuous_angle(last)]
 
 
-def _continued(angle: FloatArray) -> FloatArray:
+def _continuous_angle(angle: FloatArray) -> FloatArray:
     """An angle that does not jump by whole turns, not-a-number where it was."""
     good = np.isfinite(angle)
     angles = angle.copy()

@@ -66,7 +66,7 @@ def ball_scene(dataset: xr.Dataset, outline: BodyMesh, ground: SurfaceGround) ->
     margin = 0.75 * outline.diameter + extent * np.array([0.15, 0.15, 0.05])
     box = frame_of(around, margin, ground)
     seen = crossings(ground, box, view, _COLUMNS)
-    body = outline.placed(track.rotation[-1], track.centre[-1])
+    body = outline.in_space(track.rotation[-1], track.centre[-1])
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(WIDTH, WIDTH))
         figure.set_label(f"The ball and the path of its contact point: {title_of(dataset)}")
@@ -122,7 +122,7 @@ def _strokes(
     alpha: float,
 ) -> None:
     for run in runs(chosen[1:] | chosen[:-1]):
-        sheet.timed(path[run], fractions[run], width, alpha)
+        sheet.time_coloured(path[run], fractions[run], width, alpha)
 
 
 def _hidden_points(view: View, seen: Crossings, path: FloatArray, slack: float) -> BoolArray:

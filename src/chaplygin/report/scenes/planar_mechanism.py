@@ -98,7 +98,7 @@ def plan_view(dataset: xr.Dataset, motion: PlanMotion) -> Figure:
         axes.set_ylabel(with_unit("$y$", units))
         sheet = Canvas(axes, View(-np.pi / 2, np.pi / 2))
         flat = np.column_stack([path, np.zeros(len(path))])
-        sheet.timed(flat, time_shares(times), 1.6, 1.0)
+        sheet.time_coloured(flat, time_shares(times), 1.6, 1.0)
         marks = max(_OF_MECHANISM * last.size, _OF_PICTURE * 2 * half)
         for pose in poses[:-1]:
             pose.draw(axes, marks, _PALE, 50)
@@ -211,7 +211,7 @@ def _draw_enlarged(
     corners = pose.corners
     middle = (corners.min(axis=0) + corners.max(axis=0)) / 2
     near = Canvas(axes, sheet.view)
-    near.timed(path, fractions, 1.6, 1.0)
+    near.time_coloured(path, fractions, 1.6, 1.0)
     pose.draw(axes, _OF_MECHANISM * pose.size, INK, 60)
     _limits(axes, middle, 0.95 * pose.size, 1.0)
     axes.set_xticks([])

@@ -80,7 +80,7 @@ def scene(
         figure = Figure(figsize=(WIDTH, WIDTH))
         figure.set_label(f"The body and the path of its contact point: {title_of(dataset)}")
         sheet = Canvas(blank_axes(figure), _scene_view(track, surface))
-        body = outline.placed(track.rotation[-1], track.centre[-1])
+        body = outline.in_space(track.rotation[-1], track.centre[-1])
         if isinstance(surface, PlaneGround):
             spacing = _scene_on_plane(sheet, track, outline, body)
             note = f"grid {spacing:g} {unit_of(dataset, 'contact')}".rstrip()
@@ -261,7 +261,7 @@ def _draw_ghosts(sheet: Canvas, track: Track, outline: BodyMesh) -> None:
         if len(places) == 5:
             break
     for index in sorted(places[1:], key=lambda i: float(sheet.view.depth(middle[i]))):
-        ghost = outline.placed(track.rotation[index], track.centre[index])
+        ghost = outline.in_space(track.rotation[index], track.centre[index])
         border = convex_hull(sheet.view.project(ghost.vertices))
         sheet.fill(border, "#eef2f6", 0.85)
         seams = [piece for seam in ghost.seams for piece in visible_pieces(seam, sheet.view, 1.0)]
@@ -274,7 +274,7 @@ def _scene_on_plane(sheet: Canvas, track: Track, outline: BodyMesh, body: BodyMe
     times, path = track.path(PlaneGround())
     spacing = draw_grid(sheet, path.points, outline.diameter)
     _draw_ghosts(sheet, track, outline)
-    sheet.timed(path.points, time_shares(times), 2.0, 1.0)
+    sheet.time_coloured(path.points, time_shares(times), 2.0, 1.0)
     mark_start(sheet, path, 1.0)
     _draw_shadow(sheet, body, PlaneGround())
     draw_body(sheet, body, track)
