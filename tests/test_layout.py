@@ -22,7 +22,6 @@ LINES = 400
 LONGER = {
     "flow/kernel/gauss_legendre.py",
     "flow/kernel/runge_kutta.py",
-    "mechanics/rolling/shapes.py",
 }
 #: Files of a folder at most.
 FILES = 22
