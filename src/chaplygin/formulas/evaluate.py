@@ -11,7 +11,7 @@ import numpy.typing as npt
 import sympy as sp
 
 from ..core.arrays import FloatArray
-from ..core.parameters import parameters_by_symbol, require_admissible
+from ..core.parameters import Parameters, parameters_by_symbol, require_admissible
 from ..core.system import Quantity, System
 from ..core.vectors import to_components
 from ..errors import InputError
@@ -29,7 +29,7 @@ __all__ = [
 ]
 
 #: Values of parameters by symbol or name; an array has one for each motion.
-ParameterValues: TypeAlias = Mapping[str, npt.ArrayLike] | Mapping[sp.Symbol, npt.ArrayLike]
+ParameterValues: TypeAlias = Parameters
 
 
 def _positive(test: FloatArray, yes: FloatArray, no: FloatArray) -> FloatArray:
@@ -89,7 +89,7 @@ def read_formulas(system: System) -> tuple[Reader, tuple[Term, ...]]:
     return reader, tuple(rates)
 
 
-def as_float_array(name: str, given: npt.ArrayLike) -> FloatArray:
+def as_float_array(name: str, given: object) -> FloatArray:
     """Numbers as doubles.
 
     Raises
