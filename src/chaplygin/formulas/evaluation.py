@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import operator
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping
+from functools import reduce
 from typing import Generic, TypeVar
 
 import sympy as sp
@@ -14,7 +16,8 @@ N = TypeVar("N")
 class Evaluation(ABC, Generic[N]):
     """Scalar formulas as elements of an algebra, every part of them computed once.
 
-    An algebra is a subclass: it says what constants, sums, products, powers and functions are.
+    An algebra is a subclass: it says what constants, powers and functions are, and what sums and
+    products are unless these are + and * of the elements.
 
     Parameters
     ----------
@@ -73,13 +76,13 @@ class Evaluation(ABC, Generic[N]):
         """The element of a symbol without value and definition: none, unless a subclass has one."""
         raise KeyError(symbol)
 
-    @abstractmethod
     def _sum(self, formula: sp.Add) -> N:
-        """The element of a sum."""
+        """The element of a sum, by + of the elements."""
+        return reduce(operator.add, map(self._visit, formula.args))
 
-    @abstractmethod
     def _product(self, formula: sp.Mul) -> N:
-        """The element of a product."""
+        """The element of a product, by * of the elements."""
+        return reduce(operator.mul, map(self._visit, formula.args))
 
     @abstractmethod
     def _power(self, formula: sp.Pow) -> N:

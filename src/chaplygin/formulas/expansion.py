@@ -119,18 +119,6 @@ class TaylorExpansion(Evaluation[Series]):
     def _constant(self, number: sp.Expr) -> Series:
         return self.constant(self.numbers.number(exact_number(number)))
 
-    def _sum(self, formula: sp.Add) -> Series:
-        first, *others = self._parts(formula)
-        for term in others:
-            first = first + term
-        return first
-
-    def _product(self, formula: sp.Mul) -> Series:
-        first, *others = self._parts(formula)
-        for factor in others:
-            first = first * factor
-        return first
-
     def _power(self, formula: sp.Pow) -> Series:
         base, exponent = formula.args
         if not exponent.is_Rational:

@@ -6,8 +6,10 @@ partial derivatives, seeding it with the field gives time derivatives.
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from typing import Any, TypeAlias
 
 import sympy as sp
@@ -175,12 +177,6 @@ class Evaluator(Evaluation[Jet]):
             return seeded
         raise UnknownSymbolError(str(symbol))
 
-    def _sum(self, formula: sp.Add) -> Jet:
-        return self._fold(formula.args, Jet.__add__)
-
-    def _product(self, formula: sp.Mul) -> Jet:
-        return self._fold(formula.args, Jet.__mul__)
-
     def _function(self, formula: sp.Expr) -> Jet:
         if formula is sp.pi:
             return Jet(self.field.pi(), {})
@@ -228,12 +224,6 @@ class Evaluator(Evaluation[Jet]):
         slopes = self(self._by_name[inversion.of[number]].rest).slopes
         return Jet(minors[number] / determinant, slopes)
 
-    def _fold(self, parts: Sequence[sp.Expr], combine: Callable[[Jet, Jet], Jet]) -> Jet:
-        result = self._visit(parts[0])
-        for part in parts[1:]:
-            result = combine(result, self._visit(part))
-        return result
-
     def _power(self, formula: sp.Pow) -> Jet:
         base, exponent = formula.args
         inner = self(base)
@@ -265,7 +255,7 @@ class Evaluator(Evaluation[Jet]):
     def _exponential(self, formula: sp.Expr) -> Jet:
         exponent = sp.expand(formula.args[0])
         if exponent.is_Add:
-            return self._fold([sp.exp(term) for term in exponent.args], Jet.__mul__)
+            return reduce(operator.mul, (self(sp.exp(term)) for term in exponent.args))
         inner = self(exponent)
         value = self.field.exponential(inner.value)
         return inner.through(value, value)
