@@ -1,4 +1,4 @@
-"""The evaluation of formulas in an algebra: numbers, terms, power series or anything like them."""
+"""Evaluation of formulas in an algebra: numbers, terms of a graph, power series, jets."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Evaluation(ABC, Generic[N]):
         return self._visit(formula)
 
     def define(self, steps: Iterable[tuple[sp.Symbol, sp.Expr]]) -> None:
-        """Give further symbols the values of formulas, in order: long chains need no recursion."""
+        """Define further symbols by formulas, in order, so that long chains need no recursion."""
         for symbol, formula in steps:
             self._elements[symbol] = self._visit(formula)
 
@@ -53,7 +53,7 @@ class Evaluation(ABC, Generic[N]):
         return element
 
     def _rule(self, formula: sp.Expr) -> Callable[[sp.Expr], N]:
-        """The operation that a formula asks for; returned, not called, to save a level of depth."""
+        """The method for a kind of formula; returned, not called, to save a level of recursion."""
         if formula.is_Rational or formula.is_Float:
             return self._constant
         if formula.is_Symbol:
@@ -73,7 +73,7 @@ class Evaluation(ABC, Generic[N]):
         """A rational or decimal number."""
 
     def _symbol(self, symbol: sp.Symbol) -> N:
-        """The element of a symbol without value and definition: none, unless a subclass has one."""
+        """The element of a symbol without value or definition; by default there is none."""
         raise KeyError(symbol)
 
     def _sum(self, formula: sp.Add) -> N:
