@@ -24,7 +24,7 @@ __all__ = ["Formulas"]
 class Formulas:
     """Scalar formulas in state, definitions and parameters of a System.
 
-    What is computed for a state depends on it alone, not on its neighbours.
+    The values at a state do not depend on the states beside it.
 
     Parameters
     ----------

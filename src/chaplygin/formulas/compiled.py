@@ -1,6 +1,6 @@
 """Formulas of a System as one NumPy function each, for loops that call them again and again.
 
-What is asked once is better served by :mod:`chaplygin.formulas.batch`, which compiles nothing.
+A formula that is evaluated only once is better left to :mod:`chaplygin.formulas.batch`.
 """
 
 from __future__ import annotations

@@ -19,7 +19,7 @@ from ..errors import InputError
 
 __all__ = ["canonical", "digest", "field_digests"]
 
-#: What of a System shapes its motions.
+#: The attributes of a System that determine its motions.
 _OF_A_SYSTEM = ("name", "field", "definitions", "parameters", "relations", "guards", "start")
 
 
@@ -116,7 +116,7 @@ def _content(value: object) -> tuple[str, bytes]:
 
 
 def _of_a_system(system: System) -> list[Any]:
-    """What shapes the motions of a System and what is measured along them; texts do not."""
+    """All of a System that determines its motions and recorded quantities; texts do not."""
     seen = [(item.name, item.value) for item in system.observables]
     laws = [
         (law.name, law.on, formula) for law in system.laws for formula in _formulas_with_effect(law)

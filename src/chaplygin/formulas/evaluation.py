@@ -1,9 +1,11 @@
-"""The evaluation of formulas in an algebra: numbers, terms, power series or anything like them."""
+"""Evaluation of formulas in an algebra: numbers, terms of a graph, power series, jets."""
 
 from __future__ import annotations
 
+import operator
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping
+from functools import reduce
 from typing import Generic, TypeVar
 
 import sympy as sp
@@ -14,7 +16,8 @@ N = TypeVar("N")
 class Evaluation(ABC, Generic[N]):
     """Scalar formulas as elements of an algebra, every part of them computed once.
 
-    An algebra is a subclass: it says what constants, sums, products, powers and functions are.
+    An algebra is a subclass: it says what constants, powers and functions are, and what sums and
+    products are unless these are + and * of the elements.
 
     Parameters
     ----------
@@ -37,7 +40,7 @@ class Evaluation(ABC, Generic[N]):
         return self._visit(formula)
 
     def define(self, steps: Iterable[tuple[sp.Symbol, sp.Expr]]) -> None:
-        """Give further symbols the values of formulas, in order: long chains need no recursion."""
+        """Define further symbols by formulas, in order, so that long chains need no recursion."""
         for symbol, formula in steps:
             self._elements[symbol] = self._visit(formula)
 
@@ -50,7 +53,7 @@ class Evaluation(ABC, Generic[N]):
         return element
 
     def _rule(self, formula: sp.Expr) -> Callable[[sp.Expr], N]:
-        """The operation that a formula asks for; returned, not called, to save a level of depth."""
+        """The method for a kind of formula; returned, not called, to save a level of recursion."""
         if formula.is_Rational or formula.is_Float:
             return self._constant
         if formula.is_Symbol:
@@ -70,16 +73,16 @@ class Evaluation(ABC, Generic[N]):
         """A rational or decimal number."""
 
     def _symbol(self, symbol: sp.Symbol) -> N:
-        """The element of a symbol without value and definition: none, unless a subclass has one."""
+        """The element of a symbol without value or definition; by default there is none."""
         raise KeyError(symbol)
 
-    @abstractmethod
     def _sum(self, formula: sp.Add) -> N:
-        """The element of a sum."""
+        """The element of a sum, by + of the elements."""
+        return reduce(operator.add, map(self._visit, formula.args))
 
-    @abstractmethod
     def _product(self, formula: sp.Mul) -> N:
-        """The element of a product."""
+        """The element of a product, by * of the elements."""
+        return reduce(operator.mul, map(self._visit, formula.args))
 
     @abstractmethod
     def _power(self, formula: sp.Pow) -> N:

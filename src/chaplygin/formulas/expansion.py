@@ -113,18 +113,6 @@ class TaylorExpansion(Evaluation[Series]):
     def _constant(self, number: sp.Expr) -> Series:
         return self.constant(self.numbers.number(exact_number(number)))
 
-    def _sum(self, formula: sp.Add) -> Series:
-        first, *others = self._parts(formula)
-        for term in others:
-            first = first + term
-        return first
-
-    def _product(self, formula: sp.Mul) -> Series:
-        first, *others = self._parts(formula)
-        for factor in others:
-            first = first * factor
-        return first
-
     def _power(self, formula: sp.Pow) -> Series:
         base, exponent = formula.args
         if not exponent.is_Rational:
@@ -188,15 +176,15 @@ class TaylorExpansion(Evaluation[Series]):
         """A function of some variables that nobody specified, or a derivative of it."""
         function = formula.expr if isinstance(formula, sp.Derivative) else formula
         orders = dict(formula.variable_count) if isinstance(formula, sp.Derivative) else {}
-        places = [self.variables.index(s) for s in function.args if s in self.variables]
-        if not isinstance(function, AppliedUndef) or len(places) != len(function.args):
+        indices = [self.variables.index(s) for s in function.args if s in self.variables]
+        if not isinstance(function, AppliedUndef) or len(indices) != len(function.args):
             raise InputError(f"{formula}: an unspecified function may depend on coordinates only")
         gens = self.ring.gens()
         parts = []
         for degree in range(self.order + 1):
             total = self.ring.constant(0)
-            for chosen in combinations_with_replacement(range(len(places)), degree):
-                powers = [chosen.count(i) for i, _ in enumerate(places)]
+            for chosen in combinations_with_replacement(range(len(indices)), degree):
+                powers = [chosen.count(i) for i, _ in enumerate(indices)]
                 raised = [
                     p + int(orders.get(s, 0)) for p, s in zip(powers, function.args, strict=True)
                 ]
@@ -205,7 +193,7 @@ class TaylorExpansion(Evaluation[Series]):
                     value = value / factorial(power)
                 term = self.constant(value).parts[0]
                 for i in chosen:
-                    term = term * gens[places[i]]
+                    term = term * gens[indices[i]]
                 total = total + term
             parts.append(total)
         return Series(self.numbers, self.ring, parts)

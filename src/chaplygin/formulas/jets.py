@@ -1,4 +1,4 @@
-"""Formulas evaluated with their derivatives, in any of the fields of this package.
+"""Formulas evaluated with their derivatives, in any field of numbers or functions.
 
 A jet is a value with some directional derivatives.  Seeding the state with unit vectors gives
 partial derivatives, seeding it with the field gives time derivatives.
@@ -6,8 +6,10 @@ partial derivatives, seeding it with the field gives time derivatives.
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from typing import Any, TypeAlias
 
 import sympy as sp
@@ -81,22 +83,22 @@ class Inversion:
     of: tuple[sp.Symbol, ...]
 
 
-#: Where the entries of a symmetric matrix stand in its list of six.
+#: Indices of the entries of a symmetric matrix in its list of six.
 _SIX = ((0, 1, 2), (1, 3, 4), (2, 4, 5))
 
 
 class Evaluator(Evaluation[Jet]):
-    """Evaluates formulas of one system in one field.
+    """Jets of the formulas of one system, in one field.
 
     Parameters
     ----------
     field
-        One of `Fractions`, `Rationals`, `Balls`.
+        A field of :mod:`chaplygin.formulas.number_fields`, or the function field of the prover.
     seed : callable
         The jet of a generator (state, parameters); None for any other symbol.
     steps : mapping of Symbol to formula
         Definitions, evaluated when first needed.
-    exchanged : mapping of Symbol to Exchange
+    exchanged : sequence of GeneratorSwap
         Definitions that are generators in place of a parameter.
     zeros : collection of formulas
         Values of unspecified functions that the conditions say are zero.
@@ -130,7 +132,7 @@ class Evaluator(Evaluation[Jet]):
         self.seed = seed
 
     def with_steps(self, steps: Mapping[sp.Symbol, sp.Expr]) -> Evaluator:
-        """The same evaluation with further definitions."""
+        """An evaluator with further definitions."""
         return Evaluator(
             self.field,
             self.seed,
@@ -174,12 +176,6 @@ class Evaluator(Evaluation[Jet]):
         if seeded is not None:
             return seeded
         raise UnknownSymbolError(str(symbol))
-
-    def _sum(self, formula: sp.Add) -> Jet:
-        return self._fold(formula.args, Jet.__add__)
-
-    def _product(self, formula: sp.Mul) -> Jet:
-        return self._fold(formula.args, Jet.__mul__)
 
     def _function(self, formula: sp.Expr) -> Jet:
         if formula is sp.pi:
@@ -228,12 +224,6 @@ class Evaluator(Evaluation[Jet]):
         slopes = self(self._by_name[inversion.of[number]].rest).slopes
         return Jet(minors[number] / determinant, slopes)
 
-    def _fold(self, parts: Sequence[sp.Expr], combine: Callable[[Jet, Jet], Jet]) -> Jet:
-        result = self._visit(parts[0])
-        for part in parts[1:]:
-            result = combine(result, self._visit(part))
-        return result
-
     def _power(self, formula: sp.Pow) -> Jet:
         base, exponent = formula.args
         inner = self(base)
@@ -265,15 +255,15 @@ class Evaluator(Evaluation[Jet]):
     def _exponential(self, formula: sp.Expr) -> Jet:
         exponent = sp.expand(formula.args[0])
         if exponent.is_Add:
-            return self._fold([sp.exp(term) for term in exponent.args], Jet.__mul__)
+            return reduce(operator.mul, (self(sp.exp(term)) for term in exponent.args))
         inner = self(exponent)
         value = self.field.exponential(inner.value)
         return inner.through(value, value)
 
     def _unspecified_function(self, formula: sp.Expr) -> Jet:
         """A value of an unspecified function, or of one of its derivatives."""
-        function, orders, places = _function_and_orders(formula)
-        inner = [self(place) for place in places]
+        function, orders, arguments = _function_and_orders(formula)
+        inner = [self(argument) for argument in arguments]
         values = [jet.value for jet in inner]
 
         def partial_derivative(counts: tuple[int, ...]) -> Element:
@@ -294,10 +284,10 @@ class Evaluator(Evaluation[Jet]):
     def _is_zero(self, function: str, orders: tuple[int, ...], values: Sequence[Element]) -> bool:
         """Whether the conditions say that a value of an unspecified function is zero."""
         for zero in self.zeros:
-            other, counts, places = _function_and_orders(zero)
+            other, counts, arguments = _function_and_orders(zero)
             if (other, counts) == (function, orders):
-                arguments = [self.value(place) for place in places]
-                if self.field.same(arguments, values):
+                there = [self.value(argument) for argument in arguments]
+                if self.field.same(there, values):
                     return True
         return False
 
@@ -365,10 +355,10 @@ def _as_ratio(formula: sp.Expr) -> sp.Expr:
 
 def _function_and_orders(formula: sp.Expr) -> tuple[str, tuple[int, ...], tuple[sp.Expr, ...]]:
     """Name of an unspecified function, orders of its derivatives, and where it is taken."""
-    places: dict[sp.Symbol, sp.Expr] = {}
+    points: dict[sp.Symbol, sp.Expr] = {}
     inner = formula
     while isinstance(inner, sp.Subs):
-        places = {**dict(zip(inner.variables, inner.point, strict=True)), **places}
+        points = {**dict(zip(inner.variables, inner.point, strict=True)), **points}
         inner = inner.expr
     counted: dict[sp.Symbol, int] = {}
     if isinstance(inner, sp.Derivative):
@@ -380,5 +370,5 @@ def _function_and_orders(formula: sp.Expr) -> tuple[str, tuple[int, ...], tuple[
     for variable in counted:
         if inner.args.count(variable) != 1:
             raise OutOfReachError(f"the derivative {formula} is not by one place of its function")
-    orders = tuple(counted.get(place, 0) for place in inner.args)
-    return type(inner).__name__, orders, tuple(p.xreplace(places) for p in inner.args)
+    orders = tuple(counted.get(argument, 0) for argument in inner.args)
+    return type(inner).__name__, orders, tuple(argument.xreplace(points) for argument in inner.args)

@@ -25,7 +25,7 @@ def number(value: object, where: str) -> mpmath.mpf:
     ----------
     value : number of Python, NumPy, mpmath or SymPy, or a formula without names as text
     where : str
-        What the number is, for the message.
+        A name of the number, for the message.
 
     Raises
     ------
@@ -48,7 +48,7 @@ def number(value: object, where: str) -> mpmath.mpf:
 
 
 class Multiprecision(Evaluation[mpmath.mpf]):
-    """Formulas as numbers of mpmath at the working precision; complex ones where roots are."""
+    """Formulas as numbers of mpmath at the working precision; complex where a root is."""
 
     def _constant(self, number: sp.Expr) -> mpmath.mpf:
         if number.is_Float:

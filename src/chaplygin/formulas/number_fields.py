@@ -182,8 +182,8 @@ class Balls:
     def unspecified(self, function: str, orders: Sequence[int], arguments: Sequence[arb]) -> arb:
         """A value of an unspecified function, or of one of its partial derivatives."""
         key = (function, tuple(orders))
-        for other, places, value in self._seen:
-            if other == key and self.same(places, arguments):
+        for other, points, value in self._seen:
+            if other == key and self.same(points, arguments):
                 return value
         number = _arbitrary_number(f"{key}{[a.str(12, radius=False) for a in arguments]}")
         self._seen.append((key, tuple(arguments), arb(number.p) / arb(number.q)))

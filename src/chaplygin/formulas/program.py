@@ -50,7 +50,7 @@ class Operation(NamedTuple):
         ``"constant"``, ``"sum"``, ``"product"``, ``"root"`` (the square root), ``"inverse"`` or
         the name of a function.
     operands : tuple of int
-        The places of what it acts on: of arguments and results of earlier operations.
+        The indices of what it acts on, in the list of arguments and then results.
     number : fmpq
         The value of a constant.
     """
@@ -74,8 +74,8 @@ class BallArithmetic:
         """The square root."""
         return x.sqrt()
 
-    def inverse(self, x: Any, place: int) -> Any:
-        """The reciprocal of x, the result at a place of the program."""
+    def inverse(self, x: Any, index: int) -> Any:
+        """The reciprocal of x, the result of this index in the program."""
         return 1 / x
 
     def function(self, name: str, arguments: Sequence[Any]) -> Any:
@@ -128,7 +128,7 @@ class StraightLineProgram(Evaluation[int]):
         steps: Steps = (),
         functions: Sequence[str] = (),
     ) -> None:
-        super().__init__({name: place for place, name in enumerate(names)})
+        super().__init__({name: index for index, name in enumerate(names)})
         self.operations: list[Operation] = []
         self._arguments = len(names)
         self._functions = functions
@@ -143,8 +143,8 @@ class StraightLineProgram(Evaluation[int]):
         arguments : sequence of numbers
             One for each name.
         arithmetic : BallArithmetic
-            What constants, roots, reciprocals and functions are; sums and products are those of
-            the numbers.
+            Gives constants, roots, reciprocals and functions; sums and products are those of the
+            numbers.
         """
         values = list(arguments)
         for kind, operands, number in self.operations:
@@ -152,25 +152,25 @@ class StraightLineProgram(Evaluation[int]):
                 value = arithmetic.constant(number)
             elif kind == "sum":
                 value = values[operands[0]]
-                for place in operands[1:]:
-                    value = value + values[place]
+                for index in operands[1:]:
+                    value = value + values[index]
             elif kind == "product":
                 value = values[operands[0]]
-                for place in operands[1:]:
-                    value = value * values[place]
+                for index in operands[1:]:
+                    value = value * values[index]
             elif kind == "root":
                 value = arithmetic.root(values[operands[0]])
             elif kind == "inverse":
                 value = arithmetic.inverse(values[operands[0]], len(values))
             else:
-                value = arithmetic.function(kind, [values[place] for place in operands])
+                value = arithmetic.function(kind, [values[index] for index in operands])
             values.append(value)
-        return [values[place] for place in self.results]
+        return [values[index] for index in self.results]
 
     # --- from formulas to operations -----------------------------------------------------------
 
     def _operation(self, kind: str, *operands: int, number: fmpq = ZERO) -> int:
-        """The place of the result of a further operation."""
+        """The index of the result of a further operation."""
         self.operations.append(Operation(kind, operands, number))
         return self._arguments + len(self.operations) - 1
 

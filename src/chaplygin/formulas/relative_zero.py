@@ -5,8 +5,8 @@ in kg m² for a ball of a millimetre.  So a sum is zero where it is small beside
 summed up, and a start is on a level where what it misses is small beside those terms.  Everything
 here is the same in every system of units.
 
-Formulas are evaluated in pairs, the value and the size that it would have if nothing cancelled.
-What is rational is computed in fractions, without rounding: so decimals are taken at their word.
+Every formula has a value and a size, the value that it would have if nothing cancelled.  Rational
+operations are exact, on fractions, and a decimal number means exactly the decimal.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ from .multiprecision import mpmath_function
 
 __all__ = ["GIVEN", "RESOLUTION", "ROUNDED", "Sized", "measured", "sized", "vanishes"]
 
-#: What is smaller than this, relative to its size, is zero: starts are read to fifty digits.
+#: A number below this, relative to its size, is zero: starts are read to fifty digits.
 RESOLUTION = fmpq(1, 10**40)
-#: What the rounding of doubles may leave of a sum that is zero, relative to its size.
+#: The rounding of doubles leaves at most this of a sum that is zero, relative to its size.
 ROUNDED = fmpq(1, 10**12)
-#: What a start may miss of the constraints, relative to the sizes: it is then moved onto them.
+#: A start that misses the constraints by less, relative to the sizes, is moved onto them.
 GIVEN = fmpq(1, 10**9)
 
 #: Digits of what is not rational.
@@ -45,7 +45,7 @@ def vanishes(ball: arb, size: arb, part: fmpq = RESOLUTION) -> bool:
     ----------
     ball, size : arb
     part : fmpq
-        What counts as nothing, relative to the size.
+        The largest ratio to the size that counts as zero.
     """
     return bool(abs(ball).lower() <= arb(part) * abs(size).upper())
 
@@ -75,7 +75,7 @@ class Sized:
 
     @property
     def share(self) -> float:
-        """What is left of the terms, relative to them."""
+        """The absolute value divided by the size."""
         if self.size == 0:
             return 0.0
         value, size = _alike(abs(self.value), self.size)
@@ -98,7 +98,7 @@ def measured(
     state : iterable of Vector or Symbol
         The names of the state.
     symbols : sequence of Symbol
-        The same in flat order; those beyond `numbers` are left out.
+        Their components in flat order; those beyond `numbers` are left out.
     numbers : sequence of Fraction
     """
     known = dict(zip(symbols, numbers, strict=False))

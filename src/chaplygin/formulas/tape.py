@@ -72,7 +72,7 @@ class Tape:
         self._taken.add(str(symbol))
 
     def value(self, symbol: sp.Symbol) -> sp.Expr:
-        """What a name stands for."""
+        """The value of a name."""
         return self._values[symbol]
 
     def fresh(self, label: str) -> sp.Symbol:

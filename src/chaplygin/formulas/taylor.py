@@ -282,7 +282,7 @@ class Series:
         return self._with_parts([part * whole for part in self.parts])
 
     def cut(self, order: int) -> Series:
-        """The same, known up to a lower order."""
+        """The series truncated at a lower order."""
         return self._with_parts(self.parts[: order + 1])
 
     def derivative(self, variable: int) -> Series:

@@ -188,18 +188,6 @@ class Evaluator(Evaluation[Jet]):
     def _symbol(self, symbol: sp.Symbol) -> Jet:
         return self._function(symbol)
 
-    def _sum(self, formula: sp.Add) -> Jet:
-        first, *others = self._parts(formula)
-        for term in others:
-            first = first + term
-        return first
-
-    def _product(self, formula: sp.Mul) -> Jet:
-        first, *others = self._parts(formula)
-        for factor in others:
-            first = first * factor
-        return first
-
     def _power(self, formula: sp.Pow) -> Jet:
         base, exponent = formula.args
         if exponent.is_Integer:

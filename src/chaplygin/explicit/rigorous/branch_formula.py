@@ -32,7 +32,7 @@ class _Continuation(BallArithmetic):
     Parameters
     ----------
     signs : dict of int to int, optional
-        The signs of denominators by their places in the program; those that are missing are taken
+        The signs of denominators by their indices in the program; those that are missing are taken
         from the first numbers.
     """
 
@@ -45,11 +45,11 @@ class _Continuation(BallArithmetic):
             raise LeavesBranchError
         return x.sqrt()
 
-    def inverse(self, x: Any, place: int) -> Any:
+    def inverse(self, x: Any, index: int) -> Any:
         """The reciprocal, of what keeps its sign."""
-        if place not in self.signs:
-            self.signs[place] = 1 if x > 0 else -1
-        return _inverse(x, self.signs[place])
+        if index not in self.signs:
+            self.signs[index] = 1 if x > 0 else -1
+        return _inverse(x, self.signs[index])
 
 
 def _inverse(x: Any, sign: int) -> Any:
@@ -136,14 +136,14 @@ class Branch:
         """
         signs = [*flips, *flips, *(1 for _ in self._constants)]
         for kind, operands, _ in self._program.operations:
-            kinds = [signs[place] for place in operands]
+            kinds = [signs[index] for index in operands]
             if kind == "sum":
                 signs.append(kinds[0] if len(set(kinds)) == 1 else 0)
             elif kind == "root":
                 signs.append(1 if kinds == [1] else 0)
             else:
                 signs.append(prod(kinds))
-        return [signs[place] for place in self._program.results]
+        return [signs[index] for index in self._program.results]
 
     def _run(self, vector: Sequence[Any], rate: Sequence[Any], signs: dict[int, int]) -> list[Any]:
         return self._program.run([*vector, *rate, *self._constants], _Continuation(signs))
