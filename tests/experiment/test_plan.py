@@ -30,7 +30,7 @@ IN_CATALOGUE = (
 def test_a_table_says_what_is_drawn():
     made = prepare(loads(SLEIGH))
     again = prepare(loads(made.complete_toml()))
-    assert made.subject.plan == again.plan
+    assert made.subject.plan == again.subject.plan
     assert [len(getattr(made.subject.plan, kind)) for kind in ("links", "blades", "points")] == [
         1,
         1,
@@ -47,7 +47,7 @@ def test_a_table_says_what_is_drawn():
 
 def test_without_a_table_the_constraints_say_it():
     made = prepare(loads(PLAIN))
-    assert len(made.subject.subject.plan.wheels) == 1
+    assert len(made.subject.plan.wheels) == 1
     assert not made.subject.plan.links
     assert "plan" not in made.complete_toml()
 

@@ -134,7 +134,8 @@ def test_a_body_has_what_the_file_says():
     assert values["q"] == 0.3
     assert values["c_1"] == 0.1
     assert values["k_2"] == 0.1
-    assert made.own
+    assert not made.subject.from_catalogue
+    assert made.subject.summary == ""
 
 
 @pytest.mark.parametrize(
@@ -180,7 +181,7 @@ def test_a_potential_acts():
 def test_a_name_is_enough(name):
     made = built.study(name)
     item = CATALOGUE[name]
-    assert not made.own
+    assert made.subject.summary == item.summary
     assert made.system == built.system(name)
     assert (made.start_values, made.until) == (item.start.values, item.start.until)
     assert (made.rolling is None) == isinstance(item.build(item.numbers()), System)

@@ -141,5 +141,5 @@ def in_section(item: Entry, section: str) -> bool:
 
 def sections(catalogue: Mapping[str, Entry]) -> list[str]:
     """The sections of the paper from which the catalogue has something, in order."""
-    found = {p for item in catalogue.values() for p in re.findall(r"§(\d+)", item.source)}
-    return sorted(found, key=int)
+    numbers = {p for item in catalogue.values() for p in re.findall(r"§(\d+)", item.source)}
+    return sorted(numbers, key=int)

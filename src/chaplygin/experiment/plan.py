@@ -79,7 +79,7 @@ def described_plan(
 def plan_motion(plan: Plan, trajectory: Trajectory) -> PlanMotion:
     """The numbers of a plan along a trajectory, which is lifted to space."""
 
-    def along(parts: Sequence[Sequence[sp.Expr]], width: int) -> FloatArray:
+    def numbers_of(parts: Sequence[Sequence[sp.Expr]], width: int) -> FloatArray:
         formulas = [formula for part in parts for formula in part]
         states = np.asarray(trajectory.states, dtype=np.float64)
         if not formulas:
@@ -88,10 +88,10 @@ def plan_motion(plan: Plan, trajectory: Trajectory) -> PlanMotion:
         return np.asarray(numbers, dtype=np.float64).reshape(len(states), len(parts), width)
 
     return PlanMotion(
-        path=along([plan.path], 2)[:, 0],
-        links=along(plan.links, 4),
-        wheels=along(plan.wheels, 3),
-        axles=along(plan.axles, 3),
-        blades=along(plan.blades, 3),
-        points=along(plan.points, 2),
+        path=numbers_of([plan.path], 2)[:, 0],
+        links=numbers_of(plan.links, 4),
+        wheels=numbers_of(plan.wheels, 3),
+        axles=numbers_of(plan.axles, 3),
+        blades=numbers_of(plan.blades, 3),
+        points=numbers_of(plan.points, 2),
     )

@@ -63,12 +63,12 @@ def is_angle(system: System, symbol: sp.Symbol) -> bool:
     place = system.symbols.index(symbol)
     states = np.random.default_rng(0).uniform(0.2, 1.1, (_TRIED, len(system.symbols)))
 
-    def moved(by: float) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    def shifted_by(by: float) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
         there = states.copy()
         there[:, place] += by
         return np.asarray(values(system, rates, there), dtype=np.float64)
 
-    here, turned, elsewhere = moved(0.0), moved(2 * np.pi), moved(1.0)
+    here, turned, elsewhere = shifted_by(0.0), shifted_by(2 * np.pi), shifted_by(1.0)
     near = _ROUNDING * (1.0 + np.abs(here))
     same = np.isfinite(here).all() and np.all(np.abs(turned - here) < near)
     return bool(same and np.any(np.abs(elsewhere - here) > near))

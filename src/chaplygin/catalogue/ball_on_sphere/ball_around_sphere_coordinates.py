@@ -157,13 +157,13 @@ def _momentum(first: int, second: int) -> sp.Expr:
     )
 
 
-def _driven(energy: sp.Expr, momentum: sp.Expr) -> sp.Expr:
+def _energy_and_momentum(energy: sp.Expr, momentum: sp.Expr) -> sp.Expr:
     """e₃² S ((M, ω) ζ₁L(u₁) − M² Q(u₁)) for one coefficient."""
     z = u[0]
     return E_3**2 * S * (energy * (tau - z) * scale(z) - momentum * ratio_form(z))
 
 
-def _stretched(which: int) -> list[sp.Expr]:
+def _log_rates(which: int) -> list[sp.Expr]:
     """ṅ_i/n_i for a unit rate of one coordinate."""
     z = u[which]
     logarithm = sp.diff(_sum(), z) / (2 * S)
@@ -184,7 +184,7 @@ def _averages() -> tuple[sp.Expr, ...]:
 def _laws() -> tuple[Law, ...]:
     drawn = constant([j * a - d * _level for j, a in zip(J.symbols, A.symbols, strict=True)])
     turned = [
-        2 * u[0] * u[1] * cubic(z) * cross(drawn, constant(_stretched(i))) - form * S * _spun(turn)
+        2 * u[0] * u[1] * cubic(z) * cross(drawn, constant(_log_rates(i))) - form * S * _spun(turn)
         for i, (z, turn) in enumerate(zip(u, turns, strict=True))
     ]
     first, second, third, fourth = _averages()
@@ -212,8 +212,8 @@ def _laws() -> tuple[Law, ...]:
             "separation",
             (
                 (u[0] - u[1]) ** 2 * u[0] ** 2 * cubic(u[0]) * scale(u[1])
-                - _driven(energies[0], momenta[0]),
-                _driven(energies[2], momenta[2]),
+                - _energy_and_momentum(energies[0], momenta[0]),
+                _energy_and_momentum(energies[2], momenta[2]),
             ),
             "coefficients of v₁² and v₂² in the separated equation of u₁",
             source="§8.3",

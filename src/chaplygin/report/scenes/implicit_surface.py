@@ -186,7 +186,7 @@ def _first_crossings(
     wide = Box(box.low - room, box.high + room)
     _, heights = _grid(wide, ground)
     scale = (np.array(heights.shape) - 1) / (wide.high - wide.low)
-    points = np.full((_LAYERS, len(start), 3), np.nan)
+    first = np.full((_LAYERS, len(start), 3), np.nan)
     count = np.zeros(len(start), dtype=int)
     before = np.full(len(start), np.nan)
     for index, along in enumerate(run):
@@ -201,12 +201,12 @@ def _first_crossings(
             share = before[crossed] / (before[crossed] - now[crossed])
             depth = run[index - 1] + share * (along - run[index - 1])
             met = _refined_crossings(ground, view, start[crossed], depth)
-            inside = _within(met, box)
-            crossed = crossed[inside]
-            points[count[crossed], crossed] = met[inside]
+            in_box = _within(met, box)
+            crossed = crossed[in_box]
+            first[count[crossed], crossed] = met[in_box]
             count[crossed] += 1
         before = now
-    return points
+    return first
 
 
 def _within(points: FloatArray, box: Box) -> BoolArray:
