@@ -33,7 +33,7 @@ def sign(sample: RankSample, formulas: Sequence[sp.Expr]) -> Sign:
 
     Parameters
     ----------
-    sample : Standing
+    sample : RankSample
     formulas : sequence of sympy.Expr
         In state, definitions and parameters.
 

@@ -156,7 +156,7 @@ def tangent_growth(
 
     Parameters
     ----------
-    rule : Parting
+    rule : ChaosIndicator
         The system, the length of the motions and of the intervals.
     space : TangentSpace
         Deviations that count.

@@ -44,7 +44,7 @@ class Spectrum(WithOverview):
         Before this time nothing is counted.
     exponents : tuple of Average
         The genuine ones, the largest first.
-    removed : tuple of (Removed, float or None)
+    removed : tuple of (TrivialExponent, float or None)
         Removed directions, with the observed rate of growth, which is to vanish; None for
         relations.
     dependent : tuple of str

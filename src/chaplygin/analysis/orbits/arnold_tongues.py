@@ -314,7 +314,7 @@ def plateaus(
     Parameters
     ----------
     maps : CircleMaps
-    stairs : Staircase
+    stairs : DevilsStaircase
         Fine enough to be monotone between the values around each step.
     longest : int
         The greatest denominator.

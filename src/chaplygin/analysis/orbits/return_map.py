@@ -71,7 +71,7 @@ class ReturnMap:
 
     Parameters
     ----------
-    section : SectionMap
+    section : PoincareMap
         With numbers for parameters, not arrays.
     angles : mapping of str to float
         Periods of state variables that are angles.
@@ -158,7 +158,7 @@ class Circle:
 
     Parameters
     ----------
-    section : SectionMap
+    section : PoincareMap
         A section that a second angle goes through; of a system whose state contains the first
         one, growing without jumps.
     angle : str
@@ -220,7 +220,7 @@ def rotations(section: PoincareMap, starts: FloatArray, angle: Any, count: int =
 
     Parameters
     ----------
-    section : SectionMap
+    section : PoincareMap
         Its parameters may be arrays, one number for each start.
     starts : array (n, size)
         In flat order.

@@ -62,7 +62,7 @@ class Scan:
 
     Attributes
     ----------
-    plane : Plane
+    plane : ScanGrid
     rule : Rule
         The number.
     name : str
@@ -107,7 +107,7 @@ def scan(made: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
 
     Parameters
     ----------
-    made : Chart
+    made : Scan
     attributes : mapping, optional
         Further attributes of the result: numbers and texts.
 

@@ -55,7 +55,7 @@ def compute(
     InputError
         If the store cannot be written, is none of ours, or holds another experiment; if the
         cluster cannot be reached.
-    UnfinishedError
+    IncompleteError
         If the disk is full, or a block brings down the workers; what was written stays.
     """
     text = progress if progress is not None else _silent

@@ -91,7 +91,7 @@ def ensemble(
     ------
     InputError
         If anything given cannot be used.
-    UnfinishedError
+    IncompleteError
         If a store could not be written to the end.
 
     Examples

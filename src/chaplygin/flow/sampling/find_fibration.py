@@ -37,7 +37,7 @@ def find_fibration(
     Parameters
     ----------
     system : System
-    sheet : Sheet
+    sheet : SystemFormulas
         Its formulas.
     level : mapping of str to float
         Held integrals by name.
