@@ -51,7 +51,7 @@ def state_scales(
     Returns
     -------
     (n, size) array
-        For each variable the size of the vector to which it belongs, positive; see `state_scales_at`.
+        The size of the vector of each variable, positive; see `state_scales_at`.
     """
     times = STRETCH * until * np.arange(1, LOOKS + 1) / LOOKS
     run = batch_integrator(system, tolerance=tolerance).until(starts, times, parameters)
