@@ -43,7 +43,7 @@ _TOUCHING = {
     "M": ("angular momentum about the contact point", "kg m^2/s", "(7.1)"),
 }
 
-#: The unit of a variable of which nothing is told.
+#: The unit of a variable without metadata.
 UNKNOWN = "unknown"
 
 

@@ -24,7 +24,7 @@ __all__ = ["Sign", "sign"]
 
 Sign = Literal["kept", "changes", "unknown"]
 
-#: Boxes that may be looked at before the sign is left unknown.
+#: Boxes that are tested before the sign is left unknown.
 BOXES = 3000
 
 

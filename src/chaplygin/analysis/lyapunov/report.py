@@ -25,7 +25,7 @@ __all__ = ["Spectrum", "dataset", "kaplan_yorke", "record", "remarks", "rounded"
 
 #: Draws of the bootstrap, and its seed.
 DRAWS, SEED = 400, 20080830
-#: A relative error of the computation above which it is told.
+#: A relative error of the computation above which it is reported.
 CAREFUL = 0.1
 
 

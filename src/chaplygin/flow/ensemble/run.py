@@ -168,7 +168,7 @@ def ensemble_task(
 
 
 def _times(times: npt.ArrayLike) -> tuple[float, ...]:
-    """The times of an ensemble, if motions can be looked at there."""
+    """The sampling times of an ensemble, or an InputError."""
     row = np.atleast_1d(as_float_array("times", times))
     moments(row, backward=bool(row.size) and bool(row.flat[-1] < 0))
     return tuple(row.tolist())

@@ -61,7 +61,7 @@ def sign(k: Arithmetic, x: Value) -> Value:
 
 # --- circular functions -----------------------------------------------------------------------
 
-#: Beyond this the nearest multiple of π/2 is not told apart any more.
+#: Beyond this the nearest multiple of π/2 is not determined any more.
 FARTHEST = 2.0**40
 
 

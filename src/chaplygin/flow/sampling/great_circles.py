@@ -22,7 +22,7 @@ from .proposals import WeightedPoints
 
 __all__ = ["GreatCircleProposal", "crossings"]
 
-#: Length of a geodesic, and in how many pieces it is looked at first.
+#: Length of a geodesic, and its initial number of pieces.
 LENGTH = 0.5
 PIECES = 1
 #: A piece is halved, at most so often, while a cubic through its ends misses its middle by more
