@@ -24,7 +24,7 @@ __all__ = [
 
 #: A computation that would take longer is refused: seconds in a year.
 YEAR = 365.25 * 86400.0
-#: After so many seconds the pace is known.
+#: Seconds after which the pace is known.
 _KNOWN = 0.5
 #: Steps that a motion may take, and steps by which the length of a motion is estimated.
 MOST_STEPS, FEW_STEPS = 100_000_000, 2_000

@@ -15,7 +15,7 @@ from ..arguments import Parameters, ParameterValue
 from ..core.arrays import BoolArray, FloatArray
 from ..formulas.batch import Formulas
 
-__all__ = ["project_to_level", "select_parameters"]
+__all__ = ["projected", "select_parameters"]
 
 #: Steps of Newton's method, at most.
 STEPS = 60
@@ -25,7 +25,7 @@ MET = 1e-12
 REDUNDANT = 1e-9
 
 
-def project_to_level(
+def projected(
     formulas: Formulas,
     states: FloatArray,
     targets: npt.ArrayLike = 0.0,

@@ -201,7 +201,7 @@ def relative_equilibrium(
     Raises
     ------
     InputError
-        If the iteration does not come to rest.
+        If the iteration does not converge.
     """
     with mpmath.workdps(_working(digits)):
         variables = _variables(system)

@@ -19,7 +19,7 @@ from .kernel.equations import groups
 __all__ = ["state_scales", "state_scales_at"]
 
 
-#: Part of a motion over which its vectors are looked at, and how often.
+#: Part of a motion over which the sizes of its vectors are taken, and the number of samples.
 STRETCH, LOOKS = 0.1, 32
 #: A vector smaller than this share of the size by which it acts as much as others counts as zero.
 SMALL = 1e-10
@@ -51,7 +51,7 @@ def state_scales(
     Returns
     -------
     (n, size) array
-        For each variable the size of the vector to which it belongs, positive; see `sizes_at`.
+        The size of the vector of each variable, positive; see `state_scales_at`.
     """
     times = STRETCH * until * np.arange(1, LOOKS + 1) / LOOKS
     run = batch_integrator(system, tolerance=tolerance).until(starts, times, parameters)

@@ -122,7 +122,7 @@ class DenseOutput:
 
 
 def require_pieces(pieces: int) -> None:
-    """Raise InputError unless the intervals between samples can have so many pieces."""
+    """Raise InputError unless the number of pieces of an interval is positive."""
     if pieces < 1:
         raise InputError(f"pieces = {pieces}: there must be one at least")
 

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from ..core.system import System
 
-__all__ = ["FRAMES", "LABELS", "UNKNOWN", "variable_metadata"]
+__all__ = [
+    "FRAMES",
+    "LABELS",
+    "UNKNOWN",
+    "cf_attributes",
+    "system_attributes",
+    "variable_metadata",
+]
 
 #: Frames in which vectors are given: the name of the axis, and what its places are called.
 FRAMES = {
@@ -36,8 +43,24 @@ _TOUCHING = {
     "M": ("angular momentum about the contact point", "kg m^2/s", "(7.1)"),
 }
 
-#: The unit of a variable of which nothing is told.
+#: The unit of a variable without metadata.
 UNKNOWN = "unknown"
+
+
+def cf_attributes(meaning: str, unit: str, source: str = "") -> dict[str, str]:
+    """Attributes of a variable of a dataset, by the CF conventions."""
+    return {"long_name": meaning, "units": unit or "1", "source": source}
+
+
+def system_attributes(system: System) -> dict[str, str]:
+    """Attributes of a dataset that name its system."""
+    return {
+        "Conventions": "CF-1.11",
+        "system": system.title,
+        "system_name": system.name,
+        "summary": system.summary,
+        "source": system.source,
+    }
 
 
 def variable_metadata(

@@ -28,7 +28,7 @@ class ApplicableLaws:
         Proven, and valid on the whole phase space at the present parameters.
     levels : dict
         Conditions on the state ↦ the laws that are proven under them.
-    uncounted : tuple of Uncounted
+    uncounted : tuple of IgnoredLaw
     """
 
     general: tuple[Law, ...]
@@ -41,7 +41,7 @@ def sorted_laws(whole: RankSample, verdicts: Mapping[str, Verdict]) -> Applicabl
 
     Parameters
     ----------
-    whole : Standing
+    whole : RankSample
         The system on its whole phase space.
     verdicts : mapping of str to Verdict
         On its laws, by name.

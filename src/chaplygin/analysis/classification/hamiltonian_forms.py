@@ -55,7 +55,7 @@ def hamiltonian(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) 
 
     Parameters
     ----------
-    sample : Standing
+    sample : RankSample
     laws : sequence of Law
         Proven on it.
     patience : ProofBudget

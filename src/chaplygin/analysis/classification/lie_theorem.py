@@ -51,7 +51,7 @@ def lie(
 
     Parameters
     ----------
-    sample : Standing
+    sample : RankSample
     needed : int
         n − k − 1 for dimension n and k integrals.
     chosen : sequence of Source

@@ -64,10 +64,10 @@ class Classification(WithOverview):
         no measure excludes attracting sets.
     reductions : tuple of Fact
         Further proven reductions, separations, isomorphisms.
-    kinds : tuple of Kind
+    kinds : tuple of IntegrabilityClass
     dynamics : tuple of Statement
         The motions that are possible.
-    uncounted : tuple of Uncounted
+    uncounted : tuple of IgnoredLaw
     levels : tuple of Place
         Levels on which more is proven.
     reason : str

@@ -26,7 +26,7 @@ def is_rotation_invariant(sample: RankSample, axis: int) -> Turning | None:
 
     Parameters
     ----------
-    sample : Standing
+    sample : RankSample
         With the parameters at which it is asked.
     axis : int
         0, 1 or 2.

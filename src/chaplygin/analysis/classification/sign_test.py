@@ -24,7 +24,7 @@ __all__ = ["Sign", "sign"]
 
 Sign = Literal["kept", "changes", "unknown"]
 
-#: Boxes that may be looked at before the sign is left unknown.
+#: Boxes that are tested before the sign is left unknown.
 BOXES = 3000
 
 
@@ -33,7 +33,7 @@ def sign(sample: RankSample, formulas: Sequence[sp.Expr]) -> Sign:
 
     Parameters
     ----------
-    sample : Standing
+    sample : RankSample
     formulas : sequence of sympy.Expr
         In state, definitions and parameters.
 

@@ -48,7 +48,7 @@ def through_isomorphisms(
 
     Parameters
     ----------
-    sample : Standing
+    sample : RankSample
     laws : sequence of Law
         Proven on it.
     patience : ProofBudget

@@ -18,7 +18,7 @@ BATCHES = 16
 SMALLEST = 4
 #: Confidence of the statistical error.
 CONFIDENCE = 0.95
-#: Growth by this power of the time is not told from none.
+#: Growth by this power of the time is not distinguished from none.
 POWER = 2
 
 

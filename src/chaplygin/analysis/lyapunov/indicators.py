@@ -43,7 +43,7 @@ __all__ = [
 
 #: Part of a motion left out at the beginning, where a deviation finds its direction.
 UNSETTLED = 0.2
-#: Batches by whose means an error is told, and Student's factor for 95 % of them.
+#: Batches whose means give the error, and Student's factor for 95 % of them.
 BATCHES, STUDENT = 16, 2.131
 #: Logarithm of the share of others to which a deviation may shrink in an interval before it is
 #: lost in the error of these; the interval is parted then, into so many pieces at most.
@@ -104,7 +104,7 @@ class TangentGrowth:
     ----------
     logarithms : (n, intervals, d) array
         Of the lengths lost in each interval; not numbers after the end of a motion, and all of
-        them where deviations part too fast to be told.
+        them if deviations part too fast to be resolved.
     frames : (n, d, size) array
         The deviations at the end, of length one in the measures of the motion.
     outcome : (n,) array of int
@@ -156,7 +156,7 @@ def tangent_growth(
 
     Parameters
     ----------
-    rule : Parting
+    rule : ChaosIndicator
         The system, the length of the motions and of the intervals.
     space : TangentSpace
         Deviations that count.

@@ -25,7 +25,7 @@ __all__ = ["Spectrum", "dataset", "kaplan_yorke", "record", "remarks", "rounded"
 
 #: Draws of the bootstrap, and its seed.
 DRAWS, SEED = 400, 20080830
-#: A relative error of the computation above which it is told.
+#: A relative error of the computation above which it is reported.
 CAREFUL = 0.1
 
 
@@ -44,7 +44,7 @@ class Spectrum(WithOverview):
         Before this time nothing is counted.
     exponents : tuple of Average
         The genuine ones, the largest first.
-    removed : tuple of (Removed, float or None)
+    removed : tuple of (TrivialExponent, float or None)
         Removed directions, with the observed rate of growth, which is to vanish; None for
         relations.
     dependent : tuple of str

@@ -82,7 +82,7 @@ class TrivialDirections:
     ----------
     space : TangentSpace
         Deviations that count.
-    removed : tuple of Removed
+    removed : tuple of TrivialExponent
     dependent : tuple of str
         Integrals and fields that depend on those removed before at this start, and force nothing.
     sizes : (size,) array
@@ -118,7 +118,7 @@ def trivial_directions(
 
     Returns
     -------
-    Forced
+    TrivialDirections
         With integrals and fields that are independent at the start: dependence is kept by the
         motion.
     """

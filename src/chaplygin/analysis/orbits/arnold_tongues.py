@@ -314,7 +314,7 @@ def plateaus(
     Parameters
     ----------
     maps : CircleMaps
-    stairs : Staircase
+    stairs : DevilsStaircase
         Fine enough to be monotone between the values around each step.
     longest : int
         The greatest denominator.
@@ -338,7 +338,7 @@ def _plateaus_of(maps: CircleMaps, stairs: DevilsStaircase, fraction: Fraction) 
     """The plateaus of a fraction, one for each time the staircase passes it."""
     known = np.flatnonzero(np.isfinite(stairs.rotations))
     values, excess = stairs.values[known], stairs.rotations[known] - float(fraction)
-    # an orbit that nearly stands still has a poor average
+    # an orbit near a fixed point has a poor average
     unsure = np.abs(excess) <= np.maximum(1e-9, 4 * stairs.errors[known])
     clear = np.flatnonzero(~unsure)
     plateaux = []

@@ -65,7 +65,7 @@ def refine_orbit(
     Raises
     ------
     NoOrbitError
-        If the iteration does not come to rest.
+        If the iteration does not converge.
     """
     values = held_values(made, orbit.points[0], hold)
     sizes = np.append(made.sizes(orbit.points[:1]), orbit.duration)

@@ -44,7 +44,7 @@ class Image:
 
 @dataclass(frozen=True)
 class ConservedFunctions:
-    """Functions that a map leaves as they are.
+    """Functions that a map conserves.
 
     Attributes
     ----------
@@ -164,7 +164,7 @@ class Plain:
     angles : mapping of str to float
         Periods of coordinates that are angles.
     keeps : mapping of str to callable
-        Functions from points (n, size) to values (n,) that the map leaves as they are.
+        Functions from points (n, size) to values (n,) that the map conserves.
     """
 
     names: tuple[str, ...]

@@ -211,7 +211,7 @@ def newton_solution(
     Raises
     ------
     NoOrbitError
-        If the iteration does not come to rest on an orbit.
+        If the iteration does not converge to an orbit.
     """
     sizes = equations.sizes
 

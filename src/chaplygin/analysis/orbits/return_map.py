@@ -69,7 +69,7 @@ class ReturnMap:
 
     Parameters
     ----------
-    section : SectionMap
+    section : PoincareMap
         With numbers for parameters, not arrays.
     angles : mapping of str to float
         Periods of state variables that are angles.
@@ -156,7 +156,7 @@ class Circle:
 
     Parameters
     ----------
-    section : SectionMap
+    section : PoincareMap
         A section that a second angle goes through; of a system whose state contains the first
         one, growing without jumps.
     angle : str
@@ -218,7 +218,7 @@ def rotations(section: PoincareMap, starts: FloatArray, angle: Any, count: int =
 
     Parameters
     ----------
-    section : SectionMap
+    section : PoincareMap
         Its parameters may be arrays, one number for each start.
     starts : array (n, size)
         In flat order.

@@ -36,7 +36,7 @@ ROUNDS = 8
 ROUNDING = 1e-11
 #: Above so many times that, the noise of differences does not matter.
 CLEAR = 1e5
-#: Rates of approach above this are too close to one to be told from it.
+#: Rates of approach above this cannot be distinguished from one.
 SLOW = 0.999
 
 

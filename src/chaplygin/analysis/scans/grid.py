@@ -21,7 +21,7 @@ from ...core.parameters import conditions, satisfies
 from ...core.system import System, flat
 from ...core.vectors import Vector, norm_squared, to_components
 from ...errors import InputError
-from ...flow.level_projection import project_to_level
+from ...flow.level_projection import projected
 from ...formulas.batch import Formulas
 from ...formulas.evaluate import formula
 from ...parsing import nearest, parse
@@ -185,7 +185,7 @@ class ScanGrid:
         met: BoolArray = np.asarray(np.isfinite(starts).all(axis=1))
         fixed = {*self.held, *(symbol for symbol, _ in self.set)}
         if relations:
-            starts, there = project_to_level(
+            starts, there = projected(
                 Formulas(self.given, relations), starts, 0.0, parameters, self._others(fixed)
             )
             met &= there
@@ -195,7 +195,7 @@ class ScanGrid:
             moved = self._others(wider) if any(self._others(wider)) else self._others(fixed)
             wanted = np.stack([*(np.zeros(len(starts)) for _ in relations), *targets], axis=1)
             level = Formulas(self.given, (*relations, *(value for value, _ in self.levels)))
-            starts, there = project_to_level(level, starts, wanted, parameters, moved)
+            starts, there = projected(level, starts, wanted, parameters, moved)
             met &= there
         return starts, met
 

@@ -73,7 +73,7 @@ class TimeAverage:
     Attributes
     ----------
     system, until, tolerance
-        See `Duration`.
+        See `SurvivalTime`.
     formula : sympy.Expr
         In state, definitions and parameters.
     """
@@ -101,7 +101,7 @@ class Maximum:
     Attributes
     ----------
     system, until, tolerance
-        See `Duration`.
+        See `SurvivalTime`.
     formula : sympy.Expr
         In state, definitions and parameters.
     samples : int
@@ -153,7 +153,7 @@ class Frequency:
     Attributes
     ----------
     system, until, tolerance
-        See `Duration`.
+        See `SurvivalTime`.
     formula : sympy.Expr
         An angle, in radians, up to whole turns.
     samples : int
@@ -230,7 +230,7 @@ def observe(
 
     Parameters
     ----------
-    flow : Lanes
+    flow : BatchIntegrator
     formula : sympy.Expr
         In state, definitions and parameters.
     starts : (n, size) array

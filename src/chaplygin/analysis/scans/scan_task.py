@@ -22,6 +22,7 @@ from ...errors import InputError
 from ...flow.batch import batch_integrator
 from ...flow.ensemble.task import Coordinate, Task, Variable
 from ...flow.kernel.outcomes import STATUS_MESSAGES
+from ...flow.variable_metadata import cf_attributes
 from .grid import NO_NUMBER, REASONS, Axis, ScanGrid
 
 __all__ = ["Rule", "Scan", "scan"]
@@ -61,7 +62,7 @@ class Scan:
 
     Attributes
     ----------
-    plane : Plane
+    plane : ScanGrid
     rule : Rule
         The number.
     name : str
@@ -106,7 +107,7 @@ def scan(made: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
 
     Parameters
     ----------
-    made : Chart
+    made : Scan
     attributes : mapping, optional
         Further attributes of the result: numbers and texts.
 
@@ -135,11 +136,11 @@ def scan(made: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
         block=max(1, AT_ONCE // plane.x.count),
         variables={
             **{
-                name: Variable(columns, shape, attributes=_attributes(titles[key], made.unit))
+                name: Variable(columns, shape, attributes=cf_attributes(titles[key], made.unit))
                 for name, key in made.numbers.items()
             },
             "outcome": Variable(columns, shape, "int16", _outcomes(rule)),
-            "ended": Variable(columns, shape, attributes=_attributes("time reached", "s")),
+            "ended": Variable(columns, shape, attributes=cf_attributes("time reached", "s")),
         },
         member=plane.y.name,
         coordinates={item.name: _coordinate(item) for item in (plane.x, plane.y)},
@@ -159,12 +160,10 @@ def scan(made: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     )
 
 
-def _attributes(title: str, unit: str) -> dict[str, str]:
-    return {"long_name": title, "units": unit or "1", "source": ""}
-
-
 def _coordinate(item: Axis) -> Coordinate:
-    return Coordinate((item.name,), item.values, _attributes(item.meaning or item.name, item.unit))
+    return Coordinate(
+        (item.name,), item.values, cf_attributes(item.meaning or item.name, item.unit)
+    )
 
 
 def _text_rows(values: Mapping[sp.Symbol | str, float]) -> list[str]:
@@ -179,7 +178,7 @@ def _outcomes(rule: Rule) -> dict[str, object]:
         code: flow.reason(code) for code in range(1, len(STATUS_MESSAGES) + len(rule.system.guards))
     }
     return {
-        **_attributes("why there is no number", ""),
+        **cf_attributes("why there is no number", ""),
         "flag_values": list(reasons),
         "flag_meanings": " ".join(text.replace(" ", "_") for text in reasons.values()),
     }

@@ -35,7 +35,7 @@ class Winding:
     tolerance : float
         See :func:`chaplygin.flow.batch.batch_integrator`.
     count : int
-        Returns that are looked at.
+        Number of returns.
     """
 
     system: System
@@ -49,7 +49,7 @@ class Winding:
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
-        """Values, errors and outcomes, (n,) each; the times reached are not told."""
+        """Values, errors and outcomes, (n,) each, without times."""
         returning = PoincareMap(
             self.system, self.section, dict(parameters), self.tolerance, until=self.until
         )

@@ -1,7 +1,7 @@
-"""Coordinates in which states and sections are usually looked at, as maps both ways.
+"""Usual coordinates of states and sections, as maps in both directions.
 
-A :class:`Chart` gives a state for every point of a few numbers, and the point of every state.
-One coordinate may be fixed, or solved for on a level of an integral: so the Andoyer variables
+:class:`StateCoordinates` map points of a few coordinates to states, and states to points.  One
+coordinate may be fixed, or solved for on a level of an integral: so the Andoyer variables
 (l, L/G, g, G, H) become the chart (l, L/G) of a section g = π/2 on a level of energy and area
 integral::
 
@@ -10,7 +10,7 @@ integral::
     states = plane.state([[0.5, 0.1]])
 
 If there is no state, or none that formulas determine (G = |L|), the result is not-a-number;
-:meth:`Chart.require` turns that into a sentence.
+:meth:`StateCoordinates.require` turns that into a sentence.
 """
 
 from __future__ import annotations

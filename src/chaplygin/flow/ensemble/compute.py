@@ -35,7 +35,7 @@ def compute(
     task : Task
     where : path, optional
         Folder of the Zarr store that is to hold the result, usually called ``….zarr``: written
-        block by block, and begun or gone on with, as it is found.  Without it everything is kept
+        block by block; created, or resumed if it exists.  Without it everything is kept
         in memory.
     client : dask.distributed.Client, str or int, optional
         The cluster that computes: a Dask client, the address of a scheduler
@@ -55,7 +55,7 @@ def compute(
     InputError
         If the store cannot be written, is none of ours, or holds another experiment; if the
         cluster cannot be reached.
-    UnfinishedError
+    IncompleteError
         If the disk is full, or a block brings down the workers; what was written stays.
     """
     text = progress if progress is not None else _silent

@@ -53,7 +53,7 @@ def results(
     InputError
         If Dask is not installed, the client is none of these, the scheduler cannot be reached, or
         its workers lack a module.
-    UnfinishedError
+    IncompleteError
         If a block brings down one worker after another, or the cluster disappears.
     """
     try:

@@ -71,7 +71,7 @@ class Members:
 
     Parameters
     ----------
-    factors : tuple of Listed or Drawn
+    factors : tuple of ListedMembers or SampledMembers
 
     Raises
     ------

@@ -21,7 +21,7 @@ from ...formulas.evaluate import as_float_array
 from ..cost import TooMuchError
 from ..kernel.outcomes import STATUS_MESSAGES
 from ..validation import moments
-from ..variable_metadata import FRAMES, LABELS, variable_metadata
+from ..variable_metadata import FRAMES, LABELS, cf_attributes, system_attributes, variable_metadata
 from .compute import compute
 from .members import Members, from_lists, grid, sampled, single
 from .task import Coordinate, Progress, Task, Variable
@@ -91,7 +91,7 @@ def ensemble(
     ------
     InputError
         If anything given cannot be used.
-    UnfinishedError
+    IncompleteError
         If a store could not be written to the end.
 
     Examples
@@ -168,7 +168,7 @@ def ensemble_task(
 
 
 def _times(times: npt.ArrayLike) -> tuple[float, ...]:
-    """The times of an ensemble, if motions can be looked at there."""
+    """The sampling times of an ensemble, or an InputError."""
     row = np.atleast_1d(as_float_array("times", times))
     moments(row, backward=bool(row.size) and bool(row.flat[-1] < 0))
     return tuple(row.tolist())
@@ -193,11 +193,13 @@ def _variables(work: EnsembleWork, drawn: bool) -> dict[str, Variable]:
     system, moments = work.system, len(work.times)
     text = {str(p.symbol): p for p in system.parameters}
     variables = {
-        name: Variable(attributes=_notes(text[name].meaning, text[name].unit, ""), coordinate=True)
+        name: Variable(
+            attributes=cf_attributes(text[name].meaning, text[name].unit), coordinate=True
+        )
         for name in work.varied
     }
     if drawn:
-        notes = _notes("number of the start among those drawn", "1", "")
+        notes = cf_attributes("number of the start among those drawn", "1")
         variables["start"] = Variable(dtype="int64", attributes=notes, coordinate=True)
     for item in system.state:
         size = 1 if isinstance(item, sp.Symbol) else len(item.symbols)
@@ -207,20 +209,16 @@ def _variables(work: EnsembleWork, drawn: bool) -> dict[str, Variable]:
         about = [item.meaning, item.unit, item.source]
         variables[item.name] = _variable(moments, len(item.formulas), item.frame, *about)
     variables["outcome"] = Variable(dtype="int8", attributes=_outcomes(work))
-    variables["ended"] = Variable(attributes=_notes("time that was reached", "s", ""))
-    variables["steps"] = Variable(dtype="int64", attributes=_notes("steps tried", "1", ""))
+    variables["ended"] = Variable(attributes=cf_attributes("time that was reached", "s"))
+    variables["steps"] = Variable(dtype="int64", attributes=cf_attributes("steps tried", "1"))
     return variables
-
-
-def _notes(meaning: str, unit: str, source: str) -> dict[str, str]:
-    return {"long_name": meaning, "units": unit or "1", "source": source}
 
 
 def _variable(
     moments: int, size: int, frame: str, meaning: str, unit: str, source: str
 ) -> Variable:
     """A quantity along the motions."""
-    notes = _notes(meaning, unit, source)
+    notes = cf_attributes(meaning, unit, source)
     if not frame:
         return Variable(("time",), (moments,), attributes=notes)
     axis = frame
@@ -235,7 +233,7 @@ def _outcomes(work: EnsembleWork) -> dict[str, object]:
     codes = range(len(STATUS_MESSAGES) + len(work.system.guards))
     reasons = ["the last time was reached", *(work.lanes.reason(code) for code in codes[1:])]
     return {
-        **_notes("why the motion ended", "1", ""),
+        **cf_attributes("why the motion ended", "1"),
         "flag_values": list(codes),
         "flag_meanings": " ".join("_".join(re.findall(r"\w+", reason)) for reason in reasons),
         "reasons": reasons,
@@ -246,11 +244,11 @@ def _coordinates(work: EnsembleWork, variables: Mapping[str, Variable]) -> dict[
     """The times and the axes that are used."""
     used = {dimension for variable in variables.values() for dimension in variable.dimensions}
     axes = {
-        axis: Coordinate((axis,), np.array(labels), _notes(LABELS[axis], "1", ""))
+        axis: Coordinate((axis,), np.array(labels), cf_attributes(LABELS[axis], "1"))
         for axis, labels in FRAMES.values()
         if axis in used
     }
-    return {"time": Coordinate(("time",), list(work.times), _notes("time", "s", "")), **axes}
+    return {"time": Coordinate(("time",), list(work.times), cf_attributes("time", "s")), **axes}
 
 
 def _attributes(work: EnsembleWork) -> dict[str, object]:
@@ -259,11 +257,7 @@ def _attributes(work: EnsembleWork) -> dict[str, object]:
     constants = {str(p.symbol): p.default for p in system.parameters} | dict(work.parameters)
     text = [f"{s} = {float(v)!r}" for s, v in constants.items() if s not in work.varied]
     return {
-        "Conventions": "CF-1.11",
-        "system": system.title,
-        "system_name": system.name,
-        "summary": system.summary,
-        "source": system.source,
+        **system_attributes(system),
         "parameters": "; ".join(text),
         "members": str(work.members),
         "tolerance": work.tolerance,

@@ -2,7 +2,7 @@
 
 A computation has many members (runs of an ensemble, cells of a chart), each of which depends on
 its own number alone.  They are computed in blocks of neighbours; a block that is done stays done,
-so that a computation which was killed goes on where it was, and its numbers are the same to the
+so that a computation that was killed resumes where it was, and its numbers are the same to the
 bit in whatever order, in whatever blocks and on however many machines they were computed.
 """
 

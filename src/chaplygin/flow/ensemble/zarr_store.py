@@ -80,7 +80,7 @@ class Store:
 
         Raises
         ------
-        UnfinishedError
+        IncompleteError
             If it cannot be written (a full disk); the store stays as it was before.
         """
         first, last = self.task.members(block)

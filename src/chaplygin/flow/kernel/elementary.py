@@ -3,7 +3,7 @@
 Every function is written once over an arithmetic, so that doubles and pairs of doubles share it.
 The argument is reduced to a short interval; there the function is its leading part, exact, and a
 polynomial times something small.  Both are kept apart as long as anything is done with them (a
-`Split` number, head and tail), so that rounding is felt hardly more than once: results are
+`HeadTail` number), so that rounding is felt hardly more than once: results are
 within 0.9 units in the last place for doubles, and to 10⁻³¹ for pairs.  Circular functions of
 more than 2⁴⁰ are not a number.
 """
@@ -61,7 +61,7 @@ def sign(k: Arithmetic, x: Value) -> Value:
 
 # --- circular functions -----------------------------------------------------------------------
 
-#: Beyond this the nearest multiple of π/2 is not told apart any more.
+#: Beyond this the nearest multiple of π/2 is not determined any more.
 FARTHEST = 2.0**40
 
 

@@ -35,7 +35,7 @@ MOST = 60
 #: Steps at the beginning whose length follows the estimate freely.
 SETTLING = 8
 
-#: The estimate must be this much below its bound for so many steps before they are made longer.
+#: Steps are lengthened after the estimate was this much below its bound for this many steps.
 CALM, PATIENCE = 0.1, 32
 
 
@@ -208,7 +208,7 @@ class _Loop:
             y, k = self.d.load(self.address("stage"), i), self.d.load(self.address("rates"), i)
             size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
         first = w.op("fmul", w.constant(0.1), w.call("sqrt", w.op("fdiv", size, speed)))
-        # at rest nothing tells how fast things go
+        # at an equilibrium no rate gives a time scale
         last = w.address("double", "%times", w.emit("sub i64 %wanted, 1"))
         first = w.call("minnum", first, w.splat(w.load("double", last)))
         w.store("double", self._first_lane(first), self.planned)
@@ -293,7 +293,7 @@ class _Loop:
         return total
 
     def _iterate(self, whole: Value) -> str:
-        """Find the stages; a bit tells whether they have come to rest."""
+        """Iterate the stages; return a bit: whether they have converged."""
         w, d, h = self.w, self.d, whole[0]
         columns = self._columns(self.method.a)
         convergence = _Convergence(self, h, 1e-28, 1e-24)
@@ -553,7 +553,7 @@ class _Loop:
 
 
 class _Convergence:
-    """Whether an iteration has come to rest.
+    """The convergence test of an iteration.
 
     It has when its squared change is below a level, or below a second one and no longer falling.
     """

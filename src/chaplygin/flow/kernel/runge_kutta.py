@@ -1,6 +1,6 @@
 """Many motions at once: an explicit method with a lane for each trajectory.
 
-Every lane has its own time, step size and fate.  A lane that has come to its end makes room for
+Every lane has its own time, step size and outcome.  A lane whose motion has ended makes room for
 the next trajectory of the batch, so that all lanes are busy until few are left; nothing that
 happens in one lane is seen by another.
 
@@ -25,13 +25,13 @@ from .tableaux import Explicit
 
 __all__ = ["Workspace", "runge_kutta_loop"]
 
-#: Steps without a crossing after which a motion is given up: what comes to rest crosses nothing.
+#: Steps without a crossing after which a motion is given up: one at rest crosses nothing.
 MAX_STEPS_WITHOUT_CROSSING = 1e6
 
-#: The stage at which section and guards are looked at inside a step: its ends do not tell all.
+#: The stage at which section and guards are evaluated inside a step, besides its ends.
 HALFWAY = 9
 
-#: Deviations may have so many times the error of the motion.
+#: The error allowed to deviations, relative to that of the motion.
 LOOSER = 100.0
 
 #: Vectors that the lanes keep between steps.
@@ -279,7 +279,7 @@ class _March:
             size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
         ratio = w.op("fdiv", size, speed)
         first = w.op("fmul", w.constant(1e-2), w.call("sqrt", ratio))
-        # at rest nothing tells how fast things go
+        # at an equilibrium no rate gives a time scale
         index = "0" if self.equations.section else w.emit("sub i64 %wanted, 1")
         end = w.splat(w.load("double", w.address("double", "%times", index)))
         first = w.call("minnum", first, w.call("minnum", end, w.constant(1e6)))

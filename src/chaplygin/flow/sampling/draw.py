@@ -34,7 +34,7 @@ from .proposals import Proposal, RayProposal, WeightedPoints, maximise
 
 __all__ = ["LevelSampler", "level_sampler", "sample_level"]
 
-#: Attempts looked at together.
+#: Attempts that are computed together.
 _BATCH = 1 << 14
 #: The bound of the density, relative to the largest value that was met.
 _MARGIN = 1.15
@@ -344,6 +344,6 @@ def _with_bound_on_density(level: LevelSampler) -> LevelSampler:
     bound = _MARGIN * proposal.most * top
     trial = counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
     share = height(trial)[1].sum() / (_TRIAL * bound)
-    # half of the attempts that a point takes, so that few are made in vain
+    # half of the attempts that a point takes on average, so that few are superfluous
     tries = int(np.clip(0.5 / max(share, 1 / _BATCH), 1, _BATCH))
     return replace(level, _bound=bound, _tries=tries)

@@ -54,11 +54,11 @@ class Fibration:
         Places of the variables of period 2π.
     fibre : tuple of int
         Places of the other variables.
-    quadratic : Condition
+    quadratic : LevelCondition
         Quadratic in the fibre, and bounding it.
-    linear : tuple of Condition
+    linear : tuple of LevelCondition
         Linear in the fibre.
-    further : tuple of Condition
+    further : tuple of LevelCondition
         Held besides, of any form.
     coefficients : Compiled
         Of the linear conditions: slopes row by row, values at zero; of the quadratic one: second

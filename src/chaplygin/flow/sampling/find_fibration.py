@@ -21,7 +21,7 @@ __all__ = ["find_fibration"]
 
 #: Integrals that are tried first as the ones that bound the fibre.
 _BOUNDING = ("energy", "hamiltonian")
-#: Base points at which boundedness is looked at.
+#: Base points at which boundedness is tested.
 _SAMPLE = 256
 #: Changes below this count as none.
 _SAME = 1e-10
@@ -37,7 +37,7 @@ def find_fibration(
     Parameters
     ----------
     system : System
-    sheet : Sheet
+    sheet : SystemFormulas
         Its formulas.
     level : mapping of str to float
         Held integrals by name.

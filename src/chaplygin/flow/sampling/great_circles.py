@@ -1,4 +1,4 @@
-"""Points where random great circles over a bundle meet a further condition.
+"""Points where random great circles over a fibration meet a further condition.
 
 Base points and directions of rays make a point y of a product of spheres (and circles), and with
 it a state.  A geodesic from a uniform point into a uniform direction meets the hypersurface
@@ -22,7 +22,7 @@ from .proposals import WeightedPoints
 
 __all__ = ["GreatCircleProposal", "crossings"]
 
-#: Length of a geodesic, and in how many pieces it is looked at first.
+#: Length of a geodesic, and its initial number of pieces.
 LENGTH = 0.5
 PIECES = 1
 #: A piece is halved, at most so often, while a cubic through its ends misses its middle by more
@@ -40,7 +40,7 @@ Along = Callable[[Any, Any], tuple[Any, Any]]
 
 @dataclass(frozen=True)
 class GreatCircleProposal:
-    """The further condition of a bundle, with what its slopes need.
+    """The further condition of a fibration, with the terms of its slopes.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ class GreatCircleProposal:
     def from_fibration(
         fibration: Fibration, sheet: SystemFormulas, parameters: FloatArray
     ) -> GreatCircleProposal:
-        """The slice of a bundle that has one further condition."""
+        """The proposal for a fibration with one further condition."""
         (further,) = fibration.further
         own, outer = sheet.slopes([further.term, fibration.quadratic.term])
         conditions = [fibration.quadratic.term, *(c.term for c in fibration.linear)]

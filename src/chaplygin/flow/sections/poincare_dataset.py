@@ -19,7 +19,7 @@ from ...formulas.evaluate import parameter_rows
 from ..ensemble.task import Coordinate, Task, Variable
 from ..kernel.outcomes import STATUS_MESSAGES
 from ..trajectory import by_name
-from ..variable_metadata import FRAMES, LABELS, variable_metadata
+from ..variable_metadata import FRAMES, LABELS, cf_attributes, system_attributes, variable_metadata
 from .poincare_map import PoincareMap
 
 __all__ = ["Columns", "Quantity", "Returns", "section_task"]
@@ -171,9 +171,9 @@ def section_task(
     recorded = (*laws, *quantities)
     variables = {
         "time": _variable(count, "time since the start", "s"),
-        "points": Variable(dtype="int64", attributes=_notes("number of points", "1")),
+        "points": Variable(dtype="int64", attributes=cf_attributes("number of points", "1")),
         "outcome": Variable(dtype="int64", attributes=_outcome(returns)),
-        "ended": Variable(attributes=_notes("time at the last point, or at the end", "s")),
+        "ended": Variable(attributes=cf_attributes("time at the last point, or at the end", "s")),
     }
     coordinates: dict[str, Coordinate] = {}
     for named in system.state:
@@ -182,7 +182,7 @@ def section_task(
         meaning, unit, source, frame = variable_metadata(
             system, name, size, (meanings or {}).get(name)
         )
-        notes = _notes(meaning, unit or "1", source)
+        notes = cf_attributes(meaning, unit or "1", source)
         if not frame:
             variables[name] = Variable(("section_point",), (count,), attributes=notes)
             continue
@@ -190,11 +190,13 @@ def section_task(
         notes |= {"frame": "body axes"} if frame == "body" else {}
         variables[name] = Variable(("section_point", dim), (count, size), attributes=notes)
         label = LABELS.get(dim, f"component of {name}")
-        coordinates[dim] = Coordinate((dim,), np.array(labels), _notes(label, "1"))
+        coordinates[dim] = Coordinate((dim,), np.array(labels), cf_attributes(label, "1"))
     for item in (*recorded, *(() if columns is None else columns.quantities)):
         if item.name in variables:
             raise InputError(f"the quantity {item.name} bears the name of something else")
-        notes = _notes(item.meaning, item.unit) | ({"label": item.label} if item.label else {})
+        notes = cf_attributes(item.meaning, item.unit) | (
+            {"label": item.label} if item.label else {}
+        )
         variables[item.name] = Variable(("section_point",), (count,), attributes=notes)
     width = sum(int(np.prod(item.shape[1:])) for item in variables.values())
     if 8 * width * count > MOST:
@@ -214,11 +216,7 @@ def section_task(
 
 
 def _variable(count: int, meaning: str, unit: str) -> Variable:
-    return Variable(("section_point",), (count,), attributes=_notes(meaning, unit))
-
-
-def _notes(meaning: str, unit: str, source: str = "") -> dict[str, str]:
-    return {"long_name": meaning, "units": unit, "source": source}
+    return Variable(("section_point",), (count,), attributes=cf_attributes(meaning, unit))
 
 
 def _outcome(returns: PoincareMap) -> dict[str, object]:
@@ -229,7 +227,7 @@ def _outcome(returns: PoincareMap) -> dict[str, object]:
         for code in range(1, len(STATUS_MESSAGES) + len(returns.system.guards))
     }
     return {
-        **_notes("why a run has no more points", "1"),
+        **cf_attributes("why a run has no more points", "1"),
         "flag_values": list(reasons),
         "flag_meanings": " ".join(text.replace(" ", "_") for text in reasons.values()),
     }
@@ -240,11 +238,7 @@ def _facts(returns: PoincareMap) -> dict[str, object]:
     (numbers,) = parameter_rows(system, returns.parameters, 1)
     names = [str(item.symbol) for item in system.parameters]
     return {
-        "Conventions": "CF-1.11",
-        "system": system.title,
-        "system_name": system.name,
-        "summary": system.summary,
-        "source": system.source,
+        **system_attributes(system),
         "parameters": "; ".join(f"{n} = {float(x)!r}" for n, x in zip(names, numbers, strict=True)),
         "section_value": str(returns.section.value),
         "section_where": "" if returns.section.where is None else str(returns.section.where),
