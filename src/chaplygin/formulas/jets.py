@@ -10,7 +10,7 @@ import operator
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
-from typing import Any, TypeAlias
+from typing import Any
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
@@ -19,6 +19,7 @@ from ..core.laws import Rate
 from ..parsing.exact_decimals import exact_number
 from .errors import OutOfReachError, UnknownSymbolError
 from .evaluation import Evaluation
+from .number_fields import Element
 
 __all__ = ["Evaluator", "GeneratorSwap", "Inversion", "Jet"]
 
@@ -27,10 +28,6 @@ MOST_MULTIPLES = 24
 
 #: Along the field of the system.
 ALONG = -1
-
-
-#: An element of the field in use; no static type has the arithmetic of all of them.
-Element: TypeAlias = Any
 
 
 @dataclass(frozen=True)

@@ -9,14 +9,17 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager
-from typing import NoReturn
+from typing import Any, NoReturn, TypeAlias
 
 import sympy as sp
 from flint import arb, ctx, fmpq
 
 from .errors import NotExactError
 
-__all__ = ["Balls", "Rationals", "ball_precision", "exact_root"]
+__all__ = ["Balls", "Element", "Rationals", "ball_precision", "exact_root"]
+
+#: An element of the field in use; no static type has the arithmetic of all of them.
+Element: TypeAlias = Any
 
 #: Digits (binary) carried by balls.
 PRECISION = 320
@@ -57,8 +60,8 @@ class Rationals:
     exact = True
     one, zero = fmpq(1), fmpq(0)
 
-    def __init__(self, values: Mapping[str, fmpq]) -> None:
-        self.values = dict(values)
+    def __init__(self, values: Mapping[str, Element]) -> None:
+        self.values: dict[str, fmpq] = dict(values)
 
     def rational(self, value: sp.Rational) -> fmpq:
         """A rational number."""
@@ -69,7 +72,7 @@ class Rationals:
         """Value of a symbol at the point."""
         return self.values[name]
 
-    def vanishes(self, element: fmpq) -> bool:
+    def vanishes(self, element: Element) -> bool:
         """Whether a number is zero."""
         return bool(element == 0)
 
@@ -122,7 +125,7 @@ class Balls:
 
     exact = False
 
-    def __init__(self, values: Mapping[str, fmpq | arb]) -> None:
+    def __init__(self, values: Mapping[str, Element]) -> None:
         self.values = {name: arb(value) for name, value in values.items()}
         self.one, self.zero = arb(1), arb(0)
         self._seen: list[tuple[tuple[str, tuple[int, ...]], tuple[arb, ...], arb]] = []
@@ -136,7 +139,7 @@ class Balls:
         """Value of a symbol at the point."""
         return self.values[name]
 
-    def vanishes(self, element: arb) -> bool:
+    def vanishes(self, element: Element) -> bool:
         """Whether a ball contains zero, so that nothing can be said against it."""
         return 0 in element
 

@@ -63,7 +63,7 @@ class Rational:
         """A small number at random, not zero."""
         return fmpq(dice.choice((-1, 1)) * dice.randint(1, HEIGHT), dice.randint(1, HEIGHT))
 
-    def root(self, value: fmpq, degree: int) -> Number:
+    def root(self, value: Number, degree: int) -> Number:
         """The positive root.
 
         Raises
@@ -113,7 +113,7 @@ class Modular:
         """A number at random, not zero."""
         return nmod(dice.randrange(1, self.prime), self.prime)
 
-    def root(self, value: nmod, degree: int) -> Number:
+    def root(self, value: Number, degree: int) -> Number:
         """A root; of a fraction that has a rational one, the positive one.
 
         Raises

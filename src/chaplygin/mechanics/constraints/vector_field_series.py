@@ -174,9 +174,10 @@ class Span:
             lead = min(other)
             if lead in vector:
                 factor = vector[lead] / other[lead]
+                zero: FieldElement = self.numbers.number(0)
                 for key, value in other.items():
                     if key[0] <= order:
-                        vector[key] = vector.get(key, self.numbers.number(0)) - factor * value
+                        vector[key] = vector.get(key, zero) - factor * value
             vector = {key: value for key, value in vector.items() if value != 0}
         if vector:
             self.remainders.append(vector)
