@@ -79,7 +79,7 @@ def carried_on(study: Study, path: Path, share: float) -> None:
         began = time.process_time()
         try:
             motion = integrate(
-                study.watched,
+                study.system_on_level,
                 found["state"],
                 np.linspace(found["time"], last, SAMPLES),
                 on_liftoff="warn",

@@ -40,6 +40,8 @@ def test_what_the_page_counts_is_in_its_table() -> None:
 @pytest.mark.parametrize("name", ["chaplygin-sleigh", "marble-ball", "suslov"])
 def test_short_runs_drift_no_more(name: str) -> None:
     study = prepare(catalogue_experiment(name))
-    found = integrate(study.watched, study.start, np.linspace(0, 300.0, 31), on_liftoff="warn")
+    found = integrate(
+        study.system_on_level, study.start, np.linspace(0, 300.0, 31), on_liftoff="warn"
+    )
     for law in found.system.integrals:
         assert drift(found.recorded[f"law_{law.name}"]) < 10 * max(ROWS[name][1], 1e-15)

@@ -22,9 +22,6 @@ LINES = 400
 LONGER = {
     "check/identities/generators.py",
     "check/identities/substitution.py",
-    "catalogue/fixed_point/veselova.py",
-    "experiment/file/models.py",
-    "experiment/study.py",
     "flow/batch.py",
     "flow/integrator.py",
     "flow/kernel/gauss_legendre.py",
@@ -34,8 +31,6 @@ LONGER = {
     "proof/certificates/identities.py",
     "proof/level/level_set.py",
     "proof/prover.py",
-    "report/drawing/geometry.py",
-    "report/figures/time_series.py",
 }
 #: Files of a folder at most.
 FILES = 22

@@ -18,9 +18,11 @@ from importlib import import_module
 from pathlib import Path
 from types import NoneType, UnionType
 from typing import (
+    TYPE_CHECKING,
     Annotated,
     Any,
     Literal,
+    SupportsFloat,
     TypeAlias,
     TypeVar,
     Union,
@@ -32,11 +34,15 @@ from typing import (
 
 from .errors import InputError
 
+if TYPE_CHECKING:
+    from sympy import Symbol
+
 __all__ = [
     "Declared",
     "Formula",
     "Formulas",
     "Numbers",
+    "ParameterValue",
     "Parameters",
     "Quantity",
     "Start",
@@ -161,9 +167,12 @@ def _pairs_of(value: Any) -> list[tuple[Any, Any]] | None:
 Start: TypeAlias = Annotated[
     Any, _Kind("a state: numbers in order, or numbers by name in a mapping", _is_start)
 ]
+#: The value of a parameter, or one for each motion; text keeps all digits of a number.
+ParameterValue: TypeAlias = SupportsFloat | str | Iterable[SupportsFloat | str]
 #: Values of parameters by symbol or name, or None for the defaults.
 Parameters: TypeAlias = Annotated[
-    Mapping[Any, Any] | None, _Kind("a mapping of parameters to numbers", _are_parameters)
+    "Mapping[str, ParameterValue] | Mapping[Symbol, ParameterValue] | None",
+    _Kind("a mapping of parameters to numbers", _are_parameters),
 ]
 Numbers: TypeAlias = Annotated[Any, _Kind("a sequence of numbers", _are_numbers)]
 #: One number; in quotes it keeps digits that a float has not.
@@ -211,7 +220,7 @@ def _kind(annotation: Any) -> _Kind | None:
         )
     if isinstance(origin, type):
         return _collection(origin, inner)
-    if annotation is Any:
+    if annotation is Any or annotation is object:
         return None
     if annotation in _SIMPLE:
         return _SIMPLE[annotation]

@@ -62,7 +62,7 @@ def test_defaults_are_admissible(name):
 def test_the_example_runs_to_its_end(name):
     item = CATALOGUE[name]
     made = built.study(name)
-    motion = integrate(made.watched, made.start, np.linspace(0.0, item.start.until, 11))
+    motion = integrate(made.system_on_level, made.start, np.linspace(0.0, item.start.until, 11))
     assert motion.times[-1] == item.start.until
     assert motion.events == ()
     size = len(made.system.symbols)

@@ -44,13 +44,13 @@ def drifts(motion: Trajectory) -> dict[str, float]:
 def example(name: str) -> Study:
     """The example of the catalogue; all of its integrals hold at its start."""
     made = built.study(name)
-    assert made.watched.integrals == made.system.integrals
+    assert made.system_on_level.integrals == made.system.integrals
     return made
 
 
 def follow(made: Study, until: float, samples: int = 201) -> Trajectory:
     motion = integrate(
-        made.watched, made.start, np.linspace(0.0, until, samples), on_liftoff="warn"
+        made.system_on_level, made.start, np.linspace(0.0, until, samples), on_liftoff="warn"
     )
     assert motion.times[-1] == until
     return motion
@@ -84,7 +84,7 @@ def test_every_integral_is_flat_for_random_bodies(name, seed):
     made = random_study(entry, rng, random_parameters(entry, rng))
     assert max(drifts(follow(made, 20.0, 41)).values()) < 5e-14
     named = [law.name for law in built.system(name).integrals]
-    assert [law.name for law in made.watched.integrals] == named
+    assert [law.name for law in made.system_on_level.integrals] == named
 
 
 @pytest.mark.slow
@@ -93,7 +93,7 @@ def test_every_integral_is_flat_for_random_bodies(name, seed):
 def test_every_integral_is_flat_from_random_starts(name, seed):
     entry, rng = CATALOGUE[name], np.random.default_rng((seed, crc32(name.encode())))
     made = random_study(entry, rng)
-    assert made.watched.integrals == made.system.integrals
+    assert made.system_on_level.integrals == made.system.integrals
     until = entry.start.until / 5 if name in CHARTS else 20.0
     assert max(drifts(follow(made, until, 41)).values()) < 5e-14
 

@@ -132,3 +132,26 @@ def test_an_interrupted_integration_is_no_finished_study(
         assert code == 130
         assert re.search(r"interrupted: the trajectory up to t = 0 is in v\.nc; the same", err)
     assert ask(*SHORT, "--quick")[0] == 0
+
+
+@pytest.mark.slow
+def test_an_interrupted_study_is_not_integrated_again(
+    ask: Ask, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    def interrupted(*_: Any, **__: Any) -> str:
+        raise KeyboardInterrupt
+
+    def refused(*_: Any, **__: Any) -> None:
+        raise AssertionError("the motion was integrated")
+
+    assert ask(*SHORT, "--quick", "-o", "whole")[0] == 0
+    with monkeypatch.context() as patched:
+        patched.setattr(folders.page, "render", interrupted)
+        assert ask(*SHORT, "--quick", "-o", "parts")[0] == 130
+    with monkeypatch.context() as patched:
+        patched.setattr("chaplygin.experiment.study.integrate", refused)
+        code, _, err = ask(*SHORT, "--quick", "-o", "parts")
+    assert code == 0, err
+    pages = [(tmp_path / name / "report.html").read_text() for name in ("whole", "parts")]
+    assert pages[0] == pages[1]
+    assert not list((tmp_path / "parts").glob(".unfinished*"))

@@ -29,7 +29,7 @@ def copy(tmp_path: Path) -> Path:
         "core/system.py",
         "printing/ordering.py",
         "printing/formula.py",
-        "core/admissible.py",
+        "core/parameters.py",
         "proof/level/level_set.py",
         "measures/one_form.py",
         "search/modular_jets.py",

@@ -19,7 +19,6 @@ from chaplygin.experiment.file.models import OwnExperiment, load, loads
 from chaplygin.experiment.python_file import load_python
 from chaplygin.experiment.study import Study, dataset_of, prepare
 from chaplygin.proof.prover import prove
-from chaplygin.report.derivation import derivation_notes
 from chaplygin.report.summary import drift
 from spread import spread
 
@@ -125,7 +124,7 @@ def test_the_falling_mass_keeps_its_ratio() -> None:
     # the weight M g k drives both masses along one path
     growth = 0.5 * 9.81 * 0.7 / (1.0 + 0.5 * 0.7**2)
     assert np.allclose(speed, 0.5 + growth * dataset["time"], atol=1e-9)
-    assert "undecided: the constraint" in derivation_notes(made)[-1]
+    assert "undecided: the constraint" in made.subject.derivation_notes[-1]
 
 
 ROLLING = """\
@@ -157,12 +156,12 @@ def test_the_loaded_ball_moves_as_the_body_of_the_package() -> None:
 
 @pytest.mark.slow
 def test_constraints_are_told_apart() -> None:
-    assert "completely nonholonomic" in derivation_notes(named("sleigh"))[-1]
-    assert "completely nonholonomic" in derivation_notes(named("trailer"))[-1]
-    assert "span 2, 3, 4 dimensions" in derivation_notes(named("trailer"))[-1]
-    assert "1 of them is holonomic in effect" in derivation_notes(study(BALL))[-1]
-    assert len(derivation_notes(named("spherical_pendulum"))) == 1
-    assert derivation_notes(named("volterra")) == ()
+    assert "completely nonholonomic" in named("sleigh").subject.derivation_notes[-1]
+    assert "completely nonholonomic" in named("trailer").subject.derivation_notes[-1]
+    assert "span 2, 3, 4 dimensions" in named("trailer").subject.derivation_notes[-1]
+    assert "1 of them is holonomic in effect" in study(BALL).subject.derivation_notes[-1]
+    assert len(named("spherical_pendulum").subject.derivation_notes) == 1
+    assert named("volterra").subject.derivation_notes == ()
 
 
 # --- commands --------------------------------------------------------------------------------

@@ -10,8 +10,8 @@ import sympy as sp
 
 from chaplygin import nonholonomy
 from chaplygin.errors import InputError
-from chaplygin.experiment.described_system import build_described_system
 from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.study import prepare
 from chaplygin.measures.existence import measure_exists
 from chaplygin.mechanics.reduction.chaplygin import chaplygin_form
 from chaplygin.search import integrals, search_request
@@ -49,11 +49,11 @@ phidot = 1.0
 
 def oscillator(formula="k", value="1.0", start="1.0"):
     text = OSCILLATOR.format(formula=formula, value=value, start=start)
-    return build_described_system(loads(text))[1]
+    return prepare(loads(text)).system
 
 
 def knife(formula, name="m"):
-    return build_described_system(loads(KNIFE.format(formula=formula, name=name)))[0]
+    return prepare(loads(KNIFE.format(formula=formula, name=name))).subject.model
 
 
 @pytest.mark.parametrize("formula", ["pi", "pi**2", "exp(1)", "sqrt(pi)", "pi**0.25", "sin(pi/7)"])

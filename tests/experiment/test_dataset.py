@@ -95,7 +95,7 @@ def test_every_variable_says_what_it_is(name):
             assert variable.attrs["frame"] == "body axes"
         if "space" in variable.dims[1:]:
             assert variable.attrs["frame"] == "space axes"
-    for law in built.study(name).watched.integrals:
+    for law in built.study(name).system_on_level.integrals:
         assert made[f"law_{law.name}"].attrs["source"] == law.source
         assert made[f"law_{law.name}"].attrs["long_name"] == law.meaning
 

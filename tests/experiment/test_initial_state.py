@@ -155,8 +155,8 @@ def test_the_lift_to_space_may_be_left_out() -> None:
 
 def test_only_integrals_whose_level_holds_are_watched() -> None:
     turning, gliding = study("trial-sleigh"), study("trial-sleigh", "start.omega=0")
-    assert [law.name for law in turning.watched.laws] == ["energy"]
-    assert [law.name for law in gliding.watched.laws] == ["energy", "straight"]
+    assert [law.name for law in turning.system_on_level.laws] == ["energy"]
+    assert [law.name for law in gliding.system_on_level.laws] == ["energy", "straight"]
     assert len(turning.system.laws) == 3
 
 

@@ -109,8 +109,8 @@ def test_a_file_says_what_python_says() -> None:
 
 def test_coordinates_alone_are_a_frame() -> None:
     made = study(PENDULUM)
-    assert made.mechanism is not None
-    assert [str(v) for v in made.mechanism.frame.velocities] == ["Rdot"]
+    assert isinstance(made.subject.model, Mechanism)
+    assert [str(v) for v in made.subject.model.frame.velocities] == ["Rdot"]
     assert made.system.title == "Untitled system"
     assert [float(x) for x in made.start] == [0.6, 0.0, -0.8, 0.0, 1.0, 0.0]
 

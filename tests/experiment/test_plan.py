@@ -30,9 +30,13 @@ IN_CATALOGUE = (
 def test_a_table_says_what_is_drawn():
     made = prepare(loads(SLEIGH))
     again = prepare(loads(made.complete_toml()))
-    assert made.plan == again.plan
-    assert [len(getattr(made.plan, kind)) for kind in ("links", "blades", "points")] == [1, 1, 1]
-    motion = plan_motion(made.plan, made.trajectory())
+    assert made.subject.plan == again.plan
+    assert [len(getattr(made.subject.plan, kind)) for kind in ("links", "blades", "points")] == [
+        1,
+        1,
+        1,
+    ]
+    motion = plan_motion(made.subject.plan, made.trajectory())
     assert motion.path.shape == (301, 2)
     # the centre of mass is a = 0.3 ahead of the blade, along its heading
     ahead = motion.points[:, 0] - motion.blades[:, 0, :2]
@@ -43,8 +47,8 @@ def test_a_table_says_what_is_drawn():
 
 def test_without_a_table_the_constraints_say_it():
     made = prepare(loads(PLAIN))
-    assert len(made.plan.wheels) == 1
-    assert not made.plan.links
+    assert len(made.subject.subject.plan.wheels) == 1
+    assert not made.subject.plan.links
     assert "plan" not in made.complete_toml()
 
 
@@ -79,11 +83,11 @@ def test_a_python_file_names_its_plan(tmp_path):
     path = tmp_path / "edge.py"
     path.write_text("\n".join(lines), encoding="utf-8")
     inferred = load_python(path)
-    assert len(inferred.plan.wheels) == 1
+    assert len(inferred.subject.plan.wheels) == 1
     path.write_text("\n".join([*lines, "plan = Plan((x, y), points=((x, y),))"]), encoding="utf-8")
     named = load_python(path)
-    assert (len(named.plan.wheels), len(named.plan.points)) == (0, 1)
-    assert prepare(loads(named.complete_toml())).plan == named.plan
+    assert (len(named.subject.plan.wheels), len(named.subject.plan.points)) == (0, 1)
+    assert prepare(loads(named.complete_toml())).subject.plan == named.subject.plan
     path.write_text("\n".join([*lines, "plan = [x, y]"]), encoding="utf-8")
     with pytest.raises(InputError, match="plan must be a Plan, not list"):
         load_python(path)
@@ -93,7 +97,7 @@ def test_a_python_file_names_its_plan(tmp_path):
 def test_the_picture_shows_the_mechanism_at_the_end(name):
     made = prepare(catalogue_experiment(name))
     trajectory = made.trajectory()
-    motion = plan_motion(made.plan, trajectory)
+    motion = plan_motion(made.subject.plan, trajectory)
     figure = figures.plan_view(dataset_of(made, trajectory), motion)
     figure.draw(FigureCanvasAgg(figure).get_renderer())
     axes = figure.axes[0]
@@ -125,7 +129,7 @@ def test_the_picture_shows_the_mechanism_at_the_end(name):
 def test_a_plan_without_a_finite_place_is_refused():
     made = prepare(loads(SLEIGH))
     trajectory = made.trajectory()
-    motion = plan_motion(made.plan, trajectory)
+    motion = plan_motion(made.subject.plan, trajectory)
     motion.path[:] = np.nan
     with pytest.raises(InputError, match="no sample to show"):
         figures.plan_view(dataset_of(made, trajectory), motion)

@@ -56,7 +56,7 @@ def refused(path: Path, *overrides: str) -> str:
 
 def test_a_mechanism_with_its_start(cart: Path) -> None:
     made = load_python(cart)
-    assert made.mechanism is not None
+    assert made.subject.model is not None
     assert made.system.title == "Cart"
     assert [float(x) for x in made.start] == [1.5, 0.3, 0.0, 0.0, 0.0]
     assert made.times.tolist() == [0.0, 1.0, 2.0, 3.0, 4.0]

@@ -182,7 +182,7 @@ def test_a_name_is_enough(name):
     item = CATALOGUE[name]
     assert not made.own
     assert made.system == built.system(name)
-    assert (made.given, made.until) == (item.start.values, item.start.until)
+    assert (made.start_values, made.until) == (item.start.values, item.start.until)
     assert (made.rolling is None) == isinstance(item.build(item.numbers()), System)
     assert made.times[-1] == item.start.until
     assert len(made.times) == 101

@@ -24,10 +24,10 @@ import sympy as sp
 
 import chaplygin
 import chaplygin.arguments
-import chaplygin.core.admissible
 import chaplygin.core.arrays
 import chaplygin.core.laws
 import chaplygin.core.named_formulas
+import chaplygin.core.parameters
 import chaplygin.core.system
 import chaplygin.core.vectors
 import chaplygin.errors
@@ -62,7 +62,7 @@ LOADED = (
 SHARED = (
     "arguments",
     "errors",
-    "core.admissible",
+    "core.parameters",
     "core.arrays",
     "core.laws",
     "core.named_formulas",

@@ -28,18 +28,18 @@ __all__ = ["CATALOGUE", "Entry", "Start", "entry", "from_catalogue", "known_laws
 
 def _place(item: Entry) -> tuple[int, ...]:
     """Where the paper speaks of a system first: section and subsection."""
-    found = re.search(r"§(\d+)(?:\.(\d+))?", item.source)
-    return tuple(int(number or 0) for number in found.groups()) if found else (99,)
+    match = re.search(r"§(\d+)(?:\.(\d+))?", item.source)
+    return tuple(int(number or 0) for number in match.groups()) if match else (99,)
 
 
 def _entries() -> list[Entry]:
     modules = [m.name for m in pkgutil.walk_packages(__path__, f"{__name__}.") if not m.ispkg]
-    found = [
+    entries = [
         item
         for module in sorted(modules, key=lambda name: name.split(".")[-1])
         for item in getattr(import_module(module), "ENTRIES", ())
     ]
-    return sorted(found, key=_place)
+    return sorted(entries, key=_place)
 
 
 CATALOGUE: dict[str, Entry] = {item.name: item for item in _entries()}

@@ -75,9 +75,9 @@ def hamiltonian_form(structure: PoissonStructure) -> ConformallyHamiltonian:
 
 def inertia_parameters(moments: tuple[float, float, float]) -> tuple[Parameter, ...]:
     """The principal moments of inertia I_1, I_2, I_3 of a body."""
-    asked = triangle_inequalities(I.symbols)
+    conditions = triangle_inequalities(I.symbols)
     return tuple(
-        Parameter(s, f"moment of inertia about body axis {i}", value, "kg m^2", asked[s])
+        Parameter(s, f"moment of inertia about body axis {i}", value, "kg m^2", conditions[s])
         for i, (s, value) in enumerate(zip(I.symbols, moments, strict=True), 1)
     )
 

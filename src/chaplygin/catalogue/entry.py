@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 
@@ -55,9 +55,11 @@ class Start:
             raise InputError("a start is given either by both omega and gamma or by a state")
 
     @property
-    def values(self) -> dict[str, Any]:
-        """What is given, by name: ω and γ, or the variables of the state."""
-        return {"omega": self.omega, "gamma": self.gamma} if self.state is None else {**self.state}
+    def values(self) -> dict[str, float | tuple[float, ...]]:
+        """The start by name: ω and γ, or the variables of the state."""
+        if self.omega is not None and self.gamma is not None:
+            return {"omega": self.omega, "gamma": self.gamma}
+        return {**(self.state or {})}
 
 
 def _no_laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
@@ -115,19 +117,19 @@ class Entry:
         InputError
             If a parameter is not one of this system's.
         """
-        given = dict(parameters or {})
-        for name in given:
+        replacements = dict(parameters or {})
+        for name in replacements:
             if name not in self.defaults:
                 raise InputError(
                     f"no parameter {name!r} in {self.name}{_nearest(name, self.defaults)}; it has "
                     f"{', '.join(self.defaults)}"
                 )
-        return {**self.defaults, **given}
+        return {**self.defaults, **replacements}
 
     def rolling(self, parameters: Numbers | None = None) -> Rolling | None:
         """What rolls on what; None for a body about a fixed point."""
-        made = self.build(self.numbers(parameters))
-        return made if isinstance(made, Rolling) else None
+        model = self.build(self.numbers(parameters))
+        return model if isinstance(model, Rolling) else None
 
     def rolling_ball(self, parameters: Numbers | None = None) -> RollingBall | None:
         """The homogeneous ball and its surface; None where there is none."""
@@ -137,12 +139,12 @@ class Entry:
         """The System, with the laws that the paper names."""
         from dataclasses import replace
 
-        made = self.build(self.numbers(parameters))
-        if isinstance(made, System):
-            return made
-        system = made.system(self.name, self.title)
+        model = self.build(self.numbers(parameters))
+        if isinstance(model, System):
+            return model
+        system = model.system(self.name, self.title)
         system = replace(system, source=self.source, summary=self.summary)
-        return system.with_laws(*self.laws(made, system))
+        return system.with_laws(*self.laws(model, system))
 
 
 def lookup(catalogue: Mapping[str, Entry], name: str) -> Entry:
@@ -162,14 +164,14 @@ def _nearest(name: str, known: Iterable[str]) -> str:
 
 def known_laws(entries: Iterable[Entry], rolling: Rolling, system: System) -> tuple[Law, ...]:
     """The integrals that some entries know of a rolling body, each once."""
-    found: dict[str, Law] = {}
+    laws: dict[str, Law] = {}
     for item in entries:
         for law in item.laws(rolling, system):
-            found.setdefault(law.name, law)
-    return tuple(found.values())
+            laws.setdefault(law.name, law)
+    return tuple(laws.values())
 
 
-def bruns_factor(potential: sp.Expr) -> Any:
+def bruns_factor(potential: sp.Expr) -> sp.Expr | None:
     """k of the Bruns field U = ½k(γ, Iγ) for a diagonal tensor I; None for another potential."""
     gamma = sp.symbols("gamma_1:4", real=True)
     inertia = sp.symbols("I_1:4", real=True)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from sympy.matrices.expressions import MatrixExpr
 
 from ..core.laws import Rate
@@ -12,6 +10,6 @@ from ..core.vectors import constant, to_components
 __all__ = ["rate"]
 
 
-def rate(vector: MatrixExpr | Any) -> MatrixExpr:
+def rate(vector: MatrixExpr) -> MatrixExpr:
     """The rates of the components of a vector formula along the field of its system."""
     return constant([Rate(component) for component in to_components(vector)])

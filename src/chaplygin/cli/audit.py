@@ -80,9 +80,9 @@ def _print(judgements: Sequence[Judgement]) -> None:
     from ..borisov_mamaev.audit import TITLES, counts
 
     shown = console()
-    for section, found in groupby(judgements, key=lambda j: j.section):
+    for section, section_judgements in groupby(judgements, key=lambda j: j.section):
         shown.print(f"\n[bold]§{section} {TITLES[section]}[/]\n")
-        for judgement in found:
+        for judgement in section_judgements:
             shown.print(_claim(judgement, shown.is_terminal))
     numbers = counts(judgements)
     shown.print(f"\n{len(judgements)} claims")
@@ -117,12 +117,12 @@ def _claim(judgement: Judgement, wide: bool) -> RenderableType:
     text = Table.grid(padding=(0, 2, 0, 0))
     text.add_column(no_wrap=True, style="dim", min_width=11)
     text.add_column()
-    for label, words in _told(judgement):
+    for label, words in _lines(judgement):
         text.add_row(f"  {label}", escape(words))
     return Group(head, text) if text.rows else head
 
 
-def _told(judgement: Judgement) -> Iterator[tuple[str, str]]:
+def _lines(judgement: Judgement) -> Iterator[tuple[str, str]]:
     """What is said of a claim, each with its label: both forms where the printed one fails."""
     from ..printing.plain_text import plain_words
 

@@ -71,20 +71,20 @@ def _diagram(what: str, overrides: list[str] | None) -> tuple[Diagram, tuple[flo
         return bifurcation_diagram(what, _numbers(overrides or [])), None
     study = study_of(what, overrides)
     system = study.system
-    found = diagram_of(Problem(system, system.defaults, study.start, study.rolling))
-    if found is None:
+    diagram = diagram_of(Problem(system, system.defaults, study.start, study.rolling))
+    if diagram is None:
         raise InputError(
             f"no bifurcation diagram of {system.title} is known at this start: its motions do not "
             "separate on a plane of two integrals (docs/bifurcations.md lists those that do)"
         )
-    return found
+    return diagram
 
 
 def _numbers(overrides: list[str]) -> dict[str, str]:
     """Parameters of a plane, as decimals that are taken at their word."""
     from ..errors import InputError
 
-    found = {}
+    numbers = {}
     for text in overrides:
         name, equals, value = (part.strip() for part in text.partition("="))
         try:
@@ -93,8 +93,8 @@ def _numbers(overrides: list[str]) -> dict[str, str]:
             equals = ""
         if not equals:
             raise InputError(f"--set {text}: of a plane a parameter is set, such as I_2=1.7")
-        found[name] = value
-    return found
+        numbers[name] = value
+    return numbers
 
 
 def _result(diagram: Diagram, mark: tuple[float, float] | None) -> dict[str, Any]:
@@ -125,11 +125,11 @@ def _result(diagram: Diagram, mark: tuple[float, float] | None) -> dict[str, Any
         ],
         "equilibria": [
             {
-                "place": [float(x) for x in rest.place],
-                "axis": rest.axis,
-                "stable": rest.centres == 2,
+                "place": [float(x) for x in equilibrium.place],
+                "axis": equilibrium.axis,
+                "stable": equilibrium.centres == 2,
             }
-            for rest in diagram.equilibria
+            for equilibrium in diagram.equilibria
         ],
     }
 
@@ -143,16 +143,16 @@ def _print(result: dict[str, Any]) -> None:
     for region in result["regions"]:
         here = " — this motion" if region["number"] == result["region_of_motion"] else ""
         typer.echo(
-            f"  region {region['number']}: {_counted(region['tori'], 'torus', 'tori')}{here}"
+            f"  region {region['number']}: {_count_text(region['tori'], 'torus', 'tori')}{here}"
         )
     for boundary in result["boundaries"]:
         kind = "stable" if boundary["stable"] else "unstable"
-        circles = _counted(boundary["circles"], "circle", "circles")
+        circles = _count_text(boundary["circles"], "circle", "circles")
         typer.echo(f"  {boundary['motions']}: {circles}, {kind}; {boundary['curve']}")
-    for rest in result["equilibria"]:
-        kind = "stable" if rest["stable"] else "unstable"
-        place = ", ".join(f"{x:.6g}" for x in rest["place"])
-        typer.echo(f"  equilibrium on axis {rest['axis']}: {kind}; at ({place})")
+    for equilibrium in result["equilibria"]:
+        kind = "stable" if equilibrium["stable"] else "unstable"
+        place = ", ".join(f"{x:.6g}" for x in equilibrium["place"])
+        typer.echo(f"  equilibrium on axis {equilibrium['axis']}: {kind}; at ({place})")
     if result["motion"] is not None:
         values = ", ".join(
             f"{axis['symbol']} = {value:.9g}"
@@ -162,5 +162,5 @@ def _print(result: dict[str, Any]) -> None:
         typer.echo(f"  this motion: {values}{place}")
 
 
-def _counted(number: int, one: str, many: str) -> str:
+def _count_text(number: int, one: str, many: str) -> str:
     return f"{number} {one if number == 1 else many}"

@@ -60,7 +60,7 @@ def command(
     check_figure("--figure", picture)
     check_picture(output, picture, force, named=figure is not None)
     client = check_workers(workers)
-    formulas = dict(_parted(item) for item in let or ())
+    formulas = dict(_assignment(item) for item in let or ())
     study = study_of(what, overrides)
     from ..analysis.scans.grid import axis
     from ..analysis.scans.scan_task import scan
@@ -70,23 +70,23 @@ def command(
     from ..report.figures.scan import chart as drawn
 
     horizontal, vertical = axis(x, "--x"), axis(y, "--y")
-    made = chart_of(
+    chart = chart_of(
         study, of, horizontal, vertical, until=until, formulas=formulas, held=hold or ()
     )
     vacate(output, force)
-    task = scan(made, {"experiment": study.complete_toml()})
-    with progress(made.title) as report, resumable(output, report, force) as update:
-        found = compute(task, output, client=client, progress=update)
+    task = scan(chart, {"experiment": study.complete_toml()})
+    with progress(chart.title) as report, resumable(output, report, force) as update:
+        dataset = compute(task, output, client=client, progress=update)
         report.say("drawing")
-        save(drawn(found), picture)
-    result = {"file": str(output), "figure": str(picture), **_summary(found)}
+        save(drawn(dataset), picture)
+    result = {"file": str(output), "figure": str(picture), **_summary(dataset)}
     if json:
         print_json(result)
     else:
         _print(study.system.title, result)
 
 
-def _parted(text: str) -> tuple[str, str]:
+def _assignment(text: str) -> tuple[str, str]:
     """Name and formula of a setting."""
     from ..errors import InputError
 
@@ -96,12 +96,12 @@ def _parted(text: str) -> tuple[str, str]:
     return name, formula
 
 
-def _summary(found: xr.Dataset) -> dict[str, Any]:
+def _summary(dataset: xr.Dataset) -> dict[str, Any]:
     """What a reader wants to know of a chart before looking at it."""
     import numpy as np
 
-    name = str(found.attrs["number"])
-    number = found[name]
+    name = str(dataset.attrs["number"])
+    number = dataset[name]
     values = number.values[np.isfinite(number.values)]
     lowest, median, highest = (
         np.quantile(values, [0.0, 0.5, 1.0]).tolist() if len(values) else [None] * 3
@@ -118,7 +118,7 @@ def _summary(found: xr.Dataset) -> dict[str, Any]:
         "lowest": lowest,
         "median": median,
         "highest": highest,
-        "outcomes": outcomes(found["outcome"]),
+        "outcomes": outcomes(dataset["outcome"]),
     }
 
 

@@ -6,7 +6,7 @@ import json
 import os
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -89,7 +89,7 @@ def console() -> Console:
     return Console(width=None if limited else UNLIMITED, highlight=False)
 
 
-def print_json(value: Any) -> None:
+def print_json(value: object) -> None:
     """The result for another program."""
     typer.echo(json.dumps(value, indent=2, ensure_ascii=False))
 

@@ -12,6 +12,10 @@ from .common import Effort, Json, Override, What, inform, operations, print_json
 from .progress import progress
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    import sympy as sp
+
     from ..core.system import Parameter, System
     from ..search import Question, SearchResult
 
@@ -114,11 +118,11 @@ def command(
         effort=allowed,
     )
     with concluding("the results found so far are about to be printed"):
-        found, complete = _collected(kind, question)
+        results, complete = _results(kind, question)
         elapsed = time.monotonic() - began
         if json:
             print_json(
-                _as_json(kind, question, found, complete, elapsed) | {"at": list(conditions)}
+                _as_json(kind, question, results, complete, elapsed) | {"at": list(conditions)}
             )
         else:
             if at is None and conditions:
@@ -126,31 +130,31 @@ def command(
                     f"searched where {', '.join(conditions)}, as the parameters are; --at none "
                     "searches for arbitrary parameters"
                 )
-            typer.echo(_as_text(kind, question, found, complete))
+            typer.echo(_as_text(kind, question, results, complete))
     if not complete:
         raise typer.Exit(CODE)
-    raise typer.Exit(0 if found else 1)
+    raise typer.Exit(0 if results else 1)
 
 
 def special(system: System) -> tuple[str, ...]:
     """What is special in the parameters: equal moments of inertia or semi-axes, and zeros."""
     values = {p: p.default for p in system.parameters}
-    found = []
+    factors = []
     for words in ("moment of inertia", "semi-axis"):
         first: dict[float, Parameter] = {}
         for parameter in (p for p in values if p.meaning.startswith(words) and values[p]):
             earlier = first.setdefault(values[parameter], parameter)
             if earlier is not parameter:
-                found.append(f"{earlier.symbol} = {parameter.symbol}")
-    return (*found, *(f"{p.symbol} = 0" for p in values if values[p] == 0))
+                factors.append(f"{earlier.symbol} = {parameter.symbol}")
+    return (*factors, *(f"{p.symbol} = 0" for p in values if values[p] == 0))
 
 
-def _collected(kind: str, question: Question) -> tuple[list[SearchResult], bool]:
+def _results(kind: str, question: Question) -> tuple[list[SearchResult], bool]:
     """What is found, and whether the search came to its end; Ctrl-C keeps what there is."""
     from ..search import integrals, measures, symmetries
 
     search = {"integrals": integrals, "measure": measures, "symmetries": symmetries}[kind]
-    found: list[SearchResult] = []
+    results: list[SearchResult] = []
     try:
         with progress(f"searching for {kind}") as report:
 
@@ -158,27 +162,27 @@ def _collected(kind: str, question: Question) -> tuple[list[SearchResult], bool]
                 report.say(f"searching for {kind}: {words}" if words else f"searching for {kind}")
                 report(fraction)
 
-            found.extend(search(question, update))
+            results.extend(search(question, update))
     except KeyboardInterrupt:
         say("the results found up to then follow")
-        return found, False
-    return found, True
+        return results, False
+    return results, True
 
 
-def _names(symbols: Any) -> list[str]:
+def _names(symbols: Iterable[object]) -> list[str]:
     from ..printing.formula import text
 
     return [text(s) for s in symbols]
 
 
-def _equation(vanishing: Any) -> str:
+def _equation(vanishing: sp.Expr) -> str:
     """A vanishing formula as an equation without minus signs, its number on the right."""
     from sympy import Add
 
     from ..printing.formula import text
 
-    number, rest = vanishing.as_coeff_Add()
-    terms = rest.as_ordered_terms()
+    number, remainder = vanishing.as_coeff_Add()
+    terms = remainder.as_ordered_terms()
     negative = [term for term in terms if term.could_extract_minus_sign()]
     left = Add(*(term for term in terms if term not in negative))
     return f"{text(left)} = {text(Add(-number, *(-term for term in negative)))}"
@@ -200,7 +204,7 @@ def _setting(question: Question) -> str:
     return "\n    ".join(lines)
 
 
-def _shown(finding: SearchResult) -> list[str]:
+def _result_lines(finding: SearchResult) -> list[str]:
     from ..core.vectors import real_symbol
     from ..printing.formula import text
 
@@ -226,7 +230,7 @@ def _factors(kind: str, question: Question) -> tuple[Any, ...]:
     return {"integrals": question.divisors, "measure": question.bases}.get(kind, ())
 
 
-def _as_text(kind: str, question: Question, found: list[SearchResult], complete: bool) -> str:
+def _as_text(kind: str, question: Question, results: list[SearchResult], complete: bool) -> str:
     from ..printing.formula import text
 
     lines = [f"{_TITLES[kind]} of {question.stage.system.title}"]
@@ -237,20 +241,20 @@ def _as_text(kind: str, question: Question, found: list[SearchResult], complete:
         words = "possibly divided by" if kind == "integrals" else "products of powers of"
         lines.append(f"    {words} {', '.join(text(f) for f in factors)}")
     lines.append("")
-    for finding in found:
-        lines += _shown(finding)
+    for finding in results:
+        lines += _result_lines(finding)
     if not complete:
         lines.append("  interrupted: the search is incomplete")
-    elif not found:
+    elif not results:
         lines.append("  none")
-    elif kind != "measure" and all(finding.law is not None for finding in found):
+    elif kind != "measure" and all(finding.law is not None for finding in results):
         lines.append(f"  {_NOTHING_ELSE[kind]}")
     return "\n".join(lines)
 
 
 def _as_json(
-    kind: str, question: Question, found: list[SearchResult], complete: bool, elapsed: float
-) -> dict[str, Any]:
+    kind: str, question: Question, results: list[SearchResult], complete: bool, elapsed: float
+) -> dict[str, object]:
     from ..printing.formula import latex, text
 
     ansatz = question.ansatz
@@ -265,11 +269,11 @@ def _as_json(
         "on": [_equation(f) for f in question.stage.on],
         "complete": complete,
         "seconds": round(elapsed, 3),
-        "found": [_finding_json(finding, text, latex) for finding in found],
+        "found": [_finding_json(finding, text, latex) for finding in results],
     }
 
 
-def _finding_json(finding: SearchResult, text: Any, latex: Any) -> dict[str, Any]:
+def _finding_json(finding: SearchResult, text: Any, latex: Any) -> dict[str, object]:
     law, verdict = finding.law, finding.verdict
     if law is None or verdict is None:
         return {"formula": None, "verdict": "observed", "remark": finding.remark}

@@ -77,22 +77,24 @@ def command(
     with ending(NOTHING, "the spectrum of the motion so far is being evaluated"):
         try:
             with progress(study.system.title) as report:
-                found = lyapunov_spectrum(
+                spectrum = lyapunov_spectrum(
                     system, start, until=length, tolerance=tolerance, progress=report
                 )
         except InterruptionError as stop:
             if not isinstance(stop.partial, Spectrum):
                 raise KeyboardInterrupt from stop
-            found = stop.partial
-            interrupted = f"at t = {found.until:g} of {length:g}; this is the spectrum up to then"
+            spectrum = stop.partial
+            interrupted = (
+                f"at t = {spectrum.until:g} of {length:g}; this is the spectrum up to then"
+            )
         turned = reversors(system)
         if output is not None:
-            deliver(found.dataset(), output, force)
+            deliver(spectrum.dataset(), output, force)
         with beside(output):
             if json:
-                print_json(record(found, turned))
+                print_json(record(spectrum, turned))
             else:
-                _print(found, turned)
+                _print(spectrum, turned)
         if output is not None:
             inform(f"written to {name_of(output)}")
     if interrupted:
@@ -100,27 +102,27 @@ def command(
         raise typer.Exit(CODE)
 
 
-def _print(found: Spectrum, turned: Any) -> None:
+def _print(spectrum: Spectrum, turned: Any) -> None:
     from rich import box
     from rich.markup import escape
     from rich.table import Table
 
     from ..analysis.lyapunov.report import remarks, rounded, word
 
-    typer.echo(found.system.title)
+    typer.echo(spectrum.system.title)
     typer.echo(
-        f"integrated to t = {found.until:g} s, averaged from {found.began:g} s, "
-        f"{len(found.growth)} intervals; exponents in 1/s"
+        f"integrated to t = {spectrum.until:g} s, averaged from {spectrum.began:g} s, "
+        f"{len(spectrum.growth)} intervals; exponents in 1/s"
     )
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
     table.add_column("", style="bold", no_wrap=True)
     table.add_column("exponent", justify="right", no_wrap=True)
     table.add_column("error", justify="right", no_wrap=True)
     table.add_column("")
-    for number, item in enumerate(found.exponents, 1):
+    for number, item in enumerate(spectrum.exponents, 1):
         table.add_row(f"λ{number}", *rounded(item.value, item.error), word(item))
-    total, mean = found.total, found.volume.divergence
-    if found.exponents:
+    total, mean = spectrum.total, spectrum.volume.divergence
+    if spectrum.exponents:
         table.add_row("sum", *rounded(total.value, total.error), word_of_sum(total))
     table.add_row("divergence", *rounded(mean.value, mean.error), "mean along the motion")
     zeros = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
@@ -128,22 +130,22 @@ def _print(found: Spectrum, turned: Any) -> None:
     zeros.add_column("exponent", justify="right", no_wrap=True)
     zeros.add_column("measured", justify="right", no_wrap=True)
     zeros.add_column("")
-    for forced, rate in found.removed:
+    for forced, rate in spectrum.removed:
         shown = ("", "") if rate is None else ("0", f"{rate:.1e}" if rate else "0")
         kind = "" if forced.name == forced.kind else f"{forced.kind}: "
         zeros.add_row(escape(forced.name), *shown, f"{kind}{forced.reason}")
     terminal = console()
     typer.echo()
     terminal.print(table)
-    if found.removed:
+    if spectrum.removed:
         typer.echo()
         terminal.print(zeros)
     typer.echo()
-    if found.dependent:
+    if spectrum.dependent:
         typer.echo(
-            f"No further exponent is made trivial by {', '.join(found.dependent)} at this start."
+            f"No further exponent is made trivial by {', '.join(spectrum.dependent)} at this start."
         )
-    for text in remarks(found, turned):
+    for text in remarks(spectrum, turned):
         first = text[0].upper() if text[0].isascii() else text[0]
         typer.echo(f"{first}{text[1:]}.")
 

@@ -79,7 +79,7 @@ def command(
     for least, name, number in ((0, "after", after), (1, "period", period)):
         if number < least:
             raise InputError(f"--{name} {number}: it must be at least {least}")
-    varied = None if follow is None else _varied(follow)
+    varied = None if follow is None else _varied_quantity(follow)
     if output is not None:
         check_output("--output", output, force, json, what, place=check_trajectory)
     if figure is not None:
@@ -90,7 +90,7 @@ def command(
     from ..report.drawing.files import save
 
     with progress(study.system.title) as update, ending(NOTHING):
-        orbit, branch = _searched(study, where, how, hold or [], varied, update)
+        orbit, branch = _orbit_of(study, where, how, hold or [], varied, update)
     if output is not None:
         deliver(_one_period(study, orbit), output, force)
     if figure is not None:
@@ -112,7 +112,7 @@ def command(
             inform(f"{words} {place}")
 
 
-def _varied(text: str) -> tuple[str, float]:
+def _varied_quantity(text: str) -> tuple[str, float]:
     """What changes along a branch, and to which value."""
     from ..errors import InputError
 
@@ -127,7 +127,7 @@ def _varied(text: str) -> tuple[str, float]:
         ) from None
 
 
-def _searched(
+def _orbit_of(
     study: Study,
     where: tuple[str, float, str, bool],
     how: tuple[int, int, float],
@@ -168,8 +168,8 @@ def _searched(
             raise InputError(f"--hold {name}: it must be one of {', '.join(laws) or 'none'}")
     progress(0.0)
     limit = study.until * max(after, 1)
-    made = poincare_section(system, on, value, DIRECTIONS[direction], angle)
-    returns = ReturnMap(PoincareMap(system, made, tolerance=tolerance, until=limit))
+    section = poincare_section(system, on, value, DIRECTIONS[direction], angle)
+    returns = ReturnMap(PoincareMap(system, section, tolerance=tolerance, until=limit))
     crossed = returns.section.returns(np.array([start]), max(after, 1))
     if crossed.outcome[0]:
         raise RunError(
@@ -177,14 +177,14 @@ def _searched(
             f"{returns.section.reason(int(crossed.outcome[0]))}",
             float(crossed.ended[0]),
         )
-    returns = ReturnMap(PoincareMap(system, made, tolerance=tolerance))
+    returns = ReturnMap(PoincareMap(system, section, tolerance=tolerance))
     progress(0.25)
     orbit = find(returns, crossed.states[0, -1], period, keeps)
     progress(1.0 if varied is None else 0.5)
     if varied is None:
         return orbit, None
-    rest = [name for name in keeps if name != varied[0]]
-    return orbit, follow(returns, orbit, *varied, hold=rest)
+    held = [name for name in keeps if name != varied[0]]
+    return orbit, follow(returns, orbit, *varied, hold=held)
 
 
 def _one_period(study: Study, orbit: Orbit) -> Any:
@@ -196,10 +196,12 @@ def _one_period(study: Study, orbit: Orbit) -> Any:
 
     size = len(study.system.symbols)
     times = np.linspace(0.0, orbit.duration, study.experiment.run.samples).tolist()
-    return dataset_of(study, integrate(study.watched, orbit.points[0, :size].tolist(), times))
+    return dataset_of(
+        study, integrate(study.system_on_level, orbit.points[0, :size].tolist(), times)
+    )
 
 
-def _record(study: Study, orbit: Orbit, branch: Branch | None) -> dict[str, Any]:
+def _record(study: Study, orbit: Orbit, branch: Branch | None) -> dict[str, object]:
     return {
         "system": study.system.name,
         **_facts(orbit),
@@ -217,8 +219,8 @@ def _record(study: Study, orbit: Orbit, branch: Branch | None) -> dict[str, Any]
     }
 
 
-def _facts(orbit: Orbit) -> dict[str, Any]:
-    found = orbit.multipliers
+def _facts(orbit: Orbit) -> dict[str, object]:
+    multipliers = orbit.multipliers
     return {
         "period": orbit.duration,
         "returns": orbit.period,
@@ -229,9 +231,9 @@ def _facts(orbit: Orbit) -> dict[str, Any]:
         "values": dict(orbit.values),
         "multipliers": [
             {"real": float(x.real), "imaginary": float(x.imag), "error": float(error)}
-            for x, error in zip(found.values, found.errors, strict=True)
+            for x, error in zip(multipliers.values, multipliers.errors, strict=True)
         ],
-        "one_by_force": list(found.forced),
+        "one_by_force": list(multipliers.forced),
         "gap": orbit.gap,
         "error": orbit.error,
     }
@@ -245,13 +247,13 @@ def _print(study: Study, orbit: Orbit, branch: Branch | None) -> None:
         typer.echo(f"  {name}  {number:.15g}")
     for name, number in zip(orbit.names, orbit.points[0], strict=True):
         typer.echo(f"  {name}  {number:.15g}")
-    found = orbit.multipliers
-    for value, error in zip(found.values, found.errors, strict=True):
+    multipliers = orbit.multipliers
+    for value, error in zip(multipliers.values, multipliers.errors, strict=True):
         imaginary = (
             f" {'+' if value.imag > 0 else '−'} {abs(value.imag):.9g} i" if value.imag else ""
         )
         typer.echo(f"  multiplier  {value.real:.9g}{imaginary} ± {error:.0e}")
-    typer.echo(f"  trivial multipliers (equal to 1): {', '.join(found.forced)}")
+    typer.echo(f"  trivial multipliers (equal to 1): {', '.join(multipliers.forced)}")
     if branch is None:
         return
     places = branch.places

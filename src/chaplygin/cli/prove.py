@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
@@ -58,27 +58,27 @@ def command(
     allowed = operations(effort)
     if certificate is not None:
         check_output("--certificate", certificate, force, json, what, binary=False)
-    claims = _chosen(_claims(what, overrides), only or [], what)
+    claims = _selected_laws(_claims(what, overrides), only or [], what)
     with concluding("the verdicts reached so far are about to be printed"):
-        done = _tried(claims, allowed, certificate is not None)
+        done = _attempts(claims, allowed, certificate is not None)
         with beside(certificate):
             if json:
-                print_json([_record(tried, allowed) for tried in done])
+                print_json([_record(attempt, allowed) for attempt in done])
             else:
                 _print(done)
         if certificate is not None:
-            _write(certificate, [tried.verdict for tried in done])
+            _write(certificate, [attempt.verdict for attempt in done])
     if len(done) < len(claims):
         say(
             f"{len(claims) - len(done)} of {len(claims)} laws have no verdict; verdicts are saved, "
             "and the same command resumes"
         )
         raise typer.Exit(CODE)
-    if not all(tried.verdict for tried in done):
+    if not all(attempt.verdict for attempt in done):
         raise typer.Exit(1)
 
 
-class _Tried(NamedTuple):
+class _Attempt(NamedTuple):
     """A law with its verdict, and that on its printed form where the paper has another one."""
 
     system: System
@@ -87,12 +87,12 @@ class _Tried(NamedTuple):
     printed: Verdict | None
 
 
-def _tried(claims: list[tuple[System, Law]], effort: int, certificates: bool) -> list[_Tried]:
+def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool) -> list[_Attempt]:
     """The verdicts, or those until an interruption."""
     from ..proof.certificates.certificate import certified
     from ..proof.prover import prove
 
-    done: list[_Tried] = []
+    done: list[_Attempt] = []
     try:
         with progress("proving") as report:
             for count, (system, law) in enumerate(claims):
@@ -103,7 +103,7 @@ def _tried(claims: list[tuple[System, Law]], effort: int, certificates: bool) ->
                     verdict = prove(system, law, effort=effort)
                 wrong = law.as_printed
                 printed = None if wrong is None else prove(system, wrong, effort=effort)
-                done.append(_Tried(system, law, verdict, printed))
+                done.append(_Attempt(system, law, verdict, printed))
     except KeyboardInterrupt:
         pass
     return done
@@ -114,15 +114,15 @@ def _claims(what: str, overrides: list[str] | None) -> list[tuple[System, Law]]:
     from ..catalogue import CATALOGUE
 
     system = study_of(what, overrides).system
-    found = [(system, law) for law in system.laws]
+    claims = [(system, law) for law in system.laws]
     general = CATALOGUE[what].general if what in CATALOGUE else None
     if general is not None:
         wide = general()
-        found += [(wide, law) for law in wide.laws]
-    return found
+        claims += [(wide, law) for law in wide.laws]
+    return claims
 
 
-def _chosen(
+def _selected_laws(
     claims: list[tuple[System, Law]], only: list[str], what: str
 ) -> list[tuple[System, Law]]:
     from ..errors import InputError
@@ -135,11 +135,11 @@ def _chosen(
     return [pair for pair in claims if not only or pair[1].name in only]
 
 
-def _record(tried: _Tried, effort: int) -> dict[str, Any]:
+def _record(attempt: _Attempt, effort: int) -> dict[str, object]:
     from ..printing.laws import condition_text
     from ..printing.system import latex, law_latex
 
-    system, law, verdict, printed = tried
+    system, law, verdict, printed = attempt
     record = {
         "source": law.source,
         "statement": _words(law),
@@ -177,7 +177,7 @@ def styled(decision: str) -> str:
     return f"[{COLOURS[decision]}]{decision}[/]"
 
 
-def _print(done: list[_Tried]) -> None:
+def _print(done: list[_Attempt]) -> None:
     from rich import box
     from rich.markup import escape
     from rich.table import Table
@@ -212,7 +212,7 @@ def _print(done: list[_Tried]) -> None:
             table.add_row("", escape(f"as printed: {law.misprint}"), "", styled(printed.decision))
     shown.print(table)
     if len(done) > 1:
-        shown.print(f"\n{_counted([tried.verdict for tried in done])}")
+        shown.print(f"\n{_count_text([attempt.verdict for attempt in done])}")
     for _, law, verdict, _ in done:
         if verdict.witness is not None:
             point = ", ".join(f"{n} = {v}" for n, v in verdict.witness["point"].items())
@@ -227,20 +227,20 @@ def _print(done: list[_Tried]) -> None:
             shown.print(f"\n{law.name}: {verdict.reason}", markup=False)
 
 
-def _counted(verdicts: list[Verdict]) -> str:
+def _count_text(verdicts: list[Verdict]) -> str:
     """How many laws there are of each verdict."""
     decisions = [verdict.decision for verdict in verdicts]
-    found = (f"{decisions.count(d)} {d}" for d in COLOURS if d in decisions)
-    return f"{len(verdicts)} laws: {', '.join(found).replace('where', 'where a condition holds')}"
+    counts = (f"{decisions.count(d)} {d}" for d in COLOURS if d in decisions)
+    return f"{len(verdicts)} laws: {', '.join(counts).replace('where', 'where a condition holds')}"
 
 
 def _write(path: Path, verdicts: list[Verdict]) -> None:
     import json
 
-    made = [verdict.certificate for verdict in verdicts if verdict.certificate is not None]
+    certificates = [verdict.certificate for verdict in verdicts if verdict.certificate is not None]
     with written(path) as place:
-        place.write_text(json.dumps(made, ensure_ascii=False), encoding="utf-8")
-    inform(f"certificates of {len(made)} of {len(verdicts)} laws: {name_of(path)}")
+        place.write_text(json.dumps(certificates, ensure_ascii=False), encoding="utf-8")
+    inform(f"certificates of {len(certificates)} of {len(verdicts)} laws: {name_of(path)}")
     for verdict in verdicts:
         if verdict.certificate is None:
             why = verdict.uncertified or "it is undecided"

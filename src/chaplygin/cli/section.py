@@ -118,15 +118,15 @@ def command(
     vacate(store, force)
     title = f"{study.system.title}, {place}"
     with progress(title) as report, resumable(store, report, force) as update:
-        found = compute(task, store, client=client, progress=update)
-    result = {"file": str(store), "figure": str(picture), **_summary(found)}
+        dataset = compute(task, store, client=client, progress=update)
+    result = {"file": str(store), "figure": str(picture), **_summary(dataset)}
     if not result["points"]:
-        found.close()
+        dataset.close()
         # another section may be requested under the same name
         rmtree(store)
         reasons = ", ".join(result["outcomes"])
         raise RunError(f"no motion passes {place}: {reasons}", result["longest"])
-    save(draw_section(found, names), picture)
+    save(draw_section(dataset, names), picture)
     if json:
         print_json(result)
     else:
@@ -166,22 +166,22 @@ def _slab(text: str) -> tuple[str, float]:
         ) from None
 
 
-def _summary(found: xr.Dataset) -> dict[str, Any]:
+def _summary(dataset: xr.Dataset) -> dict[str, Any]:
     """What a reader wants to know of a section before looking at it."""
     drifts = {
-        str(name).removeprefix("law_"): _drift(found[name])
-        for name in found.data_vars
+        str(name).removeprefix("law_"): _drift(dataset[name])
+        for name in dataset.data_vars
         if str(name).startswith("law_")
     }
     return {
-        "section": found.attrs["section"],
-        "coordinates": list(found.attrs["coordinates"]),
-        "starts": found.attrs["starts"],
-        "runs": found.sizes["run"],
-        "points": int(found["points"].sum()),
-        "longest": float(found["ended"].max()),
+        "section": dataset.attrs["section"],
+        "coordinates": list(dataset.attrs["coordinates"]),
+        "starts": dataset.attrs["starts"],
+        "runs": dataset.sizes["run"],
+        "points": int(dataset["points"].sum()),
+        "longest": float(dataset["ended"].max()),
         "drift": drifts,
-        "outcomes": outcomes(found["outcome"]),
+        "outcomes": outcomes(dataset["outcome"]),
     }
 
 

@@ -41,8 +41,6 @@ def command(
     from ..analysis.classification.classifier import classify_quickly
     from ..printing.code import source_code
     from ..printing.system import motion_text
-    from ..report.derivation import derivation_notes, is_described
-    from ..report.summary import legend
 
     system = study.system
     if laws:
@@ -85,8 +83,8 @@ def command(
                     }
                     for law in system.laws
                 ],
-                "notes": list(derivation_notes(study)),
-                "place": classify_quickly(system, study.rolling or study.mechanism).record,
+                "notes": list(study.subject.derivation_notes),
+                "place": classify_quickly(system, study.subject.model).record,
             }
         )
         return
@@ -98,12 +96,14 @@ def command(
         "toml": study.complete_toml,
     }
     typer.echo(texts[form]().rstrip())
-    if form == "text" and is_described(study) and (lines := motion_text(system)):
+    if form == "text" and study.subject.has_own_reconstruction and (lines := motion_text(system)):
         typer.echo("\n".join(("\nReconstruction equations", *lines)))
-    for words in filter(None, (legend(study), *derivation_notes(study)) if form == "text" else ()):
+    for words in filter(
+        None, (study.subject.legend, *study.subject.derivation_notes) if form == "text" else ()
+    ):
         typer.echo("\n" + textwrap.fill(words, 100))
     if form == "text":
-        place = classify_quickly(system, study.rolling or study.mechanism)
+        place = classify_quickly(system, study.subject.model)
         typer.echo(f"\n{place}")
         if any("effort" in entry.why for entry in place.uncounted):
             typer.echo(f"\nMore effort may decide the undecided laws: chaplygin prove {what}")

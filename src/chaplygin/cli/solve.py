@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -128,7 +128,7 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
     for item in form.figures:
         facts.add_row(escape(letters(item.symbol)), number(item), escape(letters(item.meaning)))
     shown_on.print(facts)
-    shown = _chosen(moments)
+    shown = _moments_shown(moments)
     rows = list(_rows(study, solution, shown, digits))
     for some in _blocks(shown, rows, shown_on.width):
         table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
@@ -151,7 +151,7 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
         )
 
 
-def _chosen(moments: list[Fraction]) -> list[Fraction]:
+def _moments_shown(moments: list[Fraction]) -> list[Fraction]:
     """All times, or a few of many."""
     if len(moments) <= MANY:
         return moments
@@ -184,18 +184,20 @@ def _rows(
         return
     from ..experiment.closed_form import dataset, evaluated
 
-    made = dataset(study, evaluated(study, solution, _doubles(moments)), solution)
-    for name in map(str, made.data_vars):
+    variables = dataset(study, evaluated(study, solution, _doubles(moments)), solution)
+    for name in map(str, variables.data_vars):
         if name == "energy":  # the same as law_energy
             continue
-        variable = made[name]
+        variable = variables[name]
         unit = "" if variable.units in ("1", "unknown") else str(variable.units)
         label = name.removeprefix("law_")
         if variable.ndim == 1:
             yield label, unit, [_double(x) for x in variable.values]
             continue
         (dim,) = (d for d in variable.dims if d != "time")
-        indices = made[dim].values if dim in made.coords else range(1, variable.shape[1] + 1)
+        indices = (
+            variables[dim].values if dim in variables.coords else range(1, variable.shape[1] + 1)
+        )
         for index, column in zip(indices, variable.transpose(dim, "time").values, strict=True):
             yield f"{label}_{index}", unit, [_double(x) for x in column]
 
@@ -230,7 +232,7 @@ def _balls(
 
 def _record(
     study: Study, solution: Solution, moments: list[Fraction], digits: int | None
-) -> dict[str, Any]:
+) -> dict[str, object]:
     from ..experiment.closed_form import ball, equation
 
     form = solution.form
@@ -260,7 +262,7 @@ def _record(
 
 def _states(
     study: Study, solution: Solution, moments: list[Fraction], digits: int | None
-) -> Iterator[dict[str, Any]]:
+) -> Iterator[dict[str, object]]:
     """One object for each time: the variables by name."""
     if digits is not None:
         from ..experiment.closed_form import ball
@@ -273,12 +275,12 @@ def _states(
         return
     from ..experiment.closed_form import dataset, evaluated
 
-    made = dataset(study, evaluated(study, solution, _doubles(moments)), solution)
+    variables = dataset(study, evaluated(study, solution, _doubles(moments)), solution)
     for index, time in enumerate(moments):
-        at = made.isel(time=index)
+        at = variables.isel(time=index)
         yield {
             "time": float(time),
-            **{str(name): at[name].values.tolist() for name in made.data_vars},
+            **{str(name): at[name].values.tolist() for name in variables.data_vars},
         }
 
 

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from ..interruption import NOTHING, ending
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from ..flow.ensemble.task import Progress
 
 __all__ = [
@@ -43,18 +45,18 @@ def level_of(text: str) -> dict[str, float]:
     """
     from ..errors import InputError
 
-    found = {}
+    level = {}
     for part in text.split(","):
         name, equals, number = (piece.strip() for piece in part.partition("="))
         try:
             if not (name and equals):
                 raise ValueError
-            found[name] = float(number)
+            level[name] = float(number)
         except ValueError:
             raise InputError(
                 f"--level {text}: it is written NAME=VALUE,NAME=VALUE, such as energy=1,area=0.3"
             ) from None
-    return found
+    return level
 
 
 def check_store(output: Path) -> None:
@@ -160,7 +162,7 @@ def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
         raise
 
 
-def outcomes(variable: Any) -> dict[str, int]:
+def outcomes(variable: xr.DataArray) -> dict[str, int]:
     """How many members had which outcome, in words.
 
     Parameters

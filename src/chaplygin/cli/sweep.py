@@ -89,16 +89,16 @@ def command(
     vacate(output, force)
     title = study.system.title
     with progress(title) as report, resumable(output, report, force) as update:
-        found = compute(task, output, client=client, progress=update)
+        dataset = compute(task, output, client=client, progress=update)
     names = [name for name, _ in values]
-    save(drawn(found, names, label), picture)
+    save(drawn(dataset, names, label), picture)
     result: dict[str, Any] = {
         "file": str(output),
         "figure": str(picture),
         "parameters": dict(values),
-        "motions": found.sizes["run"],
-        "times": found.sizes["time"],
-        "outcomes": outcomes(found["outcome"]),
+        "motions": dataset.sizes["run"],
+        "times": dataset.sizes["time"],
+        "outcomes": outcomes(dataset["outcome"]),
     }
     if json:
         print_json(result)

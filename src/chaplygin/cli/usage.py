@@ -4,13 +4,23 @@ from __future__ import annotations
 
 import re
 import sys
-from typing import Any
+from typing import Any, Protocol
 
 from typer import TyperException
 
 from ..errors import nearest
 
 __all__ = ["sentence"]
+
+
+class CommandParameter(Protocol):
+    """An option or an argument of a command."""
+
+    param_type_name: str
+    name: str | None
+    metavar: str | None
+    opts: list[str]
+
 
 #: What pydantic says of a value, and what is allowed there.
 _ALLOWED = {"valid integer": "a whole number", "valid number": "a number"}
@@ -41,7 +51,7 @@ def sentence(error: TyperException) -> str:
         wrong = error.message
         for words, allowed in _ALLOWED.items():
             wrong = f"it must be {allowed}" if words in wrong else wrong
-        return f"{_written(parameter)}: {wrong}"
+        return f"{_option_text(parameter)}: {wrong}"
     if match := re.match(r"No such command '(.*)'\.", error.message, re.DOTALL):
         known = list(context.command.commands)
         return f"{match[1]}: there is no such command{nearest(match[1], known)}"
@@ -52,18 +62,18 @@ def sentence(error: TyperException) -> str:
     return error.format_message()
 
 
-def _names(parameter: Any) -> str:
+def _names(parameter: CommandParameter) -> str:
     if parameter.param_type_name == "argument":
         return str(parameter.metavar or parameter.name)
     return "/".join(parameter.opts)
 
 
-def _meaning(parameter: Any) -> str:
+def _meaning(parameter: CommandParameter) -> str:
     words = str(getattr(parameter, "help", "") or "").rstrip(".")
     return f" ({words})" if words else ""
 
 
-def _written(parameter: Any) -> str:
+def _option_text(parameter: CommandParameter) -> str:
     """The option with the value that it has on the command line."""
     for name in parameter.opts:
         for place, word in enumerate(sys.argv):

@@ -1,11 +1,162 @@
-"""Values of parameters."""
+"""The parameters of a system: their values by symbol or name, and the conditions on them."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Iterable, Mapping
+from functools import lru_cache
 from typing import Any, TypeAlias
 
-__all__ = ["Parameters"]
+import numpy as np
+import sympy as sp
+from sympy.core.relational import Relational
+from sympy.logic.boolalg import Boolean
 
-#: Values by symbol or name: numbers, or arrays with one for each motion.
-Parameters: TypeAlias = Mapping[Any, Any]
+from ..arguments import ParameterValue
+from ..errors import InputError
+from .system import Parameter, System
+
+__all__ = [
+    "Parameters",
+    "conditions",
+    "parameter_values",
+    "parameters_by_symbol",
+    "require_admissible",
+    "require_finite",
+    "require_parameters",
+    "satisfies",
+]
+
+#: Values by name or symbol: numbers, or arrays with one for each motion.
+Parameters: TypeAlias = Mapping[str, ParameterValue] | Mapping[sp.Symbol, ParameterValue]
+
+#: A condition on parameters: a relation, or a truth value.
+Condition: TypeAlias = Relational | Boolean
+
+#: Two sides of a condition that differ by this share of them are equal.
+ROUNDING = 1e-12
+
+
+# --- names -----------------------------------------------------------------------------------
+
+
+def require_parameters(owner: str, known: Iterable[object], names: Iterable[object]) -> None:
+    """Raise InputError if a name, or symbol, is none of the parameters of the owner.
+
+    Parameters
+    ----------
+    owner : str
+        Name of the system, for the message.
+    known : iterable of Symbol or str
+        Its parameters.
+    names : iterable of Symbol or str
+    """
+    allowed = list(map(str, known))
+    for name in names:
+        if str(name) not in allowed:
+            raise InputError(f"{owner}: no parameter {name}; it has {', '.join(allowed) or 'none'}")
+
+
+def parameters_by_symbol(
+    system: System, parameters: Parameters | None
+) -> dict[sp.Symbol, ParameterValue]:
+    """Values by the symbols of the system, of what is given by symbol or name.
+
+    Raises
+    ------
+    InputError
+        If the system has no parameter of a name.
+    """
+    symbols = {str(symbol): symbol for symbol in system.defaults}
+    require_parameters(system.name, symbols, parameters or ())
+    return {symbols[str(key)]: value for key, value in (parameters or {}).items()}
+
+
+def parameter_values(
+    system: System, parameters: Parameters | None
+) -> dict[sp.Symbol, ParameterValue]:
+    """Values of all parameters by symbol: those that are given, and the defaults of the others.
+
+    Raises
+    ------
+    InputError
+        If the system has no parameter of a name.
+    """
+    return {**system.defaults, **parameters_by_symbol(system, parameters)}
+
+
+# --- conditions ------------------------------------------------------------------------------
+
+
+def conditions(parameters: Iterable[Parameter]) -> list[tuple[Parameter, Condition]]:
+    """Parameters with a condition of each, as often as they have some.
+
+    Conditions on one parameter alone come first: where one of them fails, that parameter is wrong,
+    and not another one that is compared with it.
+    """
+    pairs = [(item, sp.sympify(condition)) for item in parameters for condition in item.admissible]
+    return sorted(pairs, key=lambda pair: len(pair[1].free_symbols))
+
+
+def satisfies(condition: Condition, numbers: Mapping[sp.Symbol, Any]) -> Any:
+    """Truth of a condition on parameters, for numbers or for arrays of them.
+
+    Where it allows equality, so does rounding: the moments of inertia of a flat body, of which one
+    is the sum of the others, may miss this in their last digits.
+
+    Parameters
+    ----------
+    condition : SymPy relation
+    numbers : mapping of Symbol to number or array
+        Values of its symbols at least.
+
+    Returns
+    -------
+    bool or array of bool
+    """
+    symbols, check = _check(condition)
+    return check(*(numbers[symbol] for symbol in symbols))
+
+
+def require_finite(system: System, values: Mapping[sp.Symbol, Any]) -> None:
+    """Raise InputError if a value is not a finite number."""
+    for symbol, value in values.items():
+        if not math.isfinite(float(value)):
+            raise InputError(f"{system.name}: {symbol} = {value} must be a finite number")
+
+
+def require_admissible(
+    system: System,
+    numbers: Mapping[sp.Symbol, Any],
+    values: Mapping[sp.Symbol, Any] | None = None,
+) -> None:
+    """Raise InputError if a condition on the parameters fails.
+
+    Parameters
+    ----------
+    system : System
+    numbers : mapping of Symbol to float or array of float
+        Values of all parameters, of one motion or of several.
+    values : mapping of Symbol to number, optional
+        The same numbers as the message is to show them.
+    """
+    for parameter, condition in conditions(system.parameters):
+        failures = np.flatnonzero(np.logical_not(satisfies(condition, numbers)))
+        if not failures.size:
+            continue
+        value = (values or numbers)[parameter.symbol]
+        text = f"{value[failures[0]]:.10g}" if isinstance(value, np.ndarray) else f"{value}"
+        raise InputError(
+            f"{system.name}: {parameter.symbol} = {text} is not admissible; {condition} must hold"
+        )
+
+
+@lru_cache(maxsize=256)
+def _check(condition: Condition) -> tuple[list[sp.Symbol], Any]:
+    """The symbols of a condition, and its truth as a function of them."""
+    relation = sp.sympify(condition)
+    if isinstance(relation, sp.Ge | sp.Le):
+        more, less = relation.gts, relation.lts
+        relation = more - less + ROUNDING * (sp.Abs(more) + sp.Abs(less)) >= 0
+    symbols = sorted(relation.free_symbols, key=str)
+    return symbols, sp.lambdify(symbols, relation, "numpy")

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
+from ..catalogue.balls.ball_entry import ball_variables
+from ..catalogue.balls.ball_laws import known_ball_laws
 from ..core.system import Parameter
 from ..core.vectors import Vector
 from ..mechanics.ball.ball import RollingBall
@@ -20,7 +22,6 @@ from ..mechanics.ball.surface import (
     SmoothSurface,
     SphericalSurface,
 )
-from ..parsing import parse
 from ..printing.numerals import number
 from .file.ball_model import BallExperiment, moment
 from .file.ball_tables import (
@@ -34,9 +35,12 @@ from .file.ball_tables import (
     RoundTable,
     SmoothTable,
 )
-from .file.tables import BallTable, FormulaTable
+from .file.shape_tables import BallTable
+from .file.table import FormulaTable
+from .mechanism import identifier
+from .subject import PlacedBallSubject
 
-__all__ = ["ball_title", "potential_of", "rolling_ball", "setting", "smooth_surface"]
+__all__ = ["ball_subject", "smooth_surface"]
 
 R = Vector("R")
 
@@ -55,13 +59,35 @@ _NAMES = {
 
 def _numbers(table: FormulaTable, where: str) -> tuple[Parameter, ...]:
     return tuple(
-        Parameter(sp.Symbol(name, real=True), f"number in the {where}", value)
-        for name, value in table.parameters.items()
+        Parameter(symbol, f"number in the {where}", value) for symbol, value in table.values
     )
 
 
-def _formula(table: FormulaTable, text: str) -> sp.Expr:
-    return parse(text, {name: sp.Symbol(name, real=True) for name in table.names})
+def ball_subject(experiment: BallExperiment) -> PlacedBallSubject:
+    """The ball of an experiment, with every integral that the catalogue knows of it.
+
+    Raises
+    ------
+    InputError
+        If its parts do not fit together; the message names the place in the file.
+    """
+    with experiment.placing_errors("surface"):
+        surface = smooth_surface(experiment.surface)
+    with experiment.placing_errors("field"):
+        potential = _potential(experiment)
+    with experiment.placing_errors("body", "shape"):
+        ball = _rolling_ball(experiment, surface, potential)
+    with experiment.placing_errors("surface"):
+        title = experiment.title or _title(experiment, ball)
+        system = ball.system(identifier(title), title)
+    return PlacedBallSubject(
+        system=system.with_laws(*known_ball_laws(ball)),
+        start_values=experiment.start.model_dump(exclude_none=True),
+        until=experiment.run.until,
+        variables=ball_variables,
+        setting=_setting(experiment, ball),
+        ball=ball,
+    )
 
 
 def smooth_surface(table: SmoothTable) -> SmoothSurface:
@@ -92,20 +118,20 @@ def smooth_surface(table: SmoothTable) -> SmoothSurface:
         case RingTable():
             return Ring(table.radius, table.tube, side=side, axis=axis)
         case ImplicitSurfaceTable():
-            formula = _formula(table, table.equation)
+            formula = table.expression(table.equation)
             return ImplicitSurface(formula, _numbers(table, "surface"), side=side, axis=axis)
 
 
-def potential_of(experiment: BallExperiment) -> sp.Expr:
+def _potential(experiment: BallExperiment) -> sp.Expr:
     """U in the components of R."""
     table = experiment.field
     if not table.potential:
         return sp.S.Zero
     centre = dict(zip(ImplicitSurface.coordinates, R.symbols, strict=True))
-    return _formula(table, table.potential).xreplace(centre)
+    return table.expression(table.potential).xreplace(centre)
 
 
-def rolling_ball(
+def _rolling_ball(
     experiment: BallExperiment, surface: SmoothSurface, potential: sp.Expr
 ) -> RollingBall:
     """The ball of an experiment.
@@ -131,8 +157,8 @@ def rolling_ball(
     )
 
 
-def _where(experiment: BallExperiment, ball: RollingBall) -> str:
-    """On what the ball rolls."""
+def _support(experiment: BallExperiment, ball: RollingBall) -> str:
+    """The surface that carries the ball, in words."""
     name = _NAMES[experiment.surface.kind]
     if ball.carrier == "centre":
         return f"with its centre on {name}"
@@ -140,18 +166,18 @@ def _where(experiment: BallExperiment, ball: RollingBall) -> str:
     return f"inside {name}" if inside else f"on {name}"
 
 
-def ball_title(experiment: BallExperiment, ball: RollingBall) -> str:
+def _title(experiment: BallExperiment, ball: RollingBall) -> str:
     """A name for a ball that the catalogue has none for."""
     manner = "" if ball.contact == "marble" else ", rubber contact"
-    return f"Homogeneous ball {_where(experiment, ball)}{manner}"
+    return f"Homogeneous ball {_support(experiment, ball)}{manner}"
 
 
-def setting(experiment: BallExperiment, ball: RollingBall) -> str:
-    """What rolls on what, in one line."""
+def _setting(experiment: BallExperiment, ball: RollingBall) -> str:
+    """The ball, its support, the contact and the forces in one line."""
     manner = "without slipping"
     if ball.contact == "rubber":
         manner = "with neither slipping nor spinning"
     force = f"gravity {number(ball.gravity, 6)} m/s²" if ball.gravity else "no gravity"
     if ball.potential != 0:
         force += ", a potential U(x, y, z)"
-    return f"Homogeneous ball {_where(experiment, ball)}, {manner}; {force}"
+    return f"Homogeneous ball {_support(experiment, ball)}, {manner}; {force}"

@@ -5,14 +5,16 @@ from __future__ import annotations
 import contextlib
 import re
 import time as clock
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import sympy as sp
 import xarray as xr
+from flint import arb
 from markupsafe import Markup
 
+from ..core.arrays import FloatArray
 from ..core.system import System
 from ..core.vectors import real_symbol, to_components
 from ..errors import InputError, RunError
@@ -22,6 +24,7 @@ from ..explicit.bifurcation import Diagram
 from ..explicit.bifurcation.diagram_of import diagram_of
 from ..explicit.recognise import solution_of
 from ..flow.trajectory import Statistics, Trajectory
+from ..parsing import Formula
 from ..printing import numerals
 from ..printing.formula import text
 from ..printing.numerals import signed, unit
@@ -53,10 +56,10 @@ def solution_of_study(study: Study) -> Solution:
         If no closed form of this motion is known.
     """
     system = study.system
-    found = solution_of(Problem(system, system.defaults, study.start, study.rolling))
+    solution = solution_of(Problem(system, system.defaults, study.start, study.rolling))
     # the set-up is done here, so that what it cannot do is told before anything is printed
-    found.states(np.zeros(1))
-    return found
+    solution.states(np.zeros(1))
+    return solution
 
 
 def solved_if_known(study: Study) -> Solution | None:
@@ -83,7 +86,7 @@ def in_space(study: Study, solution: Solution) -> bool:
     return moves and len(solution.system.symbols) > len(study.system.symbols)
 
 
-def evaluated(study: Study, solution: Solution, times: Any) -> Trajectory:
+def evaluated(study: Study, solution: Solution, times: Sequence[float] | FloatArray) -> Trajectory:
     """A motion at chosen times, with all that a run records.
 
     Parameters
@@ -102,13 +105,13 @@ def evaluated(study: Study, solution: Solution, times: Any) -> Trajectory:
     moments = checked(np.asarray(times, dtype=float), solution.pace)
     states = solution.states(moments)
     seconds = clock.perf_counter() - began
-    system = study.watched.lifted() if in_space(study, solution) else study.watched
+    system = study.system_on_level.lifted() if in_space(study, solution) else study.system_on_level
     return Trajectory(
         system,
         system.defaults,
         moments,
         states,
-        _recorded(system, states),
+        _recorded_quantities(system, states),
         (),
         Statistics(
             steps=0,
@@ -122,7 +125,7 @@ def evaluated(study: Study, solution: Solution, times: Any) -> Trajectory:
     )
 
 
-def _recorded(system: System, states: Any) -> dict[str, Any]:
+def _recorded_quantities(system: System, states: FloatArray) -> dict[str, FloatArray]:
     """Observables and integrals of a lifted system along states (n, size)."""
     wanted = {item.name: to_components(item.value) for item in system.observables}
     wanted |= {f"law_{law.name}": to_components(law.value) for law in system.integrals}
@@ -132,7 +135,7 @@ def _recorded(system: System, states: Any) -> dict[str, Any]:
         [*system.symbols, *system.defaults], scalars, "numpy", cse=lambda e: (steps, e)
     )
     columns = (np.broadcast_to(x, len(states)) for x in function(*states.T, *_doubles(system)))
-    recorded: dict[str, Any] = {}
+    recorded: dict[str, FloatArray] = {}
     for name, value in wanted.items():
         parts = [next(columns) for _ in _scalars(value)]
         recorded[name] = np.stack(parts, axis=1) if _is_vector(value) else np.array(parts[0])
@@ -143,19 +146,19 @@ def _doubles(system: System) -> list[float]:
     return [float(value) for value in system.defaults.values()]
 
 
-def _is_vector(value: Any) -> bool:
+def _is_vector(value: Formula) -> bool:
     return isinstance(value, sp.MatrixBase)
 
 
-def _scalars(value: Any) -> list[sp.Expr]:
+def _scalars(value: Formula) -> list[sp.Expr]:
     return list(value) if _is_vector(value) else [value]
 
 
 def dataset(study: Study, trajectory: Trajectory, solution: Solution) -> xr.Dataset:
     """States of a closed form as a dataset, with the names of an integrated trajectory."""
-    made = dataset_of(study, trajectory)
+    closed = dataset_of(study, trajectory)
     start = zip(trajectory.system.symbols, study.start, strict=False)
-    return made.assign_attrs(
+    return closed.assign_attrs(
         start="; ".join(f"{symbol} = {float(value)!r}" for symbol, value in start),
         integrator=f"none: closed form, {solution.form.title}",
         motion=solution.form.motion,
@@ -164,13 +167,13 @@ def dataset(study: Study, trajectory: Trajectory, solution: Solution) -> xr.Data
 
 def units(study: Study, solution: Solution) -> dict[sp.Symbol, str]:
     """The unit of every component of the lifted state, where it is known."""
-    made = dataset(study, evaluated(study, solution, [0.0]), solution)
-    found: dict[sp.Symbol, str] = {}
+    variables = dataset(study, evaluated(study, solution, [0.0]), solution)
+    by_symbol: dict[sp.Symbol, str] = {}
     for name in solution.system.state:
-        unit = str(made[str(name)].units) if str(name) in made else "m"
+        unit = str(variables[str(name)].units) if str(name) in variables else "m"
         for symbol in (name,) if isinstance(name, sp.Symbol) else name.symbols:
-            found[symbol] = "" if unit in ("1", "unknown") else unit
-    return found
+            by_symbol[symbol] = "" if unit in ("1", "unknown") else unit
+    return by_symbol
 
 
 # --- the section of a report ---------------------------------------------------------------
@@ -247,11 +250,11 @@ _AFTER = re.compile(
 )
 
 
-def equation(left: Any, right: Any) -> str:
+def equation(left: sp.Expr, right: sp.Expr) -> str:
     """An equation in LaTeX, symbols such as dz and dtau as differentials, varphi as a letter."""
 
-    def differential(found: re.Match[str]) -> str:
-        return rf"\mathrm{{d}}{latex(sp.Symbol(found[1]))}"
+    def differential(match: re.Match[str]) -> str:
+        return rf"\mathrm{{d}}{latex(sp.Symbol(match[1]))}"
 
     written = f"{latex(left)} = {latex(right)}".replace(r"\text{varphi}", r"\varphi")
     # a differential stands after the factors before it: z₁ dz₁, not dz₁ z₁
@@ -274,7 +277,7 @@ def _symbol(written: str) -> str:
 def letters(words: str) -> str:
     """Words with z_1, dtau and Omega in them as z₁, dτ and Ω."""
     named = r"(?<=\bd)tau\b|\b(?:tau|theta|phi|psi|rho|omega|Omega|lambda|Lambda)\b|[A-Za-z]+_\w+"
-    return re.sub(named, lambda found: text(real_symbol(found[0])), words)
+    return re.sub(named, lambda match: text(real_symbol(match[0])), words)
 
 
 def number(figure: NamedConstant, digits: int = 20) -> str:
@@ -284,7 +287,7 @@ def number(figure: NamedConstant, digits: int = 20) -> str:
     return f"{middle}{unit}" if radius == "0" else f"{middle} ± {radius}{unit}"
 
 
-def ball(value: Any, digits: int) -> tuple[str, str]:
+def ball(value: arb, digits: int) -> tuple[str, str]:
     """Midpoint and radius of a ball, in so many digits; the printed ball contains the given one."""
     middle, _, radius = value.str(digits).strip("[]").partition("+/-")
     return middle.strip() or "0", radius.strip() or "0"

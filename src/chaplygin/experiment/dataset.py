@@ -5,18 +5,26 @@ from __future__ import annotations
 from collections.abc import Mapping
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 import xarray as xr
 
 from ..arguments import arguments_checked
+from ..core.arrays import FloatArray
 from ..errors import InputError
 from ..flow.integrator import Trajectory
 from ..flow.variable_metadata import FRAMES, LABELS, variable_metadata
 from .formats import save
 
 __all__ = ["read", "to_dataset", "write"]
+
+#: Values along a trajectory: doubles, or numbers of 34 digits.
+Samples: TypeAlias = npt.NDArray[Any]
+
+#: Dimensions, values and attributes of a variable.
+Variable: TypeAlias = tuple[str | tuple[str, ...], FloatArray | list[object], dict[str, str]]
 
 #: Horizontal place of a centre of mass in the lift to space, which is recorded whole.
 _PLACE = "place"
@@ -25,7 +33,7 @@ _PLACE = "place"
 @arguments_checked
 def to_dataset(
     trajectory: Trajectory,
-    attributes: Mapping[str, Any] | None = None,
+    attributes: Mapping[str, object] | None = None,
     meanings: Mapping[str, tuple[str, str]] | None = None,
 ) -> xr.Dataset:
     """A trajectory as a dataset.
@@ -61,7 +69,7 @@ def to_dataset(
     (('time', 'axis'), 'rad/s', 'body axes')
     """
     system = trajectory.system
-    variables: dict[str, Any] = {}
+    variables: dict[str, Variable] = {}
     for name in map(str, system.state):
         if name != _PLACE and name not in trajectory.recorded:
             _add_state(variables, trajectory, name, (meanings or {}).get(name))
@@ -75,12 +83,12 @@ def to_dataset(
         if f"law_energy{part}" in variables:
             variables[f"energy{part}"] = variables[f"law_energy{part}"]
     time, low = _split(trajectory.times)
-    coordinates: dict[str, Any] = {
+    coordinates: dict[str, Variable] = {
         "time": ("time", time, {"long_name": "time", "units": "s", "source": ""}),
         **{
             dim: (dim, list(labels), {"long_name": LABELS[dim], "units": "1", "source": ""})
             for dim, labels in FRAMES.values()
-            if _used(variables, dim)
+            if _is_dimension(variables, dim)
         },
     }
     if low is not None:
@@ -93,9 +101,9 @@ def to_dataset(
         "system_name": system.name,
         "summary": system.summary,
         "source": system.source,
-        "parameters": "; ".join(f"{s} = {_shown(v)}" for s, v in trajectory.parameters.items()),
+        "parameters": "; ".join(f"{s} = {_text(v)}" for s, v in trajectory.parameters.items()),
         "start": "; ".join(
-            f"{s} = {_shown(v)}" for s, v in zip(system.symbols, trajectory.states[0], strict=True)
+            f"{s} = {_text(v)}" for s, v in zip(system.symbols, trajectory.states[0], strict=True)
         ),
         "events": "\n".join(map(str, trajectory.events)),
         "tolerance": statistics.tolerance,
@@ -108,16 +116,16 @@ def to_dataset(
     return xr.Dataset(variables, coordinates, {**facts, **(attributes or {})})
 
 
-def _shown(value: Any) -> str:
+def _text(value: object) -> str:
     return repr(float(value)) if isinstance(value, (int, float, np.floating)) else str(value)
 
 
-def _used(variables: Mapping[str, Any], dim: str) -> bool:
+def _is_dimension(variables: Mapping[str, Variable], dim: str) -> bool:
     return any(dim in dims for dims, _, _ in variables.values())
 
 
 def _add_state(
-    variables: dict[str, Any],
+    variables: dict[str, Variable],
     trajectory: Trajectory,
     name: str,
     description: tuple[str, str] | None,
@@ -130,9 +138,9 @@ def _add_state(
 
 
 def _add(
-    variables: dict[str, Any],
+    variables: dict[str, Variable],
     name: str,
-    values: Any,
+    values: Samples,
     frame: str,
     meaning: str,
     units: str,
@@ -148,14 +156,14 @@ def _add(
         variables[f"{name}_low"] = (dims, low, {**notes, "long_name": f"{meaning}, low part"})
 
 
-def _split(values: Any) -> tuple[Any, Any]:
+def _split(values: Samples) -> tuple[FloatArray, FloatArray | None]:
     """Doubles, and for 34-digit numbers what is missing to them."""
     array = np.asarray(values)
     if array.dtype == np.float64:
         return array, None
     high = np.vectorize(float, otypes=[float])(array)
-    rest = array - high.astype(array.dtype)
-    return high, np.vectorize(float, otypes=[float])(rest)
+    low = array - high.astype(array.dtype)
+    return high, np.vectorize(float, otypes=[float])(low)
 
 
 @arguments_checked

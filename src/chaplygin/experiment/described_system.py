@@ -1,4 +1,4 @@
-"""A system of the user's own: derived from what its file says, mistakes told by their place."""
+"""From a file that describes the mechanics itself to its system."""
 
 from __future__ import annotations
 
@@ -9,14 +9,17 @@ from contextlib import contextmanager
 
 from ..core.system import System
 from ..errors import InputError
-from ..mechanics.lagrangian.mechanism import Mechanism
+from ..mechanics.lagrangian.mechanism import TIME, Mechanism
 from ..mechanics.lagrangian.poincare_suslov import equations
 from ..parsing import nearest
 from .file.models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from .file.toml import Key
-from .mechanism import claimed, identifier, mechanism_of, system_of
+from .initial_state import StartValues
+from .mechanism import identifier, mechanism_of, system_of, with_claims
+from .plan import described_plan
+from .subject import DescribedSubject
 
-__all__ = ["build_described_system"]
+__all__ = ["described_subject", "equations_subject", "mechanism_subject"]
 
 #: What a refusal speaks of, and where that stands in the file.
 _PLACES: tuple[tuple[str, Key], ...] = (
@@ -32,10 +35,8 @@ _PLACES: tuple[tuple[str, Key], ...] = (
 )
 
 
-def build_described_system(
-    experiment: MechanismExperiment | EquationsExperiment,
-) -> tuple[Mechanism | None, System]:
-    """The system that a file describes, and the mechanism it was derived from if it was.
+def mechanism_subject(experiment: MechanismExperiment) -> DescribedSubject:
+    """The system that follows from the Lagrangian of a file.
 
     Raises
     ------
@@ -43,21 +44,52 @@ def build_described_system(
         For what is wrong in the file, or with the mechanics: dependent or contradictory
         constraints, a singular mass matrix, a frame that does not span.
     """
-    mechanism: Mechanism | None = None
-    with _placed(experiment):
-        if isinstance(experiment, MechanismExperiment):
-            mechanism = mechanism_of(experiment)
-            system = claimed(experiment, equations(mechanism))
-        else:
-            system = system_of(experiment)
+    with _placing_errors(experiment):
+        mechanism = mechanism_of(experiment)
+        system = with_claims(experiment, equations(mechanism))
+    return _checked_subject(experiment, system, mechanism)
+
+
+def equations_subject(experiment: EquationsExperiment) -> DescribedSubject:
+    """The system whose equations a file gives.
+
+    Raises
+    ------
+    InputError
+        For what is wrong in the file.
+    """
+    with _placing_errors(experiment):
+        system = system_of(experiment)
+    return _checked_subject(experiment, system, None)
+
+
+def described_subject(
+    experiment: OwnExperiment, system: System, mechanism: Mechanism | None = None
+) -> DescribedSubject:
+    """A system of the user's own, with the start, the variables and the plan of an experiment."""
+    variables = experiment.variables.items()
+    instant: StartValues = {str(TIME): 0.0} if TIME in system.symbols else {}
+    return DescribedSubject(
+        system=system,
+        start_values={**instant, **experiment.start},
+        until=experiment.run.until,
+        variables={name: (table.meaning, table.unit) for name, table in variables},
+        plan=described_plan(experiment, system, mechanism),
+        mechanism=mechanism,
+    )
+
+
+def _checked_subject(
+    experiment: OwnExperiment, system: System, mechanism: Mechanism | None
+) -> DescribedSubject:
     _check_variables(experiment, mechanism, system)
     _check_names(experiment, system)
-    return mechanism, system
+    return described_subject(experiment, system, mechanism)
 
 
 @contextmanager
-def _placed(experiment: OwnExperiment) -> Iterator[None]:
-    """Say where in the file a mistake stands that only mechanics could see."""
+def _placing_errors(experiment: OwnExperiment) -> Iterator[None]:
+    """Give a mistake that only mechanics could see its place in the file."""
     try:
         yield
     except InputError as error:
@@ -89,14 +121,14 @@ def _check_variables(
 def _check_names(experiment: OwnExperiment, system: System) -> None:
     """Refuse names under which two things would be recorded."""
     whole = system.lifted() if system.motion else system
-    taken = Counter(law.name for law in whole.laws)
+    law_names = Counter(law.name for law in whole.laws)
     for name in experiment.laws.integrals:
-        if taken[name] > 1:
+        if law_names[name] > 1:
             where = experiment.where("laws", "integrals", name)
             raise InputError(f"another law has the name '{name}'; choose another", where)
     recorded = Counter(item.name for item in whole.observables)
     recorded += Counter([*map(str, whole.state), "time"])
-    recorded += Counter(name for name in taken if name == "energy")
+    recorded += Counter(name for name in law_names if name == "energy")
     for name in experiment.observables:
         if recorded[name] > 1:
             where = experiment.where("observables", name)

@@ -26,13 +26,13 @@ _OTHERS = (
 def check_target(target: Path, force: bool = False) -> None:
     """Raise InputError unless a file may be written to `target`, itself or through a link."""
     try:
-        found: os.stat_result | None = target.stat()
+        status: os.stat_result | None = target.stat()
     except FileNotFoundError:
-        found = None
+        status = None
     except OSError as problem:
         raise InputError(f"{target} cannot be written: {problem.strerror}") from problem
-    if found is not None:
-        _check_replaced(target, found, force)
+    if status is not None:
+        _check_replaced(target, status, force)
     elif target.is_symlink():
         raise InputError(f"{target} is a link to a file that is not there: choose another name")
     folder = target.resolve().parent
@@ -42,10 +42,10 @@ def check_target(target: Path, force: bool = False) -> None:
         raise InputError(f"{target} cannot be written: the folder {folder} is protected")
 
 
-def _check_replaced(target: Path, found: os.stat_result, force: bool) -> None:
+def _check_replaced(target: Path, status: os.stat_result, force: bool) -> None:
     """Raise InputError unless what is there may be replaced: a regular file, and that is wished."""
     for holds, what in _OTHERS:
-        if holds(found.st_mode):
+        if holds(status.st_mode):
             raise InputError(f"{target} is {what}: the name of a regular file is needed")
     if not force:
         raise InputError(
@@ -53,7 +53,7 @@ def _check_replaced(target: Path, found: os.stat_result, force: bool) -> None:
             "replaced (--force, in Python force=True)"
         )
     # the superuser may write to a file that is marked as read-only too
-    if not (found.st_mode & 0o222 and os.access(target, os.W_OK)):
+    if not (status.st_mode & 0o222 and os.access(target, os.W_OK)):
         raise InputError(
             f"{target} is read-only and is not replaced: choose another name, or make it writable"
         )

@@ -69,10 +69,10 @@ def netcdf(dataset: xr.Dataset) -> bytes:
 
     By way of memory, since HDF5 may bring the process down when a disk is full.
     """
-    return bytes(dataset.to_netcdf(engine="h5netcdf", encoding=_checked(dataset)))
+    return bytes(dataset.to_netcdf(engine="h5netcdf", encoding=_encoding(dataset)))
 
 
-def _checked(dataset: xr.Dataset) -> dict[str, dict[str, bool]]:
+def _encoding(dataset: xr.Dataset) -> dict[str, dict[str, bool]]:
     """The encoding by which HDF5 keeps a checksum of all numbers, so that damage is seen."""
     return {
         str(name): {"fletcher32": True}

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Mapping, Sequence
-from typing import Any
+from typing import TypeAlias
 
 import mpmath
 import numpy as np
@@ -20,11 +20,18 @@ from ..errors import InputError
 from ..flow.initial_states import upright
 from ..mechanics.rolling.attitude import attitude
 from ..mechanics.rolling.initial_state import DIGITS, SLACK
-from ..parsing import nearest
+from ..parsing import Named, nearest
 from ..printing.formula import text
 from .file.validation import value_text
 
-__all__ = ["initial_state_from_values", "lift_of", "normalised", "on_level", "unit_vectors"]
+__all__ = [
+    "StartValues",
+    "initial_state_from_values",
+    "lift_of",
+    "normalised",
+    "on_level",
+    "unit_vectors",
+]
 
 #: Components that a vector may have.
 SIZES = (2, 3, 4)
@@ -38,10 +45,12 @@ ROUNDING = 4e-16
 
 #: By how much a variable is moved to find a slope.
 _DIFFERENCE = mpmath.mpf(10) ** -20
-Values = Mapping[str, float | Sequence[float]]
+
+#: A start as given: numbers, or the components of vectors, by name.
+StartValues: TypeAlias = Mapping[str, float | Sequence[float]]
 
 
-def initial_state_from_values(system: System, values: Values) -> tuple[Any, ...]:
+def initial_state_from_values(system: System, values: StartValues) -> tuple[mpmath.mpf, ...]:
     """The state of a system, lifted to space where it has a motion, from values by name.
 
     Parameters
@@ -65,61 +74,63 @@ def initial_state_from_values(system: System, values: Values) -> tuple[Any, ...]
         has another value at this state.
     """
     lifted = system.lifted() if system.motion else system
-    values, claims = _sorted(lifted, values)
+    values, claims = _state_and_claims(lifted, values)
     with mpmath.workdps(DIGITS):
         known = _read(system, values)
         _complete(lifted, known)
         state = [x for name in lifted.state for x in known[str(name)]]
-        found = _on_relations(lifted, state)
-        _check_claims(lifted, found, claims)
-        return tuple(found)
+        point = _on_relations(lifted, state)
+        _check_claims(lifted, point, claims)
+        return tuple(point)
 
 
-def lift_of(system: System, values: Values) -> dict[str, float | tuple[float, ...]]:
+def lift_of(system: System, values: StartValues) -> dict[str, float | tuple[float, ...]]:
     """What a start leaves out of the lift to space, as :func:`given_state` completes it."""
     if system.motion is None:
         return {}
     gamma = values.get("gamma")
-    known: dict[str, list[Any]] = {}
+    known: dict[str, list[mpmath.mpf]] = {}
     if isinstance(gamma, Sequence) and len(gamma) == SPACE:
         known["gamma"] = [mpmath.mpf(x) for x in gamma]
     _complete(system.lifted(), known)
-    found: dict[str, float | tuple[float, ...]] = {}
+    lift: dict[str, float | tuple[float, ...]] = {}
     for name, _ in system.motion.field:
         if str(name) not in values:
             numbers = tuple(float(x) for x in known[str(name)])
-            found[str(name)] = numbers if _size(name) else numbers[0]
-    return found
+            lift[str(name)] = numbers if _size(name) else numbers[0]
+    return lift
 
 
-def normalised(values: Values, names: Collection[str]) -> dict[str, tuple[float, list[float]]]:
+def normalised(values: StartValues, names: Collection[str]) -> dict[str, tuple[float, list[float]]]:
     """The vectors of these names that had not the length one: their length and their direction."""
-    found = {}
+    lengths = {}
     for name in names & values.keys():
         words = values[name]
-        given = list(map(float, words)) if isinstance(words, Sequence) else []
-        length = math.hypot(*given)
+        vector = list(map(float, words)) if isinstance(words, Sequence) else []
+        length = math.hypot(*vector)
         if length and abs(length - 1) > ROUNDING:
-            found[name] = length, [x / length for x in given]
-    return found
+            lengths[name] = length, [x / length for x in vector]
+    return lengths
 
 
-def on_level(system: System, level: Sequence[sp.Expr], state: Sequence[Any]) -> bool:
+def on_level(system: System, level: Sequence[sp.Expr], state: Sequence[mpmath.mpf]) -> bool:
     """Whether all expressions of a level vanish at a state, but for rounding."""
     with mpmath.workdps(DIGITS):
         size = 1 + max((abs(x) for x in state), default=0)
-        found = _function(system, [to_components(e) for e in level])(state)
-        return all(abs(x) <= SLACK * size**2 for x in found)
+        defects = _function(system, [to_components(e) for e in level])(state)
+        return all(abs(x) <= SLACK * size**2 for x in defects)
 
 
-def _sorted(lifted: System, values: Values) -> tuple[Values, dict[sp.Symbol, float]]:
+def _state_and_claims(
+    lifted: System, values: StartValues
+) -> tuple[StartValues, dict[sp.Symbol, float]]:
     """Values of the state by its names, and of definitions by their symbols."""
     state = set(map(str, lifted.state))
     defined = {str(s): s for s, _ in lifted.steps}
     words: dict[str, float | Sequence[float]] = {}
     claims: dict[sp.Symbol, float] = {}
-    for name, given in values.items():
-        for part, value in _parts(name, given, state, {*map(str, lifted.symbols), *defined}):
+    for name, whole in values.items():
+        for part, value in _parts(name, whole, state, {*map(str, lifted.symbols), *defined}):
             if part in defined and not isinstance(value, Sequence):
                 claims[defined[part]] = value
             else:
@@ -128,30 +139,32 @@ def _sorted(lifted: System, values: Values) -> tuple[Values, dict[sp.Symbol, flo
 
 
 def _parts(
-    name: str, given: float | Sequence[float], state: Collection[str], scalars: Collection[str]
+    name: str, value: float | Sequence[float], state: Collection[str], scalars: Collection[str]
 ) -> list[tuple[str, float | Sequence[float]]]:
     """A vector that is no whole one in the system, by its components."""
-    if name in state or not isinstance(given, Sequence) or len(given) not in SIZES:
-        return [(name, given)]
-    symbols = list(map(str, Vector(name, len(given)).symbols))
+    if name in state or not isinstance(value, Sequence) or len(value) not in SIZES:
+        return [(name, value)]
+    symbols = list(map(str, Vector(name, len(value)).symbols))
     if not all(symbol in scalars for symbol in symbols):
-        return [(name, given)]
-    return list(zip(symbols, given, strict=True))
+        return [(name, value)]
+    return list(zip(symbols, value, strict=True))
 
 
-def _check_claims(lifted: System, state: list[Any], claims: Mapping[sp.Symbol, float]) -> None:
+def _check_claims(
+    lifted: System, state: list[mpmath.mpf], claims: Mapping[sp.Symbol, float]
+) -> None:
     """Refuse values of definitions that the state does not give them."""
-    found = _function(lifted, list(claims))(state) if claims else []
-    for symbol, value in zip(claims, found, strict=True):
-        given = claims[symbol]
-        if abs(value - given) > SLACK * (1 + abs(given)):
+    values = _function(lifted, list(claims))(state) if claims else []
+    for symbol, value in zip(claims, values, strict=True):
+        claim = claims[symbol]
+        if abs(value - claim) > SLACK * (1 + abs(claim)):
             raise InputError(
-                f"{symbol}: follows from the others and is {float(value):.15g}, not {given:.15g}; "
+                f"{symbol}: follows from the others and is {float(value):.15g}, not {claim:.15g}; "
                 "it may be left out"
             )
 
 
-def _read(system: System, values: Values) -> dict[str, list[Any]]:
+def _read(system: System, values: StartValues) -> dict[str, list[mpmath.mpf]]:
     """The given values as numbers, names and shapes checked, unit vectors normalised."""
     lifted = system.lifted() if system.motion else system
     sizes = {str(name): _size(name) for name in lifted.state}
@@ -164,7 +177,7 @@ def _read(system: System, values: Values) -> dict[str, list[Any]]:
             f"start: {', '.join(missing)} missing; the state of {system.name} is "
             f"{', '.join(map(str, system.state))}"
         )
-    known = {name: _numbers(name, given, sizes[name]) for name, given in values.items()}
+    known = {name: _numbers(name, value, sizes[name]) for name, value in values.items()}
     for name in unit_vectors(lifted) & known.keys():
         length = mpmath.norm(known[name])
         if length == 0:
@@ -173,17 +186,17 @@ def _read(system: System, values: Values) -> dict[str, list[Any]]:
     return known
 
 
-def _size(name: Any) -> int:
+def _size(name: Named) -> int:
     """Number of components; 0 for a scalar."""
     return 0 if isinstance(name, sp.Symbol) else len(name.symbols)
 
 
-def _numbers(name: str, given: float | Sequence[float], size: int) -> list[Any]:
-    listed = list(given) if isinstance(given, Sequence) else [given]
-    fits = isinstance(given, Sequence) == (size > 0) and len(listed) == max(size, 1)
+def _numbers(name: str, value: float | Sequence[float], size: int) -> list[mpmath.mpf]:
+    listed = list(value) if isinstance(value, Sequence) else [value]
+    fits = isinstance(value, Sequence) == (size > 0) and len(listed) == max(size, 1)
     if not fits or not all(mpmath.isfinite(x) for x in listed):
         wanted = f"{size} finite numbers" if size else "a finite number"
-        raise InputError(f"{name}: must be {wanted}, not {value_text(given)}")
+        raise InputError(f"{name}: must be {wanted}, not {value_text(value)}")
     return [mpmath.mpf(repr(float(x))) for x in listed]
 
 
@@ -197,20 +210,24 @@ def unit_vectors(system: System) -> set[str]:
     }
 
 
-def _complete(lifted: System, known: dict[str, list[Any]]) -> None:
+def _complete(lifted: System, known: dict[str, list[mpmath.mpf]]) -> None:
     """What is not given of the lift to space."""
     zero, one = mpmath.mpf(0), mpmath.mpf(1)
     for name in lifted.state:
         if str(name) in unit_vectors(lifted) - {str(attitude)}:
             # the last axis, or the quaternion that turns nothing
-            rest = [zero] * (_size(name) - 1)
-            known.setdefault(str(name), [one, *rest] if _size(name) == QUATERNION else [*rest, one])
+            others = [zero] * (_size(name) - 1)
+            known.setdefault(
+                str(name), [one, *others] if _size(name) == QUATERNION else [*others, one]
+            )
         known.setdefault(str(name), [zero] * max(_size(name), 1))
     if attitude in lifted.state and not any(known[str(attitude)]):
         known[str(attitude)] = upright(known.get("gamma", [zero, zero, mpmath.mpf(1)]))
 
 
-def _function(system: System, formulas: Sequence[sp.Expr]) -> Callable[[Sequence[Any]], list[Any]]:
+def _function(
+    system: System, formulas: Sequence[sp.Expr]
+) -> Callable[[Sequence[mpmath.mpf]], list[mpmath.mpf]]:
     """Scalar formulas of a system as a function of its flat state, for numbers of mpmath."""
     constants = {s: mpmath.mpf(repr(float(v))) for s, v in system.defaults.items()}
     steps = list(system.needed(formulas))
@@ -218,19 +235,19 @@ def _function(system: System, formulas: Sequence[sp.Expr]) -> Callable[[Sequence
         [*system.symbols, *constants], list(formulas), "mpmath", cse=lambda e: (steps, e)
     )
 
-    def values(state: Sequence[Any]) -> list[Any]:
+    def values(state: Sequence[mpmath.mpf]) -> list[mpmath.mpf]:
         try:
-            found = list(function(*state, *constants.values()))
+            results = list(function(*state, *constants.values()))
         except ZeroDivisionError:
             raise InputError("start: the equations are singular at this state") from None
-        if any(isinstance(value, mpmath.mpc) for value in found):
+        if any(isinstance(value, mpmath.mpc) for value in results):
             raise InputError("start: the equations have no real value at this state")
-        return found
+        return results
 
     return values
 
 
-def _on_relations(lifted: System, state: list[Any]) -> list[Any]:
+def _on_relations(lifted: System, state: list[mpmath.mpf]) -> list[mpmath.mpf]:
     """The state moved onto the relations along the shortest way; refused if that is far."""
     if not lifted.relations:
         return state
@@ -245,13 +262,13 @@ def _on_relations(lifted: System, state: list[Any]) -> list[Any]:
         f"{mpmath.nstr(defects[worst], 6, min_fixed=-5, max_fixed=6)}"
     )
     if near is not None:
-        message += f"; the nearest admissible state is {_listed(lifted, near)}"
+        message += f"; the nearest admissible state is {_state_text(lifted, near)}"
     raise InputError(message)
 
 
 def _newton(
-    residual: Callable[[Sequence[Any]], list[Any]], state: Sequence[Any]
-) -> list[Any] | None:
+    residual: Callable[[Sequence[mpmath.mpf]], list[mpmath.mpf]], state: Sequence[mpmath.mpf]
+) -> list[mpmath.mpf] | None:
     """The point near `state` where all residuals vanish, if Newton's method finds one."""
     point = list(state)
     for _ in range(_STEPS):
@@ -273,16 +290,16 @@ def _newton(
     return None
 
 
-def _distance(one: Sequence[Any], other: Sequence[Any]) -> Any:
+def _distance(one: Sequence[mpmath.mpf], other: Sequence[mpmath.mpf]) -> mpmath.mpf:
     return max(abs(x - y) for x, y in zip(one, other, strict=True))
 
 
-def _listed(system: System, state: Sequence[Any]) -> str:
+def _state_text(system: System, state: Sequence[mpmath.mpf]) -> str:
     """A state by names, as it would be given."""
     parts = []
-    rest = [repr(float(x)) for x in state]
+    numbers = [repr(float(x)) for x in state]
     for name in system.state:
         size = _size(name)
-        values, rest = rest[: max(size, 1)], rest[max(size, 1) :]
+        values, numbers = numbers[: max(size, 1)], numbers[max(size, 1) :]
         parts.append(f"{name} = [{', '.join(values)}]" if size else f"{name} = {values[0]}")
     return ", ".join(parts)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TypeAlias
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
@@ -15,14 +15,18 @@ from ..core.vectors import Diagonal, Vector, to_components
 from ..errors import InputError
 from ..mechanics.lagrangian.mechanism import TIME, Frame, Mechanism, euclidean, rotations
 from ..mechanics.lagrangian.structure_functions import check_structure
-from ..parsing import Named, nearest
+from ..parsing import Formula, Named, nearest
 from .file.mechanism_tables import NumberTable
 from .file.models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from .file.names import Names, components
 
-__all__ = ["claimed", "identifier", "mechanism_of", "system_of"]
+__all__ = ["identifier", "mechanism_of", "system_of", "with_claims"]
 
 UNTITLED = "Untitled system"
+
+#: The commutators of pairs of fields of a frame, by coefficients of the fields.
+Commutators: TypeAlias = dict[tuple[sp.Symbol, sp.Symbol], dict[sp.Symbol, sp.Expr]]
+
 _GROUP = re.compile(r"\s*(\w+)\s*\(\s*(\w+)\s*(?:,\s*(\w+)\s*)?\)\s*")
 
 
@@ -46,7 +50,7 @@ def mechanism_of(experiment: MechanismExperiment) -> Mechanism:
         lagrangian = names.scalar(table.kinetic or "0", "lagrangian", "kinetic")
         lagrangian -= names.scalar(table.potential or "0", "lagrangian", "potential")
     constraints = experiment.constraints
-    made = Mechanism(
+    mechanism = Mechanism(
         name=identifier(experiment.title),
         frame=frame,
         lagrangian=lagrangian,
@@ -61,23 +65,29 @@ def mechanism_of(experiment: MechanismExperiment) -> Mechanism:
         title=experiment.title or UNTITLED,
         summary=experiment.summary,
     )
-    _check_overrides(experiment, made)
-    return made
+    _check_overrides(experiment, mechanism)
+    return mechanism
 
 
-def _check_overrides(experiment: MechanismExperiment, made: Mechanism) -> None:
+def _check_overrides(experiment: MechanismExperiment, mechanism: Mechanism) -> None:
     """Refuse an option that sets a parameter which no formula uses: a slip of the keyboard."""
-    formulas = [made.L, *made.f, *made.F, *made.Q.values(), *made.frame.qdot]
-    formulas += [*made.frame.relations, *(value for _, value in made.steps)]
-    formulas += [to_components(o.value) for o in made.observables]
-    formulas += [to_components(law.value) for law in made.laws if isinstance(law, Integral)]
+    formulas = [
+        mechanism.L,
+        *mechanism.f,
+        *mechanism.F,
+        *mechanism.Q.values(),
+        *mechanism.frame.qdot,
+    ]
+    formulas += [*mechanism.frame.relations, *(value for _, value in mechanism.steps)]
+    formulas += [to_components(o.value) for o in mechanism.observables]
+    formulas += [to_components(law.value) for law in mechanism.laws if isinstance(law, Integral)]
     used = {str(s) for formula in formulas for s in formula.free_symbols}
     for option in experiment.overrides:
         path = experiment.path(option)
         if path[0] == "parameters" and len(path) > 1:
             name = path[1]
             if not any(s == name or s.startswith(f"{name}_") for s in used):
-                known = sorted({str(p.symbol) for p in made.parameters} & used)
+                known = sorted({str(p.symbol) for p in mechanism.parameters} & used)
                 raise InputError(
                     f"no formula uses the parameter {name}; the file's are {', '.join(known)}",
                     experiment.where(*path),
@@ -107,7 +117,7 @@ def system_of(experiment: EquationsExperiment) -> System:
         *(item.value for item in guards),
         *(item.value for item in laws),
     )
-    made = System(
+    system = System(
         name=identifier(experiment.title),
         title=experiment.title or UNTITLED,
         field=field + (((TIME, sp.S.One),) if timed else ()),
@@ -119,10 +129,10 @@ def system_of(experiment: EquationsExperiment) -> System:
         guards=guards,
         summary=experiment.summary,
     )
-    return claimed(experiment, made)
+    return with_claims(experiment, system)
 
 
-def claimed(experiment: OwnExperiment, system: System) -> System:
+def with_claims(experiment: OwnExperiment, system: System) -> System:
     """A system with the measures and symmetries that its file claims of it besides integrals.
 
     Raises
@@ -130,7 +140,7 @@ def claimed(experiment: OwnExperiment, system: System) -> System:
     InputError
         If a formula cannot be read, or a symmetry moves what does not belong to the state.
     """
-    names = Names(experiment, _known(system))
+    names = Names(experiment, _names_of(system))
     table = experiment.laws
     laws: list[Law] = []
     for name, law in table.measures.items():
@@ -159,7 +169,7 @@ def identifier(title: str | None) -> str:
 
 
 def _parameters(names: Names) -> tuple[Parameter, ...]:
-    found: list[Parameter] = []
+    parameters: list[Parameter] = []
     for name, table in names.experiment.parameters.items():
         key = ("parameters", name)
         if table.diagonal is not None:
@@ -167,11 +177,11 @@ def _parameters(names: Names) -> tuple[Parameter, ...]:
         else:
             size = f"[{len(table.value)}]" if isinstance(table.value, tuple) else ""
             named = names.declare(f"{name}{size}", *key)
-        found += _described(named, table)
-    return tuple(found)
+        parameters += _components(named, table)
+    return tuple(parameters)
 
 
-def _described(named: Named, table: NumberTable) -> list[Parameter]:
+def _components(named: Named, table: NumberTable) -> list[Parameter]:
     values = table.value if table.diagonal is None else table.diagonal
     listed = values if isinstance(values, tuple) else (values,)
     return [
@@ -180,17 +190,17 @@ def _described(named: Named, table: NumberTable) -> list[Parameter]:
     ]
 
 
-def _definitions(names: Names) -> tuple[tuple[Named, Any], ...]:
-    found: list[tuple[Named, Any]] = []
+def _definitions(names: Names) -> tuple[tuple[Named, Formula], ...]:
+    definitions: list[tuple[Named, Formula]] = []
     for name, text in names.experiment.definitions.items():
         key = ("definitions", name)
         value = names.formula(text, *key)
         size = f"[{value.shape[0]}]" if isinstance(value, MatrixExpr | sp.MatrixBase) else ""
-        found.append((names.declare(f"{name}{size}", *key), value))
-    return tuple(found)
+        definitions.append((names.declare(f"{name}{size}", *key), value))
+    return tuple(definitions)
 
 
-def _known(system: System) -> dict[str, Named]:
+def _names_of(system: System) -> dict[str, Named]:
     """Every name of a finished system."""
     everything = [
         TIME,
@@ -210,7 +220,7 @@ def _frame(names: Names, experiment: MechanismExperiment) -> Frame:
     relations = names.formulas(table.relations, "frame", "relations")
     if not table.velocities:
         velocities = [_rate_of(names, q) for q in coordinates]
-        rates: Any = tuple(zip(coordinates, velocities, strict=True))
+        rates = tuple(zip(coordinates, velocities, strict=True))
     else:
         velocities = [names.declare(text, "frame", "velocities") for text in table.velocities]
         rates = _rates(names, coordinates, table.rates, "frame", "rates")
@@ -231,23 +241,23 @@ def _frame(names: Names, experiment: MechanismExperiment) -> Frame:
 
 
 def _positions(
-    names: Names, texts: Sequence[str], frame: Frame, definitions: Iterable[tuple[Named, Any]]
-) -> tuple[Any, ...]:
+    names: Names, texts: Sequence[str], frame: Frame, definitions: Iterable[tuple[Named, Formula]]
+) -> tuple[Formula, ...]:
     """Position constraints, which no velocity enters, not by way of a definition either."""
     key = ("constraints", "position")
     moving = set(frame.w)
     for named, value in definitions:
         if to_components(value).free_symbols & moving:
             moving |= set(components(named))
-    found = names.formulas(texts, *key)
-    for text, value in zip(texts, found, strict=True):
+    positions = names.formulas(texts, *key)
+    for text, value in zip(texts, positions, strict=True):
         wrong = sorted(map(str, to_components(value).free_symbols & moving))
         if wrong:
             raise names.error(
                 f"'{text}' contains the velocity {wrong[0]}; it belongs to constraints.velocity",
                 *key,
             )
-    return found
+    return positions
 
 
 def _rate_of(names: Names, coordinate: Named) -> Named:
@@ -258,7 +268,7 @@ def _rate_of(names: Names, coordinate: Named) -> Named:
 
 def _rates(
     names: Names, variables: Sequence[Named], texts: dict[str, str], *key: str
-) -> tuple[tuple[Named, Any], ...]:
+) -> tuple[tuple[Named, Formula], ...]:
     """The rate of each variable, in the order of the variables."""
     by_name = {str(named): named for named in variables}
     for name in texts:
@@ -274,14 +284,14 @@ def _rates(
 
 def _structure(
     names: Names, experiment: MechanismExperiment, velocities: Sequence[Named]
-) -> dict[Any, Any] | None:
+) -> Commutators | None:
     """What the file says of the commutators of the frame's fields."""
     table = experiment.frame
     if table.structure is not None:
         return _group(names, table.structure, velocities)
     if not table.commutators:
         return None
-    found: dict[Any, Any] = {}
+    commutators: Commutators = {}
     key = ("frame", "commutators")
     flat = [s for named in velocities for s in components(named)]
     for pair, text in table.commutators.items():
@@ -293,60 +303,58 @@ def _structure(
         row = {w: sp.diff(value, w) for w in flat if value.has(w)}
         if sp.expand(value - sp.Add(*(w * c for w, c in row.items()))) != 0:
             raise names.error("must be linear and homogeneous in the velocities", *key, pair)
-        found[u, v] = row
-    return found
+        commutators[u, v] = row
+    return commutators
 
 
-def _group(names: Names, text: str, velocities: Sequence[Named]) -> dict[Any, Any]:
+def _group(names: Names, text: str, velocities: Sequence[Named]) -> Commutators:
     key = ("frame", "structure")
     match = _GROUP.fullmatch(text)
-    wanted = {"rotations": (rotations, 1), "euclidean": (euclidean, 2)}
-    word = match[1] if match else ""
-    given = [name for name in match.groups()[1:] if name] if match else []
-    if word not in wanted or len(given) != wanted[word][1]:
+    group = match[1] if match else ""
+    arguments = [name for name in match.groups()[1:] if name] if match else []
+    if len(arguments) != {"rotations": 1, "euclidean": 2}.get(group):
         raise names.error(
             f'must be "rotations(omega)" or "euclidean(omega, v)", not "{text}"', *key
         )
     vectors = [n for n in velocities if isinstance(n, Vector) and len(n.symbols) == 3]
-    chosen = [names.get(name, vectors, *key) for name in given]
+    chosen = [names.get(name, vectors, *key) for name in arguments]
     if not all(isinstance(named, Vector) for named in chosen):
         raise names.error("needs whole vectors of velocities", *key)
-    make: Any = wanted[word][0]
-    made: dict[Any, Any] = make(*chosen)
-    return made
+    structure: Commutators = (rotations if group == "rotations" else euclidean)(*chosen)
+    return structure
 
 
 def _forces(
     names: Names, experiment: MechanismExperiment, frame: Frame
-) -> tuple[tuple[Named, Any], ...]:
-    found = []
+) -> tuple[tuple[Named, Formula], ...]:
+    forces = []
     for name, text in experiment.forces.items():
         named = names.get(name, frame.velocities, "forces", name)
-        found.append((named, names.like(named, text, "forces", name)))
-    return tuple(found)
+        forces.append((named, names.like(named, text, "forces", name)))
+    return tuple(forces)
 
 
 # --- laws and what is recorded -------------------------------------------------------------
 
 
 def _integrals(names: Names) -> tuple[Integral, ...]:
-    found = []
+    integrals = []
     for name, law in names.experiment.laws.integrals.items():
         key = ("laws", "integrals", name)
         value = names.scalar(law.value, *key)
         on = names.formulas(law.on, *key, "on")
-        found.append(Integral(name, value, law.meaning or name, law.unit, on=on))
-    return tuple(found)
+        integrals.append(Integral(name, value, law.meaning or name, law.unit, on=on))
+    return tuple(integrals)
 
 
 def _observables(names: Names) -> tuple[Observable, ...]:
-    found = []
+    observables = []
     for name, table in names.experiment.observables.items():
         value = names.formula(table.value, "observables", name)
         vector = isinstance(value, MatrixExpr | sp.MatrixBase)
         frame = f"{name}_component" if vector else ""
-        found.append(Observable(name, value, table.meaning or name, table.unit, frame))
-    return tuple(found)
+        observables.append(Observable(name, value, table.meaning or name, table.unit, frame))
+    return tuple(observables)
 
 
 def _guards(names: Names) -> tuple[Guard, ...]:
@@ -367,5 +375,5 @@ def _powers(
     return powers
 
 
-def _depend_on_time(*formulas: Any) -> bool:
+def _depend_on_time(*formulas: Formula) -> bool:
     return any(to_components(formula).has(TIME) for formula in formulas)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+import sympy as sp
 
 from ..core.arrays import FloatArray
 from ..core.system import System
@@ -65,7 +65,7 @@ def described_plan(
     ]
     names = Names(experiment, {str(named): named for named in everything})
 
-    def read(key: str) -> Any:
+    def read(key: str) -> tuple[tuple[sp.Expr, ...], ...]:
         return tuple(
             tuple(names.scalar(text, "plan", key) for text in texts)
             for texts in getattr(table, key)
@@ -79,19 +79,19 @@ def described_plan(
 def plan_motion(plan: Plan, trajectory: Trajectory) -> PlanMotion:
     """The numbers of a plan along a trajectory, which is lifted to space."""
 
-    def followed(parts: Sequence[Sequence[Any]], width: int) -> FloatArray:
+    def along(parts: Sequence[Sequence[sp.Expr]], width: int) -> FloatArray:
         formulas = [formula for part in parts for formula in part]
         states = np.asarray(trajectory.states, dtype=np.float64)
         if not formulas:
             return np.empty((len(states), 0, width))
-        found = values(trajectory.system, formulas, states, trajectory.parameters)
-        return np.asarray(found, dtype=np.float64).reshape(len(states), len(parts), width)
+        numbers = values(trajectory.system, formulas, states, trajectory.parameters)
+        return np.asarray(numbers, dtype=np.float64).reshape(len(states), len(parts), width)
 
     return PlanMotion(
-        path=followed([plan.path], 2)[:, 0],
-        links=followed(plan.links, 4),
-        wheels=followed(plan.wheels, 3),
-        axles=followed(plan.axles, 3),
-        blades=followed(plan.blades, 3),
-        points=followed(plan.points, 2),
+        path=along([plan.path], 2)[:, 0],
+        links=along(plan.links, 4),
+        wheels=along(plan.wheels, 3),
+        axles=along(plan.axles, 3),
+        blades=along(plan.blades, 3),
+        points=along(plan.points, 2),
     )

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import sympy as sp
 
 from ..analysis.scans.state_coordinates import chart
 from ..analysis.scans.system_quantities import meaning
+from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
 from ..flow.batch import poincare_section
@@ -127,11 +127,11 @@ def section_of(
     names, quantities, columns = coordinates_of(
         system, coordinates, study.variables, place.quantity
     )
-    given, sentence = _starts(study, system, starts)
+    states, sentence = _starts(study, system, starts)
     returns = PoincareMap(system, where, {}, tolerance, until=until)
     task = section_task(
         returns,
-        given,
+        states,
         points,
         quantities,
         columns,
@@ -146,7 +146,7 @@ def section_of(
     return task, names
 
 
-def _starts(study: Study, system: System, starts: Starts) -> tuple[Any, str]:
+def _starts(study: Study, system: System, starts: Starts) -> tuple[FloatArray, str]:
     """States at time 0, and how they were chosen."""
     if starts.count < 1:
         raise InputError(f"--starts {starts.count}: there must be one at least")
@@ -155,12 +155,12 @@ def _starts(study: Study, system: System, starts: Starts) -> tuple[Any, str]:
         return own, "the start of the experiment"
     level = dict(starts.level or _level(system, own))
     chosen = level_sampler(system, level)
-    held = ", ".join(f"{name} = {value:.6g}" for name, value in level.items())
-    sentence = f"{starts.count} drawn on {held} by the {chosen.measure} (seed {starts.seed})"
+    constants = ", ".join(f"{name} = {value:.6g}" for name, value in level.items())
+    sentence = f"{starts.count} drawn on {constants} by the {chosen.measure} (seed {starts.seed})"
     return chosen.draw(starts.count, seed=starts.seed), sentence
 
 
-def _level(system: System, start: Any) -> dict[str, float]:
+def _level(system: System, start: FloatArray) -> dict[str, float]:
     """The integrals of a start that hold without condition."""
     laws = [law for law in system.integrals if not law.on]
     (numbers,) = values(system, [law.value for law in laws], start)
@@ -201,10 +201,10 @@ class Reduced:
     @property
     def quantities(self) -> tuple[Quantity, ...]:
         """What they are called where a slash cannot be part of a name."""
-        made = chart(self.system, self.chart)
+        coordinates = chart(self.system, self.chart)
         unit = {
             name: "rad" if period else ""
-            for name, period in zip(made.names, made.periods, strict=True)
+            for name, period in zip(coordinates.names, coordinates.periods, strict=True)
         }
         return tuple(
             Quantity(
@@ -217,10 +217,11 @@ class Reduced:
             for name in self.names
         )
 
-    def __call__(self, states: Any) -> Any:
+    def __call__(self, states: FloatArray) -> FloatArray:
         """The coordinates (n, names) of states (n, size)."""
-        made = chart(self.system, self.chart)
-        return made.point(states)[:, [made.names.index(name) for name in self.names]]
+        coordinates = chart(self.system, self.chart)
+        points: FloatArray = coordinates.point(states)
+        return points[:, [coordinates.names.index(name) for name in self.names]]
 
 
 def coordinates_of(
@@ -251,11 +252,11 @@ def coordinates_of(
         If there are not two or three, or one of them cannot be read.
     """
     text = text.strip() or usual(system, passed)
-    name, colon, rest = text.partition(":")
+    name, colon, listed = text.partition(":")
     if colon:
-        reduced = Reduced(system, name.strip(), tuple(part.strip() for part in rest.split(",")))
+        reduced = Reduced(system, name.strip(), tuple(part.strip() for part in listed.split(",")))
         return tuple(item.name for item in reduced.quantities), (), reduced
-    parts = _parted(text)
+    parts = _at_commas(text)
     if len(parts) not in (2, 3):
         raise InputError(f"--coordinates {text}: two or three are needed, separated by commas")
     names, quantities = [], []
@@ -281,7 +282,7 @@ def coordinates_of(
     return tuple(names), tuple(quantities), None
 
 
-def _parted(text: str) -> list[str]:
+def _at_commas(text: str) -> list[str]:
     """A text at its commas, but not those within brackets."""
     parts, depth = [""], 0
     for letter in text:

@@ -26,12 +26,13 @@ from ..mechanics.lagrangian.mechanism import Mechanism
 from ..mechanics.lagrangian.plan import Plan, plan_of
 from ..mechanics.lagrangian.poincare_suslov import equations
 from ..parsing import nearest
+from .described_system import described_subject
 from .file.models import EquationsExperiment
 from .file.source import Source
-from .file.toml import Key
+from .file.toml import Key, Tables
 from .file.validation import validation_messages, value_text
 from .initial_state import lift_of
-from .study import Study, described_study
+from .study import Study
 from .write_equations import plan_table_of, tables_of
 
 __all__ = ["load_python"]
@@ -58,43 +59,43 @@ def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
     InputError
         If the file is missing, fails (with its line), or does not define a system.
     """
-    found = _defined(path)
+    definitions = _definitions(path)
     options = tuple(overrides)
-    if "study" in found:
+    if "study" in definitions:
         if options:
             raise InputError(
                 "a study made in Python cannot be changed by --set or --precision", str(path)
             )
-        made: Study = found["study"]
-        return made
-    mechanism: Mechanism | None = found.get("mechanism")
-    with _Placed(path):
-        system: System = found.get("system") or equations(found["mechanism"])
-        tables = tables_of(system)
-        plan = found.get("plan") or (plan_of(mechanism) if mechanism else None)
+        study: Study = definitions["study"]
+        return study
+    mechanism: Mechanism | None = definitions.get("mechanism")
+    with _PlacingErrors(path):
+        system: System = definitions.get("system") or equations(definitions["mechanism"])
+        tables: dict[str, Any] = tables_of(system)
+        plan = definitions.get("plan") or (plan_of(mechanism) if mechanism else None)
         if plan is not None:
             tables["plan"] = plan_table_of(plan)
     short = {name: ("parameters", name) for name in tables["parameters"]}
     source = Source(str(path), "", options, short=short)
-    text = source.tables()
+    text: dict[str, Any] = source.tables()
     for name in text:
         if name not in _CHANGEABLE:
             allowed = nearest(name, (*_CHANGEABLE, *short))
             raise InputError(f"a Python file decides this itself{allowed}", source.where((name,)))
     for name in ("start", "run"):
-        with _Placed(path):
-            given = _plain(found.get(name, {}), name)
-        tables[name] = given | text.get(name, {})
+        with _PlacingErrors(path):
+            values = _plain(definitions.get(name, {}), name)
+        tables[name] = values | text.get(name, {})
     tables["start"] = lift_of(system, tables["start"]) | tables["start"]
     _change_parameters(tables, text.get("parameters", {}), source)
     tables |= {key: value for key, value in text.items() if key == "title"}
-    experiment = _validated(tables, source)
-    parameters = tuple(_changed(experiment, parameter) for parameter in system.parameters)
+    experiment = _experiment(tables, source)
+    parameters = tuple(_with_value(experiment, parameter) for parameter in system.parameters)
     system = replace(system, title=experiment.title or system.title, parameters=parameters)
-    return described_study(experiment, system, mechanism)
+    return Study(experiment, described_subject(experiment, system, mechanism))
 
 
-def _changed(experiment: EquationsExperiment, parameter: Parameter) -> Parameter:
+def _with_value(experiment: EquationsExperiment, parameter: Parameter) -> Parameter:
     """A parameter with the value that the experiment gives it."""
     name = str(parameter.symbol)
     value = experiment.parameters[name].value
@@ -104,7 +105,7 @@ def _changed(experiment: EquationsExperiment, parameter: Parameter) -> Parameter
     return replace(parameter, default=value)
 
 
-class _Placed:
+class _PlacingErrors:
     """Tells what goes wrong in foreign code by file and line, in one sentence."""
 
     def __init__(self, path: Path) -> None:
@@ -142,36 +143,37 @@ def _said(error: BaseException) -> str:
         return ""
 
 
-def _defined(path: Path) -> dict[str, Any]:
+def _definitions(path: Path) -> dict[str, Any]:
     """What the file defines of interest, its kind checked."""
     if not path.is_file():
         raise InputError("there is no such file", str(path))
     folder = str(path.parent)
     sys.path.insert(0, folder)
     try:
-        with _Placed(path):
+        with _PlacingErrors(path):
             names = runpy.run_path(str(path), run_name="<chaplygin>")
     finally:
         sys.path.remove(folder)
-    found = {name: names[name] for name in (*_KINDS, "start", "run") if name in names}
+    definitions = {name: names[name] for name in (*_KINDS, "start", "run") if name in names}
     for name, kind in _KINDS.items():
-        if name in found and not isinstance(found[name], kind):
+        if name in definitions and not isinstance(definitions[name], kind):
             raise InputError(
-                f"{name} must be a {kind.__name__}, not {type(found[name]).__name__}", str(path)
+                f"{name} must be a {kind.__name__}, not {type(definitions[name]).__name__}",
+                str(path),
             )
-    if not found.keys() & _SYSTEMS.keys():
+    if not definitions.keys() & _SYSTEMS.keys():
         raise InputError("it must define mechanism, system or study", str(path))
-    return found
+    return definitions
 
 
-def _plain(table: Any, name: str) -> dict[str, Any]:
+def _plain(table: object, name: str) -> Tables:
     """A mapping of the file's with names for keys and plain numbers for values."""
     if not isinstance(table, Mapping):
         raise InputError(f"{name} must be a mapping, not {type(table).__name__}")
     return {str(key): _number(value, f"{name}: {key}") for key, value in table.items()}
 
 
-def _number(value: Any, name: str, depth: int = 0) -> Any:
+def _number(value: object, name: str, depth: int = 0) -> object:
     """Numbers of any library as those of TOML; texts and truth values as they are."""
     if isinstance(value, str | bool | int | float):
         return value
@@ -183,7 +185,7 @@ def _number(value: Any, name: str, depth: int = 0) -> Any:
     return [_number(part, name, depth + 1) for part in parts]
 
 
-def _change_parameters(tables: dict[str, Any], text: Any, source: Source) -> None:
+def _change_parameters(tables: dict[str, Any], text: object, source: Source) -> None:
     if not isinstance(text, Mapping):
         raise InputError(f"must be a table, not {value_text(text)}", source.where(("parameters",)))
     for name, value in text.items():
@@ -193,7 +195,7 @@ def _change_parameters(tables: dict[str, Any], text: Any, source: Source) -> Non
         tables["parameters"][name]["value"] = value
 
 
-def _validated(tables: dict[str, Any], source: Source) -> EquationsExperiment:
+def _experiment(tables: Tables, source: Source) -> EquationsExperiment:
     try:
         experiment = EquationsExperiment.model_validate(tables)
     except ValidationError as error:

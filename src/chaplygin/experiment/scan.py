@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
 
 from ..analysis.scans.grid import Axis, ScanGrid, scan_grid
 from ..analysis.scans.quantity_names import quantity_from_text
@@ -53,12 +52,12 @@ def chart_of(
     InputError
         If the number, an axis or a formula cannot be used.
     """
-    made = plane_of(study, x, y, formulas=formulas, held=held)
+    plane = plane_of(study, x, y, formulas=formulas, held=held)
     span = study.until if until is None else until
-    point = [float(value) for value in study.start[: len(made.system.symbols)]]
-    batch_integrator(made.system, backward=span < 0).require_reach(point, span)
-    number = quantity_from_text(made.system, of, span, variables={**VECTORS, **study.variables})
-    return Scan(made, number.rule, number.name, number.title, number.unit)
+    point = [float(value) for value in study.start[: len(plane.system.symbols)]]
+    batch_integrator(plane.system, backward=span < 0).require_reach(point, span)
+    number = quantity_from_text(plane.system, of, span, variables={**VECTORS, **study.variables})
+    return Scan(plane, number.rule, number.name, number.title, number.unit)
 
 
 def plane_of(
@@ -73,18 +72,18 @@ def plane_of(
     system = without_reconstruction(study)
     text = {**VECTORS, **study.variables}
 
-    def described(item: Axis) -> Axis:
+    def with_meaning(item: Axis) -> Axis:
         words, unit = meaning(system, item.name, text)
         return replace(item, meaning=words, unit=unit)
 
     start = _start(study, system)
-    return scan_grid(system, described(x), described(y), start, formulas=formulas, held=held)
+    return scan_grid(system, with_meaning(x), with_meaning(y), start, formulas=formulas, held=held)
 
 
-def _start(study: Study, system: System) -> dict[str, Any]:
+def _start(study: Study, system: System) -> dict[str, float | Sequence[float]]:
     """The start by ω and γ where the state follows from these, else by the state."""
-    follow = {str(name) for name, _ in system.start} | study.given.keys()
-    if not study.by_state and all(str(name) in follow for name in system.state):
-        return {name: study.given[name] for name in ("omega", "gamma")}
+    follow = {str(name) for name, _ in system.start} | study.start_values.keys()
+    if study.subject.starts_by_velocity and all(str(name) in follow for name in system.state):
+        return {name: study.start_values[name] for name in ("omega", "gamma")}
     numbers = iter([float(value) for value in study.start])
     return {str(name): [next(numbers) for _ in flat([name])] for name in system.state}

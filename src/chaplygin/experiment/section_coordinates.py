@@ -32,8 +32,8 @@ def usual(system: System, passed: str = "") -> str:
     passed : str
         The quantity whose value the section holds: it is no coordinate.
     """
-    held = len(system.relations) + sum(not law.on for law in system.integrals)
-    spatial = len(system.symbols) - held - 1 > 2
+    conditions = len(system.relations) + sum(not law.on for law in system.integrals)
+    spatial = len(system.symbols) - conditions - 1 > 2
     if _has_andoyer(system):
         first = "l, g" if passed.endswith("_3") and not passed.startswith(("g", "G")) else "l, L/G"
         return f"andoyer-ratio: {first}{', H' if spatial else ''}"
@@ -75,8 +75,8 @@ def is_angle(system: System, symbol: sp.Symbol) -> bool:
 
 
 def _entries(rate: object) -> list[sp.Expr]:
-    found = to_components(sp.sympify(rate))
-    return list(found) if isinstance(found, sp.MatrixBase) else [found]
+    formula = to_components(sp.sympify(rate))
+    return list(formula) if isinstance(formula, sp.MatrixBase) else [formula]
 
 
 def within_a_turn(symbol: sp.Symbol, description: tuple[str, str] | None = None) -> Quantity:

@@ -2,96 +2,52 @@
 
 from __future__ import annotations
 
-import contextlib
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
+import mpmath
 import numpy as np
-import sympy as sp
 import xarray as xr
 
 from ..arguments import arguments_checked
-from ..catalogue import entry, known_laws_of
-from ..catalogue.balls.ball_entry import ball_variables
-from ..catalogue.balls.ball_laws import known_ball_laws
+from ..core.arrays import FloatArray
 from ..core.overview import Overview, WithOverview
 from ..core.system import System
 from ..errors import InputError
 from ..flow.cost import TooMuchError
 from ..flow.integrator import Trajectory, integrate
 from ..flow.trajectory import require_pieces
-from ..mechanics.ball.ball import RollingBall
-from ..mechanics.ball.initial_state import ball_state
-from ..mechanics.lagrangian.mechanism import TIME, Mechanism
-from ..mechanics.lagrangian.plan import Plan
-from ..mechanics.rolling.body import Body
-from ..mechanics.rolling.equations import Forces, Rolling
-from ..mechanics.rolling.gauss_map import centre_outside
-from ..mechanics.rolling.initial_state import initial_state
-from ..mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Shape, Torus
-from ..mechanics.rolling.surfaces import Plane, Sphere
-from ..parsing import parse
-from .ball import ball_title, potential_of, rolling_ball, smooth_surface
+from ..mechanics.rolling.equations import Rolling
+from .ball import ball_subject
+from .catalogue_system import body_of_catalogue, system_of_catalogue
 from .dataset import to_dataset
-from .described_system import build_described_system
-from .file.ball_tables import BallStartTable
+from .described_system import equations_subject, mechanism_subject
 from .file.models import (
     BallExperiment,
     EquationsExperiment,
     Experiment,
     MechanismExperiment,
-    OwnExperiment,
     RollingExperiment,
     StateExperiment,
     SystemExperiment,
 )
-from .file.tables import (
-    BallTable,
-    DiskTable,
-    EllipsoidTable,
-    FormulaTable,
-    ImplicitTable,
-    PlaneTable,
-    RevolutionTable,
-    ShapeTable,
-    StartTable,
-    SystemStartTable,
-    TorusTable,
-)
-from .initial_state import initial_state_from_values, normalised, on_level, unit_vectors
-from .mechanism import identifier
-from .plan import described_plan
+from .initial_state import StartValues, normalised, on_level
+from .rolling import rolling_subject
+from .subject import Subject, Variables
 
-__all__ = ["Study", "dataset_of", "described_study", "prepare", "shape_name"]
+__all__ = ["Study", "dataset_of", "prepare"]
 
 
 @dataclass(frozen=True, repr=False)
 class Study(WithOverview):
-    """An experiment made ready.
+    """An experiment with its system, ready to be integrated.
 
     Attributes
     ----------
     experiment : Experiment
-    system : System
-        With every integral that the catalogue knows of it.
-    rolling : Rolling or None
-        What rolls on what; None for a body about a fixed point.
-    given : mapping of str to number or numbers
-        The start as given, by name: ω and γ, or the variables of the state.
-    until : float
-        Duration (s).
-    variables : mapping of str to (str, str)
-        Meaning and unit of variables of the state, where the start is given by it.
-    mechanism : Mechanism, optional
-        The Lagrangian, frame and constraints from which the system was derived.
-    ball : RollingBall, optional
-        The homogeneous ball that rolls, and its surface.
-    letters : mapping of str to str
-        Meanings of letters that this system alone has.
-    plan : Plan, optional
-        What is drawn of a mechanism in the plane.
+    subject : Subject
+        Its system, start and duration, and the words and figures of its kind.
 
     Examples
     --------
@@ -103,49 +59,53 @@ class Study(WithOverview):
     """
 
     experiment: Experiment
-    system: System
-    rolling: Rolling | None
-    given: Mapping[str, Any]
-    until: float
-    variables: Mapping[str, tuple[str, str]] = field(default_factory=dict)
-    mechanism: Mechanism | None = None
-    ball: RollingBall | None = None
-    letters: Mapping[str, str] = field(default_factory=dict)
-    plan: Plan | None = None
+    subject: Subject
+
+    @property
+    def system(self) -> System:
+        """The system, with every integral that the catalogue knows of it."""
+        return self.subject.system
+
+    @property
+    def rolling(self) -> Rolling | None:
+        """The rolling body and its surface, if there is one."""
+        return self.subject.rolling
+
+    @property
+    def start_values(self) -> StartValues:
+        """The start as given, by name: ω and γ, or the variables of the state."""
+        return self.subject.start_values
+
+    @property
+    def until(self) -> float:
+        """Duration (s)."""
+        return self.subject.until
+
+    @property
+    def variables(self) -> Variables:
+        """Meaning and unit of variables of the state, where the start is given by it."""
+        return self.subject.variables
 
     def overview(self) -> Overview:
         """The system, the start as given, and the duration."""
-        start = ", ".join(f"{name} = {value}" for name, value in self.given.items())
+        start = ", ".join(f"{name} = {value}" for name, value in self.start_values.items())
         rows = (("system", repr(self.system)), ("start", start), ("until", f"{self.until:g} s"))
         return Overview(self.system.title, rows)
 
     @property
-    def own(self) -> bool:
-        """Whether it is a body of the user's, not a system of the catalogue."""
-        return isinstance(self.experiment, RollingExperiment | BallExperiment)
-
-    @property
-    def by_state(self) -> bool:
-        """Whether the start is given by the state, not by ω and γ."""
-        return isinstance(self.experiment, StateExperiment | OwnExperiment)
-
-    @property
     def remarks(self) -> tuple[str, ...]:
-        """What was done to the input, one sentence each."""
-        unit = unit_vectors(self.system) if self.by_state else {"gamma"}
+        """Sentences on what was done to the input, and on what is unusual in it."""
         start = self.experiment.start
-        words = start if isinstance(start, dict) else start.model_dump(exclude_none=True)
+        values = start if isinstance(start, dict) else start.model_dump(exclude_none=True)
         lengths = tuple(
             f"start.{name} has length {length:.9g}; it was normalised to "
             f"[{', '.join(f'{x:.17g}' for x in direction)}]"
-            for name, (length, direction) in normalised(words, unit).items()
+            for name, (length, direction) in normalised(values, self.subject.directions).items()
         )
-        if self.own and self.rolling is not None and centre_outside(self.rolling.body.shape):
-            return (*lengths, "body.shape.centre puts the centre of mass outside the body")
-        return lengths
+        return (*lengths, *self.subject.remarks)
 
     @cached_property
-    def start(self) -> tuple[Any, ...]:
+    def start(self) -> tuple[mpmath.mpf, ...]:
         """The state at time 0, on the phase space.
 
         Raises
@@ -153,30 +113,18 @@ class Study(WithOverview):
         InputError
             If ω breaks the constraint, or no contact point belongs to γ.
         """
-        start = self.experiment.start
-        with _at(self.experiment, "start"):
-            if isinstance(start, StartTable | SystemStartTable):
-                return initial_state(
-                    self.system,
-                    self.given["omega"],
-                    self.given["gamma"],
-                    heading=start.heading,
-                    normal=start.normal,
-                )
-            if self.ball is not None and isinstance(start, BallStartTable):
-                place = self.given["contact" if self.ball.carrier == "support" else "centre"]
-                return ball_state(self.ball, self.system, place, start.omega)
-            return initial_state_from_values(self.system, self.given)
+        with self.experiment.placing_errors("start"):
+            return self.subject.initial_state()
 
     @cached_property
-    def watched(self) -> System:
+    def system_on_level(self) -> System:
         """The system with those integrals alone whose level the start lies on."""
         state = self.start[: len(self.system.symbols)]
         holding = [law for law in self.system.integrals if on_level(self.system, law.on, state)]
         return replace(self.system, laws=tuple(holding))
 
     @property
-    def times(self) -> Any:
+    def times(self) -> FloatArray:
         """The sample times, equidistant, both ends included."""
         run = self.experiment.run
         sign = -1.0 if run.direction == "backward" else 1.0
@@ -185,12 +133,9 @@ class Study(WithOverview):
 
     def complete_toml(self) -> str:
         """The experiment file with nothing left to defaults of the catalogue."""
-        tables = self.experiment.model_dump()
-        tables["start"] |= self.given
+        tables = self.experiment.complete_tables()
+        tables["start"] |= self.start_values
         tables["run"] |= {"until": self.until}
-        if isinstance(self.experiment, SystemExperiment | StateExperiment):
-            table = self.experiment.system
-            tables["system"]["parameters"] = entry(table.name).numbers(table.parameters)
         return type(self.experiment).model_validate(tables).toml()
 
     @arguments_checked
@@ -221,12 +166,12 @@ class Study(WithOverview):
         require_pieces(pieces)
         run = self.experiment.run
         start = self.start
-        with _at(self.experiment, "start"):
+        with self.experiment.placing_errors("start"):
             try:
-                found = integrate(
-                    self.watched,
+                trajectory = integrate(
+                    self.system_on_level,
                     start,
-                    _divided(self.times, pieces),
+                    _subdivided(self.times, pieces),
                     # collocation always computes with all digits
                     tolerance=run.tolerance if run.method == "taylor" else None,
                     precision=run.precision,
@@ -240,19 +185,19 @@ class Study(WithOverview):
             except TooMuchError as error:
                 where = self.experiment.where("run", "until")
                 raise InputError(error.message, where) from None
-        if len(found.times) == 1 and found.events:
+        if len(trajectory.times) == 1 and trajectory.events:
             raise InputError(
-                f"there is no motion from here: {found.events[-1].guard.message}; "
+                f"there is no motion from here: {trajectory.events[-1].guard.message}; "
                 'on_liftoff = "warn" in [run] follows it as if the surface held the body',
                 self.experiment.where("start"),
             )
-        return found
+        return trajectory
 
 
-def _divided(times: Any, pieces: int) -> Any:
+def _subdivided(times: FloatArray, pieces: int) -> FloatArray:
     """Times with each interval divided, the given ones unchanged to the bit."""
-    places = np.arange((len(times) - 1) * pieces + 1) / pieces
-    return np.interp(places, np.arange(len(times)), times)
+    indices = np.arange((len(times) - 1) * pieces + 1) / pieces
+    return np.interp(indices, np.arange(len(times)), times)
 
 
 def dataset_of(study: Study, trajectory: Trajectory, complete: bool = True) -> xr.Dataset:
@@ -265,22 +210,6 @@ def dataset_of(study: Study, trajectory: Trajectory, complete: bool = True) -> x
         },
         study.variables,
     )
-
-
-@contextlib.contextmanager
-def _at(experiment: Experiment, *key: str) -> Iterator[None]:
-    """Say where in the file a mistake stands that only mechanics could see."""
-    try:
-        yield
-    except InputError as error:
-        if error.where:
-            raise
-        subject, colon, rest = error.message.partition(": ")
-        if colon and subject == key[-1]:
-            raise InputError(rest, experiment.where(*key)) from None
-        if colon and experiment.has(*key, subject):
-            raise InputError(rest, experiment.where(*key, subject)) from None
-        raise InputError(error.message, experiment.where(*key)) from None
 
 
 @arguments_checked
@@ -310,141 +239,20 @@ def prepare(experiment: Experiment) -> Study:
     >>> study.system.title, study.times.shape
     ('Veselova system', (11,))
     """
-    if isinstance(experiment, MechanismExperiment | EquationsExperiment):
-        mechanism, system = build_described_system(experiment)
-        return described_study(experiment, system, mechanism)
-    if isinstance(experiment, BallExperiment):
-        return _with_ball(experiment)
-    if not isinstance(experiment, RollingExperiment):
-        return _from_catalogue(experiment)
-    rolling = _rolling(experiment)
-    with _at(experiment, "body"):
-        title = experiment.title or _title(rolling)
-        system = rolling.system(identifier(title), title)
-    system = system.with_laws(*known_laws_of(rolling, system))
-    given = {"omega": experiment.start.omega, "gamma": experiment.start.gamma}
-    return Study(experiment, system, rolling, given, experiment.run.until)
+    return Study(experiment, _subject(experiment))
 
 
-def _from_catalogue(experiment: SystemExperiment | StateExperiment) -> Study:
-    table = experiment.system
-    with _at(experiment, "system", "name"):
-        item = entry(table.name)
-    with _at(experiment, "system", "parameters"):
-        system, rolling = item.system(table.parameters), item.rolling(table.parameters)
-        ball = item.rolling_ball(table.parameters)
-    if experiment.title:
-        system = replace(system, title=experiment.title)
-    start, suggested = experiment.start, item.start
-    words = start if isinstance(start, dict) else {"omega": start.omega, "gamma": start.gamma}
-    given = suggested.values | {name: value for name, value in words.items() if value is not None}
-    until = experiment.run.until or suggested.until
-    return Study(
-        experiment,
-        system,
-        rolling,
-        given,
-        until,
-        item.variables,
-        ball=ball,
-        letters=item.letters,
-        plan=item.plan,
-    )
-
-
-def _with_ball(experiment: BallExperiment) -> Study:
-    with _at(experiment, "surface"):
-        surface = smooth_surface(experiment.surface)
-    with _at(experiment, "field"):
-        potential = potential_of(experiment)
-    with _at(experiment, "body", "shape"):
-        ball = rolling_ball(experiment, surface, potential)
-    with _at(experiment, "surface"):
-        title = experiment.title or ball_title(experiment, ball)
-        system = ball.system(identifier(title), title)
-    system = system.with_laws(*known_ball_laws(ball))
-    given = experiment.start.model_dump(exclude_none=True)
-    until = experiment.run.until
-    return Study(experiment, system, None, given, until, ball_variables, ball=ball)
-
-
-def described_study(
-    experiment: MechanismExperiment | EquationsExperiment,
-    system: System,
-    mechanism: Mechanism | None = None,
-) -> Study:
-    """The study of a system of the user's own."""
-    given = ({str(TIME): 0.0} if TIME in system.symbols else {}) | experiment.start
-    variables = {name: (words.meaning, words.unit) for name, words in experiment.variables.items()}
-    until = experiment.run.until
-    plan = described_plan(experiment, system, mechanism)
-    return Study(experiment, system, None, given, until, variables, mechanism, plan=plan)
-
-
-def _rolling(experiment: RollingExperiment) -> Rolling:
-    with _at(experiment, "body", "shape"):
-        shape = _shape(experiment.body.shape)
-    table = experiment.body
-    with _at(experiment, "body"):
-        body = Body(table.mass, table.inertia, shape, table.gyrostat)
-    surface = experiment.surface
-    ground = Plane() if isinstance(surface, PlaneTable) else Sphere(surface.radius)
-    forces = experiment.field
-    with _at(experiment, "field"):
-        potential = _formula(forces, forces.potential) if forces.potential else sp.S.Zero
-        field = Forces(forces.gravity, potential, _values(forces))
-    return Rolling(body, ground, experiment.contact.model, field)
-
-
-def _values(table: FormulaTable) -> tuple[tuple[sp.Symbol, float], ...]:
-    return tuple((sp.Symbol(name, real=True), x) for name, x in table.parameters.items())
-
-
-def _formula(table: FormulaTable, text: str) -> sp.Expr:
-    return parse(text, {name: sp.Symbol(name, real=True) for name in table.names})
-
-
-def _shape(table: ShapeTable) -> Shape:
-    centre = table.centre
-    match table:
-        case BallTable():
-            return Ball(table.radius, table.hollow, centre=centre)
-        case EllipsoidTable():
-            return Ellipsoid(table.axes, table.turn, centre=centre)
-        case DiskTable():
-            return Disk(table.radius, centre=centre)
-        case TorusTable():
-            return Torus(table.radius, table.tube, centre=centre)
-        case RevolutionTable():
-            values = _values(table)
-            if table.support is not None:
-                return Revolution(_formula(table, table.support), values, centre=centre)
-            chi_1, chi_2 = (_formula(table, text or "0") for text in (table.chi_1, table.chi_2))
-            return Revolution.from_profile(chi_1, chi_2, dict(values), centre)
-        case ImplicitTable():
-            return Implicit(_formula(table, table.surface), _values(table), centre=centre)
-
-
-_SHAPES: Mapping[type, str] = {
-    Ball: "Ball",
-    Ellipsoid: "Ellipsoid",
-    Disk: "Disk",
-    Torus: "Disk with a rounded edge",
-    Revolution: "Body of revolution",
-    Implicit: "Convex body",
-}
-
-
-def _title(rolling: Rolling) -> str:
-    """A name for a body that the catalogue has none for."""
-    ground = "a plane"
-    if isinstance(rolling.surface, Sphere):
-        ground = "a sphere" if rolling.surface.radius > 0 else "the inside of a sphere"
-    manner = "" if rolling.contact == "marble" else ", rubber contact"
-    return f"{shape_name(rolling)} on {ground}{manner}"
-
-
-def shape_name(rolling: Rolling) -> str:
-    """What the body is, in words."""
-    shape = rolling.body.shape
-    return "Hollow ball" if isinstance(shape, Ball) and shape.hollow else _SHAPES[type(shape)]
+def _subject(experiment: Experiment) -> Subject:
+    match experiment:
+        case RollingExperiment():
+            return rolling_subject(experiment)
+        case BallExperiment():
+            return ball_subject(experiment)
+        case SystemExperiment():
+            return body_of_catalogue(experiment)
+        case StateExperiment():
+            return system_of_catalogue(experiment)
+        case MechanismExperiment():
+            return mechanism_subject(experiment)
+        case EquationsExperiment():
+            return equations_subject(experiment)

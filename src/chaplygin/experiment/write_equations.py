@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import fields
-from typing import Any
 
 import sympy as sp
 
@@ -13,8 +12,9 @@ from ..core.system import System
 from ..core.vectors import Vector, to_components
 from ..errors import InputError
 from ..mechanics.lagrangian.plan import Plan
-from ..parsing import FUNCTIONS
+from ..parsing import FUNCTIONS, Formula, Named
 from ..parsing.exact_decimals import exactly
+from .file.toml import Tables
 
 __all__ = ["plan_table_of", "tables_of"]
 
@@ -25,7 +25,7 @@ _WRITABLE = (
 _CONSTANTS = (sp.pi,)
 
 
-def tables_of(system: System) -> dict[str, Any]:
+def tables_of(system: System) -> Tables:
     """The tables of a file that brings the same equations, lifted to space.
 
     Of the laws it has integrals, measures and symmetries; others have no form in a file.
@@ -36,31 +36,31 @@ def tables_of(system: System) -> dict[str, Any]:
         If a formula uses what no file can say, such as a function that it does not know.
     """
     whole = system.lifted() if system.motion else system
-    tables: dict[str, Any] = {"title": whole.title, "summary": whole.summary}
+    tables: Tables = {"title": whole.title, "summary": whole.summary}
     tables["parameters"] = {
         str(p.symbol): {"value": float(p.default), "unit": p.unit, "meaning": p.meaning}
         for p in whole.parameters
     }
     tables["equations"] = {
-        "state": [_declared(name) for name in whole.state],
-        "rates": {str(name): _written(rate) for name, rate in whole.field},
+        "state": [_declaration(name) for name in whole.state],
+        "rates": {str(name): _formula_text(rate) for name, rate in whole.field},
         "relations": _all(whole.relations),
     }
-    tables["definitions"] = {str(symbol): _written(value) for symbol, value in whole.steps}
+    tables["definitions"] = {str(symbol): _formula_text(value) for symbol, value in whole.steps}
     tables["laws"] = _laws(whole)
     tables["observables"] = {
-        item.name: {"value": _written(item.value), "meaning": item.meaning, "unit": item.unit}
+        item.name: {"value": _formula_text(item.value), "meaning": item.meaning, "unit": item.unit}
         for item in whole.observables
         if item.name not in map(str, whole.state)
     }
     tables["guards"] = {
-        guard.name: {"value": _written(guard.value), "message": guard.message}
+        guard.name: {"value": _formula_text(guard.value), "message": guard.message}
         for guard in whole.guards
     }
     return tables
 
 
-def plan_table_of(plan: Plan) -> dict[str, Any]:
+def plan_table_of(plan: Plan) -> Tables:
     """The table [plan] of a file that draws the same."""
     tables = {
         field.name: [_all(part) for part in getattr(plan, field.name)]
@@ -70,33 +70,37 @@ def plan_table_of(plan: Plan) -> dict[str, Any]:
     return {"path": _all(plan.path), **tables}
 
 
-def _laws(system: System) -> dict[str, Any]:
+def _laws(system: System) -> Tables:
     integrals, measures, symmetries = {}, {}, {}
     for law in system.laws:
         on = _all(law.on)
         if isinstance(law, Integral):
             notes = {"meaning": law.meaning, "unit": law.unit, "on": on}
-            integrals[law.name] = {"value": _written(law.value), **notes}
+            integrals[law.name] = {"value": _formula_text(law.value), **notes}
         elif isinstance(law, Measure):
-            measures[law.name] = {"value": _written(law.value), "meaning": law.meaning, "on": on}
+            measures[law.name] = {
+                "value": _formula_text(law.value),
+                "meaning": law.meaning,
+                "on": on,
+            }
         elif isinstance(law, Symmetry) and not on:
-            symmetries[law.name] = {str(name): _written(value) for name, value in law.field}
+            symmetries[law.name] = {str(name): _formula_text(value) for name, value in law.field}
     return {"integrals": integrals, "measures": measures, "symmetries": symmetries}
 
 
-def _declared(name: Any) -> str:
+def _declaration(name: Named) -> str:
     return f"{name}[{len(name.symbols)}]" if isinstance(name, Vector) else str(name)
 
 
-def _all(formulas: Iterable[Any]) -> list[str]:
-    return [_written(formula) for formula in formulas]
+def _all(formulas: Iterable[Formula]) -> list[str]:
+    return [_formula_text(formula) for formula in formulas]
 
 
-def _written(formula: Any) -> str:
+def _formula_text(formula: Formula) -> str:
     """A formula as a user would type it, its numbers exact."""
     value = to_components(sp.sympify(formula))
     if isinstance(value, sp.MatrixBase):
-        return f"[{', '.join(map(_written, value))}]"
+        return f"[{', '.join(map(_formula_text, value))}]"
     for part in sp.preorder_traversal(value):
         if not isinstance(part, _WRITABLE) and part not in _CONSTANTS:
             raise InputError(f"{type(part).__name__} in {formula} cannot be written to a file")

@@ -11,6 +11,7 @@ import mpmath
 import numpy as np
 import sympy as sp
 
+from ..core.parameters import parameter_values
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError, RunError
@@ -66,7 +67,7 @@ def collocate(
         watched = replace(lifted, guards=tuple(g for g in lifted.guards if not g.lift_off))
     began = clock.perf_counter()
     backward = bool(moments[-1] < moments[0])
-    constants = {**system.defaults, **_by_symbol(system, parameters)}
+    constants = parameter_values(system, parameters)
     point = list(start)
     if digits == 30:
         constants = {symbol: _decimal(value) for symbol, value in constants.items()}
@@ -102,12 +103,6 @@ def collocate(
 def _states(flow: GaussIntegrator, found: Any, good: Any) -> Any:
     states = found.states[0, good]
     return states if flow.digits == 16 else unpaired(states, found.rest[0, good])
-
-
-def _by_symbol(system: System, parameters: Mapping[Any, Any] | None) -> dict[sp.Symbol, Any]:
-    """Parameters by symbol; a name that is none is left to be refused."""
-    known = {str(symbol): symbol for symbol in system.defaults}
-    return {known.get(str(key), key): value for key, value in (parameters or {}).items()}
 
 
 def _decimal(number: Any) -> Any:

@@ -16,7 +16,7 @@ import numpy as np
 import sympy as sp
 
 from ..arguments import Numbers, Parameters, Start, arguments_checked
-from ..core.admissible import conditions, parameters_by_symbol, satisfies
+from ..core.parameters import parameter_values, require_admissible, require_finite
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError, InterruptionError, RunError
@@ -202,24 +202,11 @@ class _StoppedError(Exception):
 
 
 def _values(system: System, parameters: Mapping[Any, Any] | None) -> dict[sp.Symbol, Any]:
-    values: dict[sp.Symbol, Any] = dict(system.defaults)
-    values |= parameters_by_symbol(system, parameters)
+    values: dict[sp.Symbol, Any] = parameter_values(system, parameters)
     if parameters:
-        _check_admissible(system, values)
+        require_finite(system, values)
+        require_admissible(system, {s: float(value) for s, value in values.items()}, values)
     return values
-
-
-def _check_admissible(system: System, values: Mapping[sp.Symbol, Any]) -> None:
-    for symbol, value in values.items():
-        if not math.isfinite(float(value)):
-            raise InputError(f"{system.name}: {symbol} = {value} must be a finite number")
-    numbers = {symbol: float(value) for symbol, value in values.items()}
-    for parameter, condition in conditions(system.parameters):
-        if not satisfies(condition, numbers):
-            raise InputError(
-                f"{system.name}: {parameter.symbol} = {values[parameter.symbol]} is not "
-                f"admissible; {condition} must hold"
-            )
 
 
 def _moments(times: Sequence[Any], kind: Any) -> list[Any]:

@@ -24,6 +24,7 @@ import sympy as sp
 
 from ..arguments import arguments_checked
 from ..core.laws import Law, Symmetry
+from ..core.parameters import parameter_values
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
@@ -375,14 +376,7 @@ def _state(
 
 
 def _constants(system: System, parameters: Mapping[Any, Any] | None) -> dict[sp.Symbol, Any]:
-    by_name = {str(s): s for s in system.defaults}
-    values = {s: number(x, str(s)) for s, x in system.defaults.items()}
-    for key, value in (parameters or {}).items():
-        if str(key) not in by_name:
-            known = ", ".join(by_name) or "none"
-            raise InputError(f"{system.name}: no parameter {key}; it has {known}")
-        values[by_name[str(key)]] = number(value, str(key))
-    return values
+    return {s: number(x, str(s)) for s, x in parameter_values(system, parameters).items()}
 
 
 def _require_family(system: System, forms: Sequence[Any], direction: Any, tolerance: Any) -> None:

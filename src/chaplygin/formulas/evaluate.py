@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from ..core.admissible import conditions, require_parameters, satisfies
+from ..core.parameters import parameters_by_symbol, require_admissible
 from ..core.system import Quantity, System
 from ..core.vectors import to_components
 from ..errors import InputError
@@ -143,7 +143,7 @@ def parameter_rows(system: System, parameters: Mapping[Any, Any] | None, count: 
         If a name is unknown, a value is not finite or not admissible, or an array has another
         length.
     """
-    require_parameters(system, parameters)
+    parameters_by_symbol(system, parameters)
     columns: dict[str, Any] = dict(system.constants)
     for key, value in (parameters or {}).items():
         column = as_float_array(f"{system.name}: {key}", value)
@@ -160,21 +160,8 @@ def parameter_rows(system: System, parameters: Mapping[Any, Any] | None, count: 
     for i, column in enumerate(columns.values()):
         rows[:, i] = column
     if parameters:
-        _require_admissible(system, rows)
+        require_admissible(system, dict(zip(system.defaults, rows.T, strict=True)))
     return rows
-
-
-def _require_admissible(system: System, rows: Any) -> None:
-    columns = {p.symbol: rows[:, place] for place, p in enumerate(system.parameters)}
-    for parameter, condition in conditions(system.parameters):
-        holds = satisfies(condition, columns)
-        bad = np.flatnonzero(~np.broadcast_to(holds, len(rows)))
-        if bad.size:
-            value = columns[parameter.symbol][bad[0]]
-            raise InputError(
-                f"{system.name}: {parameter.symbol} = {value:.10g} is not admissible; "
-                f"{condition} must hold"
-            )
 
 
 def values(

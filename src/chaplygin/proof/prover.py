@@ -24,9 +24,9 @@ from ..check import CheckError
 from ..check.claim.claim import Claim as CheckedClaim, read_claim
 from ..check.claim.errors import UndefinedError
 from ..check.witness import located
-from ..core.admissible import conditions, satisfies
 from ..core.isomorphism import Isomorphism
 from ..core.laws import Law, Measure, PoissonStructure, Separation
+from ..core.parameters import conditions, satisfies
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError

@@ -17,20 +17,16 @@ from ..analysis.classification.place import Classification, rows
 from ..core.laws import Law
 from ..core.vectors import Vector, real_symbol
 from ..errors import RunError
-from ..experiment.ball import setting as ball_setting
 from ..experiment.closed_form import closed_form_section
-from ..experiment.file.models import BallExperiment
-from ..experiment.study import Study, shape_name
+from ..experiment.study import Study
 from ..explicit.base.solution import Solution
 from ..flow.integrator import Trajectory
-from ..mechanics.rolling.surfaces import Plane
 from ..printing.laws import heading
 from ..printing.numerals import number, signed, unit
 from ..printing.system import claims_html, displayed, latex, mathml, motion_html, system_html, text
 from ..proof.fields.budget import EFFORT
 from . import figures
-from .derivation import derivation_notes, is_described
-from .summary import drift, legend
+from .summary import drift
 
 __all__ = ["render"]
 
@@ -124,13 +120,13 @@ def render(
     )
     system = trajectory.system
     verdicts = patience.verdicts(study.system)
-    stands = classify(study.system, verdicts, patience, study.mechanism or study.rolling)
-    drawn = {name: _drawn(name, figure) for name, figure in pictures.items()}
+    stands = classify(study.system, verdicts, patience, study.subject.model)
+    drawn = {name: _figure_html(name, figure) for name, figure in pictures.items()}
     return environment.get_template("report.html").render(
         signed=signed,
         title=study.system.title,
-        lead=_setting(study) if study.own else study.system.summary,
-        setting="" if study.own else _setting(study),
+        lead=study.subject.summary or study.subject.setting,
+        setting=study.subject.setting if study.subject.summary else "",
         start=_start(study, dataset),
         scene=drawn.get("scene"),
         plates=[
@@ -146,9 +142,11 @@ def render(
         still=bool(system.integrals) and "drift" not in drawn,
         energy_changes="energy" in dataset and not system.integrals,
         equations=Markup(system_html(replace(study.system, laws=()))),
-        legend=legend(study),
-        reconstruction=Markup(motion_html(study.system) if is_described(study) else ""),
-        notes=derivation_notes(study),
+        legend=study.subject.legend,
+        reconstruction=Markup(
+            motion_html(study.system) if study.subject.has_own_reconstruction else ""
+        ),
+        notes=study.subject.derivation_notes,
         laws=[
             {
                 "name": law.name,
@@ -165,9 +163,10 @@ def render(
         closed=None if solution is None else closed_form_section(solution, trajectory),
         closed_figure=drawn.get("closed_form"),
         diagram=drawn.get("bifurcation"),
-        claims=Markup(claims_html(replace(study.system, laws=_unobserved(study)))),
+        claims=Markup(claims_html(replace(study.system, laws=_unobserved_laws(study)))),
         proofs=[
-            (law.name, _named(law), law.source, verdicts[law.name]) for law in _unobserved(study)
+            (law.name, _law_text(law), law.source, verdicts[law.name])
+            for law in _unobserved_laws(study)
         ],
         places=[_section(part) for part in (stands, *stands.levels)],
         uncounted=stands.uncounted_by_reason,
@@ -187,7 +186,7 @@ def render(
     )
 
 
-def _drawn(name: str, figure: Figure) -> Markup:
+def _figure_html(name: str, figure: Figure) -> Markup:
     """A figure for wide and for narrow screens."""
     kind = "picture" if name in PICTURES else "chart"
     wide, narrow = figures.page_svg(figure), figures.page_svg(figure, narrow=True)
@@ -199,7 +198,7 @@ def _drawn(name: str, figure: Figure) -> Markup:
 def _start(study: Study, dataset: xr.Dataset) -> list[dict[str, object]]:
     """The start as given, by name: letter, value, unit and meaning."""
     rows: list[dict[str, object]] = []
-    for name, value in study.given.items():
+    for name, value in study.start_values.items():
         numbers = value if isinstance(value, (tuple, list)) else (value,)
         letter = Vector(name) if len(numbers) == 3 else real_symbol(name)
         known = dataset[name].attrs if name in dataset else {}
@@ -223,20 +222,20 @@ def _section(part: Classification) -> dict[str, object]:
     return {"level": part.level, "rows": [row for row in rows(part) if row[1]]}
 
 
-def _named(law: Law) -> str:
+def _law_text(law: Law) -> str:
     """Kind and meaning of a law."""
     meaning = str(getattr(law, "meaning", ""))
     return f"{heading(law)}: {meaning}" if meaning else heading(law)
 
 
-def _unobserved(study: Study) -> tuple[Law, ...]:
+def _unobserved_laws(study: Study) -> tuple[Law, ...]:
     """The laws that are no integrals observed along this motion."""
-    return tuple(law for law in study.system.laws if law not in study.watched.laws)
+    return tuple(law for law in study.system.laws if law not in study.system_on_level.laws)
 
 
 def _caption(study: Study, name: str, caption: str) -> str:
     """What a figure shows; without a surface γ is another vector."""
-    if name == "normal_on_sphere" and study.rolling is None and not study.letters:
+    if name == "normal_on_sphere" and not study.subject.gamma_is_normal:
         return "In body axes: the components of a unit vector fixed in space."
     return caption
 
@@ -245,43 +244,9 @@ def _remark(study: Study, name: str) -> str:
     """What a figure needs to be said besides, for this study."""
     if name == "drift" and study.experiment.run.precision == "double":
         return "The unit roundoff of double precision is 1.1 × 10⁻¹⁶."
-    if name == "normal_force" and _two_sided(study):
+    if name == "normal_force" and study.subject.two_sided:
         return "Without gravity the contact is taken as two-sided, and the sign is not monitored."
     return ""
-
-
-def _two_sided(study: Study) -> bool:
-    """Whether nothing but the contact acts, so that the surface holds from both sides."""
-    if study.ball is not None:
-        return not study.ball.loaded
-    return study.rolling is not None and not study.rolling.field.gravity
-
-
-def _setting(study: Study) -> str:
-    """What rolls on what, in one line."""
-    rolling, experiment = study.rolling, study.experiment
-    if study.ball is not None and isinstance(experiment, BallExperiment):
-        return ball_setting(experiment, study.ball)
-    if study.by_state:
-        return ""
-    if rolling is None:
-        return ""
-    shape = shape_name(rolling)
-    surface = rolling.surface
-    ground = "a horizontal plane"
-    if not isinstance(surface, Plane):
-        side = "outside" if surface.radius > 0 else "inside"
-        ground = f"a sphere of radius {abs(surface.radius):g}, {side}"
-    manner = "without slipping"
-    if rolling.contact == "rubber":
-        manner = "with neither slipping nor spinning"
-    gravity = rolling.field.gravity
-    field = f"gravity {number(gravity, 6)} m/s²" if gravity else "no gravity"
-    if rolling.field.potential != 0:
-        field += ", a potential U(γ)"
-    if any(rolling.body.gyrostat):
-        field += "; with rotors"
-    return f"{shape} on {ground}, {manner}; {field}"
 
 
 #: What computed a motion, by the word that chooses it.

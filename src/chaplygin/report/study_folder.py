@@ -7,12 +7,14 @@ from pathlib import Path
 from ..errors import InputError
 from ..experiment.files import check_target, completed
 
-__all__ = ["begin", "check_folder", "end", "is_begun"]
+__all__ = ["TRAJECTORY", "begin", "check_folder", "end", "is_begun"]
 
 FILES = ("report.html", "trajectory.nc", "experiment.toml", "figures")
 
 #: Holds the experiment of a study that is not complete.
 MARK = ".unfinished.toml"
+#: Holds its trajectory, once that is complete.
+TRAJECTORY = ".unfinished.npz"
 
 
 def check_folder(folder: Path, force: bool = False, what: str = "") -> None:
@@ -82,4 +84,5 @@ def begin(folder: Path, experiment: str, force: bool) -> None:
 
 def end(folder: Path) -> None:
     """The study in the folder is complete."""
+    (folder / TRAJECTORY).unlink(missing_ok=True)
     (folder / MARK).unlink(missing_ok=True)

@@ -2,41 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, SupportsFloat
 
 import numpy as np
 
 from ..core.system import System
-from ..experiment.study import Study
+from ..experiment.dataset import Samples
 from ..flow.integrator import Trajectory
-from ..printing.formula import text
-from .glossary import glossary
 
-__all__ = ["drift", "legend", "summary", "summary_text"]
-
-_BALL = (
-    "In space axes: R centre of the ball, ω angular velocity, v velocity, n normal of the surface "
-    "towards the ball, r = −bn from the centre to the contact point, F force at the centre, "
-    "f = 0 the surface {on}, ℓ = |∇f|; m̃ = m + μ/b², σ = (ω, n)."
-)
+__all__ = ["drift", "summary", "summary_text"]
 
 
-def legend(study: Study) -> str:
-    """What the letters of the equations mean; empty where nothing is told of them."""
-    if study.ball is not None:
-        on_centre = study.ball.kinematics.fit is None
-        return _BALL.format(on="of the centre" if on_centre else "that carries the ball at x")
-    if not study.by_state:
-        return glossary(study.system, study.rolling is not None, study.letters)
-    meanings = [
-        f"{text(name)} {study.variables[str(name)][0]}"
-        for name in study.system.state
-        if str(name) in study.variables
-    ]
-    return f"The state: {'; '.join(meanings)}." if meanings else ""
-
-
-def drift(values: Any) -> float:
+def drift(values: Samples) -> float:
     """Largest |F(t) − F(0)|, relative to |F(0)|; absolute when F(0) = 0."""
     change = max(abs(float(v - values[0])) for v in values)
     size = abs(float(values[0]))
@@ -65,7 +42,7 @@ def summary(trajectory: Trajectory) -> dict[str, Any]:
     }
 
 
-def _plain(number: Any) -> float | str:
+def _plain(number: SupportsFloat) -> float | str:
     return float(number) if isinstance(number, (float, np.floating)) else str(number)
 
 

@@ -18,9 +18,9 @@ from ..experiment.study import Study, dataset_of
 from ..explicit.base.solution import Solution
 from ..flow.integrator import Trajectory
 from . import figures, page
-from .derivation import recorded_of, variables_of
-from .scenes.scene import ball_scene_of, scene_of, weight_of
-from .study_folder import begin, end
+from .stored_trajectory import read_trajectory, store_trajectory, trajectory_digest
+from .study_folder import TRAJECTORY, begin, end
+from .subject_figures import subject_figures
 
 __all__ = ["write_study"]
 
@@ -71,13 +71,13 @@ def write_study(
     # curves are drawn through more points than the file is to have
     pieces = -(-SMOOTH // (study.experiment.run.samples - 1))
     try:
-        trajectory = study.trajectory(report, pieces)
+        trajectory = _trajectory(study, folder / TRAJECTORY, pieces, report)
     except RunError as error:
         if isinstance(error, InterruptionError) or not isinstance(error.partial, Trajectory):
             raise
         trajectory, failure = error.partial, error
     smooth = dataset_of(study, trajectory, complete=failure is None)
-    plan = None if study.plan is None else plan_motion(study.plan, trajectory)
+    plan = None if study.subject.plan is None else plan_motion(study.subject.plan, trajectory)
     trajectory = trajectory.thinned(pieces)
     dataset = dataset_of(study, trajectory, complete=failure is None)
     # what is there is of this study, or may be replaced
@@ -87,7 +87,7 @@ def write_study(
     report.say("looking for a closed form")
     solution = solved_if_known(study)
     report.say("drawing")
-    pictures = _drawn(study, smooth, plan, solution)
+    pictures = _figures(study, smooth, plan, solution)
     for name, figure in pictures.items():
         for suffix in ("svg", "png"):
             figures.save(figure, folder / "figures" / f"{name}.{suffix}")
@@ -98,19 +98,23 @@ def write_study(
     return trajectory, failure
 
 
-def _drawn(
+def _trajectory(study: Study, path: Path, pieces: int, report: Report) -> Trajectory:
+    """The trajectory that an interrupted study has left, or else the motion integrated."""
+    key = trajectory_digest(study, pieces)
+    stored = read_trajectory(path, key, study)
+    if stored is not None:
+        report.say("resuming after the integration")
+        return stored
+    trajectory = study.trajectory(report, pieces)
+    store_trajectory(path, key, trajectory)
+    return trajectory
+
+
+def _figures(
     study: Study, smooth: xr.Dataset, plan: PlanMotion | None, solution: Solution | None
 ) -> dict[str, Figure]:
     """The figures of a study, by name."""
-    names = variables_of(study)
-    if study.ball is not None:
-        scene = ball_scene_of(study.ball)
-        pictures = figures.ball_figures(smooth, *scene, names, weight_of(study))
-    elif study.by_state:
-        drawn = {} if plan is None else {"plan_view": figures.plan_view(smooth, plan)}
-        pictures = drawn | figures.state_figures(smooth, names, recorded_of(study))
-    else:
-        pictures = figures.all_figures(smooth, scene_of(study), weight_of(study))
+    pictures = subject_figures(study.subject, smooth, plan)
     if solution is not None and solution.form.ovals:
         pictures["closed_form"] = figures.closed_form(study.system.title, solution.form)
         placed = diagram_if_known(study)

@@ -10,14 +10,14 @@ from pydantic import ValidationError
 
 from chaplygin.analysis.classification.facts import ProofBudget
 from chaplygin.errors import InputError
-from chaplygin.experiment.ball import setting, smooth_surface
+from chaplygin.experiment.ball import smooth_surface
 from chaplygin.experiment.file.ball_model import BallExperiment, moment
 from chaplygin.experiment.file.ball_tables import CylinderTable, RoundTable
 from chaplygin.experiment.file.models import RollingExperiment, catalogue_experiment, loads
-from chaplygin.experiment.file.tables import BallTable, BodyTable
+from chaplygin.experiment.file.shape_tables import BallTable
+from chaplygin.experiment.file.tables import BodyTable
 from chaplygin.experiment.study import dataset_of, prepare
 from chaplygin.proof.prover import prove
-from chaplygin.report.summary import legend
 from chaplygin.report.write import write_study
 from spread import spread
 from unheard import Unheard
@@ -93,7 +93,7 @@ def test_the_surface_of_the_centre_may_be_given():
     study = prepare(loads(text.replace("contact =", "centre =")))
     assert study.start[0] == 2.0
     assert "with its centre on a cylinder" in study.system.title
-    assert "the surface of the centre" in legend(study)
+    assert "the surface of the centre" in study.subject.legend
 
 
 def test_a_potential_acts_on_the_centre():
@@ -129,12 +129,12 @@ def test_a_negative_radius_is_the_inside():
 def test_the_setting_in_words():
     experiment = loads(BALL)
     study = prepare(experiment)
-    assert setting(experiment, study.ball) == (
+    assert study.subject.setting == (
         "Homogeneous ball inside a cylinder, without slipping; gravity 9.81 m/s²"
     )
     free = loads(BALL + '[contact]\nmodel = "rubber"\n[field]\ngravity = 0.0\n', "f.toml")
     assert prepare(free).system.title == "Homogeneous ball inside a cylinder, rubber contact"
-    assert setting(free, prepare(free).ball) == (
+    assert prepare(free).subject.setting == (
         "Homogeneous ball inside a cylinder, with neither slipping nor spinning; no gravity"
     )
 

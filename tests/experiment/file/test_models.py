@@ -8,14 +8,16 @@ from pydantic import ValidationError
 
 from chaplygin.errors import InputError
 from chaplygin.experiment.file.models import RollingExperiment, SystemExperiment, load, loads
-from chaplygin.experiment.file.tables import (
+from chaplygin.experiment.file.shape_tables import (
     BallTable,
-    BodyTable,
     EllipsoidTable,
-    FieldTable,
     ImplicitTable,
-    PlaneTable,
     RevolutionTable,
+)
+from chaplygin.experiment.file.tables import (
+    BodyTable,
+    FieldTable,
+    PlaneTable,
     SphereTable,
     StartTable,
 )

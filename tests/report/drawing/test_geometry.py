@@ -6,22 +6,16 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from chaplygin.report.drawing.geometry import (
+from chaplygin.report.drawing.curves import convex_hull, cut_by_plane, runs, smooth_curve
+from chaplygin.report.drawing.mesh import outline_from_contact, sphere_cap
+from chaplygin.report.drawing.shading import (
     PlaneGround,
     SphereGround,
-    View,
     cast_shadow,
-    convex_hull,
-    cut_by_plane,
-    outline_from_contact,
-    rotation_matrices,
-    runs,
     shaded,
-    smooth_curve,
-    sphere_cap,
     sphere_shades,
-    unit,
 )
+from chaplygin.report.drawing.view import View, rotation_matrices, unit
 
 VIEW = View(0.7, 0.4)
 

@@ -17,12 +17,9 @@ from matplotlib.text import Text
 from chaplygin.errors import InputError
 from chaplygin.report import figures
 from chaplygin.report.drawing.dataset_access import readable
-from chaplygin.report.drawing.geometry import (
-    PlaneGround,
-    SphereGround,
-    outline_from_contact,
-    rotation_matrices,
-)
+from chaplygin.report.drawing.mesh import outline_from_contact
+from chaplygin.report.drawing.shading import PlaneGround, SphereGround
+from chaplygin.report.drawing.view import rotation_matrices
 from chaplygin.report.figures.time_series import turning_angles
 from spread import spread
 

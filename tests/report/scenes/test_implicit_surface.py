@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from chaplygin.report.drawing.geometry import View
+from chaplygin.report.drawing.view import View
 from chaplygin.report.scenes.implicit_surface import SurfaceGround, crossings, frame_of
 from chaplygin.report.scenes.scene import ball_scene_of
 from mechanics.balls import POINTS, SURFACES, on

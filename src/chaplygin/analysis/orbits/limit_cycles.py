@@ -16,6 +16,7 @@ from typing import Any
 
 from flint import arb, ctx
 
+from ...core.parameters import require_parameters
 from ...core.system import System
 from ...errors import InputError
 from ...formulas.graph import Term, of_system, ordered
@@ -99,9 +100,7 @@ def _slope(system: System, parameters: Mapping[str, Any], angle: str, clock: str
     if sorted(names) != sorted((angle, clock)):
         raise InputError(f"{system.name}: its state must be {angle} and {clock}, not {names}")
     known = {str(p.symbol): p.default for p in system.parameters}
-    for name in parameters:
-        if name not in known:
-            raise InputError(f"{system.name}: no parameter {name}; it has {', '.join(known)}")
+    require_parameters(system.name, known, parameters)
     reader, rates = of_system(system)
     places = names.index(angle), names.index(clock)
     slope = rates[places[0]] / rates[places[1]]

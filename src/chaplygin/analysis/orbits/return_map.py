@@ -15,6 +15,7 @@ import numpy as np
 import sympy as sp
 
 from ...core.laws import Integral
+from ...core.parameters import require_parameters
 from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
@@ -51,10 +52,7 @@ def parameters_to_state(system: System, *names: str) -> System:
     g
     """
     known = {str(p.symbol): p for p in system.parameters}
-    for name in names:
-        if name not in known:
-            allowed = ", ".join(known) or "none"
-            raise InputError(f"{system.name}: no parameter {name}; it has {allowed}")
+    require_parameters(system.name, known, names)
     chosen = [known[name] for name in names]
     return replace(
         system,

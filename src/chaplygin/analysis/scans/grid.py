@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from ...core.admissible import conditions, satisfies
+from ...core.parameters import conditions, satisfies
 from ...core.system import System, flat
 from ...core.vectors import Vector, norm_squared, to_components
 from ...errors import InputError

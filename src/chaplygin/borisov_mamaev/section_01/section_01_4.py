@@ -8,7 +8,7 @@ from functools import cache
 import sympy as sp
 
 from ...catalogue.bodies.rubber_body import any_rubber_body, general_on_sphere
-from ...catalogue.fixed_point.veselova import spinning_general
+from ...catalogue.fixed_point.veselova_spinning import spinning_general
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Rate
 from ...core.system import Parameter, System

@@ -24,7 +24,7 @@ from ...catalogue.bodies.rubber_profile import (
     from_support,
     n,
 )
-from ...catalogue.fixed_point.veselova import spinning_general
+from ...catalogue.fixed_point.veselova_spinning import spinning_general
 from ...core.laws import Identity, Integral, Rate, Reduction, Symmetry
 from ...core.system import Parameter, System
 from ...core.vectors import (

@@ -7,7 +7,7 @@ from functools import cache
 import sympy as sp
 
 from ...catalogue.angles import theta
-from ...catalogue.fixed_point import veselova as catalogue
+from ...catalogue.fixed_point import veselova as catalogue, veselova_spinning
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Integral, Measure, Rate
 from ...core.system import System
@@ -144,10 +144,10 @@ def separated() -> Case:
 
 def generalised() -> Case:
     """Three integrals and a measure for any (ω, γ) = d."""
-    system = catalogue.spinning(catalogue.NUMBERS)
+    system = veselova_spinning.spinning(catalogue.NUMBERS)
     return (
-        (system, catalogue.spin()),
-        (system, catalogue.energy_of_spinning(catalogue.FREE)),
+        (system, veselova_spinning.spin()),
+        (system, veselova_spinning.energy_of_spinning(catalogue.FREE)),
         (system, catalogue.momentum()),
         (system, catalogue.measure()),
     )

@@ -20,9 +20,8 @@ of every motion.  ω follows from n, ṅ by (8.4): its components are ω_i = n_j
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import Identity, Law
 from ...core.system import Parameter, System
@@ -110,14 +109,14 @@ def _square(i: int) -> sp.Expr:
     return (u[0] - a) * (u[1] - a) / (a**2 * (tau - a) * sp.Mul(*others))
 
 
-def _turn(which: int) -> Any:
+def _turn(which: int) -> MatrixExpr:
     """q_i for a unit rate of one coordinate z: r_i = S e₃ (A_j − A_k) q_i / (2 u₁u₂ p(z))."""
     z = u[which]
     middle = z**2 + _share - cubic(z) * sp.diff(_sum(), z) / S
     return constant([-z * a**2 + a * middle - z * _share for a in A.symbols])
 
 
-def _spun(turn: Vector) -> Any:
+def _spun(turn: Vector) -> MatrixExpr:
     """e₃ (A_j − A_k) q_i."""
     differences = [A.symbols[j] - A.symbols[k] for _, j, k in _CYCLE]
     return E_3 * constant([x * q for x, q in zip(differences, turn, strict=True)])
@@ -254,14 +253,14 @@ def of_ball() -> Identity:
         a**2 * (j - d) * x**2 for a, j, x in zip(A.symbols, J.symbols, ball.n.symbols, strict=True)
     ]
     root = real_symbol("D")
-    found = [
+    solutions = [
         names[2] * (u[0] - a) * (u[1] - a) - w * sp.Mul(*(a - b for b in A.symbols if b != a))
         for a, w in zip(A.symbols, weights, strict=True)
     ]
     area = sp.Mul(*J.symbols) * ball.rho_2
     return Identity(
         "coordinates",
-        (*found, names[2] * scale(u[0]) * scale(u[1]) - E_3**2 * area),
+        (*solutions, names[2] * scale(u[0]) * scale(u[1]) - E_3**2 * area),
         "n in the coordinates, and det I_Q",
         {
             names[2]: sp.Add(*weights),

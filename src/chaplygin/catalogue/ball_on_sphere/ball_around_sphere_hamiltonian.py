@@ -10,9 +10,9 @@ axes; J and d as in (8.1).
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral
@@ -49,20 +49,20 @@ SUMMARY = (
 SOURCE = "§8.2, (8.7)"
 
 
-def _doubled() -> Any:
+def _twice_A() -> MatrixExpr:
     """Ā = 2A = tr J − 2J."""
     return sp.Add(*J.symbols) * identity - 2 * J
 
 
 def delta(power: int = 2) -> sp.Expr:
     """δ = (γ, JĀ²γ) − d(γ, Āγ)²; the source prints the first Ā with the power 1."""
-    tensor = _doubled()
+    tensor = _twice_A()
     return dot(Gamma, J * tensor**power * Gamma) - d * dot(Gamma, tensor * Gamma) ** 2
 
 
 def _sums() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """ρ² = 1 − d(γ, J⁻¹γ), (γ, Bγ) and det J."""
-    tensor = _doubled()
+    tensor = _twice_A()
     form = (dot(Gamma, J * tensor * Gamma) - d * dot(Gamma, tensor * Gamma)) / 2
     return 1 - d * dot(Gamma, J**-1 * Gamma), form, sp.Mul(*J.symbols)
 
@@ -87,11 +87,11 @@ def energy(difference: sp.Expr) -> sp.Expr:
 def second(difference: sp.Expr) -> sp.Expr:
     """F₂ of (8.7) as printed, with δ given; det J times it is the ball's M²."""
     rho_2, form, _ = _sums()
-    tensor = _doubled()
+    tensor = _twice_A()
     drawn = dot(Gamma, J * tensor * Gamma) * dot(Gamma, tensor * Gamma)
-    rest = 2 * d * drawn - dot(Gamma, J * (J + d * identity) * tensor**2 * Gamma)
+    remainder = 2 * d * drawn - dot(Gamma, J * (J + d * identity) * tensor**2 * Gamma)
     terms = [
-        _spread(i) * (difference * (moment + d) + rest) * momentum**2
+        _spread(i) * (difference * (moment + d) + remainder) * momentum**2
         for i, (moment, momentum) in enumerate(zip(J.symbols, M.symbols, strict=True))
     ]
     return to_components(
@@ -131,9 +131,9 @@ def reduced(hamiltonian: sp.Expr, integral: sp.Expr, p: Numbers) -> System:
     )
 
 
-def _tensors() -> tuple[Any, Any, sp.Expr]:
+def _tensors() -> tuple[MatrixExpr, MatrixExpr, sp.Expr]:
     """AΓ, BΓ and det I_Q at n = Γ."""
-    lever = sp.Rational(1, 2) * _doubled() * Gamma
+    lever = sp.Rational(1, 2) * _twice_A() * Gamma
     drawn = J * lever - d * dot(Gamma, lever) * Gamma
     det = sp.Mul(*J.symbols) * (1 - d * dot(Gamma, J**-1 * Gamma))
     return lever, drawn, det
@@ -145,14 +145,14 @@ def slowness() -> sp.Expr:
     return 2 * dot(lever, drawn) / dot(Gamma, drawn) * sp.sqrt(det)
 
 
-def momentum() -> Any:
+def momentum() -> MatrixExpr:
     """The ball's momentum about the contact point, in the variables of e(3)."""
     lever, drawn, _ = _tensors()
     turning = -slowness() * M
     return turning - dot(turning, lever) / dot(lever, drawn) * drawn
 
 
-def velocity() -> Any:
+def velocity() -> MatrixExpr:
     """The ball's angular velocity, in the variables of e(3)."""
     total = momentum()
     square = 1 - d * dot(Gamma, J**-1 * Gamma)
@@ -175,9 +175,9 @@ def to_ball() -> Isomorphism:
 
 def build(p: Numbers) -> System:
     """(8.7), with F₂ = M²."""
-    made = reduced(energy(delta()), sp.Mul(*J.symbols) * second(delta()), p)
+    system = reduced(energy(delta()), sp.Mul(*J.symbols) * second(delta()), p)
     forward = Guard("time", slowness(), "the time of the ball stands still")
-    return replace(made, guards=(forward,)).with_laws(to_ball())
+    return replace(system, guards=(forward,)).with_laws(to_ball())
 
 
 _DEFAULTS = {"J_1": 2.0, "J_2": 2.5, "J_3": 3.1, "d": 1.0}

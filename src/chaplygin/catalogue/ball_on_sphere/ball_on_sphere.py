@@ -52,7 +52,7 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
         return ()
     rotors = any(rolling.body.gyrostat)
     total = M + k_rotors if rotors else M + zero
-    found: list[Law] = [
+    known: list[Law] = [
         Integral(
             "momentum",
             norm_squared(total),
@@ -68,14 +68,14 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
         ),
     ]
     if abs(value + 1) < 1e-12 and rolling.body.principal and not rotors:
-        found.append(
+        known.append(
             replace(
                 _linear(m * R**2),
                 as_printed=_linear(sp.S.Zero),
                 misprint="A is made of I instead of J = I + mR²",
             )
         )
-    return tuple(found)
+    return tuple(known)
 
 
 def _linear(shift: sp.Expr) -> Integral:

@@ -8,9 +8,8 @@ sphere (negative inside) k = a/(a + R) for a ball, and k = a/(a − R) for a hol
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import Integral, Measure
 from ...core.system import Parameter, System
@@ -47,12 +46,12 @@ _SOURCE = "§8.1, (8.1)"
 _SUMMARY = "A balanced, dynamically asymmetric ball rolls without slipping on a fixed sphere."
 
 
-def drawn(vector: Any) -> Any:
+def drawn(vector: MatrixExpr) -> MatrixExpr:
     """I_Q u = J u − d n (n, u) for a vector u: from angular velocity to momentum."""
     return J * vector - d * dot(n, vector) * n
 
 
-def _solved(vector: Any) -> Any:
+def _velocity(vector: MatrixExpr) -> MatrixExpr:
     """The inverse of I_Q applied to a vector, on |n| = 1."""
     return J**-1 * vector + (d / rho_2) * dot(n, J**-1 * vector) * J**-1 * n
 
@@ -68,7 +67,7 @@ def equations_on_sphere() -> System:
         summary=_SUMMARY,
         source=_SOURCE,
         parameters=(*_inertia, _d, _k),
-        definitions=(*_TENSORS, (omega, _solved(M))),
+        definitions=(*_TENSORS, (omega, _velocity(M))),
         field={M: cross(M, omega), n: k * cross(n, omega)},
         relations=(norm_squared(n) - 1,),
         laws=(
@@ -111,7 +110,7 @@ def equations_in_omega() -> System:
             (M, drawn(omega)),
             (ndot, k * cross(n, omega)),
             # the rate of I_Q is −d (ṅ⊗n + n⊗ṅ), and (ṅ, ω) = 0
-            (omegadot, _solved(cross(M, omega) + d * dot(n, omega) * ndot)),
+            (omegadot, _velocity(cross(M, omega) + d * dot(n, omega) * ndot)),
         ),
         field={omega: omegadot, n: ndot},
         relations=(norm_squared(n) - 1,),
@@ -137,7 +136,7 @@ def vanishing_area() -> System:
         definitions=(
             (J, sp.Add(*A.symbols) * identity - A),
             (rho_2, 1 - d * dot(n, J**-1 * n)),
-            (omega, _solved(M)),
+            (omega, _velocity(M)),
         ),
         field={M: cross(M, omega), n: cross(omega, n)},
         relations=(norm_squared(n) - 1, dot(A * M, n)),

@@ -72,9 +72,11 @@ ENTRIES = (
     Entry(
         name="chaplygin-ball-gyrostat-bruns",
         title="Chaplygin ball with rotors in Bruns' field",
-        summary="A Chaplygin ball that carries rotors and moves in the potential U = ½K(γ, Iγ): "
-        "still conformally Hamiltonian, but the square of the momentum has no counterpart that is "
-        "known, so that energy and area integral stand alone.",
+        summary=(
+            "A Chaplygin ball that carries rotors and moves in the potential U = ½K(γ, Iγ): the "
+            "system is still conformally Hamiltonian, but no counterpart of the momentum integral "
+            "is known, so that only the energy and area integrals remain."
+        ),
         source=SOURCE,
         defaults={
             **_INERTIA,
@@ -91,9 +93,11 @@ ENTRIES = (
     Entry(
         name="ball-around-sphere-bruns",
         title="Hollow ball around a sphere in Bruns' field",
-        summary="The hollow ball that rolls around a sphere, in the potential U = ½K(γ, Iγ): the "
-        "field changes the momentum integral as it does on a plane, and leaves the linear integral "
-        "of the case k = −1; at its value zero the equations separate.",
+        summary=(
+            "The hollow ball that rolls around a sphere, in the potential U = ½K(γ, Iγ): the "
+            "momentum integral changes as it does on a plane, and for k = −1 the linear integral "
+            "is preserved; where it is zero the equations separate."
+        ),
         source=SOURCE,
         defaults={**_INERTIA, "R": 2.0, "a": 1.0, "K": 0.5},
         build=around,

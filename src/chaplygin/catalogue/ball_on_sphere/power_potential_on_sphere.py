@@ -73,8 +73,8 @@ def parameters(p: Mapping[str, float]) -> tuple[Parameter, ...]:
 
 def moving(p: Mapping[str, float] = DEFAULTS) -> System:
     """State M, γ with (M, γ) = 0; M = γ×γ′ up to sign."""
-    made = on_e3(HAMILTONIAN, parameters(p), source="(9.17)")
-    return replace(made, name=NAME, title=TITLE, summary=SUMMARY, source=SOURCE)
+    system = on_e3(HAMILTONIAN, parameters(p), source="(9.17)")
+    return replace(system, name=NAME, title=TITLE, summary=SUMMARY, source=SOURCE)
 
 
 def build(p: Numbers) -> System:

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
@@ -125,7 +124,7 @@ def on_e3(
     )
 
 
-def hamiltonian_form(p: Mapping[str, Any] = DEFAULTS) -> System:
+def hamiltonian_form(p: Numbers = DEFAULTS) -> System:
     """The system of (9.14); state M, γ with (M, γ) = 0."""
     return on_e3(STIFFNESS * KINETIC, parameters(p))
 

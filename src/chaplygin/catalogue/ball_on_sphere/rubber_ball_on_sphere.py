@@ -61,20 +61,20 @@ def as_family() -> Isomorphism:
 
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     """The measure (9.3); for a free ball the family (9.2), and (9.4) for k = −1."""
-    found: tuple[Law, ...] = measure(rolling, system)
+    known: tuple[Law, ...] = measure(rolling, system)
     value = ball_on_sphere.ratio(rolling)
     body = rolling.body
     if value is None or rolling.contact != "rubber" or any(body.gyrostat) or not body.principal:
-        return found
-    found = (*found, as_family())
+        return known
+    known = (*known, as_family())
     if abs(value + 1) > 1e-12:
-        return found
+        return known
     J_1, J_2, J_3 = J.symbols
     spread = J_1 * J_2 * J_3 * dot(omega, J * omega) * norm_squared(A * gamma)
     integral = (norm_squared(J * omega) + spread) / RHO_SQUARED
     meaning = "quadratic integral of the case k = −1"
     return (
-        *found,
+        *known,
         Integral("quadratic", integral, meaning, on=(k + 1,), source="(9.4)", unit="kg^2 m^4/s^2"),
     )
 
@@ -84,8 +84,8 @@ def unspecified() -> System:
     potential = sp.Function("U")(*gamma.symbols)
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0), gyrostat=(0.3, -0.2, 0.5))
     rolling = Rolling(body, Sphere(2.0), "rubber", Forces(0.0, potential))
-    made = rolling.system("rubber-ball-on-sphere", "Rubber ball on a sphere")
-    return made.with_laws(*measure(rolling, made))
+    system = rolling.system("rubber-ball-on-sphere", "Rubber ball on a sphere")
+    return system.with_laws(*measure(rolling, system))
 
 
 _START = Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=60.0)

@@ -49,7 +49,7 @@ RHO_SQUARED = dot(n, A * n)
 NAME, TITLE = "rubber-ball-of-ratio", "Rubber ball on a sphere, by its ratio k"
 SUMMARY = (
     "A balanced, dynamically asymmetric ball rolls with neither slipping nor spinning on a sphere: "
-    "the family of its equations in k = a/(a + b) and J = I + mb²."
+    "its equations as a family with the parameters k = a/(a + b) and J = I + mb²."
 )
 SOURCE = "§9, (9.2)–(9.4), (9.11)–(9.14)"
 

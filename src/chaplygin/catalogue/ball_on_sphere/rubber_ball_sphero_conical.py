@@ -232,13 +232,13 @@ def build(p: Numbers) -> System:
         raise InputError("J_1, J_2, J_3: sphero-conical coordinates need J_1 < J_2 < J_3")
     if p["k"] == 0:
         raise InputError("k 0.0: the ratio of the radii must not be zero")
-    made = canonical_form().with_laws(to_ball(1 / N))
+    system = canonical_form().with_laws(to_ball(1 / N))
     guard = Guard(
         "octant",
         -cubic(xi) * cubic(eta),
         "the normal reaches a plane of symmetry, where the coordinates end",
     )
-    return replace(made, parameters=rubber_ball_on_e3.parameters(p), guards=(guard,))
+    return replace(system, parameters=rubber_ball_on_e3.parameters(p), guards=(guard,))
 
 
 ENTRIES = (

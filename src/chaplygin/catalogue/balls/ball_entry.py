@@ -54,8 +54,10 @@ def ball_entry(
     """
 
     def build(numbers: Numbers) -> System:
-        made = ball(numbers)
-        system = made.system(name, title).with_laws(*known_ball_laws(made), *further(made))
+        rolling_ball = ball(numbers)
+        system = rolling_ball.system(name, title).with_laws(
+            *known_ball_laws(rolling_ball), *further(rolling_ball)
+        )
         return replace(system, source=source, summary=summary)
 
     return Entry(

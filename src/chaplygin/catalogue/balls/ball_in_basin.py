@@ -83,8 +83,10 @@ ENTRIES = (
     ball_entry(
         name="marble-ball-in-basin",
         title="Marble ball in a basin",
-        summary="A heavy homogeneous ball rolls without slipping in a flat-bottomed basin, which "
-        "carries it; the state is its contact point.",
+        summary=(
+            "A heavy homogeneous ball rolls without slipping in a flat-bottomed basin; its "
+            "position is given by the contact point."
+        ),
         defaults=_DEFAULTS,
         ball=_basin,
         start={"x": (2.0, 0.0, 1.0), "omega": (1.0, 6.0, 5.0)},
@@ -95,8 +97,10 @@ ENTRIES = (
     ball_entry(
         name="rubber-ball-in-basin",
         title="Rubber ball in a basin",
-        summary="A heavy homogeneous ball rolls with neither slipping nor spinning in a "
-        "flat-bottomed basin, which carries it; the state is its contact point.",
+        summary=(
+            "A heavy homogeneous ball rolls with neither slipping nor spinning in a flat-bottomed "
+            "basin; its position is given by the contact point."
+        ),
         defaults=_DEFAULTS,
         ball=_rubber_basin,
         start={"x": (2.0, 0.0, 1.0), "omega": (3.0, 3.0, 6.0)},

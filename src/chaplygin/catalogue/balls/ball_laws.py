@@ -8,8 +8,6 @@ force, m̃ v̇ = F + λn + (μ/b) σ n×ṅ, which does no work and leaves (v, A
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
 
 from ...core.laws import Identity, Integral, Law, Rate, Reduction
@@ -60,7 +58,7 @@ def _upright(ball: RollingBall) -> bool:
     return not ball.gravity or not any(across)
 
 
-def _round(ball: RollingBall) -> tuple[sp.Expr, ...] | None:
+def _axis_of_revolution(ball: RollingBall) -> tuple[sp.Expr, ...] | None:
     """What must vanish for nothing to change by turns about the axis; None if it does change."""
     if not _upright(ball):
         return None
@@ -86,7 +84,7 @@ def _marble(ball: RollingBall) -> tuple[Law, ...]:
             return (_rotation(ball),)
         case Cone() if _upright(ball):
             return (_rotation(ball), _ray(ball))
-        case Paraboloid() if _round(ball) and ball.carrier == "centre":
+        case Paraboloid() if _axis_of_revolution(ball) and ball.carrier == "centre":
             return (*_revolution(ball), *_paraboloid_of_revolution(ball))
         case Ring() | EllipsoidSurface() | Paraboloid():
             return _revolution(ball)
@@ -166,7 +164,7 @@ def _ray(ball: RollingBall) -> Integral:
 
 def _revolution(ball: RollingBall) -> tuple[Law, ...]:
     """The linear equations of ω₃ and σ along the meridian."""
-    level = _round(ball)
+    level = _axis_of_revolution(ball)
     return () if level is None else (meridian_law(ball.surface.axis, level),)
 
 
@@ -254,9 +252,9 @@ def _quadrics(ball: RollingBall) -> tuple[Law, ...]:
 
 def _rubber_revolution(ball: RollingBall) -> tuple[Law, ...]:
     """The areal velocity of a particle on a surface of revolution."""
-    level = _round(ball)
+    level = _axis_of_revolution(ball)
     if level is None:
         return ()
-    value: Any = dot(cross(R, v), unit_vector(_third(ball) + 1))
+    value: sp.Expr = dot(cross(R, v), unit_vector(_third(ball) + 1))
     meaning = "areal velocity about the axis"
     return (Integral("area", value, meaning, on=level, source="Clairaut 1733", unit="m^2/s"),)

@@ -11,7 +11,6 @@ On a plane, where ṅ = 0, this is Proposition 2.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
@@ -74,7 +73,7 @@ def _particle_on(
     surface: sp.Expr,
     force: MatrixExpr,
     push: MatrixExpr,
-    further: dict[Any, Any],
+    further: dict[sp.Expr, sp.Expr],
     parameters: tuple[Parameter, ...],
 ) -> System:
     bent = constant(sp.hessian(surface, R.symbols)) * v
@@ -138,7 +137,7 @@ def _turning() -> Identity:
     )
 
 
-def _common(kinematics: Kinematics, density: dict[Any, Any]) -> tuple[Law, ...]:
+def _common(kinematics: Kinematics, density: dict[sp.Expr, sp.Expr]) -> tuple[Law, ...]:
     energy = half * m * norm_squared(v) + half * mu * norm_squared(omega) + POTENTIAL
     volume = "area of the surface times volume of ω, on every surface and in every potential"
     stays = "the ball stays on its surface"
@@ -149,16 +148,16 @@ def _common(kinematics: Kinematics, density: dict[Any, Any]) -> tuple[Law, ...]:
     )
 
 
-def _made(contact: Contact, kinematics: Kinematics) -> System:
+def _system(contact: Contact, kinematics: Kinematics) -> System:
     force = -gradient(POTENTIAL, R)
-    made = equations_of_motion(contact, kinematics, force, NUMBERS)
-    return replace(made, motion=None)
+    system = equations_of_motion(contact, kinematics, force, NUMBERS)
+    return replace(system, motion=None)
 
 
-def _derived(contact: Contact) -> System:
+def _derived_system(contact: Contact) -> System:
     """The equations that follow from Lagrangian, frame and constraints alone."""
-    made = equations(ball_mechanism(contact, SURFACE, POTENTIAL, NUMBERS))
-    return replace(made, laws=(), motion=None)
+    system = equations(ball_mechanism(contact, SURFACE, POTENTIAL, NUMBERS))
+    return replace(system, laws=(), motion=None)
 
 
 def _first_principles(target: System) -> Isomorphism:
@@ -190,10 +189,10 @@ def tangential(system: System) -> System:
 def any_marble() -> System:
     """A marble ball whose centre moves on any surface, in any potential."""
     kinematics = centre_surface(SURFACE)
-    return _made("marble", kinematics).with_laws(
+    return _system("marble", kinematics).with_laws(
         *_common(kinematics, {ell: 1}),
         balance("marble"),
-        _first_principles(_derived("marble")),
+        _first_principles(_derived_system("marble")),
         Identity(
             "spin",
             Rate(sigma) - dot(omega, ndot),
@@ -216,10 +215,10 @@ def any_rubber() -> System:
     """A rubber ball whose centre moves on any surface, in any potential."""
     kinematics = centre_surface(SURFACE)
     density = {ell: 2, df.symbols[2]: -1}
-    return tangential(_made("rubber", kinematics)).with_laws(
+    return tangential(_system("rubber", kinematics)).with_laws(
         *_common(kinematics, density),
         balance("rubber"),
-        _first_principles(tangential(_derived("rubber"))),
+        _first_principles(tangential(_derived_system("rubber"))),
         Isomorphism(
             "particle",
             particle(SURFACE, -gradient(POTENTIAL, R)),
@@ -235,7 +234,7 @@ def any_rubber() -> System:
 def any_supported_marble() -> System:
     """A marble ball on any supporting surface, in any potential."""
     kinematics = supporting_surface(SUPPORT)
-    return _made("marble", kinematics).with_laws(
+    return _system("marble", kinematics).with_laws(
         *_common(kinematics, {ell: 1, Delta: 1}), _turning()
     )
 
@@ -244,6 +243,6 @@ def any_supported_rubber() -> System:
     """A rubber ball on any supporting surface, in any potential."""
     kinematics = supporting_surface(SUPPORT)
     density = {ell: 2, Delta: 1, df.symbols[2]: -1}
-    return tangential(_made("rubber", kinematics)).with_laws(
+    return tangential(_system("rubber", kinematics)).with_laws(
         *_common(kinematics, density), _turning()
     )

@@ -46,7 +46,7 @@ def any_cone() -> System:
     first, second, third = R.symbols
     shape = first * sp.Function("h")(second / first)
     central = sp.Function("U")(to_components(norm_squared(R)))
-    made = equations_of_motion(
+    system = equations_of_motion(
         "marble",
         centre_surface(third - shape),
         -gradient(central, R),
@@ -54,12 +54,12 @@ def any_cone() -> System:
         name="marble-ball-on-any-cone",
         title="Marble ball on any cone",
     )
-    field = dict(made.field)
+    field = dict(system.field)
     speed_1, speed_2, _ = v.symbols
     on_cone = replace(
-        made,
+        system,
         field={first: speed_1, second: speed_2, omega: field[omega]},
-        definitions=((third, shape), *made.definitions),
+        definitions=((third, shape), *system.definitions),
         motion=None,
     )
     return on_cone.with_laws(

@@ -45,7 +45,7 @@ def any_cylinder() -> System:
     """A heavy marble ball in an upright pipe of any cross-section f(R₁, R₂) = const."""
     first, second, _ = R.symbols
     weight = Parameter(g, "acceleration of gravity", 9.81, "m/s^2")
-    made = equations_of_motion(
+    system = equations_of_motion(
         "marble",
         centre_surface(sp.Function("f")(first, second)),
         -m * g * unit_vector(3),
@@ -60,7 +60,7 @@ def any_cylinder() -> System:
         source=ROLLING,
         unit="rad/s",
     )
-    return replace(made, motion=None).with_laws(rotation)
+    return replace(system, motion=None).with_laws(rotation)
 
 
 _DEFAULTS = {"m": 1.0, "mu": 0.064, "b": 0.4, "a": 2.0, "g": 9.81}

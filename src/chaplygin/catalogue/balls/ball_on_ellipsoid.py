@@ -78,7 +78,7 @@ def any_quadric() -> System:
     """A marble ball whose centre moves on any quadric (R, AR) = const, with A of any signs."""
     form = to_components(dot(R, A * R)) / 2
     entries = tuple(Parameter(s, f"coefficient {s}", 1.0) for s in A.symbols)
-    made = equations_of_motion(
+    system = equations_of_motion(
         "marble",
         centre_surface(form),
         -gradient(SPRING, R),
@@ -86,7 +86,7 @@ def any_quadric() -> System:
         name="marble-ball-on-any-quadric",
         title="Marble ball on any quadric",
     )
-    return replace(made, motion=None).with_laws(
+    return replace(system, motion=None).with_laws(
         Integral(
             "quadratic",
             ell**2 * (dot(v, A * v) - 2 * kappa / mtilde * form),
@@ -102,8 +102,10 @@ ENTRIES = (
     ball_entry(
         name="marble-ball-on-ellipsoid",
         title="Marble ball in an ellipsoid",
-        summary="A homogeneous ball rolls without slipping; its centre moves on an ellipsoid and "
-        "is drawn to the middle by a spring.",
+        summary=(
+            "A homogeneous ball rolls without slipping; its centre moves on an ellipsoid and is "
+            "pulled towards the centre of the ellipsoid by a spring."
+        ),
         defaults=_DEFAULTS,
         ball=_ball,
         start={"R": (1.8, 0.0, 1.6), "omega": (1.0, 5.0, -3.0)},
@@ -114,8 +116,11 @@ ENTRIES = (
     ball_entry(
         name="rubber-ball-on-ellipsoid",
         title="Rubber ball in an ellipsoid",
-        summary="A homogeneous ball rolls with neither slipping nor spinning; its centre moves on "
-        "an ellipsoid like a particle drawn to the middle by a spring (Jacobi's problem).",
+        summary=(
+            "A homogeneous ball rolls with neither slipping nor spinning; its centre moves on an "
+            "ellipsoid like a particle that a spring pulls towards the centre of the ellipsoid "
+            "(Jacobi's problem)."
+        ),
         defaults=_DEFAULTS,
         ball=_rubber_ball,
         start={"R": (1.8, 0.0, 1.6), "omega": (2.0, 5.0, -1.0)},

@@ -44,7 +44,7 @@ def any_revolution() -> System:
     first, second, third = R.symbols
     profile = sp.Function("h")(first**2 + second**2)
     weight = Parameter(g, "acceleration of gravity", 9.81, "m/s^2")
-    made = equations_of_motion(
+    system = equations_of_motion(
         "marble",
         centre_surface(third - profile),
         -m * g * unit_vector(3),
@@ -52,7 +52,7 @@ def any_revolution() -> System:
         name="marble-ball-on-any-surface-of-revolution",
         title="Marble ball on any surface of revolution",
     )
-    return replace(made, motion=None).with_laws(meridian_law())
+    return replace(system, motion=None).with_laws(meridian_law())
 
 
 _DEFAULTS = {"m": 1.0, "mu": 0.036, "b": 0.3, "a": 3.0, "c": 1.0, "g": 9.81}

@@ -13,9 +13,9 @@ N₀ = μ(ω, ṅ)/b.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law
@@ -69,11 +69,11 @@ def laws() -> tuple[Law, ...]:
     )
 
 
-def any_graph(force: Any = FORCE) -> System:
+def any_graph(force: MatrixExpr = FORCE) -> System:
     """The ball over any surface z = f(x, y), with ω₃ = (∂f/∂x) ω₁ + (∂f/∂y) ω₂ as a definition."""
     numbers = ball_parameters(1.0, 0.4, 1.0)
-    made = equations_of_motion("rubber", centre_surface(GRAPH), force, numbers, NAME, TITLE)
-    return tangential(replace(made, motion=None))
+    system = equations_of_motion("rubber", centre_surface(GRAPH), force, numbers, NAME, TITLE)
+    return tangential(replace(system, motion=None))
 
 
 def general() -> System:

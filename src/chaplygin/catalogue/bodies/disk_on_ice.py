@@ -126,8 +126,8 @@ def in_space(velocity: MatrixExpr) -> Reconstruction:
 TITLE = "Disk on smooth ice"
 SUMMARY = (
     "A heavy disk whose sharp edge glides on ice: the velocity of the contact point is parallel to "
-    "the horizontal diameter, and the disk may turn about its axis freely; integrable by "
-    "quadratures."
+    "the horizontal diameter, and the disk may turn about its axis freely; the motion is "
+    "integrable by quadratures."
 )
 
 #: d(ω, ξ)/dt, from the equation of moments about ξ.

@@ -19,10 +19,13 @@ ENTRIES = (
     Entry(
         name="rattleback",
         title="Rattleback",
-        summary="A heavy ellipsoid whose axes of curvature are turned against its principal axes "
-        "of inertia rolls on a horizontal plane without slipping; spun one way, it stops, rattles "
-        "and turns back. Besides the energy and γ² = 1 no law is known, and the divergence of the "
-        "equations at a steady spin excludes an invariant measure that is smooth there.",
+        summary=(
+            "A heavy ellipsoid whose axes of curvature are turned against its principal axes of "
+            "inertia rolls on a horizontal plane without slipping; spun one way, it stops, rattles "
+            "and turns back. Besides the energy and γ² = 1 no law is known, and the divergence of "
+            "the vector field at a steady rotation rules out an invariant measure that is smooth "
+            "there."
+        ),
         source="§1.3, (1.17) with λ₀ = 0; §3.2",
         # the stone of Kane and Levinson (1982), referred to its principal axes of inertia
         defaults={

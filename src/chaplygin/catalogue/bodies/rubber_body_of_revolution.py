@@ -81,14 +81,14 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     if isinstance(body.shape, Ball):
         reach = body.shape.offset - R * gamma
         height = dot(body.shape.offset, gamma) - R
-    found: tuple[Law, ...] = (
+    known: tuple[Law, ...] = (
         spin(height, level),
         quadratures(system, reach, height, level),
     )
     if isinstance(body.shape, (Ball, Disk)):
         # for other shapes these are proven once for all, in `general`: one by one it takes minutes
-        found += (rotation(level), measure(reach, height, level))
-    return found
+        known += (rotation(level), measure(reach, height, level))
+    return known
 
 
 # --- laws ----------------------------------------------------------------------------------
@@ -174,13 +174,13 @@ def unspecified(potential: sp.Expr = POTENTIAL) -> System:
 
 
 def _with_all_laws(chi: tuple[sp.Expr, sp.Expr], potential: sp.Expr = POTENTIAL) -> System:
-    made = profile_system(chi, potential)
+    system = profile_system(chi, potential)
     reach, height = r + 0 * gamma, dot(r, gamma)
-    return made.with_laws(
+    return system.with_laws(
         spin(height, ()),
         rotation(),
         measure(reach, height),
-        quadratures(made, reach, height, ()),
+        quadratures(system, reach, height, ()),
     )
 
 
@@ -188,15 +188,15 @@ def rolled(gravity: float = 0.0) -> System:
     """The same, as the mechanics of any rolling body gives it; its I_2 is a symbol of its own."""
     body = Body(1.0, (0.3, 0.3, 0.2), Revolution(1 + g_3**2 / 4))
     field = Forces(gravity, POTENTIAL)
-    made = Rolling(body, contact="rubber", field=field).system("rubber-body-of-revolution")
+    system = Rolling(body, contact="rubber", field=field).system("rubber-body-of-revolution")
     profile = {
         real_symbol("p"): HEIGHT,
         real_symbol("pprime"): HEIGHT.diff(g_3),
         real_symbol("pprime2"): HEIGHT.diff(g_3, 2),
     }
     return replace(
-        made,
-        definitions=tuple((name, profile.get(name, value)) for name, value in made.definitions),
+        system,
+        definitions=tuple((name, profile.get(name, value)) for name, value in system.definitions),
     )
 
 

@@ -66,7 +66,7 @@ ADDED = 1 + m * dot(b, A * b)
 KINETIC = HALF * (dot(M, A * M) - m * dot(b, A * M) ** 2 / ADDED)
 
 
-def _along(vector: MatrixExpr, velocity: MatrixExpr) -> MatrixExpr:
+def _derivative_along(vector: MatrixExpr, velocity: MatrixExpr) -> MatrixExpr:
     """The rate of a function of γ for a rate of γ."""
     pairs = list(zip(gamma.symbols, to_components(velocity), strict=True))
     return constant([sp.Add(*(sp.diff(c, s) * u for s, u in pairs)) for c in to_components(vector)])
@@ -124,7 +124,7 @@ def sliding(
             h: height,
             b: lever,
             omega: A * M - m * dot(b, A * M) / ADDED * (A * b),
-            bdot: _along(lever, cross(gamma, omega)),
+            bdot: _derivative_along(lever, cross(gamma, omega)),
             X: cross(inertia * omega, omega),
             N: m * (g + dot(b, A * X) + dot(omega, bdot)) / ADDED,
         },

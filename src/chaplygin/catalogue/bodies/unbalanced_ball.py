@@ -57,8 +57,10 @@ ENTRIES = (
     Entry(
         name="unbalanced-ball",
         title="Unbalanced ball",
-        summary="A dynamically asymmetric ball whose centre of mass is away from its centre rolls "
-        "on a horizontal plane without slipping, in the absence of gravity.",
+        summary=(
+            "A dynamically asymmetric ball whose centre of mass is not at its geometric centre "
+            "rolls on a horizontal plane without slipping, in the absence of gravity."
+        ),
         source="§10.1, (10.1)–(10.3)",
         defaults=_DEFAULTS,
         build=build,
@@ -68,9 +70,11 @@ ENTRIES = (
     Entry(
         name="unbalanced-ball-on-sphere",
         title="Unbalanced ball on a sphere",
-        summary="A dynamically asymmetric ball whose centre of mass is away from its centre rolls "
-        "without slipping on a fixed sphere of radius a, outside (a > 0) or inside (a < 0, "
-        "|a| > R).",
+        summary=(
+            "A dynamically asymmetric ball whose centre of mass is not at its geometric centre "
+            "rolls without slipping on a fixed sphere of radius a, outside (a > 0) or inside (a < "
+            "0, |a| > R)."
+        ),
         source="§10.1, after (10.3)",
         defaults={**_DEFAULTS, "a": 2.0},
         build=build_on_sphere,

@@ -47,8 +47,11 @@ ENTRIES = (
     Entry(
         name="unbalanced-rubber-ball",
         title="Unbalanced ball with rubber contact",
-        summary="A dynamically asymmetric ball whose centre of mass is away from its centre rolls "
-        "on a horizontal plane with neither slipping nor spinning, in the absence of gravity.",
+        summary=(
+            "A dynamically asymmetric ball whose centre of mass is not at its geometric centre "
+            "rolls on a horizontal plane with neither slipping nor spinning, in the absence of "
+            "gravity."
+        ),
         source="§10.2, (10.4), (10.5)",
         defaults=_ON_PLANE.defaults,
         build=build,
@@ -58,9 +61,11 @@ ENTRIES = (
     Entry(
         name="unbalanced-rubber-ball-on-sphere",
         title="Unbalanced rubber ball on a sphere",
-        summary="A dynamically asymmetric ball whose centre of mass is away from its centre rolls "
-        "with neither slipping nor spinning on a fixed sphere of radius a; of its integrals only "
-        "the energy is known.",
+        summary=(
+            "A dynamically asymmetric ball whose centre of mass is not at its geometric centre "
+            "rolls with neither slipping nor spinning on a fixed sphere of radius a; the energy is "
+            "the only integral known."
+        ),
         source="§1.4, (1.23); §10.2",
         defaults=_ON_SPHERE.defaults,
         build=build_on_sphere,

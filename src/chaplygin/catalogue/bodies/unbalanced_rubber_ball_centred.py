@@ -50,8 +50,9 @@ xidot, etadot = real_symbol("xidot"), real_symbol("etadot")
 
 NAME, TITLE = "unbalanced-rubber-ball-centred", "Unbalanced rubber ball from its centre"
 SUMMARY = (
-    "The unbalanced rubber ball on a plane in the principal axes of its geometric centre; for "
-    "these parameters some of its motions, with F/2H from 0.88 to 1.0, approach limit cycles."
+    "The unbalanced rubber ball on a plane in the principal axes of inertia at its geometric "
+    "centre; for these parameters some of its motions, with F/2H from 0.88 to 1.0, approach limit "
+    "cycles."
 )
 SOURCE = "§10.2, (10.4), (10.5)"
 DEFAULTS = {
@@ -129,7 +130,7 @@ def balance() -> tuple[System, Identity]:
 
     The excess of Ĩω̇ over its right-hand side without λ₀ is along γ.
     """
-    made = centred()
+    system = centred()
     sizes = (Parameter(m, "mass", 1.0, "kg"), Parameter(R, "radius of the ball", 0.5, "m"))
     place = kappa / (2 * m * R)
     reach = place - R * gamma
@@ -144,7 +145,7 @@ def balance() -> tuple[System, Identity]:
     free = cross(about_contact(omega), omega) - m * cross(reach, cross(omega, reach_rate))
     excess = cross(gamma, about_contact(acceleration) - free)
     law = Identity("balance", excess, "balance of (10.4) across the normal", source="(10.4)")
-    return replace(made, parameters=(*made.parameters, *sizes)), law
+    return replace(system, parameters=(*system.parameters, *sizes)), law
 
 
 def quadratic_forms() -> tuple[System, Identity]:
@@ -155,7 +156,7 @@ def quadratic_forms() -> tuple[System, Identity]:
         (η − s)(η − ξ)² ξ̇² = −4 A(ξ)(λ − ξ),   (ξ − s)(η − ξ)² η̇² = 4 A(η)(η − λ).
     """
     field = {xi: xidot, eta: etadot, xidot: sp.S.Zero, etadot: sp.S.Zero}
-    made = System(
+    system = System(
         name="sphero-conical-net",
         title="A point on the sphere in sphero-conical coordinates",
         parameters=(*parameters(NET)[:3], Parameter(s, "s of K = J − s", 0.2, "kg m^2")),
@@ -172,7 +173,7 @@ def quadratic_forms() -> tuple[System, Identity]:
         energy - (eta - xi) / 4 * (first + second),
         quadratic - (eta - xi) / 4 * (eta * first + xi * second),
     )
-    return made, Identity("forms", values, "energy and integral on the sphere", source="§10.2")
+    return system, Identity("forms", values, "energy and integral on the sphere", source="§10.2")
 
 
 def torus(numbers: Numbers = APART, constant_of_torus: float = 1.4) -> System:
@@ -208,15 +209,15 @@ def torus(numbers: Numbers = APART, constant_of_torus: float = 1.4) -> System:
     )
 
 
-def on_torus(made: System | None = None) -> tuple[System, Identity]:
+def on_torus(system: System | None = None) -> tuple[System, Identity]:
     """That α and β give ξ, η and γ as they should: (9.6), and ξ′², η′² by `quadratic_forms`."""
-    made = made or torus()
+    system = system or torus()
     squares = tuple(g**2 - square(i, xi, eta) for i, g in enumerate(gamma.symbols))
     rates = (
         Rate(xi) ** 2 + 4 * cubic(xi) * (level - xi) * (xi - s),
         Rate(eta) ** 2 - 4 * cubic(eta) * (eta - level) * (eta - s),
     )
-    return made, Identity("torus", (*squares, *rates), "motion on the torus", source="§10.2")
+    return system, Identity("torus", (*squares, *rates), "motion on the torus", source="§10.2")
 
 
 def build(p: Numbers) -> System:

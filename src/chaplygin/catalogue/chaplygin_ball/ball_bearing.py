@@ -52,8 +52,8 @@ MOMENTUM = "kg m^2/s"
 TITLE = "Ball in a ball bearing"
 SUMMARY = (
     "A dynamically asymmetric ball turns about its fixed centre, in contact without slipping with "
-    "homogeneous balls whose centres are fixed too; integrable by the Euler–Jacobi theorem, with "
-    "no conformally Hamiltonian form known."
+    "homogeneous balls whose centres are fixed too; it is integrable by the Euler–Jacobi theorem, "
+    "but no conformally Hamiltonian form is known."
 )
 SOURCE = "§12, problem 2"
 DEFAULTS = {"I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "D_1": 0.8, "D_2": 0.5, "D_3": 0.3}

@@ -62,7 +62,7 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
         return ()
     total = M + k if any(body.gyrostat) else M + zero
     area = dot(total, gamma)
-    found: list[Law] = [
+    known: list[Law] = [
         Integral("area", area, "area integral", source="(7.2)", unit="kg m^2/s"),
     ]
     potential = rolling.field.potential
@@ -76,14 +76,14 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
         meaning = "square of the momentum, Bruns field"
     if factor is not None or potential == 0:
         source = "(7.4)" if potential == 0 else "Remark 20"
-        found.append(Integral("momentum", square, meaning, source=source, unit=MOMENTUM_UNIT))
+        known.append(Integral("momentum", square, meaning, source=source, unit=MOMENTUM_UNIT))
     if body.principal:
-        found += _forms(system, total)
+        known += _forms(system, total)
     if body.principal and potential == 0:
-        found.append(_onto_bracket(potential, zero if total == M else k))
+        known.append(_onto_bracket(potential, zero if total == M else k))
     if body.principal and potential == 0 and total == M:
-        found += [onto_clebsch(), onto_fedorov()]
-    return tuple(found)
+        known += [onto_clebsch(), onto_fedorov()]
+    return tuple(known)
 
 
 def _forms(system: System, total: sp.MatrixExpr) -> tuple[Law, ...]:
@@ -131,10 +131,10 @@ def _onto_bracket(potential: sp.Expr, rotors: sp.MatrixExpr) -> Isomorphism:
 def _general(rolling: Rolling, rotors: sp.MatrixExpr, name: str) -> System:
     """The ball in an unspecified potential, with its Hamiltonian form."""
     potential = sp.Function("U")(*gamma.symbols)
-    made = Rolling(rolling.body, field=Forces(potential=potential)).system(name)
-    area, *_ = laws(rolling, made)
-    forms = _forms(made, M + rotors)
-    return made.with_laws(area, *forms, _onto_bracket(potential, rotors))
+    system = Rolling(rolling.body, field=Forces(potential=potential)).system(name)
+    area, *_ = laws(rolling, system)
+    forms = _forms(system, M + rotors)
+    return system.with_laws(area, *forms, _onto_bracket(potential, rotors))
 
 
 def unspecified() -> System:

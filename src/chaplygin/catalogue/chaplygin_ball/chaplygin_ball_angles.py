@@ -117,7 +117,7 @@ def ball_in_angles(rotors: MatrixExpr = zero) -> System:
     )
 
 
-def in_space(made: System) -> System:
+def in_space(system: System) -> System:
     """The same with ψ and the place x, y of the centre, rolling without slipping.
 
     The axes of space are definitions ``alpha``, ``beta`` besides ``gamma``, body axes.
@@ -127,15 +127,15 @@ def in_space(made: System) -> System:
     sine, cosine = sp.sin(psi), sp.cos(psi)
     velocity = cross(omega, R * gamma)
     return replace(
-        made,
+        system,
         field=(
-            *made.field,
+            *system.field,
             (psi, psidot),
             (x, dot(alpha, velocity)),
             (y, dot(beta, velocity)),
         ),
         definitions=(
-            *made.definitions,
+            *system.definitions,
             (alpha, constant(cosine * nodes - sine * lean)),
             (beta, constant(sine * nodes + cosine * lean)),
         ),

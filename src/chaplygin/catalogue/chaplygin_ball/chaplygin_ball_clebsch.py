@@ -36,8 +36,8 @@ SPREAD = dot(I * gamma, A * gamma)
 
 TITLE = "Chaplygin ball in Fedorov's variables"
 SUMMARY = (
-    "The system on e(3), a Clebsch case, that the Chaplygin ball without a field becomes at zero "
-    "area constant."
+    "The system on e(3), a Clebsch case, to which the Chaplygin ball without a field is equivalent "
+    "at zero area constant."
 )
 SOURCE = "§7.5, 2"
 

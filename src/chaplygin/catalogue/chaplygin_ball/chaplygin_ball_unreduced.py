@@ -14,7 +14,7 @@ M, alpha, beta, gamma, omega = vectors("M alpha beta gamma omega")
 
 TITLE = "Chaplygin ball with its orientation"
 SUMMARY = (
-    "The Chaplygin ball with all three axes of space, seen from the body: without a field the "
+    "The Chaplygin ball with all three axes of space as vectors in body axes: without a field the "
     "momentum about the contact point is constant in space."
 )
 SOURCE = "§7.2"

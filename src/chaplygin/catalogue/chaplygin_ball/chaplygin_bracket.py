@@ -52,8 +52,8 @@ SOURCE = "§7.2, (7.5)–(7.7)"
 
 ROTORS_TITLE = "Chaplygin ball with rotors as a Hamiltonian system"
 ROTORS_SUMMARY = (
-    "The Chaplygin ball with rotors in the time dτ = ρ dt and the momentum L = ρ(M + k), on its "
-    "own nonlinear Poisson bracket."
+    "The Chaplygin ball with rotors in the time dτ = ρ dt and the momentum L = ρ(M + k): a "
+    "Hamiltonian system with a nonlinear Poisson bracket."
 )
 
 PARAMETERS = (
@@ -157,13 +157,13 @@ def hamiltonian_form(potential: sp.Expr, rotors: MatrixExpr = zero) -> System:
     )
 
 
-def with_numbers(made: System, p: Numbers) -> System:
+def with_numbers(system: System, p: Numbers) -> System:
     """The system with the given values as defaults, refused unless a ball can have them."""
     check_mass(p["m"])
     check_inertia((p["I_1"], p["I_2"], p["I_3"]))
     return replace(
-        made,
-        parameters=tuple(replace(item, default=p[str(item.symbol)]) for item in made.parameters),
+        system,
+        parameters=tuple(replace(item, default=p[str(item.symbol)]) for item in system.parameters),
     )
 
 

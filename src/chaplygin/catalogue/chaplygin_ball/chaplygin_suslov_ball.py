@@ -8,8 +8,6 @@ With J = I + mR²E, s = (ω, γ) and the unit vector e fixed in the ball, M = J�
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
 
 from ...core.laws import Identity, Integral, Law, Measure, Rate
@@ -46,13 +44,13 @@ PRINCIPAL = (*e.symbols[:2], e.symbols[2] - 1)
 NAME = "chaplygin-suslov-ball"
 TITLE = "Chaplygin ball under Suslov's constraint"
 SUMMARY = (
-    "A balanced, dynamically asymmetric ball rolls on a horizontal plane without slipping and "
-    "does not turn about an axis fixed in the ball."
+    "A balanced, dynamically asymmetric ball rolls on a horizontal plane without slipping, and its "
+    "angular velocity has no component along an axis fixed in the ball."
 )
 SOURCE = "§2.5"
 
 
-def equations(numbers: Numbers, potential: Any = sp.S.Zero) -> System:
+def equations(numbers: Numbers, potential: sp.Expr = sp.S.Zero) -> System:
     """The equations with both multipliers eliminated, in ω and γ (body axes)."""
     check_mass(numbers["m"])
     check_inertia((numbers["I_1"], numbers["I_2"], numbers["I_3"]))
@@ -103,7 +101,7 @@ def equations(numbers: Numbers, potential: Any = sp.S.Zero) -> System:
     )
 
 
-def _always(potential: Any = sp.S.Zero) -> tuple[Law, ...]:
+def _always(potential: sp.Expr = sp.S.Zero) -> tuple[Law, ...]:
     """What holds for every axis."""
     half = sp.Rational(1, 2)
     kinetic = half * dot(J * omega, omega) - half * D * s**2
@@ -143,7 +141,7 @@ def _swerving() -> tuple[Law, ...]:
 def _uniform() -> tuple[Law, ...]:
     """A free ball whose axis e is a principal axis of inertia turns uniformly."""
     omega_1, omega_2, _ = omega.symbols
-    kept = {
+    parameters = {
         "omega_1": (omega_1, "body axis 1"),
         "omega_2": (omega_2, "body axis 2"),
         "spin": (s, "the vertical"),
@@ -157,7 +155,7 @@ def _uniform() -> tuple[Law, ...]:
             source=SOURCE,
             unit="rad/s",
         )
-        for name, (value, where) in kept.items()
+        for name, (value, where) in parameters.items()
     )
 
 
@@ -166,12 +164,12 @@ def build(numbers: Numbers) -> System:
 
     Which laws are claimed depends on whether the axis is a principal axis of inertia.
     """
-    made = equations(numbers).with_laws(*_always())
+    system = equations(numbers).with_laws(*_always())
     axis = [numbers[f"e_{i}"] for i in (1, 2, 3)]
     if axis == [0, 0, 1]:
-        return made.with_laws(_volume(), *_uniform())
+        return system.with_laws(_volume(), *_uniform())
     moments = {numbers[f"I_{i}"] for i, x in enumerate(axis, 1) if x != 0}
-    return made if len(moments) == 1 else made.with_laws(*_swerving())
+    return system if len(moments) == 1 else system.with_laws(*_swerving())
 
 
 def general() -> System:

@@ -34,8 +34,8 @@ HALF = sp.Rational(1, 2)
 
 TITLE = "Generalised Chaplygin system"
 SUMMARY = (
-    "A point of the plane in a quadratic potential under a gyroscopic force that is linear in "
-    "the velocity: a generalised Chaplygin system that preserves measure."
+    "A point of the plane in a quadratic potential under a gyroscopic force that is linear in the "
+    "velocity: a generalised Chaplygin system with an invariant measure."
 )
 SOURCE = "§4.3, (4.4)–(4.7)"
 

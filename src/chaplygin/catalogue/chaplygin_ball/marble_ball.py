@@ -7,9 +7,8 @@ m v̇ = N + F, μ ω̇ = r×N gives (μ + mb²) ω̇ = −r×F.
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law
@@ -27,8 +26,8 @@ m, mu, b, kappa, mtilde = (real_symbol(name) for name in ("m", "mu", "b", "kappa
 NAME = "marble-ball"
 TITLE = "Homogeneous marble ball"
 SUMMARY = (
-    "A homogeneous ball rolls on a horizontal plane without slipping, drawn to a point by a "
-    "spring; its centre moves like a particle of a larger mass."
+    "A homogeneous ball rolls on a horizontal plane without slipping, pulled towards a point by a "
+    "spring; its centre moves like a particle of larger mass."
 )
 SOURCE = "§2.2, (2.5), (2.6)"
 
@@ -37,7 +36,7 @@ FORCE = constant([sp.Function(f"F_{i}")(*R.symbols, *omega.symbols) for i in (1,
 SPRING = constant([-kappa * R.symbols[0], -kappa * R.symbols[1], 0])
 
 
-def ball(numbers: Numbers, force: Any, *further: Parameter) -> System:
+def ball(numbers: Numbers, force: MatrixExpr, *further: Parameter) -> System:
     """The ball under a force at its centre, given in space axes."""
     check_mass(numbers["m"])
     check_inertia((numbers["mu"],) * 3)

@@ -35,24 +35,24 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     balanced = isinstance(body.shape, Ball) and not any(body.shape.centre)
     if not (balanced and rolling.surface == Plane() and rolling.contact == "rubber"):
         return ()
-    found: tuple[Law, ...] = (_measure(),) if body.principal else ()
+    known: tuple[Law, ...] = (_measure(),) if body.principal else ()
     total = M + k if any(body.gyrostat) else M + zero
     value = norm_squared(cross(total, gamma))
     potential = rolling.field.potential
     if potential == 0:
         meaning = "square of the horizontal momentum"
-        found = (Integral("momentum", value, meaning, source="(6.4)", unit=MOMENTUM_UNIT), *found)
+        known = (Integral("momentum", value, meaning, source="(6.4)", unit=MOMENTUM_UNIT), *known)
         return (
-            (*found, _onto(veselova.build(veselova.NUMBERS)))
+            (*known, _onto(veselova.build(veselova.NUMBERS)))
             if body.principal and total == M
-            else found
+            else known
         )
     if body.principal and total == M and (factor := bruns_factor(potential)) is not None:
         value = value - factor * sp.Mul(*J.symbols) * dot(gamma, A * gamma)
         meaning = "square of the horizontal momentum, Bruns field"
         law = Integral("momentum", value, meaning, source="Remark 15", unit=MOMENTUM_UNIT)
-        return (law, *found)
-    return found
+        return (law, *known)
+    return known
 
 
 def _measure() -> Measure:
@@ -80,8 +80,8 @@ def unspecified() -> System:
     """The ball in an arbitrary potential U(γ)."""
     potential = sp.Function("U")(*gamma.symbols)
     rolling = replace(build(chaplygin_ball.NUMBERS), field=Forces(potential=potential))
-    made = rolling.system("rubber-chaplygin-ball")
-    return made.with_laws(_measure(), _onto(veselova.general()))
+    system = rolling.system("rubber-chaplygin-ball")
+    return system.with_laws(_measure(), _onto(veselova.general()))
 
 
 ENTRIES = (

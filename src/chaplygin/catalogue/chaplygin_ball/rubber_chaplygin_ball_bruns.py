@@ -38,8 +38,11 @@ ENTRIES = (
     Entry(
         name="rubber-chaplygin-ball-bruns",
         title="Chaplygin ball with rubber contact in Bruns' field",
-        summary="A balanced, dynamically asymmetric ball rolls on a horizontal plane with neither "
-        "slipping nor spinning in the potential U = ½K(γ, Iγ); it moves as the Veselova system.",
+        summary=(
+            "A balanced, dynamically asymmetric ball rolls on a horizontal plane with neither "
+            "slipping nor spinning in the potential U = ½K(γ, Iγ); its equations are those of the "
+            "Veselova system in that potential."
+        ),
         source="§2.4, Remark 15",
         defaults={**_FREE.defaults, "K": 0.7},
         build=build,

@@ -37,8 +37,8 @@ MOMENTUM = "kg m^2/s"
 TITLE = "Chaplygin ball along a straight line"
 SUMMARY = (
     "A balanced, dynamically asymmetric ball rolls on a horizontal plane without slipping while a "
-    "guide keeps its centre above a straight line; integrable by the Euler–Jacobi theorem, with no "
-    "conformally Hamiltonian form known."
+    "guide keeps its centre above a straight line; it is integrable by the Euler–Jacobi theorem, "
+    "but no conformally Hamiltonian form is known."
 )
 SOURCE = "§12, problem 2"
 DEFAULTS = {"m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "R": 1.0}
@@ -61,7 +61,7 @@ def _parameters(p: Numbers) -> tuple[Parameter, ...]:
     )
 
 
-def _solved(vector: MatrixExpr) -> MatrixExpr:
+def _velocity(vector: MatrixExpr) -> MatrixExpr:
     """(I + m R² β⊗β)⁻¹ applied to a vector, by Sherman and Morrison."""
     lever = A * beta
     return A * vector - m * R**2 * dot(lever, vector) / (1 + m * R**2 * dot(beta, lever)) * lever
@@ -80,11 +80,11 @@ def build(p: Numbers) -> System:
             **space_axes(),
             M: I * omega + m * R**2 * dot(omega, beta) * beta,
             X: cross(I * omega, omega),
-            q: _solved(alpha),
+            q: _velocity(alpha),
             lambda_0: -dot(q, X) / dot(q, alpha),
         },
         field={
-            omega: _solved(X) + lambda_0 * q,
+            omega: _velocity(X) + lambda_0 * q,
             attitude: quaternion_rate(omega),
             x: R * dot(omega, beta),
         },
@@ -119,8 +119,10 @@ def momenta(p: Numbers) -> System:
     return System(
         name="straight-line-ball-momenta",
         title="Chaplygin ball along a straight line, by its momenta",
-        summary="The Chaplygin ball along a straight line in its two constant momenta and the "
-        "attitude: the invariant measure has the density of a Jacobian.",
+        summary=(
+            "The Chaplygin ball along a straight line in the variables of its two constant momenta "
+            "and the attitude; the density of the invariant measure is a Jacobian determinant."
+        ),
         source=SOURCE,
         parameters=_parameters(p),
         definitions={
@@ -171,8 +173,10 @@ ENTRIES = (
     Entry(
         name="straight-line-ball-momenta",
         title="Chaplygin ball along a straight line, by its momenta",
-        summary="The Chaplygin ball along a straight line in its two constant momenta and the "
-        "attitude: the invariant measure has the density of a Jacobian.",
+        summary=(
+            "The Chaplygin ball along a straight line in the variables of its two constant momenta "
+            "and the attitude; the density of the invariant measure is a Jacobian determinant."
+        ),
         source=SOURCE,
         defaults=DEFAULTS,
         build=momenta,

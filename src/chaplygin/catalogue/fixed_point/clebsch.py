@@ -20,8 +20,8 @@ FIRST = HALF * (norm_squared(M) + c * dot(Gamma, I * Gamma))
 
 TITLE = "Clebsch case"
 SUMMARY = (
-    "A rigid body in an ideal fluid, in the case of Clebsch: α = 1, β = 0 is the Neumann system, "
-    "α = 0, β = 1 the Bruns problem."
+    "A rigid body in an ideal fluid, in Clebsch's integrable case: α = 1, β = 0 is the Neumann "
+    "system, α = 0, β = 1 the Bruns problem."
 )
 SOURCE = "§6.3, (6.14)"
 

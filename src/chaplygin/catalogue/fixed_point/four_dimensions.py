@@ -42,11 +42,11 @@ UNIT = (gamma.T * gamma)[0] - 1
 
 def skew(name: str) -> sp.Matrix:
     """A skew matrix with the entries name_12, …, name_34 above its diagonal."""
-    made = sp.zeros(4)
+    matrix = sp.zeros(4)
     for i, j in PAIRS:
         entry = real_symbol(f"{name}_{i + 1}{j + 1}")
-        made[i, j], made[j, i] = entry, -entry
-    return made
+        matrix[i, j], matrix[j, i] = entry, -entry
+    return matrix
 
 
 def above(matrix: sp.Matrix) -> dict[tuple[int, int], sp.Expr]:
@@ -76,7 +76,7 @@ def _inertia(numbers: Numbers) -> tuple[Parameter, ...]:
     )
 
 
-def _solved(matrix: sp.Matrix, right: sp.Matrix) -> dict[sp.Symbol, sp.Expr]:
+def _solution(matrix: sp.Matrix, right: sp.Matrix) -> dict[sp.Symbol, sp.Expr]:
     """B and its determinant, f, and u with B u = f, as definitions."""
     entries = {(i, j): matrix[i, j] for i in range(4) for j in range(i, 4)}
     names = {(i, j): real_symbol(f"B_{i + 1}{j + 1}") for i, j in entries}
@@ -93,9 +93,9 @@ def _solved(matrix: sp.Matrix, right: sp.Matrix) -> dict[sp.Symbol, sp.Expr]:
 
 BALL = "Chaplygin ball in four dimensions"
 BALL_SUMMARY = (
-    "A balanced, dynamically asymmetric ball of four-dimensional space rolls on a hyperplane "
-    "without slipping; it has an invariant measure, and its integrals do not suffice for the "
-    "theorem of Euler and Jacobi."
+    "A balanced, dynamically asymmetric ball in four-dimensional space rolls on a hyperplane "
+    "without slipping; it has an invariant measure, but too few integrals for the Euler–Jacobi "
+    "theorem."
 )
 
 
@@ -125,7 +125,7 @@ def ball(numbers: Numbers) -> System:
             Parameter(m, "mass", numbers["m"], "kg", (m > 0,)),
             Parameter(R, "radius of the ball", numbers["R"], "m", (R > 0,)),
         ),
-        definitions={**_solved(matrix, free * gamma), **spin},
+        definitions={**_solution(matrix, free * gamma), **spin},
         field={
             **{k[i, j]: rates[i, j] for i, j in PAIRS},
             **dict(zip(gamma, -omega * gamma, strict=True)),
@@ -169,8 +169,9 @@ def ball(numbers: Numbers) -> System:
 
 VESELOVA = "Veselova system in four dimensions"
 VESELOVA_SUMMARY = (
-    "A body of four-dimensional space about a fixed point turns in planes through a direction "
-    "fixed in space alone; it has an invariant measure and the square of a momentum as integral."
+    "A rigid body in four-dimensional space turns about a fixed point, only in planes that contain "
+    "a direction fixed in space; it has an invariant measure, and the square of a momentum is an "
+    "integral."
 )
 
 
@@ -189,7 +190,7 @@ def veselova(numbers: Numbers) -> System:
         summary=VESELOVA_SUMMARY,
         source=SOURCE,
         parameters=_inertia(numbers),
-        definitions=_solved(matrix, p),
+        definitions=_solution(matrix, p),
         field={
             **dict(zip(p, power * gamma, strict=True)),
             **dict(zip(gamma, -u, strict=True)),

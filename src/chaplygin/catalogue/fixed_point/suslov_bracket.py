@@ -26,7 +26,7 @@ ORDER = (p_1, p_2, gamma_1, gamma_2, gamma_3)
 TITLE = "Five-dimensional bracket of Suslov's problem"
 SUMMARY = (
     "A Hamiltonian system on the dual of a solvable Lie algebra of dimension five, to which "
-    "Suslov's problem in a quadratic potential is carried; for irrational d its symplectic "
+    "Suslov's problem in a quadratic potential is equivalent; for irrational d its symplectic "
     "leaves are dense on cylinders over tori."
 )
 SOURCE = "§3.4, (3.8)"

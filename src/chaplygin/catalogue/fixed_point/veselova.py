@@ -115,9 +115,9 @@ def turning(
 
 def moments(p: Numbers) -> tuple[float, float, float]:
     """The principal moments, refused unless a rigid body can have them."""
-    found = (p["I_1"], p["I_2"], p["I_3"])
-    check_inertia(found)
-    return found
+    values = (p["I_1"], p["I_2"], p["I_3"])
+    check_inertia(values)
+    return values
 
 
 # --- laws ----------------------------------------------------------------------------------
@@ -242,25 +242,6 @@ def momentum_in_bruns_field() -> Integral:
     )
 
 
-def energy_of_spinning(potential: sp.Expr) -> Integral:
-    """Energy less (ω, γ)(Iω, γ), to which the torque of the constraint adds as much."""
-    value = KINETIC - dot(omega, gamma) * dot(I * omega, gamma)
-    return Integral(
-        "energy",
-        value + U if potential != 0 else value,
-        "energy less (ω, γ) times the vertical momentum",
-        source="Remark 18",
-        unit="J",
-    )
-
-
-def spin() -> Integral:
-    """The constraint (ω, γ) = d of Remark 18."""
-    return Integral(
-        "spin", dot(omega, gamma), "vertical angular velocity", source="Remark 18", unit="rad/s"
-    )
-
-
 # --- systems -------------------------------------------------------------------------------
 
 
@@ -344,38 +325,6 @@ def in_bruns_field(p: Numbers) -> System:
     )
 
 
-SPINNING_TITLE = "Generalised Veselova system"
-SPINNING_SUMMARY = (
-    "A rigid body turns about a fixed point, its centre of mass, under the constraint that the "
-    "vertical component of its angular velocity is constant."
-)
-
-
-def spinning(p: Numbers) -> System:
-    """(ω, γ) = d with any d, without a field."""
-    return _spinning(moments(p), FREE, momentum())
-
-
-def spinning_general() -> System:
-    """(ω, γ) = d with any d, in an unspecified potential."""
-    return _spinning(moments(NUMBERS), ANY)
-
-
-def _spinning(
-    numbers: tuple[float, float, float], potential: sp.Expr, *further: Integral
-) -> System:
-    return turning(
-        "veselova-spinning",
-        SPINNING_TITLE,
-        SPINNING_SUMMARY,
-        "§6.1, Remark 18",
-        e3.inertia_parameters(numbers),
-        potential,
-        (),
-        (spin(), energy_of_spinning(potential), *further, measure()),
-    )
-
-
 NUMBERS = {"I_1": 1.0, "I_2": 1.5, "I_3": 2.1}
 START = Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=60.0)
 
@@ -398,15 +347,5 @@ ENTRIES = (
         defaults={**NUMBERS, "K": 2.0},
         build=in_bruns_field,
         start=START,
-    ),
-    Entry(
-        name="veselova-spinning",
-        title=SPINNING_TITLE,
-        summary=SPINNING_SUMMARY,
-        source="§6.1, Remark 18",
-        defaults=NUMBERS,
-        build=spinning,
-        start=Start(omega=(0.9, -0.5, 0.8), gamma=(0.2, -0.3, 0.93), until=60.0),
-        general=spinning_general,
     ),
 )

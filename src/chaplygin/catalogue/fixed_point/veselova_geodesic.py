@@ -31,7 +31,7 @@ LENGTH = sp.sqrt(dot(Gamma, I * Gamma))
 TITLE = "Geodesic flow of the Veselova system"
 SUMMARY = (
     "The Hamiltonian system on e(3), at zero area constant, to which the Veselova system is "
-    "carried (α = 1, β = 0), with its second integral as a further Hamiltonian (β)."
+    "equivalent for α = 1 and β = 0; the Hamiltonian contains β times its second integral."
 )
 SOURCE = "§6.3, (6.11)–(6.13)"
 

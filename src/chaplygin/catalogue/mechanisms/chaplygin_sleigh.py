@@ -66,7 +66,8 @@ def _across(p: Numbers) -> Parameter:
 TITLE = "Chaplygin sleigh"
 SUMMARY = (
     "A rigid body slides on a horizontal plane on two smooth feet and a blade that cannot slip "
-    "sideways; unless its centre of mass lies beside the contact it ends up going straight on."
+    "sideways; unless the line from the contact to its centre of mass is perpendicular to the "
+    "blade, it tends to straight motion."
 )
 
 

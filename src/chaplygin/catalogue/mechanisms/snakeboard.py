@@ -33,7 +33,7 @@ SOURCE = "§2.1; A. M. Bloch, P. S. Krishnaprasad, J. E. Marsden, R. M. Murray 1
 TITLE = "Snakeboard"
 SUMMARY = (
     "A board on two pairs of wheels that steer against each other, with a rotor on top; turning "
-    "both drives it, without any push against the ground."
+    "the wheels and the rotor moves it forward, without any push against the ground."
 )
 
 

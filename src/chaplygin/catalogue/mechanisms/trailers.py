@@ -31,8 +31,8 @@ HALF = sp.Rational(1, 2)
 SOURCE = "§2.1"
 TITLE = "Car with trailers"
 SUMMARY = (
-    "A car pulls two trailers, each hitched at the axle before it; it turns uniformly, and its "
-    "speed alone responds to the trailers."
+    "A car pulls two trailers, each hitched to the axle in front of it; the car turns at a "
+    "constant rate, and the trailers affect only its speed."
 )
 
 
@@ -40,7 +40,9 @@ def drawing_of_trailers(count: int) -> Plan:
     """The axles of a car with a number of trailers, and the drawbars between them."""
     place, heading = (x, y), theta
     axles, links = [(x, y, theta)], []
-    for phi, length in zip(_numbered("phi", count), _numbered("l", count), strict=True):
+    for phi, length in zip(
+        _numbered_symbols("phi", count), _numbered_symbols("l", count), strict=True
+    ):
         heading = heading - phi
         hitch, place = (
             place,
@@ -54,7 +56,7 @@ def drawing_of_trailers(count: int) -> Plan:
     return Plan((x, y), tuple(links), axles=tuple(axles))
 
 
-def _numbered(name: str, count: int) -> tuple[sp.Symbol, ...]:
+def _numbered_symbols(name: str, count: int) -> tuple[sp.Symbol, ...]:
     return tuple(real_symbol(f"{name}_{i}") for i in range(1, count + 1))
 
 
@@ -74,9 +76,9 @@ def train(count: int, values: Mapping[str, float] | None = None) -> Mechanism:
         If a mass, moment of inertia or length is not positive.
     """
     p = {**_defaults(count), **(values or {})}
-    angles, spins = _numbered("phi", count), _numbered("w", count)
-    lengths, masses, moments = (_numbered(name, count) for name in ("l", "m", "J"))
-    along, across = _numbered("a", count), _numbered("b", count)
+    angles, spins = _numbered_symbols("phi", count), _numbered_symbols("w", count)
+    lengths, masses, moments = (_numbered_symbols(name, count) for name in ("l", "m", "J"))
+    along, across = _numbered_symbols("a", count), _numbered_symbols("b", count)
     turn = real_symbol("Omega")
     definitions: dict[sp.Symbol, sp.Expr] = {}
     constraints: list[sp.Expr] = [v]
@@ -111,24 +113,24 @@ def train(count: int, values: Mapping[str, float] | None = None) -> Mechanism:
 
 
 def _defaults(count: int) -> dict[str, float]:
-    found = {"m": 1.0, "J": 0.5}
+    defaults = {"m": 1.0, "J": 0.5}
     for i in range(1, count + 1):
-        found |= {f"m_{i}": 0.6, f"J_{i}": 0.2, f"l_{i}": 1.0 - 0.2 * (i % 2)}
-    return found
+        defaults |= {f"m_{i}": 0.6, f"J_{i}": 0.2, f"l_{i}": 1.0 - 0.2 * (i % 2)}
+    return defaults
 
 
 def _parameters(count: int, p: Mapping[str, float]) -> tuple[Parameter, ...]:
-    found = [positive(m, "mass of the car, at its axle", p["m"], "kg")]
-    found.append(positive(J, "moment of inertia of the car", p["J"], "kg m^2"))
+    parameters = [positive(m, "mass of the car, at its axle", p["m"], "kg")]
+    parameters.append(positive(J, "moment of inertia of the car", p["J"], "kg m^2"))
     for i in range(1, count + 1):
-        found += [
+        parameters += [
             positive(real_symbol(f"m_{i}"), f"mass of trailer {i}, at its axle", p[f"m_{i}"], "kg"),
             positive(
                 real_symbol(f"J_{i}"), f"moment of inertia of trailer {i}", p[f"J_{i}"], "kg m^2"
             ),
             positive(real_symbol(f"l_{i}"), f"length of trailer {i}", p[f"l_{i}"], "m"),
         ]
-    return tuple(found)
+    return tuple(parameters)
 
 
 def trailers(p: Numbers) -> System:

@@ -31,8 +31,8 @@ HALF = sp.Rational(1, 2)
 SOURCE = "§2.1; A. M. Bloch 2003, §1.4"
 TITLE = "Vertical rolling disk"
 SUMMARY = (
-    "A disk rolls upright on an inclined plane; turning uniformly it drifts along the "
-    "horizontal, and on the average not downhill."
+    "A disk rolls upright on an inclined plane; its heading turns uniformly, and on average it "
+    "drifts horizontally, not downhill."
 )
 
 
@@ -97,12 +97,12 @@ def _parameters(p: Numbers) -> tuple[Parameter, ...]:
         J: ("moment of inertia about the vertical diameter", "kg m^2"),
         R: ("radius", "m"),
     }
-    found = [*positives(p, meanings)]
+    parameters = [*positives(p, meanings)]
     for symbol, meaning, unit in ((g, "gravity", "m/s^2"), (slope, "angle of the slope", "rad")):
         if not math.isfinite(p[str(symbol)]):
             raise InputError(f"{meaning} {symbol} = {p[str(symbol)]}: it must be a finite number")
-        found.append(Parameter(symbol, meaning, p[str(symbol)], unit))
-    return tuple(found)
+        parameters.append(Parameter(symbol, meaning, p[str(symbol)], unit))
+    return tuple(parameters)
 
 
 def vertical_disk(p: Numbers) -> System:

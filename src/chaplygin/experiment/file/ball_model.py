@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, get_args
+from typing import get_args
 
 from pydantic import Field, ValidationInfo, field_validator
 
 from .ball_tables import BallFieldTable, BallStartTable, FlatTable, SmoothTable
 from .base import ExperimentBase
-from .tables import BallTable, BodyTable, ContactTable, RunTable
+from .shape_tables import BallTable
+from .tables import BodyTable, ContactTable, RunTable
 
 __all__ = ["BallExperiment", "is_ball_experiment", "moment"]
 
@@ -86,7 +87,7 @@ def moment(body: BodyTable) -> float | None:
     return first if rows == wanted else None
 
 
-def is_ball_experiment(tables: Mapping[str, Any]) -> bool:
+def is_ball_experiment(tables: Mapping[str, object]) -> bool:
     """Whether the tables of a file speak of a surface that only a ball rolls on.
 
     A plane or a sphere is meant so if the start gives the place of the ball, not γ.

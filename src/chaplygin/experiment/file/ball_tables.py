@@ -10,7 +10,7 @@ from typing import ClassVar, Literal
 import sympy as sp
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
-from .tables import (
+from .table import (
     DIRECTION,
     FORMULA,
     POSITIVE,

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from typing import Any
 
 from pydantic import Field, PrivateAttr
 
+from ...errors import InputError
 from .source import Source
-from .tables import Table
+from .table import Table
 from .toml import Key, dumps
 
 __all__ = ["ExperimentBase"]
@@ -27,6 +30,10 @@ class ExperimentBase(Table):
     def toml(self) -> str:
         """A complete TOML text, defaults included, that reads back to an equal experiment."""
         return dumps(self.model_dump(exclude_none=True))
+
+    def complete_tables(self) -> dict[str, Any]:
+        """All tables, with what the catalogue adds to them."""
+        return self.model_dump()
 
     @property
     def text(self) -> str:
@@ -54,6 +61,21 @@ class ExperimentBase(Table):
     def where(self, *key: str) -> str:
         """The place of a key, such as ``where("body", "mass")``, for the message of an error."""
         return self._source.where(key)
+
+    @contextmanager
+    def placing_errors(self, *key: str) -> Iterator[None]:
+        """Give a mistake that only mechanics could see its place in the file."""
+        try:
+            yield
+        except InputError as error:
+            if error.where:
+                raise
+            subject, colon, sentence = error.message.partition(": ")
+            if colon and subject == key[-1]:
+                raise InputError(sentence, self.where(*key)) from None
+            if colon and self.has(*key, subject):
+                raise InputError(sentence, self.where(*key, subject)) from None
+            raise InputError(error.message, self.where(*key)) from None
 
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other) and self.__dict__ == other.__dict__

@@ -7,7 +7,7 @@ names are known.  The description of a field completes the sentence "… must be
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Annotated, Any, Self
+from typing import Annotated, Self
 
 from pydantic import (
     Field,
@@ -19,7 +19,8 @@ from pydantic import (
 )
 
 from .number_lists import given_numbers
-from .tables import FORMULA, THREE, Table, Vector
+from .table import FORMULA, THREE, Table, Vector
+from .toml import Tables
 from .validation import value_text
 
 __all__ = [
@@ -62,23 +63,23 @@ Formulas = dict[str, FormulaValue]
 NumberValue = Annotated[float | tuple[float, ...], PlainValidator(_number)]
 
 
-class _Noted(Table):
+class _ValueWithNotes(Table):
     """A value with notes; without notes the value alone stands for the table, as in ``m = 1.0``."""
 
     @model_validator(mode="before")
     @classmethod
-    def _value_alone(cls, given: Any) -> Any:
-        return given if isinstance(given, dict | cls) else {"value": given}
+    def _value_alone(cls, value: object) -> object:
+        return value if isinstance(value, dict | cls) else {"value": value}
 
     @model_serializer(mode="wrap")
-    def _as_given(self, serialised: Callable[[Self], dict[str, Any]]) -> Any:
+    def _as_given(self, serialised: Callable[[Self], Tables]) -> object:
         text = {
             key: value for key, value in serialised(self).items() if value not in (None, "", (), [])
         }
         return text.get("value") if set(text) == {"value"} else text
 
 
-class NumberTable(_Noted):
+class NumberTable(_ValueWithNotes):
     """A parameter: a number, a vector of three, or a diagonal tensor."""
 
     value: NumberValue | None = Field(default=None, description=NUMBER)
@@ -103,7 +104,7 @@ class MeaningTable(Table):
     unit: Text = Field(default="", description="a text in quotes")
 
 
-class LawTable(_Noted):
+class LawTable(_ValueWithNotes):
     """A law by its formula."""
 
     value: FormulaValue = Field(description=FORMULA)
@@ -122,7 +123,7 @@ class LawsTable(Table):
     """Fields by name; what is not named of the state has component zero."""
 
 
-class ObservableTable(_Noted):
+class ObservableTable(_ValueWithNotes):
     """A quantity to record."""
 
     value: FormulaValue = Field(description=FORMULA)

@@ -16,55 +16,25 @@ import math
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
-from pydantic import Field, ValidationError, ValidationInfo, field_validator
+from pydantic import ValidationError
 
 from ...arguments import arguments_checked
 from ...catalogue import CATALOGUE, Entry, entry
 from ...errors import InputError
 from ...parsing import nearest
 from .ball_model import BallExperiment, is_ball_experiment
-from .base import ExperimentBase
-from .mechanism_tables import (
-    ConstraintsTable,
-    EquationsTable,
-    FormulaValue,
-    FrameTable,
-    GuardTable,
-    LagrangianTable,
-    LawsTable,
-    MeaningTable,
-    NumberTable,
-    ObservableTable,
-    PlanTable,
-)
+from .catalogue_models import CatalogueExperiment, StateExperiment, SystemExperiment
+from .described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
+from .rolling_model import RollingExperiment
 from .source import Source
-from .tables import (
-    BallTable,
-    BodyTable,
-    ContactTable,
-    DiskTable,
-    EllipsoidTable,
-    FieldTable,
-    PlaneTable,
-    RunTable,
-    ShapeTable,
-    SphereTable,
-    StartTable,
-    StateTable,
-    SurfaceTable,
-    SystemRunTable,
-    SystemStartTable,
-    SystemTable,
-    Table,
-    TorusTable,
-)
-from .toml import Key, dumps
+from .table import Table
+from .toml import Key, Tables
 from .validation import validation_messages
 
 __all__ = [
     "BallExperiment",
+    "CatalogueExperiment",
     "EquationsExperiment",
     "Experiment",
     "MechanismExperiment",
@@ -80,143 +50,6 @@ __all__ = [
 
 #: Tables that describe a system by themselves.
 DESCRIBED = ("lagrangian", "equations")
-
-#: What a file without any description is asked for.
-BODY = "a table [body], or [system], [lagrangian] or [equations] instead of it"
-
-
-class RollingExperiment(ExperimentBase):
-    """A body rolls on a surface.
-
-    Raises
-    ------
-    pydantic.ValidationError
-        (A ValueError.) If it is made in Python of parts that do not fit; `load` raises InputError.
-    """
-
-    body: BodyTable = Field(description=BODY)
-    surface: SurfaceTable = Field(
-        default=PlaneTable(), discriminator="kind", description="a table", validate_default=True
-    )
-    contact: ContactTable = Field(default=ContactTable(), description="a table")
-    field: FieldTable = Field(default=FieldTable(), description="a table")
-    start: StartTable = Field(description="a table [start] with gamma and omega")
-    run: RunTable = Field(default=RunTable(), description="a table")
-
-    @field_validator("surface", mode="before")
-    @classmethod
-    def _plane_by_default(cls, surface: Any) -> Any:
-        return {"kind": "plane"} if surface == {} else surface
-
-    @field_validator("surface")
-    @classmethod
-    def _body_fits(cls, surface: SurfaceTable, info: ValidationInfo) -> SurfaceTable:
-        body = info.data.get("body")
-        misfit = _misfit(body.shape, surface) if body else None
-        if misfit:
-            raise ValueError(misfit)
-        return surface
-
-    @field_validator("field")
-    @classmethod
-    def _names_once(cls, field: FieldTable, info: ValidationInfo) -> FieldTable:
-        body = info.data.get("body")
-        twice = sorted(field.parameters.keys() & body.shape.parameters.keys()) if body else []
-        if twice:
-            raise ValueError(
-                f"the parameter '{twice[0]}' is one of body.shape.parameters too; rename one"
-            )
-        return field
-
-    @field_validator("start")
-    @classmethod
-    def _normal_of_surface(cls, start: StartTable, info: ValidationInfo) -> StartTable:
-        if isinstance(info.data.get("surface"), PlaneTable) and start.normal != (0.0, 0.0, 1.0):
-            raise ValueError("normal is for a sphere alone; on a plane it is always [0, 0, 1]")
-        return start
-
-
-class SystemExperiment(ExperimentBase):
-    """A system of the catalogue, which decides body, surface, contact and field.
-
-    Raises
-    ------
-    pydantic.ValidationError
-        (A ValueError.) If it is made in Python of wrong parts; `load` raises InputError.
-    """
-
-    system: SystemTable = Field(description="a table [system] with a name")
-    start: SystemStartTable = Field(default=SystemStartTable(), description="a table")
-    run: SystemRunTable = Field(default=SystemRunTable(), description="a table")
-
-
-class StateExperiment(ExperimentBase):
-    """A system of the catalogue whose start is given by the names of its state.
-
-    Raises
-    ------
-    pydantic.ValidationError
-        (A ValueError.) If it is made in Python of wrong parts; `load` raises InputError.
-    """
-
-    system: SystemTable = Field(description="a table [system] with a name")
-    start: StateTable = Field(default={}, description="a table of named values")
-    run: SystemRunTable = Field(default=SystemRunTable(), description="a table")
-
-
-class OwnExperiment(ExperimentBase):
-    """What all systems of the user's own have; the start is given by the names of the state."""
-
-    summary: str = Field(default="", description="a text in quotes")
-    """One or two sentences on what moves, for reports."""
-    parameters: dict[str, NumberTable] = Field(default={}, description="a table of numbers")
-    definitions: dict[str, FormulaValue] = Field(default={}, description="a table of formulas")
-    """Named quantities in order, each in terms of those before it."""
-    laws: LawsTable = Field(default=LawsTable(), description="a table")
-    observables: dict[str, ObservableTable] = Field(default={}, description="a table of formulas")
-    guards: dict[str, GuardTable] = Field(default={}, description="a table of tables")
-    variables: dict[str, MeaningTable] = Field(default={}, description="a table of tables")
-    """Meaning and unit of coordinates and velocities."""
-    plan: PlanTable | None = Field(default=None, description="a table of what is drawn")
-    start: StateTable = Field(default={}, description="a table of named values")
-    run: RunTable = Field(default=RunTable(), description="a table")
-
-    def toml(self) -> str:
-        """A complete TOML text, defaults included, that reads back to an equal experiment."""
-        tables = self.model_dump(exclude_none=True)
-        last = ("definitions", "laws", "observables", "guards", "variables", "plan", "start", "run")
-        for name in last:
-            if name in tables:
-                tables[name] = tables.pop(name)
-        return dumps(tables)
-
-
-class MechanismExperiment(OwnExperiment):
-    """A Lagrangian in a frame, with forces and constraints.
-
-    Raises
-    ------
-    pydantic.ValidationError
-        (A ValueError.) If it is made in Python of wrong parts; `load` raises InputError.
-    """
-
-    frame: FrameTable = Field(description="a table [frame] with coordinates or velocities")
-    lagrangian: LagrangianTable = Field(description="a table [lagrangian] with kinetic or L")
-    forces: dict[str, FormulaValue] = Field(default={}, description="a table of formulas")
-    """Generalised forces by velocity."""
-    constraints: ConstraintsTable = Field(default=ConstraintsTable(), description="a table")
-
-
-class EquationsExperiment(OwnExperiment):
-    """Equations of motion as they stand.
-
-    Raises
-    ------
-    pydantic.ValidationError
-        (A ValueError.) If it is made in Python of wrong parts; `load` raises InputError.
-    """
-
-    equations: EquationsTable = Field(description="a table [equations] with state and rates")
 
 
 Experiment = (
@@ -335,8 +168,8 @@ def catalogue_experiment(name: str, overrides: Iterable[str] = ()) -> Experiment
     InputError
         If there is no such system, or for all that is wrong in the overrides.
     """
-    given = {"system": {"name": entry(name).name}}
-    return _read(Source(name, "", tuple(overrides), given))
+    tables = {"system": {"name": entry(name).name}}
+    return _read(Source(name, "", tuple(overrides), tables))
 
 
 def _read(source: Source) -> Experiment:
@@ -347,11 +180,11 @@ def _read(source: Source) -> Experiment:
     model = _model(tables)
     wrong = _decided_by_system(tables) if "system" in tables else {}
     wrong |= _no_keys(tables, model, source)
-    rest = {key: table for key, table in tables.items() if (key,) not in wrong}
+    accepted = {key: table for key, table in tables.items() if (key,) not in wrong}
     try:
-        experiment = model.model_validate(rest)
+        experiment = model.model_validate(accepted)
     except ValidationError as error:
-        wrong |= validation_messages(error, model, rest)
+        wrong |= validation_messages(error, model, accepted)
     if wrong:
         in_order = sorted(wrong, key=lambda key: source.line(key) or math.inf)
         raise InputError("\n".join(f"{source.where(key)}: {wrong[key]}" for key in in_order))
@@ -372,24 +205,24 @@ def _short(source: Source) -> dict[str, Key]:
     """The paths of the parameters by their names, which an option may write alone."""
     with_tables = tuple(option for option in source.overrides if "." in option.partition("=")[0])
     tables = replace(source, overrides=with_tables).tables()
-    found: dict[str, Key] = {}
+    paths: dict[str, Key] = {}
     for place in _PARAMETERS:
-        table: Any = tables
+        table: object = tables
         for part in place:
             table = table.get(part) if isinstance(table, dict) else None
         if isinstance(table, dict):
-            found |= {name: (*place, name) for name in table}
+            paths |= {name: (*place, name) for name in table}
     if (item := _item(tables)) is not None:
-        found |= {name: ("system", "parameters", name) for name in item.defaults}
-    return found
+        paths |= {name: ("system", "parameters", name) for name in item.defaults}
+    return paths
 
 
-def _no_keys(tables: dict[str, Any], model: type[Experiment], source: Source) -> dict[Key, str]:
+def _no_keys(tables: Tables, model: type[Experiment], source: Source) -> dict[Key, str]:
     """What options without a table name that is neither a key nor a parameter."""
     wrong: dict[Key, str] = {}
     for option in source.overrides:
-        (name, *rest), value = source.path(option), option.partition("=")[2].strip()
-        if rest or name in model.model_fields or name not in tables:
+        (name, *below), value = source.path(option), option.partition("=")[2].strip()
+        if below or name in model.model_fields or name not in tables:
             continue
         tables_with = [
             table
@@ -406,14 +239,14 @@ def _no_keys(tables: dict[str, Any], model: type[Experiment], source: Source) ->
     return wrong
 
 
-def _item(tables: dict[str, Any]) -> Entry | None:
+def _item(tables: Tables) -> Entry | None:
     """The entry of the catalogue that tables name, if there is one of that name."""
     table = tables.get("system")
     name = table.get("name") if isinstance(table, dict) else None
     return CATALOGUE.get(name) if isinstance(name, str) else None
 
 
-def _model(tables: dict[str, Any]) -> type[Experiment]:
+def _model(tables: Tables) -> type[Experiment]:
     """The kind of experiment that these tables mean to be."""
     if "system" not in tables:
         return _own_model(tables)
@@ -421,7 +254,7 @@ def _model(tables: dict[str, Any]) -> type[Experiment]:
     return StateExperiment if item and item.start.state is not None else SystemExperiment
 
 
-def _check_one_description(tables: dict[str, Any], source: Source) -> None:
+def _check_one_description(tables: Tables, source: Source) -> None:
     """Refuse a Lagrangian or equations beside another description of what moves."""
     first, *others = [n for n in (*DESCRIBED, "system", "body") if n in tables] or [""]
     if first in DESCRIBED and others:
@@ -429,7 +262,7 @@ def _check_one_description(tables: dict[str, Any], source: Source) -> None:
         raise InputError(f"must be absent, as [{first}] says already what moves", where)
 
 
-def _own_model(tables: dict[str, Any]) -> type[Experiment]:
+def _own_model(tables: Tables) -> type[Experiment]:
     """What is described without the catalogue."""
     if "equations" in tables:
         return EquationsExperiment
@@ -438,7 +271,7 @@ def _own_model(tables: dict[str, Any]) -> type[Experiment]:
     return BallExperiment if is_ball_experiment(tables) else RollingExperiment
 
 
-def _decided_by_system(tables: dict[str, Any]) -> dict[Key, str]:
+def _decided_by_system(tables: Tables) -> dict[Key, str]:
     """The tables that have no place beside [system]."""
     decided = [name for name in RollingExperiment.model_fields if name in tables]
     return {
@@ -446,41 +279,3 @@ def _decided_by_system(tables: dict[str, Any]) -> dict[Key, str]:
         for name in decided
         if name not in SystemExperiment.model_fields
     }
-
-
-def _misfit(shape: ShapeTable, surface: SurfaceTable) -> str | None:
-    """Why a body certainly cannot roll on a surface, if so."""
-    radius = surface.radius if isinstance(surface, SphereTable) else None
-    if isinstance(shape, BallTable) and shape.hollow:
-        if radius is None or radius < 0:
-            return "a hollow ball rolls around the outside of a sphere; its radius is positive"
-        if shape.radius <= radius:
-            return (
-                f"a hollow ball of radius {shape.radius:.15g} does not go around a sphere of "
-                f"radius {radius:.15g}; the ball must be the larger one"
-            )
-        return None
-    if radius is None or radius > 0:
-        return None
-    size, meaning = _size(shape)
-    if size < -radius:
-        return None
-    return (
-        f"a bowl of radius {-radius:.15g} is too small for this {shape.kind}, whose {meaning} is "
-        f"{size:.15g}; the bowl must be larger than that"
-    )
-
-
-def _size(shape: ShapeTable) -> tuple[float, str]:
-    """A length which the radius of a bowl must exceed, and its meaning."""
-    match shape:
-        case BallTable() | DiskTable():
-            return shape.radius, "radius"
-        case TorusTable():
-            return shape.radius + shape.tube, "outer radius"
-        case EllipsoidTable():
-            longest, shortest = max(shape.axes), min(shape.axes)
-            # Divided first, as the square of a large number may overflow.
-            return longest / shortest * longest, "largest radius of curvature"
-        case _:
-            return 0.0, "size"

@@ -6,7 +6,6 @@ import keyword
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Any
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
@@ -62,24 +61,24 @@ class Names:
                 "in brackets, as in gamma[3]",
                 *key,
             )
-        taken = {*self.known, *(str(s) for n in self.known.values() for s in components(n))}
+        words = {*self.known, *(str(s) for n in self.known.values() for s in components(n))}
         if name in RESERVED | PRODUCTS | {str(TIME)} or keyword.iskeyword(name):
             raise self.error(f"the name '{name}' has a meaning already; choose another", *key)
         for word in (name, *map(str, components(named))):
-            if word in taken:
+            if word in words:
                 raise self.error(f"'{word}' stands for two things; rename one of them", *key)
         self.known[name] = named
         return named
 
     def get(self, name: str, among: Iterable[Named], *key: str) -> Named:
         """The quantity of that name, one of these or a component of one."""
-        found: dict[str, Named] = {}
+        quantities: dict[str, Named] = {}
         for named in among:
-            found[str(named)] = named
-            found |= {str(s): s for s in components(named)}
-        if name not in found:
-            raise self.error(f"unknown name '{name}'{nearest(name, found)}", *key)
-        return found[name]
+            quantities[str(named)] = named
+            quantities |= {str(s): s for s in components(named)}
+        if name not in quantities:
+            raise self.error(f"unknown name '{name}'{nearest(name, quantities)}", *key)
+        return quantities[name]
 
     def formula(self, text: str, *key: str) -> Formula:
         """A formula that stands at that place, scalar or vector."""
@@ -101,7 +100,7 @@ class Names:
             raise self.error(f"must be {kind}", *key)
         return value
 
-    def formulas(self, texts: Iterable[str], *key: str) -> tuple[Any, ...]:
+    def formulas(self, texts: Iterable[str], *key: str) -> tuple[Formula, ...]:
         """The formulas of an array."""
         return tuple(self.formula(text, *key) for text in texts)
 

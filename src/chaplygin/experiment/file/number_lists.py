@@ -28,10 +28,10 @@ def given_numbers(value: object, wanted: str) -> float | tuple[float, ...]:
     """
     listed = value if isinstance(value, list | tuple) else [value]
     numbers = [_finite(x) for x in listed]
-    found = tuple(x for x in numbers if x is not None)
-    if not found or len(found) < len(listed):
+    finite = tuple(x for x in numbers if x is not None)
+    if not finite or len(finite) < len(listed):
         raise ValueError(f"must be {wanted}, not {value_text(value)}{_decimal(value)}")
-    return found if isinstance(value, list | tuple) else found[0]
+    return finite if isinstance(value, list | tuple) else finite[0]
 
 
 def _finite(value: object) -> float | None:

@@ -8,10 +8,9 @@ from collections.abc import Mapping
 from copy import deepcopy
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
 
 from ...errors import InputError
-from .toml import Key, dotted, key_lines
+from .toml import Key, Tables, dotted, key_lines
 
 __all__ = ["Source"]
 
@@ -42,10 +41,10 @@ class Source:
     name: str
     text: str
     overrides: tuple[str, ...] = ()
-    given: Mapping[str, Any] = field(default_factory=dict)
+    given: Mapping[str, object] = field(default_factory=dict)
     short: Mapping[str, Key] = field(default_factory=dict)
 
-    def tables(self) -> dict[str, Any]:
+    def tables(self) -> Tables:
         """The tables of the file with the overrides put in.
 
         Raises
@@ -65,7 +64,7 @@ class Source:
         self._require_print((), tables)
         return tables
 
-    def _require_print(self, key: Key, value: Any) -> None:
+    def _require_print(self, key: Key, value: object) -> None:
         """Refuse keys and texts with characters that would command a terminal or end a text."""
         match value:
             case dict():
@@ -76,11 +75,11 @@ class Source:
                 for inner in value:
                     self._require_print(key, inner)
             case str():
-                found = _CONTROL.search(value)
-                if found:
+                control = _CONTROL.search(value)
+                if control:
                     raise InputError(
-                        f"the control character U+{ord(found[0]):04X} stands in it; of these only "
-                        "line breaks and tabs are allowed",
+                        f"the control character U+{ord(control[0]):04X} stands in it; of these "
+                        "only line breaks and tabs are allowed",
                         self.where(key),
                     )
 
@@ -103,7 +102,7 @@ class Source:
             itself is not in the file; the option where an override has set or made it, and all
             of them where several have made a table.
         """
-        made = []
+        makers = []
         for option in reversed(self.overrides):
             setting = option.partition("=")[0].strip()
             path = self.path(option)
@@ -112,9 +111,9 @@ class Source:
             if key[: len(path)] == path:
                 return f"--set {setting}, {dotted(key)}"
             if key and path[: len(key)] == key and key not in self._lines:
-                made.append(f"--set {setting}")
-        if made:
-            return " ".join(dict.fromkeys(reversed(made)))
+                makers.append(f"--set {setting}")
+        if makers:
+            return " ".join(dict.fromkeys(reversed(makers)))
         number = self.line(key)
         parts = [self.name, f"line {number}" if number else "", dotted(key)]
         return ", ".join(part for part in parts if part)
@@ -149,7 +148,7 @@ def _path(setting: str, short: Mapping[str, Key]) -> Key:
     return short.get(setting) or tuple(setting.split("."))
 
 
-def _put(tables: dict[str, Any], option: str, short: Mapping[str, Key]) -> None:
+def _put(tables: Tables, option: str, short: Mapping[str, Key]) -> None:
     """Put one option ``KEY=VALUE`` into the tables."""
     key, equals, text = option.partition("=")
     key = key.strip()
@@ -171,10 +170,10 @@ def _put(tables: dict[str, Any], option: str, short: Mapping[str, Key]) -> None:
         table[path[-1]] = value
 
 
-def _value(text: str, key: str) -> Any:
+def _value(text: str, key: str) -> object:
     """The value of an override: TOML, or a text without its quotes."""
     try:
-        read: Mapping[str, Any] = tomllib.loads(f"value = {text}")
+        read: Mapping[str, object] = tomllib.loads(f"value = {text}")
     except (ValueError, RecursionError):
         if text[:1] in {"[", "{", '"', "'", ""}:
             message = f"{text or 'nothing'} is not a value; write 2.5, [1, 2, 3], true or a word"

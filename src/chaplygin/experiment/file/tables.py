@@ -6,42 +6,33 @@ Units are SI, angles in radians.
 
 from __future__ import annotations
 
-import keyword
-import re
 from typing import Annotated, ClassVar, Literal
 
 import numpy as np
-import sympy
-from pydantic import (
-    BaseModel,
-    ConfigDict,
-    Field,
-    PlainValidator,
-    Strict,
-    StrictBool,
-    StrictInt,
-    ValidationInfo,
-    field_validator,
-    model_validator,
-)
+from pydantic import Field, PlainValidator, StrictBool, StrictInt, ValidationInfo, field_validator
 
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
-from ...parsing import RESERVED, parse
 from .number_lists import given_numbers
+from .shape_tables import ShapeTable
+from .table import (
+    DIRECTION,
+    FORMULA,
+    POSITIVE,
+    THREE,
+    FormulaTable,
+    Number,
+    Positive,
+    Table,
+    Vector,
+)
 
 __all__ = [
-    "BallTable",
     "BodyTable",
     "ContactTable",
-    "DiskTable",
-    "EllipsoidTable",
     "FieldTable",
-    "ImplicitTable",
     "PlaneTable",
-    "RevolutionTable",
     "RunTable",
-    "ShapeTable",
     "SphereTable",
     "StartTable",
     "StateTable",
@@ -49,155 +40,15 @@ __all__ = [
     "SystemRunTable",
     "SystemStartTable",
     "SystemTable",
-    "TorusTable",
 ]
 
-Number = Annotated[float, Strict()]
-Positive = Annotated[Number, Field(gt=0)]
-Vector = tuple[Number, Number, Number]
 Inertia = Vector | tuple[Vector, Vector, Vector]
 
-POSITIVE = "a positive finite number"
-THREE = "3 finite numbers"
-DIRECTION = "3 finite numbers with at least one not zero"
-FORMULA = "a formula in quotes"
 STATE = "a finite number, or finite numbers in brackets"
 
 COARSEST, FINEST, FINEST_DOUBLE = 1e-3, 1e-30, 1e-16
 DEFAULT_TOLERANCE = 1e-15
 MOST_SAMPLES = 10_000_000
-
-
-class Table(BaseModel):
-    """A table of the file: immutable, without unknown keys and without infinite numbers."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
-
-
-class FormulaTable(Table):
-    """A table whose formulas may use named numbers."""
-
-    variables: ClassVar[tuple[str, ...]] = ()
-
-    parameters: dict[str, Number] = Field(default={}, description="a table of named numbers")
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Every name that a formula of this table may use, besides functions and ``pi``."""
-        return (*self.variables, *self.parameters)
-
-    @field_validator("parameters")
-    @classmethod
-    def _nameable(cls, parameters: dict[str, float]) -> dict[str, float]:
-        if parameters and not cls.variables:
-            raise ValueError("only a shape given by a formula (revolution, implicit) has any")
-        for name in parameters:
-            if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name) or keyword.iskeyword(name):
-                raise ValueError(
-                    f"'{name}' cannot be used in a formula; a name has letters, digits and _"
-                )
-            if name in RESERVED or name in _MEANT or name in cls.variables:
-                raise ValueError(f"the name '{name}' has a meaning already; choose another")
-        return parameters
-
-    @classmethod
-    def _formula(cls, text: str, info: ValidationInfo) -> sympy.Expr | None:
-        """Read a formula; None where wrong parameters leave its names unknown."""
-        if "parameters" not in info.data:
-            return None
-        names = (*cls.variables, *info.data["parameters"])
-        return parse(text, {name: sympy.Symbol(name, real=True) for name in names})
-
-
-_MEANT = frozenset(
-    ["m", "g", "x", "y", "z", *(f"{letter}_{i}" for letter in ("gamma", "I") for i in (1, 2, 3))]
-)
-
-
-class _ShapeTable(FormulaTable):
-    """What all shapes have: where the geometric centre lies."""
-
-    kind: str
-    centre: Vector = Field(default=(0.0, 0.0, 0.0), description=THREE)
-    """Geometric centre minus centre of mass, body axes."""
-
-
-class BallTable(_ShapeTable):
-    """A ball; a hollow one rolls with its inner surface around a sphere."""
-
-    kind: Literal["ball"] = "ball"
-    radius: Positive = Field(description=POSITIVE)
-    hollow: StrictBool = Field(default=False, description="true or false")
-
-
-class EllipsoidTable(_ShapeTable):
-    """An ellipsoid, its third axis along body axis 3."""
-
-    kind: Literal["ellipsoid"] = "ellipsoid"
-    axes: tuple[Positive, Positive, Positive] = Field(description="3 positive semi-axes")
-    turn: Number = Field(default=0.0, description="a finite angle (radians)")
-    """The first semi-axis is (cos turn, sin turn, 0) in body axes."""
-
-
-class DiskTable(_ShapeTable):
-    """A disk with a sharp edge, normal to body axis 3."""
-
-    kind: Literal["disk"] = "disk"
-    radius: Positive = Field(description=POSITIVE)
-
-
-class TorusTable(_ShapeTable):
-    """A ring about body axis 3: tubes of radius `tube` around a circle of radius `radius`."""
-
-    kind: Literal["torus"] = "torus"
-    radius: Positive = Field(description=POSITIVE)
-    tube: Positive = Field(description=POSITIVE)
-
-
-class RevolutionTable(_ShapeTable):
-    """A body of revolution about body axis 3, by its support function or by χ₁ and χ₂."""
-
-    variables: ClassVar[tuple[str, ...]] = ("gamma_3",)
-
-    kind: Literal["revolution"] = "revolution"
-    support: str | None = Field(default=None, description=FORMULA)
-    chi_1: str | None = Field(default=None, description=FORMULA)
-    chi_2: str | None = Field(default=None, description=FORMULA)
-
-    @field_validator("support", "chi_1", "chi_2")
-    @classmethod
-    def _readable(cls, text: str | None, info: ValidationInfo) -> str | None:
-        if text is not None:
-            cls._formula(text, info)
-        return text
-
-    @model_validator(mode="after")
-    def _one_description(self) -> RevolutionTable:
-        given = [name for name in ("support", "chi_1", "chi_2") if getattr(self, name) is not None]
-        if given not in (["support"], ["chi_1", "chi_2"]):
-            found = " and ".join(given) or "neither"
-            raise ValueError(f"give either support or both chi_1 and chi_2, not {found}")
-        return self
-
-
-class ImplicitTable(_ShapeTable):
-    """A smooth convex body f(x, y, z) = 0, negative inside; coordinates from its centre."""
-
-    variables: ClassVar[tuple[str, ...]] = ("x", "y", "z")
-
-    kind: Literal["implicit"] = "implicit"
-    surface: str = Field(description=FORMULA)
-
-    @field_validator("surface")
-    @classmethod
-    def _readable(cls, text: str, info: ValidationInfo) -> str:
-        formula = cls._formula(text, info)
-        if formula is not None and not {s.name for s in formula.free_symbols} & set(cls.variables):
-            raise ValueError("the formula of a surface must contain x, y or z")
-        return text
-
-
-ShapeTable = BallTable | EllipsoidTable | DiskTable | TorusTable | RevolutionTable | ImplicitTable
 
 
 class BodyTable(Table):
@@ -371,7 +222,7 @@ class _RunTable(Table):
 
     @field_validator("time_limit")
     @classmethod
-    def _limited(cls, limit: float | None, info: ValidationInfo) -> float | None:
+    def _taylor_alone(cls, limit: float | None, info: ValidationInfo) -> float | None:
         if limit is not None and info.data.get("method") == "gauss":
             raise ValueError('there is none with run.method = "gauss"; leave it out')
         return limit

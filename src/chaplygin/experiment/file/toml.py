@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator, Mapping
-from typing import Any
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TypeAlias
 
 import tomli_w
 
-__all__ = ["Key", "dotted", "dumps", "key_lines"]
+__all__ = ["Key", "Tables", "dotted", "dumps", "key_lines"]
 
 Key = tuple[str, ...]
+
+#: Tables of a file: values, or further tables, by name.
+Tables: TypeAlias = dict[str, object]
 
 _TOKEN = re.compile(
     r'"""(?:\\.|[^\\])*?"{3,5}'
@@ -83,7 +86,7 @@ def _path(statement: str) -> Key:
     """The dotted path of a header or of a key with its ``=``, read as TOML reads it."""
     key = statement.strip().strip("[]= \t\r")
     try:
-        nested: Any = tomllib.loads(f"{key} = 0")
+        nested: object = tomllib.loads(f"{key} = 0")
     except ValueError:
         return ()
     path: list[str] = []
@@ -93,7 +96,7 @@ def _path(statement: str) -> Key:
     return tuple(path)
 
 
-def dumps(tables: Mapping[str, Any]) -> str:
+def dumps(tables: Mapping[str, object]) -> str:
     """Write nested tables of numbers, truth values, texts and arrays of numbers as TOML.
 
     Parameters
@@ -115,7 +118,7 @@ def dotted(key: Key) -> str:
     return ".".join(tomli_w.dumps({part: 0}).removesuffix(" = 0\n") for part in key)
 
 
-def _blocks(path: Key, table: Mapping[str, Any]) -> Iterator[str]:
+def _blocks(path: Key, table: Mapping[str, object]) -> Iterator[str]:
     """A table and then its sub-tables, each with its header."""
     inner = {key: value for key, value in table.items() if isinstance(value, Mapping)}
     lines = [_assignment(key, value) for key, value in table.items() if key not in inner]
@@ -126,17 +129,17 @@ def _blocks(path: Key, table: Mapping[str, Any]) -> Iterator[str]:
         yield from _blocks((*path, key), value)
 
 
-def _assignment(key: str, value: Any) -> str:
+def _assignment(key: str, value: object) -> str:
     if isinstance(value, list | tuple):
         return f"{dotted((key,))} = {_array(value)}"
     return tomli_w.dumps({key: value}).rstrip("\n")
 
 
-def _array(values: list[Any] | tuple[Any, ...]) -> str:
+def _array(values: Sequence[object]) -> str:
     return f"[{', '.join(map(_element, values))}]"
 
 
-def _element(value: Any) -> str:
+def _element(value: object) -> str:
     if isinstance(value, list | tuple):
         return _array(value)
     return _text(value) if isinstance(value, str) else repr(value)

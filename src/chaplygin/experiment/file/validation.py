@@ -6,7 +6,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import NoneType
-from typing import Any, get_args, get_origin
+from typing import TypeGuard, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
@@ -89,7 +89,7 @@ class _Place:
     key: Key
     owner: type[BaseModel] | None = None
     field: FieldInfo | None = None
-    table: Any = None
+    table: object = None
 
     @property
     def allowed(self) -> str:
@@ -105,7 +105,7 @@ class _Place:
 def _locate(model: type[BaseModel], steps: tuple[int | str, ...]) -> _Place:
     """Follow pydantic's path, which also holds the kinds of tables and the places in arrays."""
     place = _Place(())
-    table: Any = model
+    table: object = model
     for step in map(str, steps):
         if _is_choice(table):
             table = next(t for t in get_args(table) if t.model_fields["kind"].default == step)
@@ -120,14 +120,14 @@ def _locate(model: type[BaseModel], steps: tuple[int | str, ...]) -> _Place:
     return place
 
 
-def _present(annotation: Any) -> Any:
+def _present(annotation: object) -> object:
     """The kind of a table that may be left out."""
     choices = [choice for choice in get_args(annotation) if choice is not NoneType]
     left_out = NoneType in get_args(annotation)
     return choices[0] if left_out and len(choices) == 1 else annotation
 
 
-def _is_table(annotation: object) -> bool:
+def _is_table(annotation: object) -> TypeGuard[type[BaseModel]]:
     return isinstance(annotation, type) and issubclass(annotation, BaseModel)
 
 
@@ -137,7 +137,7 @@ def _is_choice(annotation: object) -> bool:
     return bool(choices) and all(map(_is_table, choices))
 
 
-def _value(data: Any, key: Key) -> object:
+def _value(data: object, key: Key) -> object:
     for part in key:
         if not isinstance(data, Mapping) or part not in data:
             return None
@@ -145,7 +145,7 @@ def _value(data: Any, key: Key) -> object:
     return data
 
 
-def _as_written(data: Any, key: Key) -> Key:
+def _as_written(data: object, key: Key) -> Key:
     """The key without what a value that stands for a whole table does not have."""
     while len(key) > 1 and not isinstance(_value(data, key[:-1]), Mapping | None):
         key = key[:-1]

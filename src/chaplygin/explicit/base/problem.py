@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 from flint import fmpq
 
-from ...core.admissible import conditions, satisfies
+from ...core.parameters import require_admissible
 from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
@@ -81,13 +81,8 @@ class Problem:
         return self
 
     def _check_admissible(self) -> None:
-        values = {s: float(exact(value)) for s, value in self.parameters.items()}
-        for parameter, condition in conditions(self.system.parameters):
-            if not satisfies(condition, values):
-                raise InputError(
-                    f"{self.system.name}: {parameter.symbol} = "
-                    f"{self.parameters[parameter.symbol]} is not admissible; {condition} must hold"
-                )
+        numbers = {s: float(exact(value)) for s, value in self.parameters.items()}
+        require_admissible(self.system, numbers, self.parameters)
 
     @property
     def numbers(self) -> dict[str, Fraction]:

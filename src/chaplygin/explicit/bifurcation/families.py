@@ -15,6 +15,7 @@ import sympy as sp
 
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_bracket import D, I
+from ...core.parameters import require_parameters
 from ...core.system import System
 from ...core.vectors import dot, norm_squared, real_symbol, to_components, vectors
 from ...errors import InputError
@@ -263,9 +264,8 @@ def numbers(plane: IntegralPlane, given: Mapping[Any, Any]) -> dict[sp.Symbol, F
     known = {str(s): (s, value) for s, value in plane.system.defaults.items()}
     known |= {str(s): (s, value) for s, value in plane.held}
     values = dict(known.values())
+    require_parameters(plane.name, known, given)
     for name, value in given.items():
-        if str(name) not in known:
-            raise InputError(f"{plane.name}: no parameter {name}; it has {', '.join(known)}")
         values[known[str(name)][0]] = value
     try:
         found = {symbol: exact(value) for symbol, value in values.items()}

@@ -118,7 +118,7 @@ def ensemble_task(
     system: System,
     members: Members | Any,
     times: Any,
-    parameters: Mapping[Any, float] | None = None,
+    parameters: Parameters = None,
     *,
     record: Sequence[str] = (),
     tolerance: float = 1e-13,
@@ -172,7 +172,7 @@ def _times(times: Any) -> tuple[float, ...]:
     return tuple(given.tolist())
 
 
-def _constants(system: System, parameters: Mapping[Any, float] | None) -> dict[str, float]:
+def _constants(system: System, parameters: Parameters) -> dict[str, float]:
     """Values of parameters by name, without those that are the default: they say nothing new."""
     found, defaults = {}, dict(system.constants)
     for name, value in (parameters or {}).items():

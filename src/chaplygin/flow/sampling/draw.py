@@ -213,7 +213,7 @@ class LevelSampler:
 def level_sampler(
     system: System,
     level: Mapping[str, float],
-    parameters: Mapping[Any, float] | None = None,
+    parameters: Parameters = None,
 ) -> LevelSampler:
     """A level from which points can be drawn again and again; see :func:`draw`."""
     values = parameter_rows(system, parameters, 1)[0]

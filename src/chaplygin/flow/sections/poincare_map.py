@@ -21,7 +21,7 @@ import numpy as np
 import sympy as sp
 
 from ...arguments import Quantity, arguments_checked
-from ...core.admissible import require_parameters
+from ...core.parameters import parameters_by_symbol
 from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
@@ -101,7 +101,7 @@ class PoincareMap:
     until: float = np.inf
 
     def __post_init__(self) -> None:
-        require_parameters(self.system, self.parameters)
+        parameters_by_symbol(self.system, self.parameters)
 
     @property
     def inverse(self) -> PoincareMap:

@@ -14,8 +14,8 @@ import numpy as np
 import sympy as sp
 
 from ...arguments import Parameters, arguments_checked
-from ...core.admissible import parameters_by_symbol
 from ...core.named_formulas import Pairs
+from ...core.parameters import parameter_values
 from ...core.system import System
 from ...core.vectors import Vector, to_components
 from ...errors import InputError
@@ -82,7 +82,7 @@ def initial_state(
     [1.4, 0.0, 1.2, 0.0, 0.0, 1.0]
     """
     with mpmath.workdps(DIGITS):
-        values = system.defaults | parameters_by_symbol(system, parameters)
+        values = parameter_values(system, parameters)
         known = {s: _number(v) for s, v in values.items()}
         spin = _vector(omega, "omega")
         up = _direction(gamma, "gamma")

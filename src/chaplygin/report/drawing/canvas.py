@@ -16,9 +16,12 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 from ...core.arrays import BoolArray, FloatArray
+from .curves import runs
 from .dataset_access import unit_of
-from .geometry import Facets, SurfaceCurve, View, runs, shaded, sphere_shades
+from .mesh import Facets, SurfaceCurve
+from .shading import shaded, sphere_shades
 from .style import GROUND_DARK, GROUND_LIGHT, INK, QUIET, TIME_COLOURS
+from .view import View
 
 _SHADES = 160
 """Steps between black and white of the shades of a body."""
@@ -143,9 +146,9 @@ class Canvas:
             bottom + rows[0] * high,
             bottom + (rows[-1] + 1) * high,
         )
-        kept = colours[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+        cut = colours[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
         self.axes.imshow(
-            np.clip(kept, 0.0, 1.0),
+            np.clip(cut, 0.0, 1.0),
             extent=part,
             origin="lower",
             interpolation="bilinear",

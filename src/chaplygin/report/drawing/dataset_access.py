@@ -81,8 +81,8 @@ def readable(text: str) -> str:
 
     Raised and lowered characters are set as exponents and indices.
     """
-    text = re.sub(f"[{''.join(_RAISED)}]+", lambda match: _shifted(match[0], "^", _RAISED), text)
-    text = re.sub(f"[{''.join(_LOWERED)}]+", lambda match: _shifted(match[0], "_", _LOWERED), text)
+    text = re.sub(f"[{''.join(_RAISED)}]+", lambda match: _script(match[0], "^", _RAISED), text)
+    text = re.sub(f"[{''.join(_LOWERED)}]+", lambda match: _script(match[0], "_", _LOWERED), text)
     try:
         MathTextParser("path").parse(text)
     except ValueError:
@@ -90,7 +90,7 @@ def readable(text: str) -> str:
     return text
 
 
-def _shifted(characters: str, mark: str, table: dict[str, str]) -> str:
+def _script(characters: str, mark: str, table: dict[str, str]) -> str:
     return f"${mark}{{{''.join(table[c] for c in characters)}}}$"
 
 

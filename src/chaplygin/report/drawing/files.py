@@ -105,7 +105,7 @@ def svg_text(figure: Figure) -> str:
         'style="stroke-linejoin: round; stroke-linecap: butt" ',
         1,
     )
-    text = re.sub(r' d="[^"]*"', _rounded, text)
+    text = re.sub(r' d="[^"]*"', _short_path, text)
     return _own_ids(re.sub(r"\n\s*", "\n", text.strip()))
 
 
@@ -202,7 +202,7 @@ def _share(figure: Figure, axes: Axes, legend: Legend) -> float:
     return min(1.0, float(room / legend.get_window_extent().width))
 
 
-def _rounded(path: re.Match[str]) -> str:
+def _short_path(path: re.Match[str]) -> str:
     """Coordinates of a path to a hundredth of a point, finer than any paper."""
     return re.sub(
         r"-?\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}", path[0].replace("\n", "")
@@ -215,8 +215,8 @@ def _own_ids(svg: str) -> str:
     used = set(re.findall(r'href="#([^"]+)"|url\(#([^)]+)\)', svg))
     names = {first or second for first, second in used}
 
-    def renamed(found: re.Match[str]) -> str:
-        return f' id="{mark}-{found[1]}"' if found[1] in names else ""
+    def renamed(match: re.Match[str]) -> str:
+        return f' id="{mark}-{match[1]}"' if match[1] in names else ""
 
     svg = re.sub(r' id="([^"]*)"', renamed, svg)
     return re.sub(r'(href="#|url\(#)', rf"\1{mark}-", svg)

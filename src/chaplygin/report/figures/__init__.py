@@ -15,7 +15,8 @@ from matplotlib.figure import Figure
 
 from ..drawing.dataset_access import NEEDED, title_of
 from ..drawing.files import FORMATS, page_svg, save, svg_text
-from ..drawing.geometry import BodyMesh, Ground
+from ..drawing.mesh import BodyMesh
+from ..drawing.shading import Ground
 from ..drawing.style import STYLE
 from ..scenes.ball import ball_scene
 from ..scenes.implicit_surface import SurfaceGround
@@ -23,18 +24,16 @@ from ..scenes.planar_mechanism import plan_view
 from ..scenes.rolling_body import scene
 from .bifurcation import draw_bifurcation_diagram as bifurcation_diagram
 from .closed_form import closed_form
+from .integral_drift import drift, drifts, relative_drift
 from .paths import contact_path, normal_on_sphere
 from .state import state
 from .time_series import (
     angular_velocity,
     attitude,
-    drift,
-    drifts,
     friction_ratio,
     needed_friction,
     normal_force,
     presses,
-    relative_drift,
 )
 
 __all__ = [

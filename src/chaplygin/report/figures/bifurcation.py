@@ -59,13 +59,13 @@ def draw_bifurcation_diagram(diagram: Diagram, mark: tuple[float, float] | None 
         figure.set_label(f"Bifurcation diagram: {diagram.plane.title}")
         axes = figure.add_subplot()
         axes.set(xlim=frame.across, ylim=frame.upward)
-        axes.set_xlabel(_named(diagram, 0))
-        axes.set_ylabel(_named(diagram, 1) + _less(diagram, frame))
+        axes.set_xlabel(_axis_label(diagram, 0))
+        axes.set_ylabel(_axis_label(diagram, 1) + _less(diagram, frame))
         _fill(axes, diagram, lines)
         for boundary in diagram.boundaries:
             _line(axes, boundary, lines)
-        taken = [] if mark is None else [frame.drawn(mark)]
-        grid = Grid(diagram, frame, lines, taken)
+        marks = [] if mark is None else [frame.drawn(mark)]
+        grid = Grid(diagram, frame, lines, marks)
         _label(axes, diagram, grid)
         for corner in diagram.equilibria:
             _dot(axes, frame.drawn(corner.place), "s", "white", INK)
@@ -79,15 +79,15 @@ def draw_bifurcation_diagram(diagram: Diagram, mark: tuple[float, float] | None 
     return figure
 
 
-def _named(diagram: Diagram, number: int) -> str:
+def _axis_label(diagram: Diagram, number: int) -> str:
     axis = diagram.axes[number]
-    held = [str(symbol) for symbol, _ in diagram.plane.held] if number == 0 else []
+    constants = [str(symbol) for symbol, _ in diagram.plane.held] if number == 0 else []
     text = f"{axis.meaning}  ${sp.latex(axis.symbol)}$".strip()
     unit = axis.unit.replace("^2", "$^2$").replace("^4", "$^4$")
     fixed = "".join(
         f"   at ${name} = {float(value):.4g}$"
         for name, value in ((str(s), v) for s, v in diagram.parameters.items())
-        if name in held
+        if name in constants
     )
     return f"{text}  ({unit}){fixed}" if unit else f"{text}{fixed}"
 
@@ -120,23 +120,23 @@ def _line(axes: Axes, boundary: Boundary, lines: Mapping[int, Heights]) -> None:
         if column in lines:
             xs, ys = lines[column]
             pieces.append(np.column_stack([xs, ys[:, rank]]))
-    for piece in _joined(pieces):
-        axes.plot(*piece.T, **_pen(boundary))
+    for piece in _chained(pieces):
+        axes.plot(*piece.T, **_line_style(boundary))
 
 
-def _joined(pieces: Sequence[FloatArray]) -> list[FloatArray]:
+def _chained(pieces: Sequence[FloatArray]) -> list[FloatArray]:
     """Pieces put together where one goes on from the end of another, so that dashes run on."""
-    found: list[FloatArray] = []
+    curves: list[FloatArray] = []
     for piece in pieces:
-        near = [n for n, other in enumerate(found) if np.allclose(other[-1], piece[0], atol=1e-6)]
+        near = [n for n, other in enumerate(curves) if np.allclose(other[-1], piece[0], atol=1e-6)]
         if near:
-            found[near[0]] = np.concatenate([found[near[0]], piece])
+            curves[near[0]] = np.concatenate([curves[near[0]], piece])
         else:
-            found.append(piece)
-    return found
+            curves.append(piece)
+    return curves
 
 
-def _pen(boundary: Boundary) -> dict[str, Any]:
+def _line_style(boundary: Boundary) -> dict[str, Any]:
     colour = COMPONENTS[boundary.pole - 1] if boundary.pole else INK
     return {
         "color": colour,
@@ -154,7 +154,7 @@ def _dot(
     axes.plot([x], [y], kind, markersize=size, markerfacecolor=face, markeredgecolor=edge, zorder=5)
 
 
-def _said(region: Region) -> str:
+def _tori_text(region: Region) -> str:
     if not region.tori:
         return "no motion"
     return "1 torus" if region.tori == 1 else f"{region.tori} tori"
@@ -163,21 +163,21 @@ def _said(region: Region) -> str:
 def _label(axes: Axes, diagram: Diagram, grid: Grid) -> None:
     empty = [region for region in diagram.regions if not region.tori]
     sentence = [region for region in diagram.regions if region.tori]
-    found = places(grid, sentence, empty)
+    positions = places(grid, sentence, empty)
     for region in sentence:
-        if region.number not in found:
+        if region.number not in positions:
             continue
-        inside, outside = found[region.number]
+        inside, outside = positions[region.number]
         note: dict[str, Any] = {"ha": "center", "va": "center", "color": INK, "zorder": 6}
-        text = f"{region.number}: {_said(region)}"
+        text = f"{region.number}: {_tori_text(region)}"
         if outside is None:
             axes.text(*inside, text, **note)
         else:
             arrow = {"arrowstyle": "-", "color": INK, "linewidth": 0.6, "shrinkB": 0}
             axes.plot(*inside, "o", color=INK, markersize=2.2, zorder=6)
             axes.annotate(text, inside, outside, arrowprops=arrow, **note)
-    if 0 in found:
-        axes.text(*found[0][0], "no motion", ha="center", va="center", color=QUIET)
+    if 0 in positions:
+        axes.text(*positions[0][0], "no motion", ha="center", va="center", color=QUIET)
 
 
 def _boundary_key(diagram: Diagram) -> list[Line2D]:
@@ -192,7 +192,7 @@ def _boundary_key(diagram: Diagram) -> list[Line2D]:
             words = words.replace(f"Γ_{axis}", rf"$\Gamma_{axis}$")
             words = words.replace(f"ν_{axis}", rf"$\nu_{axis}$")
         handles.setdefault(
-            kind, Line2D([], [], label=f"{words}: {circles}, {fate}", **_pen(boundary))
+            kind, Line2D([], [], label=f"{words}: {circles}, {fate}", **_line_style(boundary))
         )
     return [handles[kind] for kind in sorted(handles)]
 

@@ -101,7 +101,7 @@ def _levels(
 ) -> dict[int, Heights]:
     slope, offset = map(float, base)
     ends = [-np.inf, *(float(a) for a in diagram.arrangement.abscissae), np.inf]
-    found: dict[int, Heights] = {}
+    levels: dict[int, Heights] = {}
     for column, (start, end) in enumerate(pairwise(ends)):
         low, high = max(start, across[0]), min(end, across[1])
         if high <= low:
@@ -111,8 +111,8 @@ def _levels(
         xs = low + (high - low) * (1 - np.cos(turns)) / 2
         rows = [diagram.arrangement.ordinates(column, rational(Fraction(float(x)))) for x in xs]
         ys = np.array([[float(y) for y in row] for row in rows])
-        found[column] = (xs, ys - (slope * xs + offset)[:, np.newaxis])
-    return found
+        levels[column] = (xs, ys - (slope * xs + offset)[:, np.newaxis])
+    return levels
 
 
 class Grid:
@@ -179,20 +179,20 @@ def places(
     Keys are the numbers of the regions; 0 is the one for the regions without motions.
     """
     free = grid.of(empty)
-    found: dict[int, tuple[Place, Place | None]] = {}
+    positions: dict[int, tuple[Place, Place | None]] = {}
     for region in text:
         room = grid.room(grid.of([region]))
         if room.max() <= 0:
             continue
         inside = _largest(room)
         if room[inside] >= 1.25:
-            found[region.number] = (grid.place(inside), None)
+            positions[region.number] = (grid.place(inside), None)
             continue
         outside = _nearest(grid.room(free) >= 1.5, inside)
         if outside is None:
-            found[region.number] = (grid.place(inside), None)
+            positions[region.number] = (grid.place(inside), None)
             continue
-        found[region.number] = (grid.place(inside), grid.place(outside))
+        positions[region.number] = (grid.place(inside), grid.place(outside))
         reach = (int(3 * LABEL[0] * GRID[0]), int(3 * LABEL[1] * GRID[1]))
         free[
             max(outside[0] - reach[0], 0) : outside[0] + reach[0],
@@ -200,8 +200,8 @@ def places(
         ] = False
     room = grid.room(free)
     if room.max() >= 1.5:
-        found[0] = (grid.place(_largest(room)), None)
-    return found
+        positions[0] = (grid.place(_largest(room)), None)
+    return positions
 
 
 def _largest(room: FloatArray) -> tuple[int, int]:

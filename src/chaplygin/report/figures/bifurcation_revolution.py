@@ -43,7 +43,7 @@ def diagram_of_revolution(
         figure = Figure(figsize=(WIDTH, 0.62 * WIDTH), layout="constrained")
         axes = figure.subplots()
         for column, left, right in zip(diagram.columns, edges[:-1], edges[1:], strict=True):
-            levels = [float(rest.h) for rest in column.rests]
+            levels = [float(equilibrium.h) for equilibrium in column.rests]
             bands = zip(levels, [*levels[1:], high], column.counts[1:], strict=True)
             for bottom, top, count in bands:
                 shade = SHADES[min(count, len(SHADES) - 1)]

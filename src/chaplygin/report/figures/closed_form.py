@@ -97,10 +97,10 @@ def _torus(axes: Axes, first: float, second: float) -> None:
 
 def frequencies_of(form: ClosedForm) -> tuple[float, float] | None:
     """The two frequencies among the figures of a closed form."""
-    found = {f.symbol: float(f.value.mid()) for f in form.figures}
-    if "Omega_1" not in found or "Omega_2" not in found:
+    values = {f.symbol: float(f.value.mid()) for f in form.figures}
+    if "Omega_1" not in values or "Omega_2" not in values:
         return None
-    return found["Omega_1"], found["Omega_2"]
+    return values["Omega_1"], values["Omega_2"]
 
 
 def roots_of(form: ClosedForm) -> list[float]:

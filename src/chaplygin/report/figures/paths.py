@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ..drawing.canvas import Canvas, blank_axes, fit_height, mark_ends, time_bar, timed_on_surface
+from ..drawing.curves import smooth_curve
 from ..drawing.dataset_access import (
     CURVE_POINTS,
     NOTHING,
@@ -21,16 +22,10 @@ from ..drawing.dataset_access import (
     values_of,
     with_unit,
 )
-from ..drawing.geometry import (
-    Ground,
-    PlaneGround,
-    SphereGround,
-    SurfaceCurve,
-    View,
-    smooth_curve,
-    unit,
-)
+from ..drawing.mesh import SurfaceCurve
+from ..drawing.shading import Ground, PlaneGround, SphereGround
 from ..drawing.style import FAINT, INK, QUIET, STYLE, WIDTH
+from ..drawing.view import View, unit
 from ..scenes.ground import draw_far_wall, draw_near_wall, draw_outside, on_ground
 
 _LEFT = 0.76

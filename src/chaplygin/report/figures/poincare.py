@@ -16,7 +16,7 @@ from matplotlib.colors import Normalize, to_rgba_array
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from ...core.arrays import FloatArray
+from ...core.arrays import FloatArray, IntArray
 from ...errors import InputError
 from ..drawing.dataset_access import readable, title_of, typeset, unit_of, with_unit
 from ..drawing.style import FAINT, QUIET, SERIES, STYLE, WIDTH
@@ -64,7 +64,7 @@ def draw_section(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     if len(names) not in (2, 3):
         raise InputError(f"a section is drawn by two or three coordinates, not {len(names)}")
     runs, count = dataset.sizes["run"], dataset.sizes["section_point"]
-    numbers = _thinned(runs, count)
+    numbers = _drawn_returns(runs, count)
     columns = [_column(dataset.isel(section_point=numbers), name) for name in names]
     run, place = np.nonzero(np.isfinite(np.stack(columns)).all(axis=0))
     if not run.size:
@@ -101,18 +101,18 @@ def draw_section(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     return figure
 
 
-def _thinned(runs: int, count: int) -> Any:
+def _drawn_returns(runs: int, count: int) -> IntArray:
     """Which returns are drawn: all, or some by chance (every so manieth could miss a cycle)."""
-    kept = max(1, min(count, MOST // runs))
-    if kept == count:
+    drawn = max(1, min(count, MOST // runs))
+    if drawn == count:
         return np.arange(count)
-    return np.sort(np.random.default_rng(0).choice(count, kept, replace=False))
+    return np.sort(np.random.default_rng(0).choice(count, drawn, replace=False))
 
 
 def _column(dataset: xr.Dataset, name: str) -> FloatArray:
     """A coordinate of all points, (runs, points)."""
     if name in dataset and dataset[name].ndim == 2:
-        found = dataset[name]
+        variable = dataset[name]
     else:
         vector, _, index = name.rpartition("_")
         if vector not in dataset or dataset[vector].ndim != 3 or not index.isdecimal():
@@ -121,8 +121,8 @@ def _column(dataset: xr.Dataset, name: str) -> FloatArray:
         place = int(index) - 1
         if not 0 <= place < dataset.sizes[dim]:
             raise InputError(f"the section of {title_of(dataset)} has no coordinate {name}")
-        found = dataset[vector].isel({dim: place})
-    return np.asarray(found.transpose("run", "section_point").values, dtype=np.float64)
+        variable = dataset[vector].isel({dim: place})
+    return np.asarray(variable.transpose("run", "section_point").values, dtype=np.float64)
 
 
 def _label(dataset: xr.Dataset, name: str) -> str:
@@ -159,7 +159,7 @@ def _space(
     points: Sequence[FloatArray],
     labels: Sequence[str],
     look: dict[str, Any],
-    layers: Sequence[Any],
+    layers: Sequence[IntArray | slice],
 ) -> None:
     """Two views above three projections; within a layer, near points hide far ones."""
     for i, (height, turn) in enumerate(VIEWS):

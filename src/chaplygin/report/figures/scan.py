@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator
-from typing import Any
+from typing import TypeAlias
 
 import matplotlib as mpl
 import numpy as np
@@ -15,11 +15,15 @@ from matplotlib.colors import ListedColormap, LogNorm, Normalize
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
+from ...core.arrays import FloatArray
 from ...errors import InputError
 from ..drawing.dataset_access import readable, title_of, typeset, unit_of, with_unit, wrapped
 from ..drawing.style import INK, QUIET, STYLE, WIDTH
 
 __all__ = ["chart"]
+
+#: Ends of the axes: left, right, bottom, top.
+Extent: TypeAlias = tuple[float, float, float, float]
 
 #: Perceptually uniform, and readable for every kind of colour vision.
 COLOURS = "viridis"
@@ -82,14 +86,16 @@ def chart(dataset: xr.Dataset, name: str | None = None) -> Figure:
     return figure
 
 
-def _edges(places: Any) -> tuple[float, float]:
+def _edges(places: FloatArray) -> tuple[float, float]:
     """The ends of a row of cells around equidistant places."""
     first, last = float(places[0]), float(places[-1])
     half = (last - first) / (2 * (len(places) - 1)) if len(places) > 1 else 0.5
     return first - half, last + half
 
 
-def _draw_numbers(figure: Figure, axes: Axes, number: Any, values: Any, extent: Any) -> None:
+def _draw_numbers(
+    figure: Figure, axes: Axes, number: xr.DataArray, values: FloatArray, extent: Extent
+) -> None:
     mark = MARKS.get(str(number.name))
     norm, beyond = _norm(values, None if mark is None else mark[0])
     image = axes.imshow(
@@ -113,20 +119,20 @@ def _mark(bar: Colorbar, value: float, meaning: str) -> None:
     bar.ax.axhline(value, color="white", linewidth=2.4)
     bar.ax.axhline(value, color=INK, linewidth=1.2)
     low, high = bar.ax.get_ylim()
-    kept = [tick for tick in bar.get_ticks() if low <= tick <= high]
+    ticks = [tick for tick in bar.get_ticks() if low <= tick <= high]
     # ticks so near that their numbers would print over this one give way
     near = 0.05 * (high - low)
-    kept = [tick for tick in kept if abs(tick - value) > near]
-    shown = [f"{tick:g}".replace("-", "\N{MINUS SIGN}") for tick in kept]
-    bar.set_ticks([*kept, value], labels=[*shown, f"{value:g} {meaning}"])
+    ticks = [tick for tick in ticks if abs(tick - value) > near]
+    shown = [f"{tick:g}".replace("-", "\N{MINUS SIGN}") for tick in ticks]
+    bar.set_ticks([*ticks, value], labels=[*shown, f"{value:g} {meaning}"])
 
 
-def _title(number: Any) -> str:
+def _title(number: xr.DataArray) -> str:
     """What the numbers are."""
     return wrapped(str(number.attrs.get("long_name", number.name)))
 
 
-def _norm(values: Any, mark: float | None) -> tuple[Normalize, str]:
+def _norm(values: FloatArray, mark: float | None) -> tuple[Normalize, str]:
     """From numbers to colours, a mark among them, and at which ends there are numbers beyond."""
     finite = values[np.isfinite(values)]
     low, high = np.quantile(finite, [BEYOND, 1 - BEYOND])
@@ -143,7 +149,9 @@ def _norm(values: Any, mark: float | None) -> tuple[Normalize, str]:
     return Normalize(low, high), beyond
 
 
-def _draw_reasons(axes: Axes, outcome: Any, values: Any, extent: Any) -> Iterator[Patch]:
+def _draw_reasons(
+    axes: Axes, outcome: xr.DataArray, values: FloatArray, extent: Extent
+) -> Iterator[Patch]:
     """Fill cells without a number, and say for the legend why there is none."""
     words = str(outcome.attrs["flag_meanings"]).split()
     flags = np.atleast_1d(outcome.attrs["flag_values"])

@@ -17,7 +17,7 @@ from ...errors import InputError
 from ...printing.formula import latex
 from ..drawing.dataset_access import require_all, times_of, title_of, unit_of, values_of, with_unit
 from ..drawing.style import COMPONENTS, FAINT, SERIES, STYLE, WIDTH
-from .time_series import marker, time_label, widen
+from .time_axis import marker, time_label, widen
 
 _TALL = 5
 """So many panels stand in one column; more in two."""

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from ...core.arrays import FloatArray
 from ..drawing.dataset_access import title_of, typeset, unit_of, with_unit
 from ..drawing.style import FAINT, SERIES, STYLE, WIDTH
-from .time_series import time_label
+from .time_axis import time_label
 
 __all__ = ["sweep"]
 

@@ -1,18 +1,16 @@
-"""Quantities against time: angular velocity, normal force, drift of what is conserved."""
+"""Angular velocity, attitude and contact forces against time."""
 
 from __future__ import annotations
 
 import matplotlib as mpl
 import numpy as np
 import xarray as xr
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ..drawing.dataset_access import (
     NOTHING,
-    readable,
     require,
     times_of,
     title_of,
@@ -20,14 +18,12 @@ from ..drawing.dataset_access import (
     values_of,
     with_unit,
 )
-from ..drawing.geometry import rotation_matrices
-from ..drawing.style import ALARM, COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
+from ..drawing.style import ALARM, COMPONENTS, INK, QUIET, STYLE
+from ..drawing.view import rotation_matrices
+from .time_axis import legend_above, marker, time_chart, widen
 
 _MOST = 0.995
 """Share of the instants whose ratio of friction to normal force is within the picture."""
-
-_DOTS = 400
-"""Dots with which a drift is drawn, about."""
 
 
 def angular_velocity(dataset: xr.Dataset) -> Figure:
@@ -50,7 +46,7 @@ def angular_velocity(dataset: xr.Dataset) -> Figure:
     require(dataset, "angular_velocity")
     times, omega = times_of(dataset), values_of(dataset, "omega")
     with mpl.rc_context(STYLE):
-        figure, axes = _chart(dataset, 2.9, "Angular velocity in body axes")
+        figure, axes = time_chart(dataset, 2.9, "Angular velocity in body axes")
         length = np.linalg.norm(omega, axis=1)
         for axis, colour in enumerate(COMPONENTS):
             axes.plot(
@@ -72,7 +68,7 @@ def angular_velocity(dataset: xr.Dataset) -> Figure:
         axes.axhline(0.0, color=QUIET, linewidth=0.6, zorder=1)
         axes.set_ylabel(with_unit("angular velocity", unit_of(dataset, "omega")))
         widen(axes, np.concatenate([omega.ravel(), length]))
-        _legend_above(axes, 4)
+        legend_above(axes, 4)
     return figure
 
 
@@ -101,7 +97,7 @@ def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:
     require(dataset, "normal_force")
     times, force = times_of(dataset), values_of(dataset, "normal_force")
     with mpl.rc_context(STYLE):
-        figure, axes = _chart(dataset, 2.6, "Normal force")
+        figure, axes = time_chart(dataset, 2.6, "Normal force")
         axes.plot(
             times,
             force,
@@ -141,7 +137,7 @@ def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:
         else:
             axes.set_ylim(0.0, high)
         axes.set_ylabel(with_unit("normal force", unit_of(dataset, "normal_force")))
-        _legend_above(axes, 3)
+        legend_above(axes, 3)
     return figure
 
 
@@ -172,7 +168,7 @@ def friction_ratio(dataset: xr.Dataset) -> Figure:
             f"{title_of(dataset)} never does"
         )
     with mpl.rc_context(STYLE):
-        figure, axes = _chart(dataset, 2.2, "Friction over normal force")
+        figure, axes = time_chart(dataset, 2.2, "Friction over normal force")
         axes.plot(times, ratio, color=COMPONENTS[0], marker=marker(times), zorder=3)
         # where the surface hardly presses the ratio has no bound
         top = 1.1 * float(np.nanquantile(ratio, _MOST))
@@ -219,13 +215,13 @@ def attitude(dataset: xr.Dataset) -> Figure:
     times = times_of(dataset)
     names, angles = turning_angles(values_of(dataset, "attitude"))
     with mpl.rc_context(STYLE):
-        figure, axes = _chart(dataset, 2.6, "Angles of the body in space")
+        figure, axes = time_chart(dataset, 2.6, "Angles of the body in space")
         for label, values, colour in zip(names, angles, COMPONENTS, strict=True):
             axes.plot(times, values, color=colour, marker=marker(times), label=label)
         axes.axhline(0.0, color=QUIET, linewidth=0.6, zorder=1)
         axes.set_ylabel(with_unit("angle", "rad"))
         widen(axes, np.concatenate(angles))
-        _legend_above(axes, 3)
+        legend_above(axes, 3)
     return figure
 
 
@@ -242,193 +238,12 @@ def turning_angles(quaternions: FloatArray) -> tuple[tuple[str, str, str], list[
         names = ("yaw", "pitch", "roll")
         first, last = np.arctan2(R[:, 1, 0], R[:, 0, 0]), np.arctan2(R[:, 2, 1], R[:, 2, 2])
         middle = pitch
-    return names, [_unwound(first), middle, _unwound(last)]
+    return names, [_continued(first), middle, _continued(last)]
 
 
-def _unwound(angle: FloatArray) -> FloatArray:
+def _continued(angle: FloatArray) -> FloatArray:
     """An angle that does not jump by whole turns, not-a-number where it was."""
     good = np.isfinite(angle)
-    found = angle.copy()
-    found[good] = np.unwrap(angle[good])
-    return found
-
-
-def drift(dataset: xr.Dataset) -> Figure:
-    """Relative drift of each integral against time, on a logarithmic scale.
-
-    Dots are samples (some hundreds of them), lines the largest drift so far. Samples that agree
-    with the first one to the last bit lie on the line marked 0 at the foot.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        Needs at least one variable `law_<name>`.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-
-    Raises
-    ------
-    InputError
-        If the dataset has nothing that is conserved.
-    """
-    names = conserved(dataset)
-    if not names:
-        raise InputError(
-            f"the figure drift needs an integral, and the trajectory of {title_of(dataset)} has "
-            "none"
-        )
-    times = times_of(dataset)
-    drifts = {name: relative_drift(dataset, name) for name in names}
-    positive = np.concatenate([values[values > 0.0] for values in drifts.values()])
-    smallest = float(positive.min()) if len(positive) else 1e-16
-    floor = 1e-17 if smallest > 1e-17 else 10.0 ** (np.floor(np.log10(smallest)) - 1.0)
-    with mpl.rc_context(STYLE):
-        labels = {name: _law_label(dataset, name) for name in names}
-        columns = 2 if max(map(len, labels.values())) < 50 else 1
-        rows = -(-len(names) // columns)
-        figure, axes = _chart(dataset, 2.7 + 0.19 * rows, "Drift of the first integrals")
-        axes.set_yscale("log")
-        every = max(1, len(times) // _DOTS)
-        for number, (name, values) in enumerate(drifts.items()):
-            colour = SERIES[number % len(SERIES)]
-            shown = np.where(values > 0.0, values, floor)
-            axes.plot(
-                times[::every],
-                shown[::every],
-                ".",
-                color=colour,
-                markersize=2.2,
-                alpha=0.5,
-                markeredgewidth=0.0,
-                zorder=2,
-            )
-            axes.plot(
-                times,
-                np.fmax.accumulate(shown),
-                color=colour,
-                label=labels[name],
-                linewidth=1.3,
-                linestyle="-" if number < len(SERIES) else (0, (4, 1.5)),
-                marker=marker(times),
-                zorder=3,
-            )
-        largest = float(positive.max()) if len(positive) else floor
-        axes.set_ylim(floor / 2.5, max(10.0 * largest, 100.0 * floor))
-        axes.axhline(floor, color=QUIET, linewidth=0.6, zorder=1)
-        _mark_floor(axes, floor)
-        axes.set_ylabel("relative drift")
-        _legend_above(axes, columns)
-    return figure
-
-
-def relative_drift(dataset: xr.Dataset, name: str) -> FloatArray:
-    """How far a conserved quantity has moved from its first value, relative to that value.
-
-    A quantity that starts at zero but for rounding has no scale of its own; its drift is given
-    as it is. Trajectories of 34 digits count with all of them.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-    name : str
-        Variable with the values of the quantity, and `<name>_low` with their low parts, if any.
-
-    Returns
-    -------
-    (n,) array
-        |F(t) - F(0)| / |F(0)|, or |F(t) - F(0)|.
-    """
-    values = values_of(dataset, name)
-    change = values - values[0]
-    if f"{name}_low" in dataset:
-        low = values_of(dataset, f"{name}_low")
-        change = change + (low - low[0])
-    scale = 1.0 if _starts_at_zero(values) else abs(float(values[0]))
-    return np.asarray(np.abs(change) / scale, dtype=np.float64)
-
-
-def _starts_at_zero(values: FloatArray) -> bool:
-    """Whether the first value is zero but for rounding: tiny, and lost among the changes.
-
-    Tiny alone would not do: the squared momentum of a coin is 1e-10 in SI units.
-    """
-    first = abs(float(values[0]))
-    change = np.max(np.abs(values - values[0]), initial=0.0, where=np.isfinite(values))
-    return first == 0.0 or bool(first < NOTHING and change > 1e-6 * first)
-
-
-def conserved(dataset: xr.Dataset) -> list[str]:
-    """Variables that ought to stay constant, that of the energy first.
-
-    An energy that is recorded and is no integral is not among them.
-    """
-    laws = sorted(
-        str(name)
-        for name in dataset.data_vars
-        if str(name).startswith("law_") and not str(name).endswith("_low")
-    )
-    return sorted(laws, key=lambda name: name != "law_energy")
-
-
-def drifts(dataset: xr.Dataset) -> bool:
-    """Whether anything that ought to stay constant changes by a bit or more."""
-    return any(np.nanmax(relative_drift(dataset, name)) > 0.0 for name in conserved(dataset))
-
-
-def _law_label(dataset: xr.Dataset, name: str) -> str:
-    meaning = str(dataset[name].attrs.get("long_name", "")) or name.removeprefix("law_")
-    absolute = _starts_at_zero(values_of(dataset, name))
-    return readable(meaning) + ("  (absolute)" if absolute else "")
-
-
-def _mark_floor(axes: Axes, floor: float) -> None:
-    """Ticks at powers of ten above the floor, and a tick 0 at the floor."""
-    low, high = np.log10(floor), np.log10(axes.get_ylim()[1])
-    step = max(1, int(np.ceil((high - low) / 7)))
-    powers = np.arange(np.ceil(low) + step, high + 1e-9, step)
-    axes.set_yticks([floor, *10.0**powers], ["0", *(f"$10^{{{int(power)}}}$" for power in powers)])
-    axes.set_yticks([], minor=True)
-
-
-def time_label(dataset: xr.Dataset) -> str:
-    """The label of an axis of time."""
-    return with_unit("time  $t$", unit_of(dataset, "time"))
-
-
-def _chart(dataset: xr.Dataset, height: float, description: str) -> tuple[Figure, Axes]:
-    """A figure with one plot against time."""
-    figure = Figure(figsize=(WIDTH, height), layout="constrained")
-    figure.set_label(f"{description}: {title_of(dataset)}")
-    axes = figure.add_subplot()
-    axes.set_xlabel(time_label(dataset))
-    times = times_of(dataset)
-    if times[-1] > times[0]:
-        axes.set_xlim(times[0], times[-1])
-    axes.grid(axis="y", color=FAINT, linewidth=0.4)
-    axes.set_axisbelow(True)
-    return figure, axes
-
-
-def widen(axes: Axes, values: FloatArray) -> None:
-    """Limits with room around the values, also around values that are alike but for rounding."""
-    finite = values[np.isfinite(values)]
-    if not len(finite):
-        return
-    low, high = float(finite.min()), float(finite.max())
-    middle = max(abs(low), abs(high))
-    room = max(0.06 * (high - low), 1e-3 * middle)
-    if room < NOTHING:
-        room = 1.0
-    axes.set_ylim(low - room, high + room)
-
-
-def marker(times: FloatArray) -> str:
-    """A single sample is no line: it is marked."""
-    return "o" if len(times) == 1 else ""
-
-
-def _legend_above(axes: Axes, columns: int) -> None:
-    # On the right: the left end is where a power of ten common to the ticks is written.
-    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=columns)
+    angles = angle.copy()
+    angles[good] = np.unwrap(angle[good])
+    return angles

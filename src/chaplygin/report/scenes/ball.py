@@ -10,9 +10,11 @@ from matplotlib.figure import Figure
 
 from ...core.arrays import BoolArray, FloatArray
 from ..drawing.canvas import Canvas, blank_axes, fit_height, time_bar
+from ..drawing.curves import runs, smooth_curve
 from ..drawing.dataset_access import CURVE_POINTS, time_shares, title_of
-from ..drawing.geometry import BodyMesh, View, runs, smooth_curve
+from ..drawing.mesh import BodyMesh
 from ..drawing.style import GROUND_DARK, GROUND_LIGHT, INK, LINES, QUIET, STYLE, WIDTH
+from ..drawing.view import View
 from .implicit_surface import Crossings, SurfaceGround, crossings, frame_of
 from .rolling_body import Track, across, draw_body, track_of
 
@@ -90,7 +92,7 @@ def _paint(sheet: Canvas, seen: Crossings, track: Track, outline: BodyMesh, body
     ball = float(sheet.view.depth(track.centre[-1]))
     radius = outline.diameter / 2
     behind, before = seen.depth <= ball, seen.depth > ball
-    hidden = _hidden(sheet.view, seen, path, 0.12 * radius)
+    hidden = _hidden_points(sheet.view, seen, path, 0.12 * radius)
     near = sheet.view.depth(path) > ball
     colours = _colours(seen, sheet.view, track.centre[-1], radius)
     # what is opaque is painted twice, lest a seam be seen where both parts meet
@@ -123,7 +125,7 @@ def _strokes(
         sheet.timed(path[run], fractions[run], width, alpha)
 
 
-def _hidden(view: View, seen: Crossings, path: FloatArray, slack: float) -> BoolArray:
+def _hidden_points(view: View, seen: Crossings, path: FloatArray, slack: float) -> BoolArray:
     """Whether the surface stands before each point of a curve (n, 3) on it, opaque."""
     left, right, bottom, top = seen.extent
     rows, columns = seen.depth.shape[1:]
@@ -132,15 +134,15 @@ def _hidden(view: View, seen: Crossings, path: FloatArray, slack: float) -> Bool
     row = np.clip(((y - bottom) / (top - bottom) * rows).astype(int), 0, rows - 1)
     opaque = _opaque(seen, view)[:, row, column]
     nearer = seen.depth[:, row, column] > view.depth(path) + slack
-    return _steady(np.any(opaque & nearer, axis=0))
+    return _without_short_runs(np.any(opaque & nearer, axis=0))
 
 
-def _steady(marked: BoolArray) -> BoolArray:
+def _without_short_runs(marked: BoolArray) -> BoolArray:
     """The same without short stretches: along a border of the surface the dots decide by chance."""
-    kept = np.zeros_like(marked)
+    long = np.zeros_like(marked)
     for run in runs(marked[1:] & marked[:-1]):
-        kept[run] = run.stop - run.start > _SHORTEST
-    return kept
+        long[run] = run.stop - run.start > _SHORTEST
+    return long
 
 
 def _opaque(seen: Crossings, view: View) -> BoolArray:
@@ -168,9 +170,9 @@ def _colours(seen: Crossings, view: View, centre: FloatArray, radius: float) -> 
 
 def _lines(seen: Crossings) -> FloatArray:
     """Strength from 0 to 1 of the cuts with planes x, y, z = const at every crossing."""
-    found = np.zeros(seen.depth.shape)
+    strengths = np.zeros(seen.depth.shape)
     if not np.any(seen.met):
-        return found
+        return strengths
     sizes = np.ptp(seen.points[seen.met], axis=0)
     spacing = _round_step(float(np.max(sizes)) / 12.0)
     for axis in range(3):
@@ -182,8 +184,8 @@ def _lines(seen: Crossings) -> FloatArray:
             line = np.where(width < 0.4, line, 0.0)
         # where the surface runs along such a plane the cut would be a blot
         slant = np.clip((0.98 - np.abs(seen.normals[..., axis])) / 0.1, 0.0, 1.0)
-        found = np.maximum(found, np.nan_to_num(line) * slant)
-    return found
+        strengths = np.maximum(strengths, np.nan_to_num(line) * slant)
+    return strengths
 
 
 def _round_step(size: float) -> float:

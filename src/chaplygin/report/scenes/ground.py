@@ -7,17 +7,11 @@ from matplotlib.colors import to_hex, to_rgb
 
 from ...core.arrays import FloatArray
 from ..drawing.canvas import Canvas, visible_pieces
-from ..drawing.geometry import (
-    Ground,
-    PlaneGround,
-    SurfaceCurve,
-    View,
-    convex_hull,
-    runs,
-    sphere_cap,
-    unit,
-)
+from ..drawing.curves import convex_hull, runs
+from ..drawing.mesh import SurfaceCurve, sphere_cap
+from ..drawing.shading import Ground, PlaneGround
 from ..drawing.style import LINES
+from ..drawing.view import View, unit
 
 
 def on_ground(points: FloatArray, ground: Ground) -> SurfaceCurve:

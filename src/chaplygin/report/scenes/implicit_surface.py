@@ -1,6 +1,6 @@
 """A surface f = 0 as the pictures need it: where lines of sight meet it, and how it bends there.
 
-As in :mod:`chaplygin.report.drawing.geometry` everything is plain geometry in arrays; all lengths
+As in :mod:`chaplygin.report.drawing.view` everything is plain geometry in arrays; all lengths
 are in the units of the trajectory.
 """
 
@@ -14,7 +14,7 @@ import numpy as np
 from scipy.ndimage import map_coordinates
 
 from ...core.arrays import BoolArray, FloatArray
-from ..drawing.geometry import View, unit
+from ..drawing.view import View, unit
 
 __all__ = ["Crossings", "SurfaceGround", "crossings", "frame_of"]
 
@@ -168,8 +168,8 @@ def crossings(ground: SurfaceGround, box: Box, view: View, columns: int) -> Cros
     depths = view.depth(corners)
     beyond = 0.04 * float(np.ptp(depths))
     run = np.linspace(depths.max() + beyond, depths.min() - beyond, _ALONG)
-    found = _first_crossings(ground, box, view, start.reshape(-1, 3), run)
-    points = found.reshape(_LAYERS, rows, columns, 3)
+    first = _first_crossings(ground, box, view, start.reshape(-1, 3), run)
+    points = first.reshape(_LAYERS, rows, columns, 3)
     flat_points = np.nan_to_num(points.reshape(-1, 3))
     with np.errstate(all="ignore"):
         normals = ground.normals(flat_points).reshape(points.shape)
@@ -186,7 +186,7 @@ def _first_crossings(
     wide = Box(box.low - room, box.high + room)
     _, heights = _grid(wide, ground)
     scale = (np.array(heights.shape) - 1) / (wide.high - wide.low)
-    found = np.full((_LAYERS, len(start), 3), np.nan)
+    points = np.full((_LAYERS, len(start), 3), np.nan)
     count = np.zeros(len(start), dtype=int)
     before = np.full(len(start), np.nan)
     for index, along in enumerate(run):
@@ -200,13 +200,13 @@ def _first_crossings(
         if len(crossed):
             share = before[crossed] / (before[crossed] - now[crossed])
             depth = run[index - 1] + share * (along - run[index - 1])
-            met = _polished(ground, view, start[crossed], depth)
-            kept = _within(met, box)
-            crossed = crossed[kept]
-            found[count[crossed], crossed] = met[kept]
+            met = _refined_crossings(ground, view, start[crossed], depth)
+            inside = _within(met, box)
+            crossed = crossed[inside]
+            points[count[crossed], crossed] = met[inside]
             count[crossed] += 1
         before = now
-    return found
+    return points
 
 
 def _within(points: FloatArray, box: Box) -> BoolArray:
@@ -214,7 +214,7 @@ def _within(points: FloatArray, box: Box) -> BoolArray:
     return np.asarray(np.all((points >= box.low) & (points <= box.high), axis=1), dtype=np.bool_)
 
 
-def _polished(
+def _refined_crossings(
     ground: SurfaceGround, view: View, start: FloatArray, depth: FloatArray
 ) -> FloatArray:
     """Crossings on the surface itself, by two secant steps from those on the grid."""

@@ -15,6 +15,7 @@ from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...experiment.plan import PlanMotion
 from ..drawing.canvas import Canvas, time_bar
+from ..drawing.curves import smooth_curve
 from ..drawing.dataset_access import (
     CURVE_POINTS,
     NOTHING,
@@ -24,8 +25,8 @@ from ..drawing.dataset_access import (
     unit_of,
     with_unit,
 )
-from ..drawing.geometry import View, smooth_curve
 from ..drawing.style import FAINT, INK, STYLE, TIME_COLOURS, WIDTH
+from ..drawing.view import View
 
 __all__ = ["plan_view"]
 
@@ -107,7 +108,7 @@ def plan_view(dataset: xr.Dataset, motion: PlanMotion) -> Figure:
             end = mpl.colors.to_hex(TIME_COLOURS(1.0))
             sheet.dot(flat[-1], end, end, 4.5)
         if enlarged:
-            _enlarged(figure, sheet, flat, time_shares(times), last, wide)
+            _draw_enlarged(figure, sheet, flat, time_shares(times), last, wide)
         time_bar(figure, dataset, (instants[0], instants[-1]), (_LEFT, 0.16))
     return figure
 
@@ -134,8 +135,8 @@ class _Pose:
         """Places that must be in the picture, (k, 2)."""
         ends = self.links.reshape(-1, 2)
         placed = [part[:, :2] for part in (self.wheels, self.axles, self.blades, self.points)]
-        found = np.concatenate([self.place[None], ends, *placed])
-        return np.asarray(found[np.isfinite(found).all(axis=1)], dtype=np.float64)
+        points = np.concatenate([self.place[None], ends, *placed])
+        return np.asarray(points[np.isfinite(points).all(axis=1)], dtype=np.float64)
 
     @property
     def size(self) -> float:
@@ -195,7 +196,7 @@ def _limits(axes: Axes, middle: FloatArray, half: float, ratio: float) -> None:
     axes.set_ylim(middle[1] - half * ratio, middle[1] + half * ratio)
 
 
-def _enlarged(
+def _draw_enlarged(
     figure: Figure,
     sheet: Canvas,
     path: FloatArray,

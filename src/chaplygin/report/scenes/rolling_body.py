@@ -20,6 +20,7 @@ from ..drawing.canvas import (
     timed_on_surface,
     visible_pieces,
 )
+from ..drawing.curves import convex_hull, cut_by_plane, smooth_curve
 from ..drawing.dataset_access import (
     CURVE_POINTS,
     require,
@@ -29,21 +30,10 @@ from ..drawing.dataset_access import (
     unit_of,
     values_of,
 )
-from ..drawing.geometry import (
-    BodyMesh,
-    Ground,
-    PlaneGround,
-    SphereGround,
-    SurfaceCurve,
-    View,
-    cast_shadow,
-    convex_hull,
-    cut_by_plane,
-    rotation_matrices,
-    smooth_curve,
-    unit,
-)
+from ..drawing.mesh import BodyMesh, SurfaceCurve
+from ..drawing.shading import Ground, PlaneGround, SphereGround, cast_shadow
 from ..drawing.style import BODY_TONES, QUIET, SHELL_TONES, STYLE, WIDTH
+from ..drawing.view import View, rotation_matrices, unit
 from .ground import cap_opening, draw_far_wall, draw_grid, draw_near_wall, draw_outside, on_ground
 
 _WHOLE = 10.0
@@ -144,13 +134,13 @@ class Track:
         extent = np.max(high - low, axis=1)
         if extent[-1] <= _WHOLE * diameter:
             return self
-        kept = slice(-int(np.sum(extent <= _REACH * diameter)), None)
+        last = slice(-int(np.sum(extent <= _REACH * diameter)), None)
         return Track(
-            self.times[kept],
-            self.contact[kept],
-            self.centre[kept],
-            self.rotation[kept],
-            self.normal[kept],
+            self.times[last],
+            self.contact[last],
+            self.centre[last],
+            self.rotation[last],
+            self.normal[last],
         )
 
     def path(self, ground: Ground) -> tuple[FloatArray, SurfaceCurve]:

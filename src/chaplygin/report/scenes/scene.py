@@ -1,22 +1,24 @@
-"""What is to be drawn of a study: the body's outline and what it rolls on."""
+"""The drawn body and the surface that it rolls on."""
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 import sympy as sp
 
 from ...core.arrays import FloatArray
 from ...core.vectors import Vector
-from ...experiment.study import Study
 from ...mechanics.ball.ball import RollingBall
+from ...mechanics.rolling.equations import Rolling
 from ...mechanics.rolling.gauss_map import contact_points
 from ...mechanics.rolling.surfaces import Plane
-from ..drawing.geometry import BodyMesh, Ground, PlaneGround, SphereGround, outline_from_contact
+from ..drawing.mesh import BodyMesh, outline_from_contact
+from ..drawing.shading import Ground, PlaneGround, SphereGround
 from .implicit_surface import SurfaceGround
 
-__all__ = ["BallScene", "Scene", "ball_scene_of", "scene_of", "weight_of"]
+__all__ = ["BallScene", "Scene", "ball_scene_of", "scene_of"]
 
 
 class Scene(NamedTuple):
@@ -33,22 +35,11 @@ class BallScene(NamedTuple):
     surface: SurfaceGround
 
 
-def scene_of(study: Study) -> Scene | None:
-    """The scene of a study; None where nothing rolls."""
-    if study.rolling is None:
-        return None
-    surface = study.rolling.surface
+def scene_of(rolling: Rolling) -> Scene:
+    """The scene of a body that rolls on a plane or a sphere."""
+    surface = rolling.surface
     ground = PlaneGround() if isinstance(surface, Plane) else SphereGround(surface.radius)
-    return Scene(outline_from_contact(contact_points(study.rolling.body.shape)), ground)
-
-
-def weight_of(study: Study) -> float | None:
-    """m g, with which the normal force is compared; None without gravity."""
-    if study.ball is not None:
-        return study.ball.mass * study.ball.gravity or None
-    if study.rolling is None or not study.rolling.field.gravity:
-        return None
-    return study.rolling.body.mass * study.rolling.field.gravity
+    return Scene(outline_from_contact(contact_points(rolling.body.shape)), ground)
 
 
 def ball_scene_of(ball: RollingBall) -> BallScene:
@@ -65,25 +56,25 @@ def _ground(ball: RollingBall) -> SurfaceGround:
     below = ball.surface.equation(symbols, -sp.Float(shift)) if shift else ball.carrying
     f = (ball.carrying if below is None else below).subs(numbers)
 
-    def values(formula: sp.Expr) -> Any:
+    def values(formula: sp.Expr) -> Callable[[FloatArray], FloatArray]:
         function = sp.lambdify(symbols, formula, "numpy")
 
-        def at(points: FloatArray) -> FloatArray:
-            found = np.asarray(function(*points.T), dtype=np.float64)
-            return np.broadcast_to(found, points.shape[:1])
+        def values_at(points: FloatArray) -> FloatArray:
+            heights = np.asarray(function(*points.T), dtype=np.float64)
+            return np.broadcast_to(heights, points.shape[:1])
 
-        return at
+        return values_at
 
     slopes = [values(f.diff(s)) for s in symbols]
     level, guards = values(f), [values(g.value) for g in ball.surface.domain(symbols)]
 
-    def bounded(points: FloatArray) -> FloatArray:
+    def values_on_domain(points: FloatArray) -> FloatArray:
         """f, where there is any surface."""
         valid = np.all([guard(points) > 0.0 for guard in guards], axis=0)
         return np.where(valid, level(points), np.nan)
 
     return SurfaceGround(
-        bounded,
+        values_on_domain,
         lambda points: np.stack([slope(points) for slope in slopes], axis=-1),
         shift if below is None else 0.0,
     )

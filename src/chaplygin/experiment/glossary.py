@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import sympy as sp
 from sympy.matrices.expressions import Inverse, MatPow
 
 from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric, Vector
+from ..parsing import Formula, Named
 from ..printing.formula import text
 
 __all__ = ["glossary"]
@@ -66,7 +66,7 @@ def glossary(system: System, touching: bool, besides: Mapping[str, str] | None =
         Meanings that this system alone has.
     """
     known = (_TOUCHING if touching else _BODY) | dict(besides or {})
-    observed = {item.value: item.meaning for item in system.observables if _named(item.value)}
+    observed = {item.value: item.meaning for item in system.observables if _is_name(item.value)}
     sentence: dict[str, str] = {}
     for letter in _letters(system):
         if words := _meaning(letter, system, known, observed):
@@ -74,29 +74,29 @@ def glossary(system: System, touching: bool, besides: Mapping[str, str] | None =
     return f"In body axes: {', '.join(sentence.values())}; E is the unit tensor."
 
 
-def _letters(system: System) -> tuple[Any, ...]:
+def _letters(system: System) -> tuple[Named, ...]:
     """The names in the equations of motion, and in the definitions that these need."""
     written = dict(system.definitions)
     # a component stands for its vector
     whole = {s: v for v in (*system.state, *written) if isinstance(v, Vector) for s in v.symbols}
-    found: dict[Any, None] = {}
+    letters: dict[Named, None] = {}
     waiting = [part for pair in reversed(system.field) for part in reversed(pair)]
     while waiting:
         formula = waiting.pop()
         for name in sorted(formula.atoms(Vector, Diagonal, Symmetric, sp.Symbol), key=str):
             letter = whole.get(name, name)
-            if letter not in found:
-                found[letter] = None
+            if letter not in letters:
+                letters[letter] = None
                 waiting += [written[letter]] if letter in written else []
-    return tuple(found)
+    return tuple(letters)
 
 
-def _named(value: Any) -> bool:
+def _is_name(value: object) -> bool:
     return isinstance(value, (sp.Symbol, Vector))
 
 
 def _meaning(
-    letter: Any, system: System, known: Mapping[str, str], observed: Mapping[Any, str]
+    letter: Named, system: System, known: Mapping[str, str], observed: Mapping[Formula, str]
 ) -> str:
     """Meaning of one letter; nothing of a parameter or a rate, which tell it themselves."""
     label = str(letter)

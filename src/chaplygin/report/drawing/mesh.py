@@ -1,24 +1,15 @@
-"""Geometry behind the pictures: views, drawn bodies, the surfaces they roll on, curves.
-
-Everything here is plain geometry in arrays; nothing is drawn. A picture is made by projecting
-space orthographically on a sheet of paper (`View`), keeping the facets that face the reader. Bodies
-are convex, so that these never cover each other, and whole bodies and grounds are painted from the
-farthest to the nearest: what touches in one point is parted by the plane of contact. All lengths
-are in the units of the trajectory, all angles in radians.
-"""
+"""Surfaces of drawn bodies as polygons, and curves on them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import pairwise
-from typing import TypeAlias
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from ...core.arrays import BoolArray, FloatArray, IntArray
+from .view import View, unit
 
 _POLE_OFFSET = 1e-6
 """Angle kept from the poles of the direction grid, where a flat face has no single point."""
@@ -26,89 +17,8 @@ _POLE_OFFSET = 1e-6
 _FLAT_THICKNESS = 0.04
 """Thickness, relative to its radius, with which a disk of no thickness is drawn."""
 
-_WRAP = 0.4
-"""How far the lamp reaches round a body: the cosine, negated, of where the darkest side begins."""
-
 _SMALLEST_STEP = 1e-7
 """Steps of the direction grid are not refined below this angle: there the body is flat."""
-
-
-def unit(vectors: FloatArray) -> FloatArray:
-    """Vectors of length one along the given ones; a zero vector stays zero."""
-    lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
-    return vectors / np.where(lengths > 0.0, lengths, 1.0)
-
-
-def rotation_matrices(attitude: FloatArray) -> FloatArray:
-    """Matrices of the rotations given by quaternions.
-
-    Parameters
-    ----------
-    attitude : (..., 4) array
-        Quaternions (w, x, y, z), body to space; they are normalised first.
-
-    Returns
-    -------
-    (..., 3, 3) array
-        R with v_space = R v_body.
-    """
-    w, x, y, z = np.moveaxis(unit(attitude), -1, 0)
-    rows = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ]
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
-
-
-@dataclass(frozen=True)
-class View:
-    """An orthographic view of space from a direction.
-
-    Attributes
-    ----------
-    azimuth, elevation : float
-        Where the reader stands: angle in the plane xy from the axis x, and height above that
-        plane.
-    """
-
-    azimuth: float
-    elevation: float
-
-    @cached_property
-    def toward(self) -> FloatArray:
-        """Unit vector of space from the scene to the reader."""
-        flat = np.cos(self.elevation)
-        return np.array(
-            [flat * np.cos(self.azimuth), flat * np.sin(self.azimuth), np.sin(self.elevation)]
-        )
-
-    @cached_property
-    def right(self) -> FloatArray:
-        """Unit vector of space that points to the right on the paper."""
-        return np.array([-np.sin(self.azimuth), np.cos(self.azimuth), 0.0])
-
-    @cached_property
-    def up(self) -> FloatArray:
-        """Unit vector of space that points upwards on the paper."""
-        return np.cross(self.toward, self.right)
-
-    @cached_property
-    def light(self) -> FloatArray:
-        """Unit vector of space towards the lamp, over the reader's left shoulder."""
-        return unit(-0.55 * self.right + 0.75 * self.up + 0.65 * self.toward)
-
-    def project(self, points: FloatArray) -> FloatArray:
-        """Points of the paper (..., 2) for points of space (..., 3)."""
-        return np.stack([points @ self.right, points @ self.up], axis=-1)
-
-    def depth(self, points: FloatArray) -> FloatArray:
-        """Nearness to the reader of points of space (..., 3): larger is nearer."""
-        return np.asarray(points @ self.toward, dtype=np.float64)
-
-    def faces_reader(self, normals: FloatArray) -> BoolArray:
-        """Whether a surface with these outward normals (..., 3) shows its outer side."""
-        return np.asarray(normals @ self.toward > 0.0, dtype=np.bool_)
 
 
 @dataclass(frozen=True, eq=False)
@@ -218,27 +128,6 @@ class BodyMesh:
         )
 
 
-@dataclass(frozen=True)
-class PlaneGround:
-    """The body rolls on the plane z = 0 of space."""
-
-
-@dataclass(frozen=True)
-class SphereGround:
-    """The body rolls on a sphere with its centre at the origin of space.
-
-    Attributes
-    ----------
-    radius : float
-        Signed: positive when the body rolls on the outside, negative on the inside.
-    """
-
-    radius: float
-
-
-Ground: TypeAlias = PlaneGround | SphereGround
-
-
 def outline_from_contact(
     contact_of_gamma: Callable[[FloatArray], FloatArray], rows: int = 48, columns: int = 96
 ) -> BodyMesh:
@@ -268,12 +157,12 @@ def outline_from_contact(
         return np.asarray(contact_of_gamma(gamma.reshape(-1, 3)), np.float64).reshape(gamma.shape)
 
     around = np.linspace(0.0, 2 * np.pi, 17)
-    theta = _refined(
+    theta = _even_steps(
         np.array([_POLE_OFFSET, np.pi / 2, np.pi - _POLE_OFFSET]),
         lambda angle: contact(np.full_like(around, angle), around),
         rows,
     )
-    phi = _refined(
+    phi = _even_steps(
         np.linspace(0.0, 2 * np.pi, 5),
         lambda angle: contact(theta, np.full_like(theta, angle)),
         columns,
@@ -283,7 +172,7 @@ def outline_from_contact(
     points = contact(grid_theta, grid_phi)
     hollow = bool(np.mean(np.sum((points - points.mean(axis=(0, 1))) * gamma, axis=-1)) > 0.0)
     outward = gamma if hollow else -gamma
-    points = _thickened(points, outward)
+    points = _with_thickness(points, outward)
     return _closed_mesh(points, outward, theta, phi, hollow)
 
 
@@ -294,7 +183,7 @@ def _direction(theta: FloatArray, phi: FloatArray) -> FloatArray:
     )
 
 
-def _refined(nodes: FloatArray, sample: Callable[[float], FloatArray], count: int) -> FloatArray:
+def _even_steps(nodes: FloatArray, sample: Callable[[float], FloatArray], count: int) -> FloatArray:
     """About `count` steps over the given nodes, kept, along which the surface changes evenly.
 
     A step is as wide as the largest distance between the points `sample` gives at its ends. The
@@ -327,7 +216,7 @@ def _refined(nodes: FloatArray, sample: Callable[[float], FloatArray], count: in
     return np.concatenate(even)
 
 
-def _thickened(points: FloatArray, outward: FloatArray) -> FloatArray:
+def _with_thickness(points: FloatArray, outward: FloatArray) -> FloatArray:
     """Move the two sides of a body with no thickness along axis 3 apart; leave others alone."""
     across = float(np.max(np.ptp(points[..., :2], axis=(0, 1))))
     if float(np.ptp(points[..., 2])) >= _FLAT_THICKNESS * across / 2:
@@ -441,193 +330,3 @@ def sphere_cap(radius: float, pole: float, opening: float, rows: int, columns: i
     return Facets(
         radius * corners, unit(corners.mean(axis=1)), np.zeros(len(corners), dtype=np.int64)
     )
-
-
-def shaded(colours: FloatArray, normals: FloatArray, view: View, contrast: float) -> FloatArray:
-    """Colours of a lit surface.
-
-    Parameters
-    ----------
-    colours : (m, 3) array
-        Red, green and blue of the surface itself, from 0 to 1.
-    normals : (m, 3) array
-        Unit normals of the side that is seen, space axes.
-    view : View
-        The lamp stands over the reader's left shoulder.
-    contrast : float
-        How much darker the sides turned away from the lamp are, from 0 to 1.
-
-    Returns
-    -------
-    (m, 3) array
-        Red, green and blue with shade and a soft gleam.
-    """
-    diffuse = np.clip((normals @ view.light + _WRAP) / (1.0 + _WRAP), 0.0, 1.0)
-    gleam = 0.4 * contrast * np.clip(normals @ unit(view.light + view.toward), 0.0, 1.0) ** 28
-    lit = colours * (1.04 - contrast + contrast * diffuse)[:, None]
-    return np.clip(lit + (1.0 - lit) * gleam[:, None], 0.0, 1.0)
-
-
-def sphere_shades(
-    radius: float, view: View, side: float, levels: int
-) -> list[tuple[FloatArray, float]]:
-    """Regions of equal light on a sphere about the origin, each inside the one before.
-
-    Seen along one direction, the part of a sphere that is lit at least so much is convex on
-    paper: it is the hull of a piece of a circle about the lamp and a piece of the border.
-
-    Parameters
-    ----------
-    radius : float
-        Positive.
-    view : View
-    side : float
-        1 for the near half seen from outside, -1 for the far half seen from inside.
-    levels : int
-        Number of regions.
-
-    Returns
-    -------
-    list of (polygon, brightness)
-        Corners (k, 2) on paper; the light in the region, from 0 to 1.
-    """
-    angle = np.linspace(0.0, 2 * np.pi, 121)[:-1, None]
-    border = np.cos(angle) * view.right + np.sin(angle) * view.up
-    first = unit(np.cross(view.light, view.right))
-    second = np.cross(view.light, first)
-    shades = []
-    for level in range(levels):
-        brightness = level / levels
-        height = brightness * (1.0 + _WRAP) - _WRAP
-        ring = np.sqrt(1.0 - height**2) * (np.cos(angle) * first + np.sin(angle) * second)
-        ring = ring + height * view.light
-        inside = [ring[view.faces_reader(ring)], border[border @ view.light >= height]]
-        normals = np.concatenate(inside) if level else border
-        shades.append((convex_hull(side * radius * view.project(normals)), brightness))
-    return shades
-
-
-def convex_hull(points: FloatArray) -> FloatArray:
-    """Corners (k, 2), anticlockwise, of the smallest convex polygon around points (n, 2).
-
-    Points on one line give its two ends, points at one place that place.
-    """
-    ordered = [(float(x), float(y)) for x, y in np.unique(points, axis=0)]
-    if len(ordered) < 3:
-        return np.array(ordered)
-
-    def chain(sequence: list[tuple[float, float]]) -> list[tuple[float, float]]:
-        kept: list[tuple[float, float]] = []
-        for x, y in sequence:
-            while len(kept) > 1:
-                (x0, y0), (x1, y1) = kept[-2:]
-                if (x1 - x0) * (y - y0) - (y1 - y0) * (x - x0) > 0.0:
-                    break
-                kept.pop()
-            kept.append((x, y))
-        return kept[:-1]
-
-    return np.array(chain(ordered) + chain(ordered[::-1]))
-
-
-def cast_shadow(points: FloatArray, ground: Ground, light: FloatArray) -> FloatArray:
-    """Shadow of a convex body on what it rolls on.
-
-    Parameters
-    ----------
-    points : (n, 3) array
-        Points of the body, space axes.
-    ground : PlaneGround or SphereGround
-        What the shadow falls on. The light enters a bowl through its far side.
-    light : (3,) array
-        Unit vector towards the lamp, space axes, above the horizon.
-
-    Returns
-    -------
-    (k, 3) array
-        Corners of the shadow on the ground, space axes; none when the body is on the dark side
-        of a sphere.
-    """
-    if isinstance(ground, PlaneGround):
-        flat = points - points[:, 2:] / light[2] * light
-        corners = convex_hull(flat[:, :2])
-        return np.concatenate([corners, np.zeros((len(corners), 1))], axis=1)
-    if ground.radius > 0.0 and points.mean(axis=0) @ light < 0.0:
-        return np.empty((0, 3))
-    first = unit(np.cross(light, np.array([0.0, 1.0, 0.0])))
-    second = np.cross(light, first)
-    corners = convex_hull(np.stack([points @ first, points @ second], axis=-1))
-    reach = np.linalg.norm(corners, axis=-1, keepdims=True)
-    corners = corners * np.minimum(1.0, abs(ground.radius) / np.maximum(reach, 1e-300))
-    height = np.sqrt(np.clip(ground.radius**2 - np.sum(corners**2, axis=-1), 0.0, None))
-    along = np.copysign(height, ground.radius)
-    return np.column_stack([corners, along]) @ np.stack([first, second, light])
-
-
-def cut_by_plane(polygon: FloatArray, normal: FloatArray) -> FloatArray:
-    """The part of a polygon (k, 3) on the side of `normal` of a plane through the origin."""
-    side = polygon @ normal
-    kept: list[FloatArray] = []
-    for index in range(len(polygon)):
-        before, after = side[index - 1], side[index]
-        if (before > 0.0) != (after > 0.0):
-            step = before / (before - after)
-            kept.append(polygon[index - 1] + step * (polygon[index] - polygon[index - 1]))
-        if after > 0.0:
-            kept.append(polygon[index])
-    return np.array(kept) if kept else np.empty((0, 3))
-
-
-def runs(marked: BoolArray) -> Iterator[slice]:
-    """Stretches of a curve on which every step is marked.
-
-    Parameters
-    ----------
-    marked : (n - 1,) array of bool
-        One mark for each step between neighbouring points of a curve of n points.
-
-    Yields
-    ------
-    slice
-        The points at the ends of consecutive marked steps.
-    """
-    padded = np.concatenate([[False], marked, [False]]).astype(np.int8)
-    changes = np.flatnonzero(np.diff(padded))
-    for start, stop in zip(changes[::2], changes[1::2], strict=True):
-        yield slice(int(start), int(stop) + 1)
-
-
-def smooth_curve(
-    times: FloatArray, points: FloatArray, count: int
-) -> tuple[FloatArray, FloatArray]:
-    """A curve through samples, fine enough to look smooth on paper.
-
-    Samples so sparse that the curve between them is anybody's guess (it turns by more than half
-    a radian from one to the next, for most of them) are left as they are, and so are fewer than
-    four.
-
-    Parameters
-    ----------
-    times : (n,) array
-        Increasing.
-    points : (n, d) array
-        Samples of the curve.
-    count : int
-        How many points the result has at least, when it is refined.
-
-    Returns
-    -------
-    times, points : (m,) and (m, d) arrays
-        Cubic spline through the samples, which are among its points.
-    """
-    if not 4 <= len(times) < count:
-        return times, points
-    steps = unit(np.diff(points, axis=0))
-    turns = np.sum(steps[1:] * steps[:-1], axis=-1)
-    if np.median(turns) < np.cos(0.5):
-        return times, points
-    parts = -(-count // (len(times) - 1))
-    fractions = np.linspace(0.0, 1.0, parts, endpoint=False)
-    fine = (times[:-1, None] + np.diff(times)[:, None] * fractions).ravel()
-    fine = np.append(fine, times[-1])
-    return fine, np.asarray(CubicSpline(times, points)(fine), dtype=np.float64)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.core.admissible import conditions, satisfies
+from chaplygin.core.parameters import conditions, satisfies
 from chaplygin.core.system import Parameter
 
 a, b, c = sp.symbols("a b c", real=True)

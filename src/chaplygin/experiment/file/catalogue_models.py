@@ -1,0 +1,51 @@
+"""The experiments with a system of the catalogue."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pydantic import Field
+
+from ...catalogue import entry
+from .base import ExperimentBase
+from .tables import StateTable, SystemRunTable, SystemStartTable, SystemTable
+
+__all__ = ["CatalogueExperiment", "StateExperiment", "SystemExperiment"]
+
+
+class CatalogueExperiment(ExperimentBase):
+    """The part that all systems of the catalogue have in common."""
+
+    system: SystemTable = Field(description="a table [system] with a name")
+
+    def complete_tables(self) -> dict[str, Any]:
+        """All tables, with every parameter of the system."""
+        parameters = entry(self.system.name).numbers(self.system.parameters)
+        system = {"name": self.system.name, "parameters": parameters}
+        return super().complete_tables() | {"system": system}
+
+
+class SystemExperiment(CatalogueExperiment):
+    """A system of the catalogue, which decides body, surface, contact and field.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        (A ValueError.) If it is made in Python of wrong parts; `load` raises InputError.
+    """
+
+    start: SystemStartTable = Field(default=SystemStartTable(), description="a table")
+    run: SystemRunTable = Field(default=SystemRunTable(), description="a table")
+
+
+class StateExperiment(CatalogueExperiment):
+    """A system of the catalogue whose start is given by the names of its state.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        (A ValueError.) If it is made in Python of wrong parts; `load` raises InputError.
+    """
+
+    start: StateTable = Field(default={}, description="a table of named values")
+    run: SystemRunTable = Field(default=SystemRunTable(), description="a table")

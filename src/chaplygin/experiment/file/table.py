@@ -1,0 +1,86 @@
+"""Tables of an experiment file: immutable, and without unknown keys; those with formulas.
+
+The description of a field completes the sentence "… must be", in errors and in documentation.
+Units are SI, angles in radians.
+"""
+
+from __future__ import annotations
+
+import keyword
+import re
+from typing import Annotated, ClassVar
+
+import sympy as sp
+from pydantic import BaseModel, ConfigDict, Field, Strict, ValidationInfo, field_validator
+
+from ...core.vectors import real_symbol
+from ...parsing import RESERVED, parse
+
+__all__ = ["FormulaTable", "Number", "Positive", "Table", "Vector"]
+
+Number = Annotated[float, Strict()]
+Positive = Annotated[Number, Field(gt=0)]
+Vector = tuple[Number, Number, Number]
+
+POSITIVE = "a positive finite number"
+THREE = "3 finite numbers"
+DIRECTION = "3 finite numbers with at least one not zero"
+FORMULA = "a formula in quotes"
+
+
+class Table(BaseModel):
+    """A table of the file: immutable, without unknown keys and without infinite numbers."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+class FormulaTable(Table):
+    """A table whose formulas may use named numbers."""
+
+    variables: ClassVar[tuple[str, ...]] = ()
+
+    parameters: dict[str, Number] = Field(default={}, description="a table of named numbers")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Every name that a formula of this table may use, besides functions and ``pi``."""
+        return (*self.variables, *self.parameters)
+
+    @property
+    def values(self) -> tuple[tuple[sp.Symbol, float], ...]:
+        """The named numbers, by their symbols."""
+        return tuple((real_symbol(name), value) for name, value in self.parameters.items())
+
+    def expression(self, text: str) -> sp.Expr:
+        """A formula of this table as an expression in the symbols of its names."""
+        return _expression(text, self.names)
+
+    @field_validator("parameters")
+    @classmethod
+    def _nameable(cls, parameters: dict[str, float]) -> dict[str, float]:
+        if parameters and not cls.variables:
+            raise ValueError("only a shape given by a formula (revolution, implicit) has any")
+        for name in parameters:
+            if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name) or keyword.iskeyword(name):
+                raise ValueError(
+                    f"'{name}' cannot be used in a formula; a name has letters, digits and _"
+                )
+            if name in RESERVED or name in _MEANT or name in cls.variables:
+                raise ValueError(f"the name '{name}' has a meaning already; choose another")
+        return parameters
+
+    @classmethod
+    def _formula(cls, text: str, info: ValidationInfo) -> sp.Expr | None:
+        """Read a formula; None where wrong parameters leave its names unknown."""
+        if "parameters" not in info.data:
+            return None
+        return _expression(text, (*cls.variables, *info.data["parameters"]))
+
+
+_MEANT = frozenset(
+    ["m", "g", "x", "y", "z", *(f"{letter}_{i}" for letter in ("gamma", "I") for i in (1, 2, 3))]
+)
+
+
+def _expression(text: str, names: tuple[str, ...]) -> sp.Expr:
+    return parse(text, {name: real_symbol(name) for name in names})

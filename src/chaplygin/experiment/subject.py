@@ -1,0 +1,362 @@
+"""The system that a study follows, with everything that depends on its kind.
+
+Three kinds differ in how their start is given, in the words of a report and in its figures: a body
+with an angular velocity ω and a unit vector γ (`BodySubject`), a homogeneous ball on a surface
+(`BallSubject`), and any other system, whose start gives its state by name (`Subject`), among them
+those that a user's file describes (`DescribedSubject`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+import mpmath
+
+from ..core.system import Observable, System
+from ..core.vectors import real_symbol
+from ..errors import InputError
+from ..mechanics.ball.ball import RollingBall
+from ..mechanics.ball.initial_state import ball_state
+from ..mechanics.constraints.integrability import nonholonomy
+from ..mechanics.lagrangian.mechanism import TIME, Mechanism
+from ..mechanics.lagrangian.plan import Plan
+from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.gauss_map import centre_outside
+from ..mechanics.rolling.initial_state import initial_state
+from ..printing.formula import text
+from .glossary import glossary
+from .initial_state import StartValues, initial_state_from_values, unit_vectors
+
+__all__ = ["BallSubject", "BodySubject", "DescribedSubject", "PlacedBallSubject", "Subject"]
+
+#: Meaning and unit of variables of a state, by name.
+Variables: TypeAlias = Mapping[str, tuple[str, str]]
+
+_UPWARDS = (0.0, 0.0, 1.0)
+
+_BALL = (
+    "In space axes: R centre of the ball, ω angular velocity, v velocity, n normal of the surface "
+    "towards the ball, r = −bn from the centre to the contact point, F force at the centre, "
+    "f = 0 the surface {on}, ℓ = |∇f|; m̃ = m + μ/b², σ = (ω, n)."
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Subject:
+    """A system whose start gives its state by name.
+
+    Attributes
+    ----------
+    system : System
+    start_values : mapping of str to number or numbers
+        The start as given, by name.
+    until : float
+        Duration (s).
+    variables : mapping of str to (str, str)
+        Meaning and unit of variables of the state, where the start is given by it.
+    plan : Plan, optional
+        The drawing of a mechanism in the plane.
+    setting : str
+        The body, its support, the contact and the forces in one line; empty for other systems.
+    """
+
+    system: System
+    start_values: StartValues
+    until: float
+    variables: Variables = field(default_factory=dict)
+    plan: Plan | None = None
+    setting: str = ""
+
+    @property
+    def rolling(self) -> Rolling | None:
+        """The rolling body and its surface, if there is one."""
+        return None
+
+    @property
+    def model(self) -> Rolling | Mechanism | None:
+        """The body or mechanism from which the equations were derived, where that is known."""
+        return self.rolling
+
+    @property
+    def summary(self) -> str:
+        """One or two sentences on what moves, where somebody has written them."""
+        return self.system.summary
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Sentences on what is unusual about it."""
+        return ()
+
+    @property
+    def starts_by_velocity(self) -> bool:
+        """Whether the start gives ω and γ, from which the state follows."""
+        return False
+
+    @property
+    def directions(self) -> set[str]:
+        """Names of the start values that are made unit vectors."""
+        return unit_vectors(self.system)
+
+    def start_vector(self, name: str) -> tuple[float, ...]:
+        """A vector of the start as given."""
+        value = self.start_values[name]
+        return tuple(value) if isinstance(value, Sequence) else (value,)
+
+    def initial_state(self) -> tuple[mpmath.mpf, ...]:
+        """The state at time 0, on the phase space.
+
+        Raises
+        ------
+        InputError
+            If the start is not admissible.
+        """
+        return initial_state_from_values(self.system, self.start_values)
+
+    @property
+    def legend(self) -> str:
+        """The meaning of the letters of its equations; empty where it is not known."""
+        meanings = [
+            f"{text(name)} {self.variables[str(name)][0]}"
+            for name in self.system.state
+            if str(name) in self.variables
+        ]
+        return f"The state: {'; '.join(meanings)}." if meanings else ""
+
+    @property
+    def weight(self) -> float | None:
+        """The weight, with which the normal force is compared; None without gravity."""
+        return None
+
+    @property
+    def two_sided(self) -> bool:
+        """Whether nothing but the contact acts, so that the surface holds from both sides."""
+        return False
+
+    @property
+    def gamma_is_normal(self) -> bool:
+        """Whether the unit vector γ is the normal of a surface."""
+        return self.rolling is not None
+
+    @property
+    def state_names(self) -> list[str]:
+        """The variables that a figure of the state shows."""
+        return [str(name) for name in self.system.state if name != TIME]
+
+    @property
+    def recorded_names(self) -> list[str]:
+        """Further quantities for a figure of their own."""
+        return []
+
+    @property
+    def has_own_reconstruction(self) -> bool:
+        """Whether the equations of the motion in space are particular to this system."""
+        return False
+
+    @property
+    def derivation_notes(self) -> tuple[str, ...]:
+        """Sentences on what is recorded besides the state, and on the constraints."""
+        return ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class BodySubject(Subject):
+    """A rigid body on a surface, or about a fixed point, whose start gives ω and γ.
+
+    Attributes
+    ----------
+    support : Rolling or None
+        The body and its surface; None for a fixed point.
+    from_catalogue : bool
+        Whether the catalogue describes the body, and not the user.
+    heading : float
+        Angle by which the body is turned about the normal at the start.
+    normal : 3 floats
+        Outward normal of the surface at the first contact, space axes.
+    letters : mapping of str to str
+        Meanings of letters that this system alone has.
+    """
+
+    support: Rolling | None = None
+    from_catalogue: bool = True
+    heading: float = 0.0
+    normal: Sequence[float] = _UPWARDS
+    letters: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def rolling(self) -> Rolling | None:
+        """The body and its surface; None for a fixed point."""
+        return self.support
+
+    @property
+    def summary(self) -> str:
+        """That of the catalogue."""
+        return self.system.summary if self.from_catalogue else ""
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Whether the centre of mass lies outside the body that the user describes."""
+        if self.from_catalogue or self.rolling is None:
+            return ()
+        outside = centre_outside(self.rolling.body.shape)
+        return ("body.shape.centre puts the centre of mass outside the body",) if outside else ()
+
+    @property
+    def starts_by_velocity(self) -> bool:
+        """True."""
+        return True
+
+    @property
+    def directions(self) -> set[str]:
+        """γ alone."""
+        return {"gamma"}
+
+    def initial_state(self) -> tuple[mpmath.mpf, ...]:
+        """The state that follows from ω and γ."""
+        return initial_state(
+            self.system,
+            self.start_vector("omega"),
+            self.start_vector("gamma"),
+            heading=self.heading,
+            normal=self.normal,
+        )
+
+    @property
+    def legend(self) -> str:
+        """The meaning of the letters of its equations."""
+        return glossary(self.system, self.rolling is not None, self.letters)
+
+    @property
+    def weight(self) -> float | None:
+        """m g of a rolling body under gravity."""
+        if self.rolling is None or not self.rolling.field.gravity:
+            return None
+        return self.rolling.body.mass * self.rolling.field.gravity
+
+    @property
+    def two_sided(self) -> bool:
+        """Whether it rolls without gravity."""
+        return self.rolling is not None and not self.rolling.field.gravity
+
+    @property
+    def gamma_is_normal(self) -> bool:
+        """Whether it rolls, or its entry gives γ a meaning of its own."""
+        return self.rolling is not None or bool(self.letters)
+
+
+@dataclass(frozen=True, kw_only=True)
+class BallSubject(Subject):
+    """A homogeneous ball on a surface.
+
+    Attributes
+    ----------
+    ball : RollingBall
+        The ball and its surface.
+    """
+
+    ball: RollingBall
+
+    @property
+    def legend(self) -> str:
+        """The meaning of the letters of its equations."""
+        on_centre = self.ball.kinematics.fit is None
+        return _BALL.format(on="of the centre" if on_centre else "that carries the ball at x")
+
+    @property
+    def weight(self) -> float | None:
+        """m g under gravity."""
+        return self.ball.mass * self.ball.gravity or None
+
+    @property
+    def two_sided(self) -> bool:
+        """Whether no force acts on it besides that of the surface."""
+        return not self.ball.loaded
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlacedBallSubject(BallSubject):
+    """A homogeneous ball whose start gives its contact point or its centre, and ω."""
+
+    @property
+    def summary(self) -> str:
+        """Empty, as the setting says what moves."""
+        return ""
+
+    @property
+    def directions(self) -> set[str]:
+        """None: the place of the ball and ω are no unit vectors."""
+        return set()
+
+    def initial_state(self) -> tuple[mpmath.mpf, ...]:
+        """The state that follows from the place of the ball and ω."""
+        place = "contact" if self.ball.carrier == "support" else "centre"
+        position, omega = self.start_vector(place), self.start_vector("omega")
+        return ball_state(self.ball, self.system, position, omega)
+
+
+@dataclass(frozen=True, kw_only=True)
+class DescribedSubject(Subject):
+    """A system that a user's file describes by a Lagrangian or by equations.
+
+    Attributes
+    ----------
+    mechanism : Mechanism, optional
+        The Lagrangian, frame and constraints from which the system was derived.
+    """
+
+    mechanism: Mechanism | None = None
+
+    @property
+    def model(self) -> Mechanism | None:
+        """The mechanism, if there is one."""
+        return self.mechanism
+
+    @property
+    def state_names(self) -> list[str]:
+        """The variables of the state, and of the motion in space."""
+        whole = self.system.lifted() if self.system.motion else self.system
+        return [str(name) for name in whole.state if name != TIME]
+
+    @property
+    def recorded_names(self) -> list[str]:
+        """The observables."""
+        return [item.name for item in self._observables]
+
+    @property
+    def has_own_reconstruction(self) -> bool:
+        """True."""
+        return True
+
+    @property
+    def derivation_notes(self) -> tuple[str, ...]:
+        """Sentences on what is recorded besides the state, and on the constraints.
+
+        The verdict on the constraints, holonomic or not, is that of
+        :func:`chaplygin.mechanics.constraints.integrability.nonholonomy`.
+        """
+        return tuple(filter(None, (self._observables_note(), self._constraints_note())))
+
+    @property
+    def _observables(self) -> tuple[Observable, ...]:
+        motion = self.system.motion
+        return (*self.system.observables, *(motion.observables if motion else ()))
+
+    def _observables_note(self) -> str:
+        names = [
+            text(real_symbol(item.name))
+            if item.meaning in ("", item.name)
+            else f"{text(real_symbol(item.name))} ({item.meaning})"
+            for item in self._observables
+        ]
+        return f"Also recorded: {'; '.join(names)}." if names else ""
+
+    def _constraints_note(self) -> str:
+        mechanism = self.mechanism
+        if mechanism is None or not mechanism.f:
+            return ""
+        try:
+            return str(nonholonomy(mechanism))
+        except InputError as problem:
+            reason = problem.message.removeprefix(f"{mechanism.name}: ")
+            return f"Whether the constraints are holonomic is undecided: {reason}."

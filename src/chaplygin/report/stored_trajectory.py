@@ -1,0 +1,118 @@
+"""The trajectory of an unfinished study, kept in its folder so that it is integrated only once."""
+
+from __future__ import annotations
+
+import io
+import json
+import zipfile
+from dataclasses import asdict
+from importlib.metadata import version
+from pathlib import Path
+
+import mpmath
+import numpy as np
+import numpy.typing as npt
+
+from ..core.source_digest import core
+from ..errors import InputError
+from ..experiment.files import completed
+from ..experiment.study import Study
+from ..flow.integrator import Trajectory
+from ..flow.taylor import number_type
+from ..flow.trajectory import Event, Statistics
+from ..formulas.digest import digest
+
+__all__ = ["read_trajectory", "store_trajectory", "trajectory_digest"]
+
+#: Libraries on which the last digits of a trajectory may depend.
+_LIBRARIES = ("heyoka", "llvmlite", "mpmath", "numpy", "sympy")
+
+#: Digits of the start that take part in the digest.
+_DIGITS = 50
+
+
+def trajectory_digest(study: Study, pieces: int) -> str | None:
+    """A digest of everything on which a trajectory depends; None where something has no digest.
+
+    Parameters
+    ----------
+    study : Study
+    pieces : int
+        Pieces into which each sample interval is divided.
+    """
+    start = [mpmath.nstr(x, _DIGITS) for x in study.start]
+    libraries = [version(name) for name in _LIBRARIES]
+    text = study.complete_toml()
+    try:
+        return digest((core(), libraries, text, study.system_on_level, start, pieces))
+    except InputError:
+        return None
+
+
+def store_trajectory(path: Path, key: str | None, trajectory: Trajectory) -> None:
+    """Write a trajectory, except one whose numbers are no fixed number of bytes.
+
+    Parameters
+    ----------
+    path : Path
+    key : str or None
+        Its digest; without one nothing is written.
+    trajectory : Trajectory
+    """
+    named = {"times": trajectory.times, "states": trajectory.states}
+    named |= {f"recorded {name}": values for name, values in trajectory.recorded.items()}
+    arrays = {name: np.asarray(values) for name, values in named.items()}
+    if key is None or any(array.dtype.hasobject for array in arrays.values()):
+        return
+    guards = trajectory.system.guards
+    facts = {
+        "key": key,
+        "statistics": asdict(trajectory.statistics),
+        "events": [(e.time, guards.index(e.guard), e.stopped) for e in trajectory.events],
+        "shapes": {name: array.shape for name, array in arrays.items()},
+    }
+    # as bytes, since NumPy's own format does not know numbers of 34 digits
+    contents = {name: np.frombuffer(array.tobytes(), np.uint8) for name, array in arrays.items()}
+    with completed(path) as temporary, temporary.open("wb") as stream:
+        np.savez(stream, allow_pickle=False, **{"": np.array(json.dumps(facts)), **contents})
+
+
+def read_trajectory(path: Path, key: str | None, study: Study) -> Trajectory | None:
+    """The trajectory of a study that was stored with this digest; None if there is none.
+
+    Parameters
+    ----------
+    path : Path
+    key : str or None
+        See :func:`trajectory_digest`.
+    study : Study
+    """
+    try:
+        # read whole: NumPy leaves a damaged file open
+        with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as stored:
+            facts = json.loads(str(stored[""]))
+            if key is None or facts["key"] != key:
+                return None
+            kind = np.dtype(number_type(study.experiment.run.precision))
+            arrays = {
+                name: _numbers(stored[name], kind, shape) for name, shape in facts["shapes"].items()
+            }
+    except (OSError, ValueError, KeyError, zipfile.BadZipFile):
+        return None
+    system = study.system_on_level
+    lifted = system.lifted() if system.motion else system
+    return Trajectory(
+        lifted,
+        lifted.defaults,
+        arrays.pop("times"),
+        arrays.pop("states"),
+        {name.removeprefix("recorded "): values for name, values in arrays.items()},
+        tuple(Event(time, lifted.guards[i], stopped) for time, i, stopped in facts["events"]),
+        Statistics(**facts["statistics"]),
+    )
+
+
+def _numbers(
+    content: npt.NDArray[np.uint8], kind: np.dtype[np.generic], shape: list[int]
+) -> npt.NDArray[np.generic]:
+    return content.view(kind).reshape(shape).copy()

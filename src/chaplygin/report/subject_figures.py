@@ -1,0 +1,41 @@
+"""The figures of a study, by the kind of system that it follows."""
+
+from __future__ import annotations
+
+import xarray as xr
+from matplotlib.figure import Figure
+
+from ..experiment.plan import PlanMotion
+from ..experiment.subject import BallSubject, BodySubject, Subject
+from . import figures
+from .scenes.scene import ball_scene_of, scene_of
+
+__all__ = ["subject_figures"]
+
+
+def subject_figures(
+    subject: Subject, dataset: xr.Dataset, plan: PlanMotion | None
+) -> dict[str, Figure]:
+    """The figures of a trajectory by name, in the order of the page.
+
+    Parameters
+    ----------
+    subject : Subject
+        The system that moves.
+    dataset : xarray.Dataset
+        Its trajectory.
+    plan : PlanMotion or None
+        The motion of a mechanism in the plane.
+    """
+    match subject:
+        case BallSubject():
+            scene = ball_scene_of(subject.ball)
+            return figures.ball_figures(dataset, *scene, subject.state_names, subject.weight)
+        case BodySubject():
+            rolling = subject.rolling
+            drawn = None if rolling is None else scene_of(rolling)
+            return figures.all_figures(dataset, drawn, subject.weight)
+        case _:
+            pictures = {} if plan is None else {"plan_view": figures.plan_view(dataset, plan)}
+            names = subject.state_names, subject.recorded_names
+            return pictures | figures.state_figures(dataset, *names)
