@@ -18,7 +18,6 @@ from ..mechanics.ball.surface import (
     ImplicitSurface,
     Paraboloid,
     Ring,
-    Side,
     SmoothSurface,
     SphericalSurface,
 )
@@ -103,8 +102,7 @@ def smooth_surface(table: SmoothTable) -> SmoothSurface:
         case FlatTable():
             return FlatSurface(side=side, axis=axis)
         case RoundTable():
-            inside: Side = "inside" if table.radius < 0 else side
-            return SphericalSurface(abs(table.radius), side=inside, axis=axis)
+            return SphericalSurface(table.radius, side=side, axis=axis)
         case CylinderTable(axes=None):
             return CircularCylinder(table.radius or 0.0, side=side, axis=axis)
         case CylinderTable():

@@ -71,7 +71,7 @@ def build(p: Numbers) -> Rolling:
 
 def build_on_sphere(p: Numbers) -> Rolling:
     """The same body on a sphere, without gravity."""
-    return Rolling(ellipsoid(p), Sphere(p["a"]), "rubber")
+    return Rolling(ellipsoid(p), Sphere.of_signed_radius(p["a"]), "rubber")
 
 
 def general() -> System:

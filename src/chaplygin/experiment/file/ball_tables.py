@@ -14,10 +14,12 @@ from .table import (
     DIRECTION,
     FORMULA,
     POSITIVE,
+    SIDES,
     THREE,
     FormulaTable,
     Number,
     Positive,
+    SphereRadius,
     Table,
     Vector,
 )
@@ -35,8 +37,6 @@ __all__ = [
     "RoundTable",
     "SmoothTable",
 ]
-
-SIDES = '"outside" or "inside"'
 
 
 class _SurfaceTable(FormulaTable):
@@ -60,17 +60,10 @@ class FlatTable(_SurfaceTable):
 
 
 class RoundTable(_SurfaceTable):
-    """A sphere about the origin; a negative radius, too, means its inside."""
+    """A sphere about the origin."""
 
     kind: Literal["sphere"] = "sphere"
-    radius: Number = Field(description="a finite number, positive outside and negative inside")
-
-    @field_validator("radius")
-    @classmethod
-    def _not_zero(cls, radius: float) -> float:
-        if radius == 0:
-            raise ValueError("must not be zero; it is positive outside and negative inside")
-        return radius
+    radius: SphereRadius = Field(description=POSITIVE)
 
 
 class CylinderTable(_SurfaceTable):

@@ -108,7 +108,7 @@ def initial_state(
 _OMEGA, _GAMMA = omega.symbols, gamma.symbols
 
 
-def _number(value: float | str) -> mpmath.mpf:
+def _number(value: object) -> mpmath.mpf:
     return mpmath.mpf(repr(float(value))) if isinstance(value, (int, float)) else mpmath.mpf(value)
 
 
