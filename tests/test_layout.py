@@ -26,7 +26,6 @@ LONGER = {
     "flow/integrator.py",
     "flow/kernel/gauss_legendre.py",
     "flow/kernel/runge_kutta.py",
-    "mechanics/rolling/shapes.py",
     "proof/certificates/case_tree.py",
     "proof/certificates/identities.py",
     "proof/level/level_set.py",

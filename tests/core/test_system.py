@@ -9,6 +9,7 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
+from chaplygin.catalogue import from_catalogue
 from chaplygin.core.laws import Integral
 from chaplygin.core.system import Observable, Parameter, Reconstruction, System
 from chaplygin.core.vectors import (
@@ -253,3 +254,17 @@ def test_equations_do_not_swell(case: tuple[str, str, str]) -> None:
     plain, full = CEILINGS[case]
     assert operations(bare(*case)) <= plain
     assert operations(laden(*case)) <= full
+
+
+def test_formulas_expand_to_state_and_parameters():
+    x, v, k, energy, half = (real_symbol(name) for name in ("x", "v", "k", "E", "half"))
+    definitions = {half: v**2 / 2, energy: half + k * x**2 / 2}
+    parameters = (Parameter(k, "stiffness", 2.0),)
+    system = System("spring", "Spring", {x: v, v: -k * x}, parameters, definitions)
+    assert system.expand(energy) == v**2 / 2 + k * x**2 / 2
+    assert system.expand(x + 1) == x + 1
+    assert system.expand(2) == 2
+    ball = from_catalogue("chaplygin-ball")
+    expanded = ball.expand(Vector("omega"))
+    assert expanded.shape == (3, 1)
+    assert expanded.free_symbols <= {*ball.symbols, *ball.defaults}

@@ -46,10 +46,14 @@ from mechanics.compare import (
 from spread import spread
 
 FOLDER = Path(chaplygin.__file__).parent / "mechanics" / "rolling"
-CHANGED = ("attitude", "shapes", "contact", "equations", "motion_in_space")
+#: Those with formulas; implicit shapes and what shapes share have none.
+CHANGED = ("attitude", "revolution", "shapes", "contact", "equations", "motion_in_space")
 LOADED = (
     "surfaces",
     "rays",
+    "shape_base",
+    "revolution",
+    "implicit",
     "shapes",
     "body",
     "contact",
@@ -88,7 +92,7 @@ BODIES = (
     ("implicit", "inside", "rubber"),
 )
 
-_PROFILE = "shapes.Revolution.from_profile"
+_PROFILE = "revolution.Revolution.from_profile"
 _SIZE = "1 + abs(sp.N(chi_1.subs(here)))"
 
 #: Changes that alter no motion, with the reason.
@@ -125,11 +129,12 @@ HARMLESS = {
 
 #: Functions that only look at input; their messages are tested elsewhere.
 SPECTATORS = {
-    "_require_known",
+    "require_known",
     "_check_ball",
-    "_check_centre",
+    "check_centre",
     "_check_potential",
     "_positive",
+    "require_positive",
     "__post_init__",
 }
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from chaplygin.borisov_mamaev.methods.conclusion import concluded
+from chaplygin.borisov_mamaev.methods.conclusion import computed_verdict, concluded
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.laws import Integral
 from chaplygin.core.vectors import norm_squared, vectors
@@ -36,3 +36,12 @@ def test_a_premiss_that_is_not_proven_leaves_it_undecided(premiss, words):
     assert found.decision == "undecided"
     assert found.reason == words
     assert not found.shown
+
+
+def test_a_computation_that_fails_leaves_a_claim_undecided():
+    good = computed_verdict("area", True, "it is one", "it is not", witness={"n": 1})
+    assert (good.decision, good.shown, good.reason) == ("proven", "it is one", "")
+    assert good.witness == {"n": 1}
+    bad = computed_verdict("area", 0, "it is one", "it is not", decision="refuted")
+    assert (bad.decision, bad.reason) == ("undecided", "it is not")
+    assert computed_verdict("area", 1, decision="refuted").decision == "refuted"

@@ -26,16 +26,9 @@ from ...core.vectors import (
     to_components,
 )
 from ...errors import InputError
-from .shapes import (
-    IMPLICIT_GRADIENT,
-    IMPLICIT_HESSIAN,
-    IMPLICIT_POINT,
-    Ball,
-    GaussMap,
-    Implicit,
-    Shape,
-    convexity,
-)
+from .implicit import IMPLICIT_GRADIENT, IMPLICIT_HESSIAN, IMPLICIT_POINT
+from .shape_base import GaussMap, convexity
+from .shapes import Ball, Implicit, Shape
 from .surfaces import Plane, Sphere, Surface
 
 __all__ = ["Contact", "contact", "definitions_by_velocity"]

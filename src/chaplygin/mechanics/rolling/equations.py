@@ -44,7 +44,7 @@ from ...errors import InputError
 from .body import Body, body_parameters
 from .contact import Contact, contact as contact_of, definitions_by_velocity
 from .motion_in_space import motion_in_space
-from .shapes import check_values, real_values
+from .shape_base import check_values, real_values
 from .surfaces import Plane, Surface
 
 __all__ = ["ContactModel", "Forces", "Rolling", "roll"]
