@@ -150,7 +150,7 @@ def test_a_homogeneous_ball_on_a_plane_rolls_straight(contact, gravity):
 
 
 def bowl(contact: str) -> System:
-    return roll(HOMOGENEOUS, Sphere(-BOWL), contact, Forces(G))
+    return roll(HOMOGENEOUS, Sphere(BOWL, side="inside"), contact, Forces(G))
 
 
 #: 5g/(7(|a| − R)), the square of the frequency of small oscillations in a bowl.
@@ -316,7 +316,7 @@ def test_a_very_large_sphere_is_a_plane(contact, side):
     flat = follow(roll(body, Plane(), contact, Forces(G)), spin, up, times)
     gaps = []
     for radius in (1e5, 1e6):
-        system = roll(body, Sphere(side * radius), contact, Forces(G))
+        system = roll(body, Sphere.of_signed_radius(side * radius), contact, Forces(G))
         curved = follow(system, spin, up, times)
         gaps.append(max(np.abs(curved[name] - flat[name]).max() for name in ("omega", "gamma")))
     assert gaps[1] < 1e-4

@@ -72,6 +72,7 @@ MISTAKES: dict[str, Callable[[], Any]] = {
     "Implicit list": lambda: c.Implicit([x]),
     "Sphere str": lambda: c.Sphere("2"),
     "Sphere zero": lambda: c.Sphere(0),
+    "Sphere negative": lambda: c.Sphere(-2.0),
     "Sphere None": lambda: c.Sphere(None),
     "Body shape str": lambda: c.Body(1.0, (1, 1, 1), "ball"),
     "Body shape class": lambda: c.Body(1.0, (1, 1, 1), c.Ball),

@@ -320,6 +320,9 @@ class _Scope(dict[str, Any]):
     def __missing__(self, name: str) -> Any:
         if hasattr(builtins, name):
             return getattr(builtins, name)
+        if name in globals():
+            # of the types above, which a module may use without what they are made of
+            return globals()[name]
         package = import_module(__package__)
         if name in package.__all__:
             return getattr(package, name)

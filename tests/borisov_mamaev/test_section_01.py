@@ -65,7 +65,7 @@ GENERAL = {"marble": any_marble_body, "rubber": any_rubber_body}
 @pytest.mark.parametrize("radius", [None, 2.5, -4.5])
 def test_a_body_of_any_shape_is_the_ellipsoid_for_its_support_function(radius, contact):
     body = Body(MASS, INERTIA, Ellipsoid(AXES, centre=CENTRE))
-    surface = Plane() if radius is None else Sphere(radius)
+    surface = Plane() if radius is None else Sphere.of_signed_radius(radius)
     rolled = roll(body, surface, contact, Forces(potential=FIELD))
     numbers = {"m": MASS, "a": radius}
     numbers |= {f"I_{i}": x for i, x in enumerate(INERTIA, 1)}

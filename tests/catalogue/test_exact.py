@@ -152,7 +152,7 @@ VARIANTS = {
         {"energy", "momentum"},
     ),
     "marble ball inside a sphere": (
-        Rolling(Body(1.2, MOMENTS, Ball(0.9)), Sphere(-2.3)),
+        Rolling(Body(1.2, MOMENTS, Ball(0.9)), Sphere(2.3, side="inside")),
         {"energy", "momentum"},
     ),
     "marble ball with a full tensor": (

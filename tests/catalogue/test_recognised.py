@@ -127,7 +127,7 @@ CASES = {
     ),
     "marble ellipsoid": Case({**ROUND, "shape": ELLIPSOID}, set()),
     "ball on a sphere": Case({"surface": SPHERE.format(2.0)}, {"momentum"}),
-    "ball in a bowl": Case({"surface": SPHERE.format(-2.5)}, {"momentum"}),
+    "ball in a bowl": Case({"surface": SPHERE.format(2.5) + '\nside = "inside"'}, {"momentum"}),
     "ball on a sphere with rotors": Case(
         {"surface": SPHERE.format(2.0), "gyrostat": [0.1, 0.2, -0.3]}, {"momentum"}
     ),

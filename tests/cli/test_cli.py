@@ -161,7 +161,7 @@ def test_reports_are_reproducible(ask: Ask, tmp_path: Path) -> None:
 
 
 def test_lift_off_is_reported(ask: Ask) -> None:
-    bowl = [EXAMPLES / "ball_in_a_bowl.toml", "--set", "surface.radius=0.1"]
+    bowl = [EXAMPLES / "ball_in_a_bowl.toml", "--set", "surface.side=outside"]
     code, out, _ = ask("run", *bowl, "-o", "stop.nc", "--json")
     facts = json.loads(out)
     assert code == 0

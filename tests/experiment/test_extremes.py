@@ -56,7 +56,9 @@ def motion(shape: str, contact: str, bowl: bool, scale: tuple[float, float, floa
     """γ and ω (in units of the rate) at five instants."""
     length, mass, rate = scale
     moments = (k * mass * length**2 for k in (0.5, 0.625, 0.75))
-    surface = f'[surface]\nkind = "sphere"\nradius = {-4 * length}\n' if bowl else ""
+    surface = (
+        f'[surface]\nkind = "sphere"\nradius = {4 * length}\nside = "inside"\n' if bowl else ""
+    )
     text = (
         f"[body]\nmass = {mass}\ninertia = {listed(*moments)}\n"
         f"[body.shape]\n{SHAPES[shape](length)}\n{surface}"
@@ -127,7 +129,7 @@ CASES = {
         3.0,
     ),
     "a bowl hardly larger than the ball": (
-        f'{BALL}\n[surface]\nkind = "sphere"\nradius = -1.000000000001',
+        f'{BALL}\n[surface]\nkind = "sphere"\nradius = 1.000000000001\nside = "inside"',
         "[0.3, 0.2, 0.9]",
         "[0.5, 0.2, 1.0]",
         3.0,

@@ -139,11 +139,12 @@ def test_a_body_has_what_the_file_says():
 
 
 @pytest.mark.parametrize(
-    ("radius", "title"), [(2.0, "Ball on a sphere"), (-2.0, "Ball on the inside of a sphere")]
+    ("side", "title"),
+    [("outside", "Ball on a sphere"), ("inside", "Ball on the inside of a sphere")],
 )
-def test_spheres(radius, title):
-    made = study(surface=f'kind = "sphere"\nradius = {radius}')
-    assert made.rolling.surface == Sphere(radius)
+def test_spheres(side, title):
+    made = study(surface=f'kind = "sphere"\nradius = 2.0\nside = "{side}"')
+    assert made.rolling.surface == Sphere(2.0, side)
     assert made.system.title == title
 
 

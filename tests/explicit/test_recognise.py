@@ -118,7 +118,9 @@ def test_the_area_constant_chooses_the_separation() -> None:
 
 @pytest.mark.parametrize("radius", [0.45, 0.4500001])
 def test_the_ratio_of_radii_is_taken_exactly(radius: float) -> None:
-    ball = Rolling(Body(1.3, MOMENTS, Ball(0.9, hollow=True)), Sphere(radius), "rubber")
+    ball = Rolling(
+        Body(1.3, MOMENTS, Ball(0.9, hollow=True)), Sphere.of_signed_radius(radius), "rubber"
+    )
     found = find_match(problem_of(ball))
     assert found is not None
     assert (not found.level) == (radius == 0.45)

@@ -287,7 +287,7 @@ def test_a_body_of_revolution_rolls_on_to_its_cusp():
 
 def test_an_ellipsoid_rolls_on_to_where_the_bowl_is_too_narrow():
     shape = Ellipsoid((1.0, 1.0, 0.4))
-    system = roll(Body(1.0, (0.25, 0.25, 0.3), shape), Sphere(-2.0))
+    system = roll(Body(1.0, (0.25, 0.25, 0.3), shape), Sphere(2.0, side="inside"))
     start = initial_state(system, (1.0, 0.0, 0.0), (0.0, 1.0, 0.1))
     motion = integrate(system, start, np.linspace(0.0, 30.0, 301))
     (message,) = motion.events
@@ -321,14 +321,14 @@ def test_a_guard_may_be_the_same_in_every_state():
 @pytest.mark.parametrize(
     ("shape", "surface", "gamma", "message"),
     [
-        (Ellipsoid((1.0, 1.0, 0.4)), Sphere(-2.0), (0.0, 0.1, 1.0), "does not fit"),
+        (Ellipsoid((1.0, 1.0, 0.4)), Sphere(2.0, side="inside"), (0.0, 0.1, 1.0), "does not fit"),
         (
             Revolution(1 + sp.Rational(6, 5) * sp.Symbol("gamma_3", real=True) ** 2),
             Plane(),
             (0.0, 0.35, 0.94),
             "leaves the convex part",
         ),
-        (Disk(1.0), Sphere(-2.0), (0.0, 1e-8, 1.0), "lies flat"),
+        (Disk(1.0), Sphere(2.0, side="inside"), (0.0, 1e-8, 1.0), "lies flat"),
     ],
     ids=["narrow bowl", "cusp", "flat"],
 )

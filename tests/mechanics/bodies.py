@@ -36,7 +36,7 @@ SHAPES = {
     "revolution": Revolution(1 + GAMMA[2] ** 2 / 10 - GAMMA[2] ** 3 / 30, centre=CENTRE),
     "implicit": Implicit(QUARTIC, centre=CENTRE),
 }
-SURFACES = {"plane": Plane(), "outside": Sphere(2.0), "inside": Sphere(-6.0)}
+SURFACES = {"plane": Plane(), "outside": Sphere(2.0), "inside": Sphere(6.0, side="inside")}
 
 COMBINATIONS = [
     (shape, surface)

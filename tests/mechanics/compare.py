@@ -168,7 +168,7 @@ def equations(case: Case, package: Package = PACKAGE) -> System:
 def surface_of(surface: reference.Surface, package: Package = PACKAGE) -> Any:
     """The package's surface for one of the reference."""
     if isinstance(surface, reference.Sphere):
-        return package.surfaces.Sphere(surface.radius)
+        return package.surfaces.Sphere.of_signed_radius(surface.radius)
     return package.surfaces.Plane()
 
 

@@ -216,7 +216,7 @@ RADII = {"plane": None, "outside": sp.Rational("2.5"), "inside": sp.Rational("-4
 
 
 def surface(radius):
-    return Plane() if radius is None else Sphere(float(radius))
+    return Plane() if radius is None else Sphere.of_signed_radius(float(radius))
 
 
 @pytest.mark.slow
@@ -323,7 +323,7 @@ def test_ball_on_sphere(where, normal):
     """
     shape, a, b = BALLS_ON_SPHERES[where]
     n, omega, d, k = NORMALS[normal], SPIN, MASS * b**2, a / (a + b)
-    system = roll(body(shape), Sphere(float(a)))
+    system = roll(body(shape), Sphere.of_signed_radius(float(a)))
     M = PRINCIPAL * omega + d * n.cross(omega.cross(n))
     point = ball_point(system, n, omega, M)
     assert point["omega"] == omega
@@ -338,7 +338,7 @@ def test_rubber_ball_on_sphere(where, normal):
     shape, a, b = BALLS_ON_SPHERES[where]
     n = NORMALS[normal]
     omega = without_spin(SPIN, n)
-    system = roll(body(shape), Sphere(float(a)), "rubber")
+    system = roll(body(shape), Sphere.of_signed_radius(float(a)), "rubber")
     point = ball_point(system, n, omega)
     J = PRINCIPAL + MASS * b**2 * E
     gyroscopic = (J * omega).cross(omega)

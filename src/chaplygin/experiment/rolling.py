@@ -50,7 +50,7 @@ def _rolling(experiment: RollingExperiment) -> Rolling:
     with experiment.placing_errors("body"):
         body = Body(table.mass, table.inertia, shape, table.gyrostat)
     surface = experiment.surface
-    ground = Plane() if isinstance(surface, PlaneTable) else Sphere(surface.radius)
+    ground = Plane() if isinstance(surface, PlaneTable) else Sphere(surface.radius, surface.side)
     forces = experiment.field
     with experiment.placing_errors("field"):
         potential = forces.expression(forces.potential) if forces.potential else sp.S.Zero
@@ -62,7 +62,7 @@ def _title(rolling: Rolling) -> str:
     """A name for a body that the catalogue has none for."""
     ground = "a plane"
     if isinstance(rolling.surface, Sphere):
-        ground = "a sphere" if rolling.surface.radius > 0 else "the inside of a sphere"
+        ground = "a sphere" if rolling.surface.side == "outside" else "the inside of a sphere"
     manner = "" if rolling.contact == "marble" else ", rubber contact"
     return f"{shape_name(rolling.body.shape)} on {ground}{manner}"
 
@@ -72,8 +72,7 @@ def rolling_setting(rolling: Rolling) -> str:
     surface = rolling.surface
     ground = "a horizontal plane"
     if not isinstance(surface, Plane):
-        side = "outside" if surface.radius > 0 else "inside"
-        ground = f"a sphere of radius {abs(surface.radius):g}, {side}"
+        ground = f"a sphere of radius {surface.radius:g}, {surface.side}"
     manner = "without slipping"
     if rolling.contact == "rubber":
         manner = "with neither slipping nor spinning"

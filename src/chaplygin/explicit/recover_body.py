@@ -76,7 +76,7 @@ def _balls(numbers: Mapping[str, float]) -> Iterator[Rolling]:
     if tensor is entries:
         x, xy, xz, y, yz, z = inertia
         inertia = ((x, xy, xz), (xy, y, yz), (xz, yz, z))
-    surface: Surface = Sphere(numbers["a"]) if "a" in numbers else Plane()
+    surface: Surface = Sphere.of_signed_radius(numbers["a"]) if "a" in numbers else Plane()
     field = Forces(numbers.get("g", 0.0))
     for hollow, model in product((False, True), MODELS):
         body = Body(numbers["m"], inertia, Ball(numbers["R"], hollow))

@@ -104,7 +104,7 @@ def _with_sphere(
     contract, stretch, trace = tangent, tangent, sp.Integer(2)
     if not isinstance(surface, Plane):
         meaning = "radius of the supporting sphere, negative inside"
-        parameters += (Parameter(a, meaning, surface.radius, "m", (sp.Ne(a, 0),)),)
+        parameters += (Parameter(a, meaning, surface.signed_radius, "m", (sp.Ne(a, 0),)),)
         tau, area = real_symbol("tau"), real_symbol("A_a")
         definitions += ((tau, invariants[0]), (area, a**2 + a * tau + invariants[1]))
         trace = (2 * a**2 + a * tau) / area

@@ -48,7 +48,7 @@ samples = 11
 KINDS = {
     'kind = "plane"': ("[1.0, 0.0, 0.0]", 0.5),
     'kind = "sphere"\nradius = 2.0': ("[0.0, 0.0, 2.0]", 2.5),
-    'kind = "sphere"\nradius = -2.0': ("[0.0, 0.0, -2.0]", -1.5),
+    'kind = "sphere"\nradius = 2.0\nside = "inside"': ("[0.0, 0.0, -2.0]", -1.5),
     'kind = "cylinder"\nradius = 2.0\naxis = "x"': ("[1.0, 0.0, 2.0]", 2.5),
     'kind = "cylinder"\naxes = [2.0, 3.0]\naxis = "y"': ("[0.0, 1.0, 2.0]", 2.5),
     'kind = "cone"\nslope = 1.0\naxis = "x"': ("[1.0, 0.0, 1.0]", 1.0 + 0.5**1.5),
@@ -121,8 +121,10 @@ def test_a_full_tensor_may_be_spherical():
     assert moment(BodyTable(mass=1.0, inertia=uneven, shape=shape)) is None
 
 
-def test_a_negative_radius_is_the_inside():
-    assert RoundTable(radius=-2.0).surface().side == "inside"
+def test_the_inside_is_a_side():
+    assert RoundTable(radius=2.0, side="inside").surface().side == "inside"
+    with pytest.raises(ValidationError, match=r'write radius = 2\.0 and side = "inside"'):
+        RoundTable(radius=-2.0)
 
 
 def test_the_setting_in_words():

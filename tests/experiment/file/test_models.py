@@ -143,7 +143,12 @@ def test_system_of_the_catalogue() -> None:
         ['body.shape={kind="revolution", chi_1="-2", chi_2="-2*gamma_3"}'],
         ['body.shape={kind="implicit", surface="x**4 + y**4 + z**4/b - 1", parameters={b=2}}'],
         ["surface.kind=sphere", "surface.radius=2"],
-        ["surface.kind=sphere", "surface.radius=-2", "start.normal=[0, 1, -1]"],
+        [
+            "surface.kind=sphere",
+            "surface.radius=2",
+            "surface.side=inside",
+            "start.normal=[0, 1, -1]",
+        ],
         ["surface.kind=sphere", "surface.radius=0.5", "body.shape.hollow=true"],
         ["contact.model=rubber"],
         ["field.gravity=0", "field.potential=k*(I_1*gamma_1**2 + m)/2", "field.parameters.k=3"],
@@ -182,7 +187,7 @@ def test_made_in_python() -> None:
     assert loads(experiment.text) == experiment
     assert experiment.where("body", "mass") == "<experiment>, body.mass"
     with pytest.raises(ValidationError, match="bowl of radius 1 is too small"):
-        RollingExperiment(body=body, start=start, surface=SphereTable(radius=-1))
+        RollingExperiment(body=body, start=start, surface=SphereTable(radius=1, side="inside"))
     with pytest.raises(ValidationError, match="frozen"):
         experiment.body.mass = 2
 
@@ -232,8 +237,13 @@ def test_sentence_of_the_triangle_inequality() -> None:
         ('"plane"', '"bowl"', 'unknown kind "bowl"; allowed: plane, sphere'),
         ('"plane"', '"implicit"', "surface.equation: missing; it must be a formula in quotes"),
         ('"plane"', '"plane"\nradius = 1', "line 13, surface.radius: unknown key; allowed: kind"),
-        ('"plane"', '"sphere"', "surface.radius: missing; it must be a finite number, positive"),
-        ('"plane"', '"sphere"\nradius = 0', "line 13, surface.radius: must not be zero"),
+        ('"plane"', '"sphere"', "surface.radius: missing; it must be a positive finite number"),
+        (
+            '"plane"',
+            '"sphere"\nradius = -2',
+            'surface.radius: must be positive; for the inside write radius = 2.0 and side = "ins',
+        ),
+        ('"plane"', '"sphere"\nradius = 0', "line 13, surface.radius: must be positive"),
         ('"marble"', '"ruber"', 'contact.model: must be "marble" or "rubber", not the text "ru'),
         ("9.81", "-9.81", "field.gravity: must be a finite number not below zero, not -9.81"),
         ("[0.2, -0.3, 0.93]", "[0, 0.0, -0.0]", "start.gamma: must not be zero"),
@@ -267,29 +277,44 @@ def test_refused_in_one_sentence(old: str, new: str, message: str) -> None:
     assert all(line.startswith("body.toml") for line in said)
 
 
+INSIDE = "surface.side=inside"
+
+
 @pytest.mark.parametrize(
     ("overrides", "message"),
     [
-        (["surface.radius=-1"], "a bowl of radius 1 is too small for this ball, whose radius is 1"),
-        (["surface.radius=-0.5"], "body.toml, line 11, surface: a bowl of radius 0.5 is too small"),
         (
-            ["surface.radius=-4", 'body.shape={kind="ellipsoid", axes=[2, 1, 1]}'],
+            ["surface.radius=1", INSIDE],
+            "a bowl of radius 1 is too small for this ball, whose radius is 1",
+        ),
+        (
+            ["surface.radius=0.5", INSIDE],
+            "body.toml, line 11, surface: a bowl of radius 0.5 is too small",
+        ),
+        (
+            ["surface.radius=4", INSIDE, 'body.shape={kind="ellipsoid", axes=[2, 1, 1]}'],
             "too small for this ellipsoid, whose largest radius of curvature is 4",
         ),
         (
-            ["surface.radius=-1", 'body.shape={kind="torus", radius=0.8, tube=0.3}'],
+            ["surface.radius=1", INSIDE, 'body.shape={kind="torus", radius=0.8, tube=0.3}'],
             "too small for this torus, whose outer radius is 1.1",
         ),
-        (["surface.radius=-1", 'body.shape={kind="disk", radius=2}'], "this disk, whose radius"),
+        (
+            ["surface.radius=1", INSIDE, 'body.shape={kind="disk", radius=2}'],
+            "this disk, whose radius",
+        ),
         (
             ["surface.radius=1", "body.shape.hollow=true"],
             "a hollow ball of radius 1 does not go around a sphere of radius 1; the ball must be",
         ),
         (
-            ["surface.radius=-9", "body.shape.hollow=true"],
-            "a hollow ball rolls around the outside of a sphere; its radius is positive",
+            ["surface.radius=9", INSIDE, "body.shape.hollow=true"],
+            'a hollow ball rolls around a sphere: its side must be "outside"',
         ),
-        (['surface={kind="plane"}', "body.shape.hollow=true"], "outside of a sphere"),
+        (
+            ['surface={kind="plane"}', "body.shape.hollow=true"],
+            "a hollow ball rolls around a sphere",
+        ),
     ],
 )
 def test_body_that_does_not_fit(overrides: list[str], message: str) -> None:
@@ -301,7 +326,7 @@ def test_ellipsoids_of_any_size_are_measured() -> None:
     body = BodyTable(mass=1, inertia=(1, 1, 1), shape=shape)
     start = StartTable(gamma=(0, 0, 1), omega=(1, 0, 0))
     with pytest.raises(ValidationError, match="largest radius of curvature is inf"):
-        RollingExperiment(body=body, start=start, surface=SphereTable(radius=-1))
+        RollingExperiment(body=body, start=start, surface=SphereTable(radius=1, side="inside"))
 
 
 @pytest.mark.parametrize(

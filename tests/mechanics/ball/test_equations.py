@@ -51,7 +51,7 @@ def test_the_equations_follow_from_the_lagrangian(contact):
 @pytest.mark.parametrize("radius", [None, 2.0, -2.0])
 def test_it_moves_as_a_rolling_body_does(contact, radius):
     """On planes and spheres every body rolls, by equations in body axes derived elsewhere."""
-    ground = Plane() if radius is None else Sphere(radius)
+    ground = Plane() if radius is None else Sphere.of_signed_radius(radius)
     body = Body(1.0, (0.036,) * 3, Ball(0.3))
     rolling = roll(body, ground, contact, Forces(9.81))
     omega = (1.0, 6.0, 0.0 if contact == "rubber" else 4.0)

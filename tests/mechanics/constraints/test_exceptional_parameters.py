@@ -44,7 +44,9 @@ def test_planted_values(constraint, values):
 
 def ball(contact, radius=2.0):
     body = Body(1.0, (0.3, 0.4, 0.5), Ball(0.8))
-    return rolling_mechanism(Rolling(body, Sphere(radius), contact, Forces(gravity=9.81)))
+    return rolling_mechanism(
+        Rolling(body, Sphere.of_signed_radius(radius), contact, Forces(gravity=9.81))
+    )
 
 
 @pytest.mark.parametrize("radius", [2.0, 0.8, -2.0])

@@ -292,7 +292,7 @@ def test_remark_5_for_every_support_function_at_once(contact, growth):
 
 @pytest.mark.parametrize("radius", [2.0, 2.4, 0.8, -2.0])
 def test_a_marble_ball_on_a_sphere_is_completely_nonholonomic(radius):
-    found = nonholonomy(rolling(Ball(0.8), Sphere(radius), "marble"))
+    found = nonholonomy(rolling(Ball(0.8), Sphere.of_signed_radius(radius), "marble"))
     assert (found.growth, found.dimension) == ((3, 5), 5)
     assert (found.verdict, found.proven, found.elsewhere) == ("completely nonholonomic", True, ())
 
@@ -300,7 +300,7 @@ def test_a_marble_ball_on_a_sphere_is_completely_nonholonomic(radius):
 @pytest.mark.parametrize("radius", [2.0, 2.4, -2.0, -1.0])
 def test_a_rubber_ball_on_a_sphere_is_completely_nonholonomic(radius):
     """Also at the ratio 1:3 of the radii, where the symmetry alone is larger."""
-    found = nonholonomy(rolling(Ball(0.8), Sphere(radius), "rubber"))
+    found = nonholonomy(rolling(Ball(0.8), Sphere.of_signed_radius(radius), "rubber"))
     assert (found.growth, found.dimension) == ((2, 3, 5), 5)
     assert (found.verdict, found.proven, found.elsewhere) == ("completely nonholonomic", True, ())
 

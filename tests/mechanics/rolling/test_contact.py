@@ -132,7 +132,7 @@ def test_large_sphere_is_a_plane(shape, contact_model, omega, gamma):
 HOLLOW = "rolls around the outside of a sphere of positive, smaller radius"
 
 
-@pytest.mark.parametrize("surface", [Plane(), Sphere(-1.0), Sphere(2.0), Sphere(3.0)])
+@pytest.mark.parametrize("surface", [Plane(), Sphere(1.0, side="inside"), Sphere(2.0), Sphere(3.0)])
 def test_hollow_ball_goes_around_a_smaller_sphere(surface):
     with pytest.raises(InputError, match=f"hollow ball of radius 2: it {HOLLOW}"):
         contact(Ball(2.0, hollow=True), surface)
@@ -142,7 +142,7 @@ def test_hollow_ball_goes_around_a_smaller_sphere(surface):
 def test_ball_rolls_in_a_larger_bowl(radius):
     message = f"ball of radius 1 in a bowl of radius {-radius:g}: the bowl must be the larger one"
     with pytest.raises(InputError, match=message):
-        contact(Ball(1.0), Sphere(radius))
+        contact(Ball(1.0), Sphere.of_signed_radius(radius))
 
 
 LARGE = {
@@ -155,7 +155,7 @@ LARGE = {
 @pytest.mark.parametrize("shape", LARGE.values(), ids=LARGE)
 def test_body_larger_than_its_bowl_is_refused_at_the_start(shape):
     """Both radii of curvature exceed that of the bowl, so that their product alone looks right."""
-    system = roll(Body(1.0, (1.0, 1.0, 1.0), shape), Sphere(-0.4))
+    system = roll(Body(1.0, (1.0, 1.0, 1.0), shape), Sphere(0.4, side="inside"))
     with pytest.raises(InputError, match="the body does not fit into the sphere at the contact"):
         initial_state(system, (1.0, 0.0, 0.0), (0.3, 0.2, 0.9))
 
@@ -165,7 +165,7 @@ def test_body_larger_than_its_bowl_is_refused_at_the_start(shape):
 def test_edge_in_a_bowl_fits_where_it_stands_steeply(shape, lean, fits):
     """The edge touches all around where the sine of its lean is R/(|a| - rho): here 1/2."""
     tube = getattr(shape, "tube", 0.0)
-    system = roll(Body(1.0, (1.0, 1.0, 1.0), shape), Sphere(-(2 * shape.radius + tube)))
+    system = roll(Body(1.0, (1.0, 1.0, 1.0), shape), Sphere(2 * shape.radius + tube, side="inside"))
     values = [guard.value for guard in system.guards if guard.name == "fits"]
     one = Portrait(system, {f"fits {i}": value for i, value in enumerate(values)})
     gamma = np.array([lean, 0.0, np.sqrt(1 - lean**2)])

@@ -150,7 +150,7 @@ def test_contact_on_a_plane_begins_at_the_origin(shape):
 
 
 def test_contact_on_a_sphere_begins_at_the_normal():
-    system = simple(surface=Sphere(-2.5))
+    system = simple(surface=Sphere(2.5, side="inside"))
     normal = np.array([0.36, 0.48, -0.8])
     state = initial_state(system, (0.1, 0.2, 0.3), (0.3, -0.2, 0.7), normal=normal)
     found = floats(observed(system, state, "contact"))
@@ -293,7 +293,9 @@ def test_open_surface_is_refused(form):
 
 
 def test_body_outside_the_domain_is_refused():
-    system = roll(Body(1.0, (1.0, 1.0, 1.0), Ellipsoid((1.0, 1.0, 2.0))), Sphere(-3.0))
+    system = roll(
+        Body(1.0, (1.0, 1.0, 1.0), Ellipsoid((1.0, 1.0, 2.0))), Sphere(3.0, side="inside")
+    )
     with pytest.raises(InputError, match="gamma: this start is outside the domain; the body does"):
         initial_state(system, (1.0, 0.0, 0.0), (1.0, 0.0, 0.0))
     assert initial_state(system, (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))

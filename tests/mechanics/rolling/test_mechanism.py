@@ -63,7 +63,7 @@ SHAPES = {
     "body of revolution": Revolution(1 + g_3**2 / 5),
     "implicit": Implicit(x**4 + y**4 + z**4 - 1),
 }
-SURFACES = {"plane": Plane(), "dome": Sphere(5.0), "bowl": Sphere(-7.0)}
+SURFACES = {"plane": Plane(), "dome": Sphere(5.0), "bowl": Sphere(7.0, side="inside")}
 
 
 def any_contact(model: str, inertia: Any, vertical: Vector) -> Mechanism:

@@ -10,22 +10,28 @@ from chaplygin.errors import InputError
 from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
 
 
-@pytest.mark.parametrize("radius", [2.0, -0.5, 1e9])
-def test_sphere_has_a_signed_radius(radius):
-    assert Sphere(radius).radius == radius
+@pytest.mark.parametrize(("signed", "side"), [(2.0, "outside"), (-0.5, "inside"), (1e9, "outside")])
+def test_sphere_has_a_positive_radius_and_a_side(signed, side):
+    sphere = Sphere.of_signed_radius(signed)
+    assert sphere == Sphere(abs(signed), side)
+    assert sphere.signed_radius == signed
 
 
 @pytest.mark.parametrize("radius", [0.0, -0.0, float("inf"), float("-inf"), float("nan")])
-def test_radius_must_be_finite_and_not_zero(radius):
-    message = (
-        f"radius {radius} of the supporting sphere: it must be a finite number, "
-        "positive for rolling outside, negative for rolling inside"
-    )
-    with pytest.raises(InputError, match=re.escape(message)):
+def test_radius_must_be_finite_and_positive(radius):
+    message = f"radius {radius} of the supporting sphere: it must be a positive finite number"
+    with pytest.raises(InputError, match=f"^{re.escape(message)}$"):
         Sphere(radius)
+
+
+def test_a_negative_radius_is_answered_with_what_to_write():
+    with pytest.raises(InputError, match=re.escape('write Sphere(3.0, side="inside")')):
+        Sphere(-3.0)
+    with pytest.raises(InputError, match="side"):
+        Sphere(3.0, "within")
 
 
 def test_surfaces_are_values():
     assert Plane() == Plane()
-    assert Sphere(2.0) == Sphere(2.0) != Sphere(-2.0)
+    assert Sphere(2.0) == Sphere(2.0) != Sphere(2.0, "inside")
     assert len({Plane(), Plane(), Sphere(1.0), Sphere(1.0)}) == 2

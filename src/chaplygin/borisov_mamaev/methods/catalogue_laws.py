@@ -13,11 +13,13 @@ def law_named(system: System, name: str) -> Law:
 
     Raises
     ------
-    ValueError
-        If there is none, or more than one.
+    KeyError
+        If the system has no such law.
     """
-    (law,) = (item for item in system.laws if getattr(item, "name", "") == name)
-    return law
+    for law in system.laws:
+        if law.name == name:
+            return law
+    raise KeyError(f"{system.name} has no law {name!r}")
 
 
 def laws_named(system: System, *names: str) -> tuple[tuple[System, Law], ...]:

@@ -25,13 +25,13 @@ k, m, R = real_symbol("k"), real_symbol("m"), real_symbol("R")
 def build(p: Numbers) -> Rolling:
     """A ball of radius R on a sphere of signed radius a: k = a/(a + R)."""
     body = Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), Ball(p["R"]))
-    return Rolling(body, Sphere(p["a"]))
+    return Rolling(body, Sphere.of_signed_radius(p["a"]))
 
 
 def build_around(p: Numbers) -> Rolling:
     """A hollow ball whose inner surface, of radius R, rolls around the sphere: k = a/(a − R)."""
     body = Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), Ball(p["R"], hollow=True))
-    return Rolling(body, Sphere(p["a"]))
+    return Rolling(body, Sphere.of_signed_radius(p["a"]))
 
 
 def ratio(rolling: Rolling) -> float | None:
@@ -42,7 +42,7 @@ def ratio(rolling: Rolling) -> float | None:
     if any(body.shape.centre) or field.gravity or field.potential != 0:
         return None
     signed = -body.shape.radius if body.shape.hollow else body.shape.radius
-    return surface.radius / (surface.radius + signed)
+    return surface.signed_radius / (surface.signed_radius + signed)
 
 
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:

@@ -242,7 +242,7 @@ def ellipsoid_entries(
             f"sphere of radius a, outside (a > 0) or inside (a < 0){about.format('normal')}",
             source=sources[1],
             defaults={**ELLIPSOID, "a": 5.0},
-            build=lambda p: Rolling(ellipsoid(p), Sphere(p["a"]), contact),
+            build=lambda p: Rolling(ellipsoid(p), Sphere.of_signed_radius(p["a"]), contact),
             start=start,
             general=general[1],
         ),

@@ -25,7 +25,7 @@ def build(p: Numbers) -> Rolling:
 
 def build_on_sphere(p: Numbers) -> Rolling:
     """The ball on a sphere of signed radius a."""
-    return replace(build(p), surface=Sphere(p["a"]))
+    return replace(build(p), surface=Sphere.of_signed_radius(p["a"]))
 
 
 def is_free_unbalanced_ball(rolling: Rolling) -> bool:

@@ -26,10 +26,12 @@ from .table import (
     DIRECTION,
     FORMULA,
     POSITIVE,
+    SIDES,
     THREE,
     FormulaTable,
     Number,
     Positive,
+    SphereRadius,
     Table,
     Vector,
 )
@@ -47,8 +49,6 @@ __all__ = [
     "RoundTable",
     "SmoothTable",
 ]
-
-SIDES = '"outside" or "inside"'
 
 
 class _SurfaceTable(FormulaTable):
@@ -90,25 +90,17 @@ class FlatTable(_SurfaceTable):
 
 
 class RoundTable(_SurfaceTable):
-    """A sphere about the origin; a negative radius, too, means its inside."""
+    """A sphere about the origin."""
 
     surface_class = SphericalSurface
     surface_name = "a sphere"
 
     kind: Literal["sphere"] = "sphere"
-    radius: Number = Field(description="a finite number, positive outside and negative inside")
-
-    @field_validator("radius")
-    @classmethod
-    def _not_zero(cls, radius: float) -> float:
-        if radius == 0:
-            raise ValueError("must not be zero; it is positive outside and negative inside")
-        return radius
+    radius: SphereRadius = Field(description=POSITIVE)
 
     def surface(self) -> SmoothSurface:
-        """The sphere, with the ball inside if the radius is negative."""
-        side = "inside" if self.radius < 0 else self.side
-        return SphericalSurface(abs(self.radius), side=side, axis=self.axis)
+        """The sphere."""
+        return SphericalSurface(self.radius, side=self.side, axis=self.axis)
 
 
 class CylinderTable(_SurfaceTable):

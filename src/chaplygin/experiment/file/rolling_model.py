@@ -77,21 +77,22 @@ class RollingExperiment(ExperimentBase):
 def _misfit(shape: ShapeTable, surface: SurfaceTable) -> str | None:
     """The reason why a body certainly cannot roll on a surface, if there is one."""
     radius = surface.radius if isinstance(surface, SphereTable) else None
+    inside = isinstance(surface, SphereTable) and surface.side == "inside"
     if isinstance(shape, BallTable) and shape.hollow:
-        if radius is None or radius < 0:
-            return "a hollow ball rolls around the outside of a sphere; its radius is positive"
+        if radius is None or inside:
+            return 'a hollow ball rolls around a sphere: its side must be "outside"'
         if shape.radius <= radius:
             return (
                 f"a hollow ball of radius {shape.radius:.15g} does not go around a sphere of "
                 f"radius {radius:.15g}; the ball must be the larger one"
             )
         return None
-    if radius is None or radius > 0:
+    if radius is None or not inside:
         return None
     size, meaning = shape.size
-    if size < -radius:
+    if size < radius:
         return None
     return (
-        f"a bowl of radius {-radius:.15g} is too small for this {shape.kind}, whose {meaning} is "
+        f"a bowl of radius {radius:.15g} is too small for this {shape.kind}, whose {meaning} is "
         f"{size:.15g}; the bowl must be larger than that"
     )

@@ -11,19 +11,42 @@ import re
 from typing import Annotated, ClassVar
 
 import sympy as sp
-from pydantic import BaseModel, ConfigDict, Field, Strict, ValidationInfo, field_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Field,
+    Strict,
+    ValidationInfo,
+    field_validator,
+)
 
 from ...core.system import Parameter
 from ...core.vectors import real_symbol
 from ...parsing import RESERVED, parse
 
-__all__ = ["FormulaTable", "Number", "Positive", "Table", "Vector"]
+__all__ = ["FormulaTable", "Number", "Positive", "SphereRadius", "Table", "Vector"]
 
 Number = Annotated[float, Strict()]
 Positive = Annotated[Number, Field(gt=0)]
 Vector = tuple[Number, Number, Number]
 
+
+def _positive_radius(radius: float) -> float:
+    """A radius that is positive; a negative one once stood for the inside of a sphere."""
+    if radius < 0:
+        raise ValueError(
+            f'must be positive; for the inside write radius = {-radius!r} and side = "inside"'
+        )
+    if radius == 0:
+        raise ValueError("must be positive")
+    return radius
+
+
+SphereRadius = Annotated[Number, AfterValidator(_positive_radius)]
+
 POSITIVE = "a positive finite number"
+SIDES = '"outside" or "inside"'
 THREE = "3 finite numbers"
 DIRECTION = "3 finite numbers with at least one not zero"
 FORMULA = "a formula in quotes"

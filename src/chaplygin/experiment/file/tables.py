@@ -19,10 +19,12 @@ from .table import (
     DIRECTION,
     FORMULA,
     POSITIVE,
+    SIDES,
     THREE,
     FormulaTable,
     Number,
     Positive,
+    SphereRadius,
     Table,
     Vector,
 )
@@ -82,14 +84,9 @@ class SphereTable(Table):
     """A sphere about the origin of space, with the body outside or inside."""
 
     kind: Literal["sphere"] = "sphere"
-    radius: Number = Field(description="a finite number, positive outside and negative inside")
-
-    @field_validator("radius")
-    @classmethod
-    def _not_zero(cls, radius: float) -> float:
-        if radius == 0:
-            raise ValueError("must not be zero; it is positive outside and negative inside")
-        return radius
+    radius: SphereRadius = Field(description=POSITIVE)
+    side: Literal["outside", "inside"] = Field(default="outside", description=SIDES)
+    """The side on which the body rolls: the outside, or the inside of a bowl."""
 
 
 SurfaceTable = PlaneTable | SphereTable

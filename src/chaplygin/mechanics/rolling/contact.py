@@ -97,7 +97,7 @@ def _sphere_parameters(surface: Surface) -> tuple[Parameter, ...]:
     if isinstance(surface, Plane):
         return ()
     meaning = "radius of the supporting sphere, negative inside"
-    return (Parameter(a, meaning, surface.radius, "m", (sp.Ne(a, 0),)),)
+    return (Parameter(a, meaning, surface.signed_radius, "m", (sp.Ne(a, 0),)),)
 
 
 def _fits(product: sp.Expr, total: sp.Expr) -> tuple[Guard, Guard]:
@@ -108,7 +108,7 @@ def _fits(product: sp.Expr, total: sp.Expr) -> tuple[Guard, Guard]:
 
 def _check_ball(shape: Ball, surface: Surface) -> None:
     """Refuse a ball larger than its bowl, and a hollow one that goes around nothing."""
-    around = surface.radius if isinstance(surface, Sphere) else None
+    around = surface.signed_radius if isinstance(surface, Sphere) else None
     if shape.hollow and (around is None or not 0 < around < shape.radius):
         raise InputError(
             f"hollow ball of radius {shape.radius:g}: it rolls around the outside of a sphere of "

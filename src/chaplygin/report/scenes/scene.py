@@ -38,7 +38,7 @@ class BallScene(NamedTuple):
 def scene_of(rolling: Rolling) -> Scene:
     """The scene of a body that rolls on a plane or a sphere."""
     surface = rolling.surface
-    ground = PlaneGround() if isinstance(surface, Plane) else SphereGround(surface.radius)
+    ground = PlaneGround() if isinstance(surface, Plane) else SphereGround(surface.signed_radius)
     return Scene(outline_from_contact(contact_points(rolling.body.shape)), ground)
 
 
