@@ -67,7 +67,8 @@ def test_slopes_along_geodesics_are_difference_quotients(
     inside = chosen.excess(places)[0] > 0.05
     for quantity in (chosen.excess, chosen.value):
         before, after = (
-            quantity(chosen.moved(places, pushes, np.full(100, way))[0])[0] for way in (-step, step)
+            quantity(chosen.geodesic_points(places, pushes, np.full(100, way))[0])[0]
+            for way in (-step, step)
         )
         slope = (quantity(places)[1] * pushes.T).sum(axis=1)
         quotient = (after - before) / (2 * step)
