@@ -32,7 +32,7 @@ def reduced(name: str) -> tuple[System, list[float]]:
     entry = chaplygin.CATALOGUE[name]
     system = entry.system()
     start = initial_state(system, entry.start.omega, entry.start.gamma)
-    core = replace(system, motion=None, guards=())
+    core = replace(system, reconstruction=None, guards=())
     return core, [float(x) for x in start[: len(core.symbols)]]
 
 

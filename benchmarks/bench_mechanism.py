@@ -33,7 +33,7 @@ VALUES = {name: float(value) for name, value in whipple_bicycle.VALUES.items()}
 
 def operations(system: System) -> int:
     """Of the rates and of the definitions that they need."""
-    steps = system.needed(system.rates)
+    steps = system.required_definitions(system.rates)
     return int(sum(sp.count_ops(e) for e in (*system.rates, *(value for _, value in steps))))
 
 

@@ -52,7 +52,7 @@ class Case:
         system = chaplygin.CATALOGUE[name].system()
         body = {p.symbol: BODY[str(p.symbol)] for p in system.parameters if str(p.symbol) in BODY}
         start = initial_state(system, CASES[name], (0.0, 0.0, 1.0), parameters=body)
-        core = replace(system, motion=None, observables=(), guards=())
+        core = replace(system, reconstruction=None, observables=(), guards=())
         return cls(core, [float(x) for x in start[: len(core.symbols)]])
 
 

@@ -182,7 +182,7 @@ def sections(size: Size) -> Figure:
         figure.set_label("Sections of a ball on a sphere")
         panels = figure.subplots(2, 3, sharex=True, sharey=True)
         for axes, ratio in zip(panels.flat, SHOWN, strict=True):
-            run = flow.returns(begun, size.returns, {k: ratio}, until=100.0 * size.returns)
+            run = flow.crossings(begun, size.returns, {k: ratio}, until=100.0 * size.returns)
             for orbit, points in enumerate(run.states):
                 axes.plot(
                     np.arctan2(points[:, 4], points[:, 3]),

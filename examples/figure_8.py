@@ -160,7 +160,7 @@ def departures(target: Cycle) -> tuple[Any, Any]:
     """Motions that begin near the reversed cycle: starts and paths."""
     origin = reversed_of(target.points[-1])
     starts = np.array([departure(origin, number) for number in range(DEPARTURES)])
-    return starts, RETURN.returns(starts, RETURNS).states
+    return starts, RETURN.crossings(starts, RETURNS).states
 
 
 def fates(paths: Any) -> str:
@@ -223,7 +223,7 @@ def main(folder: Path) -> None:
     print(f"  leaves (l, L/G, H/G) = {point_list(start[None])}")
     (path,) = np.concatenate([one["M"].values, one["gamma"].values], axis=2)
     origin = reversed_of(target.points[-1])
-    left = distances(path, RETURN.returns(origin[None], target.period).states[0])
+    left = distances(path, RETURN.crossings(origin[None], target.period).states[0])
     print(f"  is 0.1 away from the reversed cycle after {int(np.argmax(left > 0.1))} returns")
     away = distances(path, target.points)
     for near in (1e-1, 1e-3, 1e-6):

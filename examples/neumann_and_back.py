@@ -101,7 +101,7 @@ CASES = (
 
 
 def _reduced(system: System) -> System:
-    return replace(system, motion=None, observables=(), guards=())
+    return replace(system, reconstruction=None, observables=(), guards=())
 
 
 def _defaults(system: System) -> dict[Any, Fraction]:
@@ -114,7 +114,7 @@ def image(case: Case) -> tuple[dict[Any, Any], tuple[Any, ...]]:
     with ctx.workprec(BITS):
         known = {symbol: ball(value) for symbol, value in _defaults(system).items()}
         known |= dict(zip(system.symbols, map(ball, case.start), strict=True))
-        for symbol, formula in system.steps:
+        for symbol, formula in system.scalar_definitions:
             known[symbol] = evaluated([formula], known)[0]
         shared = {p.symbol: known.get(p.symbol) for p in law.target.parameters}
         parameters = {

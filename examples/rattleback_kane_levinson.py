@@ -71,7 +71,7 @@ STONE = Rolling(
 
 def rolling_stone() -> System:
     """The stone without dissipation, by the equations of a rolling body."""
-    return replace(STONE.system("rattleback", "Rattleback"), motion=None)
+    return replace(STONE.system("rattleback", "Rattleback"), reconstruction=None)
 
 
 def damped_stone(coefficient: float) -> System:
@@ -144,7 +144,7 @@ def run(system: System, until: float, precision: str, tolerance: float | None = 
 
 def function(system: System, formula: sp.Expr) -> Callable[[Any], Any]:
     """A formula of the system as a function of states (times, state)."""
-    steps = list(system.needed([formula]))
+    steps = list(system.required_definitions([formula]))
     values = {s: sp.Float(repr(v), 17) for s, v in system.defaults.items()}
     steps = [(s, f.xreplace(values)) for s, f in steps]
     function_of = sp.lambdify([list(system.symbols)], [formula], "numpy", cse=lambda e: (steps, e))

@@ -48,7 +48,9 @@ with mpmath.workdps(DIGITS):
 def reduced_system() -> SeparatedSystem:
     """The ball without its motion in space."""
     system = chaplygin_ball()
-    return replace(system, system=replace(system.system, motion=None, observables=(), guards=()))
+    return replace(
+        system, system=replace(system.system, reconstruction=None, observables=(), guards=())
+    )
 
 
 # --- the level -----------------------------------------------------------------------------

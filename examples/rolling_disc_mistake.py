@@ -197,7 +197,7 @@ def in_cosines(system: System) -> System:
 
 def written(system: System, formula: sp.Expr) -> sp.Expr:
     """A formula with all definitions written out; the disc's are short."""
-    for name, value in reversed(system.steps):
+    for name, value in reversed(system.scalar_definitions):
         formula = formula.xreplace({name: value})
     return formula
 
@@ -242,7 +242,7 @@ def rolled(
 ) -> Trajectory:
     """A disc let go at a spin (rad/s), leaning a little (rad)."""
     start = {"q2": lean, "q3dot": spin}
-    whole = system.lifted() if system.motion else system
+    whole = system.lifted() if system.reconstruction else system
     names = [str(symbol) for symbol in whole.symbols]
     state = [start.get(name, 0.0) for name in names]
     return integrate(system, state, np.linspace(0.0, seconds, 2001))

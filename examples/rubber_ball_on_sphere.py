@@ -107,7 +107,7 @@ def measure(k: float, count: int = 72, length: int = 4000, until: float = UNTIL)
     section = returns(k)
     line = np.linspace(0.02 - np.pi, np.pi - 0.02, count)
     across = np.where(np.arange(count) % 2, np.pi / 2, np.pi / 2 + 0.43 * line)
-    points = section.returns(starts(k, line, across), length).states
+    points = section.crossings(starts(k, line, across), length).states
     _, errors = average(points[..., 3] ** 2)
     (start,) = starts(k, *np.array(START)[:, None])
     exponents = lyapunov_spectrum(SYSTEM, start, section.parameters, until=until)

@@ -54,7 +54,7 @@ def rattleback() -> System:
 
 def _free(body: Body, name: str, title: str) -> System:
     """The reduced system of a heavy body, its contact not watched."""
-    return replace(Rolling(body, field=GRAVITY).system(name, title), motion=None, guards=())
+    return replace(Rolling(body, field=GRAVITY).system(name, title), reconstruction=None, guards=())
 
 
 @dataclass(frozen=True)
@@ -91,7 +91,7 @@ def state_on_attractor(system: System, case: Case, pieces: int = 20) -> np.ndarr
     flow = batch_integrator(system, tolerance=1e-12)
     states = sample_level(system, 1, {"energy": case.energy}, seed=1)
     for _ in range(pieces):
-        states = flow.until(states, [case.settle / pieces]).states[:, -1]
+        states = flow.propagate(states, [case.settle / pieces]).states[:, -1]
         states, _ = projected(level, states, [0.0, case.energy])
     return states[0]
 
@@ -103,9 +103,9 @@ def section_points(system: System, state: np.ndarray, count: int, each: int = 20
     flow = batch_integrator(system, tolerance=1e-12, section=poincare_section(system, "gamma_1"))
     points, states = [], state[None]
     for _ in range(count // each):
-        crossed = flow.returns(states, each)
+        crossed = flow.crossings(states, each)
         if crossed.outcome[0]:
-            raise RunError(flow.reason(int(crossed.outcome[0])), float(crossed.ended[0]))
+            raise RunError(flow.status_message(int(crossed.outcome[0])), float(crossed.ended[0]))
         points.append(crossed.states[0])
         states, _ = projected(level, points[-1][-1:], [0.0, energy])
     return np.concatenate(points)

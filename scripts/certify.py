@@ -51,7 +51,7 @@ def main() -> None:
 
 def _of_catalogue(names: list[str]) -> Iterator[Named]:
     systems = [from_catalogue(name) for name in names or CATALOGUE]
-    systems.sort(key=lambda system: len(str(system.rates)) + len(str(system.steps)))
+    systems.sort(key=lambda system: len(str(system.rates)) + len(str(system.scalar_definitions)))
     for system in systems:
         for law in system.laws:
             yield system.name, system, law

@@ -24,7 +24,7 @@ def numeric(
     """
     scalars = [to_components(formula) for formula in formulas]
     names = [*system.symbols, *system.defaults]
-    steps = list(system.needed(scalars))
+    steps = list(system.required_definitions(scalars))
     function = sp.lambdify(names, scalars, "numpy", cse=lambda e: (steps, e))
     constants = list({**system.defaults, **(values or {})}.values())
 
@@ -82,7 +82,7 @@ def slopes(
     evaluate = _Evaluation(
         number, {s: Dual(value, direction.get(s, zero)) for s, value in known.items()}
     )
-    for symbol, step in system.needed(scalars, known):
+    for symbol, step in system.required_definitions(scalars, known):
         evaluate.seen[symbol] = evaluate(step)
     return [evaluate(scalar) for scalar in scalars]
 
@@ -170,7 +170,7 @@ def is_rational(system: System, formulas: Iterable[Any]) -> bool:
     nodes = {
         *system.rates,
         *(to_components(f) for f in formulas),
-        *(step for _, step in system.steps),
+        *(step for _, step in system.scalar_definitions),
     }
     return not any(
         part.is_Function or (part.is_Pow and not part.exp.is_Integer)

@@ -57,7 +57,7 @@ def wrong_index(formula: sp.Expr, system: System) -> sp.Expr | None:
 def moving_symbols(system: System) -> set[sp.Symbol]:
     """The state, and the definitions that depend on it."""
     moving = set(system.symbols)
-    for symbol, value in system.steps:
+    for symbol, value in system.scalar_definitions:
         if value.free_symbols & moving:
             moving.add(symbol)
     return moving
@@ -118,7 +118,7 @@ class Part:
 
     def wrong(self, system: System) -> Iterator[tuple[str, Law]]:
         """The law with each slip in the first formula that admits it."""
-        steps = dict(system.steps)
+        steps = dict(system.scalar_definitions)
         for name, slip in self.slips.items():
             for i, formula in enumerate(self.formulas):
                 changed = slip(_defined(formula, steps), system)

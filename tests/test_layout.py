@@ -181,22 +181,16 @@ def test_a_public_name_has_one_home() -> None:
 
 
 def _defined(path: Path) -> set[str]:
-    """What a file lists in ``__all__`` and defines itself."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
+    """Functions, classes and values that a file defines for others."""
     defined: set[str] = set()
-    listed: set[str] = set()
-    for node in tree.body:
+    for node in ast.parse(path.read_text(encoding="utf-8")).body:
         if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
             defined.add(node.name)
         targets = node.targets if isinstance(node, ast.Assign) else []
         if isinstance(node, ast.AnnAssign):
             targets = [node.target]
-        for target in targets:
-            if isinstance(target, ast.Name):
-                defined.add(target.id)
-                if target.id == "__all__" and isinstance(node, ast.Assign):
-                    listed |= set(ast.literal_eval(node.value))
-    return defined & listed
+        defined |= {target.id for target in targets if isinstance(target, ast.Name)}
+    return {name for name in defined if not name.startswith("_")}
 
 
 def hidden_by_modules(home: Path) -> list[str]:

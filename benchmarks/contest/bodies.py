@@ -172,14 +172,16 @@ class Body:
 
     def _kept(self, what: str, start: np.ndarray, until: float, compute: Callable[[], Any]) -> Any:
         """What `compute` gives, from disk if it has been computed before."""
-        text = sp.srepr(sp.Matrix([*self.system.rates, *(f for _, f in self.system.steps)]))
+        text = sp.srepr(
+            sp.Matrix([*self.system.rates, *(f for _, f in self.system.scalar_definitions)])
+        )
         how = repr((self.numbers, start.tolist(), until, FINE, BITS, FINEST))
         name = hashlib.sha256(f"{what}\0{text}\0{how}".encode()).hexdigest()
         return cache.remember(f"reference-{name}", compute)[0]
 
 
 def _reduced(system: System) -> System:
-    return replace(system, motion=None, observables=(), guards=())
+    return replace(system, reconstruction=None, observables=(), guards=())
 
 
 def _bodies() -> dict[str, Body]:

@@ -22,7 +22,7 @@ def ensemble(body: Body, until: float, threads: int = 1) -> Program:
         made = batch_integrator(body.system, tolerance=tolerance)
 
         def run(starts: np.ndarray) -> np.ndarray:
-            return np.asarray(made.until(starts, [until], threads=threads).states[:, -1])
+            return np.asarray(made.propagate(starts, [until], threads=threads).states[:, -1])
 
         return run
 
@@ -37,7 +37,7 @@ def crossings(body: Body, until: float, most: int) -> Program:
         made = batch_integrator(body.system, tolerance=tolerance, section=where)
 
         def run(starts: np.ndarray) -> np.ndarray:
-            return np.asarray(made.returns(starts, most, until=until, threads=1).states)
+            return np.asarray(made.crossings(starts, most, until=until, threads=1).states)
 
         return run
 
@@ -53,7 +53,7 @@ def tangents(body: Body, until: float) -> Program:
 
         def run(starts: np.ndarray) -> np.ndarray:
             carried = np.repeat(identity[None], len(starts), axis=0)
-            found = made.until(starts, [until], deviations=carried, threads=1)
+            found = made.propagate(starts, [until], deviations=carried, threads=1)
             # a row for each component, as heyoka has it
             slopes = np.swapaxes(found.deviations[:, -1], 1, 2).reshape(len(starts), -1)
             return np.hstack([found.states[:, -1], slopes])
@@ -70,7 +70,7 @@ def single(body: Body, until: float) -> Program:
         made = gauss_integrator(body.system, body.starts(0, 1)[0])
 
         def run(starts: np.ndarray) -> np.ndarray:
-            return np.asarray(made.until(starts, [until], threads=1).states[:, -1])
+            return np.asarray(made.propagate(starts, [until], threads=1).states[:, -1])
 
         return run
 
@@ -84,7 +84,7 @@ def thirty(body: Body, until: float) -> Program:
         made = gauss_integrator(body.system, body.starts(0, 1)[0], digits=30)
 
         def run(starts: np.ndarray) -> np.ndarray:
-            found = made.until(starts, [until], threads=1)
+            found = made.propagate(starts, [until], threads=1)
             high, low = (part[:, -1].astype(hy.real128) for part in (found.states, found.rest))
             return np.asarray(high + low)
 

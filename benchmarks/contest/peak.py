@@ -96,6 +96,6 @@ def reached(body: Body, tolerance: float = 1e-11, count: int = 1024) -> float:
     spent = []
     for _ in range(TURNS):
         began = time.process_time()
-        found = flow.until(starts, [body.span], threads=1)
+        found = flow.propagate(starts, [body.span], threads=1)
         spent.append(time.process_time() - began)
     return float(per_step(body) * found.steps.sum() / np.median(spent))

@@ -8,8 +8,6 @@ import threading
 
 from .interruption import CODE, GRACE, watched
 
-__all__ = ["main"]
-
 
 def main() -> None:
     """Run the command line; see :func:`chaplygin.cli.main`."""

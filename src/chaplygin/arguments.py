@@ -37,19 +37,6 @@ from .errors import InputError
 if TYPE_CHECKING:
     from sympy import Symbol
 
-__all__ = [
-    "Declared",
-    "Formula",
-    "Formulas",
-    "Numbers",
-    "ParameterValue",
-    "Parameters",
-    "Quantity",
-    "Start",
-    "Written",
-    "arguments_checked",
-]
-
 T = TypeVar("T", bound=Callable[..., Any])
 
 #: Characters of a refused value that are shown.

@@ -8,8 +8,6 @@ import itertools
 from collections.abc import Iterable
 from typing import Any
 
-__all__ = ["LONGEST", "EarlyEndError", "InputError", "RunError", "nearest", "readable"]
-
 #: Characters that a message has at most, and one line of it.
 LONGEST, LONGEST_LINE = 2000, 600
 

@@ -17,8 +17,6 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from types import FrameType
 
-__all__ = ["CODE", "GRACE", "NOTHING", "concluding", "ending", "say", "watched"]
-
 #: Exit code of what was interrupted.
 CODE = 130
 

@@ -43,7 +43,7 @@ def chosen(system: System, functions: dict[sp.Expr, sp.Expr], **numbers: float |
             Parameter(p.symbol, p.meaning, numbers.get(str(p.symbol), p.default))
             for p in system.parameters
         ),
-        definitions=tuple((s, written(f)) for s, f in system.steps),
+        definitions=tuple((s, written(f)) for s, f in system.scalar_definitions),
         field=tuple((s, written(f)) for s, f in zip(system.symbols, system.rates, strict=True)),
     )
 

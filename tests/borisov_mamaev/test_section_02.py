@@ -88,7 +88,7 @@ def test_a_rubber_ball_in_a_bowl_follows_a_particle_in_the_coordinates_of_the_pl
     acceleration = metric.LUsolve(force - momentum.jacobian([x, y]) * speed)
     rate = sp.lambdify((x, y, xdot, ydot), [xdot, ydot, *acceleration])
 
-    system = replace(entry.system(), motion=None)
+    system = replace(entry.system(), reconstruction=None)
     start = entry.start.state
     state = [*start["R"], *start["omega"]]
     times = np.linspace(0.0, 5.0, 26)

@@ -24,7 +24,7 @@ from evaluation import numeric
 def follow(name, values, times, **parameters):
     """The motion from a state given by the names of its variables."""
     system = CATALOGUE[name].system(parameters)
-    if system.motion is None:
+    if system.reconstruction is None:
         flat = np.concatenate([np.atleast_1d(values[str(n)]) for n in system.state])
         return integrate(system, flat, times)
     return integrate(system, initial_state(system, **values), times)

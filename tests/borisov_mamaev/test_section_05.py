@@ -149,7 +149,7 @@ def test_a_lens_keeps_its_linear_integral_along_a_motion():
     assert 0.93 < found.y[5].min() < found.y[5].max() < 0.9999
     symbols = (*system.symbols, *(p.symbol for p in system.parameters))
     value = to_components(linear_integral().value)
-    for symbol, formula in reversed(system.steps):
+    for symbol, formula in reversed(system.scalar_definitions):
         value = value.xreplace({symbol: formula})
     numbers = [p.default for p in system.parameters]
     along = sp.lambdify(symbols, value)(*found.y, *numbers)

@@ -17,7 +17,7 @@ from chaplygin.mechanics.rolling.equations import Rolling
 
 def whole(system: System) -> System:
     """The system with its motion in space, if it has one."""
-    return system.lifted() if system.motion else system
+    return system.lifted() if system.reconstruction else system
 
 
 @pytest.mark.parametrize("name", CATALOGUE)
@@ -124,7 +124,7 @@ def test_inadmissible_parameters_are_refused(name, parameters, message):
 @pytest.mark.parametrize("name", ["unbalanced-ball", "heavy-disk", "veselova"])
 def test_no_motion_of_a_body_that_cannot_be(name):
     system, start = built.system(name), built.study(name).start
-    state, sizes = start[: len(system.symbols)], system.constants
+    state, sizes = start[: len(system.symbols)], system.default_values
     for i in (1, 2, 3):
         others = sum(dict(sizes)[f"I_{j}"] for j in (1, 2, 3) if j != i)
         for value, sentence in (
@@ -139,7 +139,7 @@ def test_no_motion_of_a_body_that_cannot_be(name):
             with pytest.raises(
                 InputError, match=f"I_{i} = .* is not admissible; .*{sentence}.* must"
             ):
-                batch_integrator(system).until([state], [1.0], {f"I_{i}": value})
+                batch_integrator(system).propagate([state], [1.0], {f"I_{i}": value})
 
 
 def test_a_case_is_decided_by_the_numbers_alone():

@@ -29,7 +29,7 @@ def values(system: System, formulas: list[Any], state: dict[str, Any]) -> Any:
     for name in system.state:
         symbols = (name,) if isinstance(name, sp.Symbol) else name.symbols
         known |= dict(zip(symbols, np.atleast_1d(state[str(name)]), strict=True))
-    steps = list(system.needed(formulas))
+    steps = list(system.required_definitions(formulas))
     function = sp.lambdify(list(known), formulas, "numpy", cse=lambda e: (steps, e))
     return np.array(function(*known.values()), dtype=float)
 

@@ -62,37 +62,40 @@ def test_flat_order_is_the_order_of_declaration() -> None:
 
 
 def test_definitions_become_scalar_steps_in_order() -> None:
-    assert [str(symbol) for symbol, _ in top().steps] == [
+    assert [str(symbol) for symbol, _ in top().scalar_definitions] == [
         *("A_1", "A_2", "A_3", "unused", "omega_1", "omega_2", "omega_3", "s")
     ]
-    assert dict(top().steps)[A.symbols[1]] == 1 / I.symbols[1]
+    assert dict(top().scalar_definitions)[A.symbols[1]] == 1 / I.symbols[1]
 
 
 def test_a_symmetric_tensor_has_six_steps() -> None:
     G = Symmetric("G")
     system = System("six", "Six", {v: sp.S.Zero}, definitions={G: sp.eye(3) * v})
-    assert [str(symbol) for symbol, _ in system.steps] == [
+    assert [str(symbol) for symbol, _ in system.scalar_definitions] == [
         *("G_11", "G_12", "G_13", "G_22", "G_23", "G_33")
     ]
 
 
 def test_needed_steps_are_those_that_are_used_in_order() -> None:
     system = top()
-    names = [str(symbol) for symbol, _ in system.needed(system.rates)]
+    names = [str(symbol) for symbol, _ in system.required_definitions(system.rates)]
     assert names == ["A_1", "A_2", "A_3", "omega_1", "omega_2", "omega_3"]
-    assert [str(x) for x, _ in system.needed([omega.symbols[1]])] == ["A_2", "omega_2"]
-    assert system.needed([gamma.symbols[0]]) == ()
+    assert [str(x) for x, _ in system.required_definitions([omega.symbols[1]])] == [
+        "A_2",
+        "omega_2",
+    ]
+    assert system.required_definitions([gamma.symbols[0]]) == ()
 
 
 def test_needed_stops_at_what_is_given() -> None:
     system = top()
-    assert system.needed(system.rates, given=omega.symbols) == ()
-    assert [str(x) for x, _ in system.needed([s], given=omega.symbols)] == ["s"]
+    assert system.required_definitions(system.rates, given=omega.symbols) == ()
+    assert [str(x) for x, _ in system.required_definitions([s], given=omega.symbols)] == ["s"]
 
 
 def test_vector_formulas_may_be_asked_for() -> None:
     system = top()
-    assert system.needed([dot(M, omega)]) == system.needed(system.rates)
+    assert system.required_definitions([dot(M, omega)]) == system.required_definitions(system.rates)
 
 
 @pytest.mark.parametrize(
@@ -171,7 +174,7 @@ def test_a_system_cannot_be_changed() -> None:
     mapping[gamma] = cross(gamma, omega)
     definitions.clear()
     assert other.state == (M,)
-    assert len(other.steps) == 6
+    assert len(other.scalar_definitions) == 6
 
 
 def test_with_laws_leaves_the_first_system_alone() -> None:
@@ -189,13 +192,13 @@ def test_lifted_joins_system_and_motion() -> None:
         relations=(height - v,),
         observables=(Observable("height", height, "height", "m"),),
     )
-    falling = System("fall", "Fall", {v: sp.Integer(-1)}, motion=motion)
+    falling = System("fall", "Fall", {v: sp.Integer(-1)}, reconstruction=motion)
     lifted = falling.lifted()
     assert lifted.symbols == (v, height)
     assert lifted.rates == (-1, v)
     assert lifted.relations == (height - v,)
     assert [o.name for o in lifted.observables] == ["height"]
-    assert lifted.motion is None
+    assert lifted.reconstruction is None
     with pytest.raises(InputError, match="fall: this system has no motion in space"):
         lifted.lifted()
 
@@ -240,7 +243,7 @@ CEILINGS = {
 
 
 def operations(system: System) -> int:
-    steps = [value for _, value in system.needed(system.rates)]
+    steps = [value for _, value in system.required_definitions(system.rates)]
     return int(sp.count_ops([*steps, *system.rates]))
 
 

@@ -26,7 +26,9 @@ def example():
 
 @pytest.fixture(scope="module")
 def paths(example):
-    crossed = example.RETURN.returns(sample_level(example.SYSTEM, 24, example.LEVEL, seed=2), 1501)
+    crossed = example.RETURN.crossings(
+        sample_level(example.SYSTEM, 24, example.LEVEL, seed=2), 1501
+    )
     return crossed.states[crossed.counts == 1501]
 
 

@@ -68,9 +68,9 @@ def test_the_sleigh_is_that_of_the_catalogue() -> None:
     made = named("sleigh", "run.until=5", "run.samples=11")
     sleigh = from_catalogue("chaplygin-sleigh-reduced")
     omega, spin = sp.Symbol("omega", real=True), sp.Symbol("Omega", real=True)
-    table = dict(sleigh.steps)
+    table = dict(sleigh.scalar_definitions)
     expected = [rate.xreplace(table).xreplace({spin: omega}) for rate in sleigh.rates]
-    given = [rate.xreplace(dict(made.system.steps)) for rate in made.system.rates]
+    given = [rate.xreplace(dict(made.system.scalar_definitions)) for rate in made.system.rates]
     assert all(sp.simplify(a - b) == 0 for a, b in zip(given, expected, strict=True))
 
 

@@ -51,7 +51,7 @@ def test_which_quadratic_integral_holds(example):
     for k in (1.0, -1.0, 0.5):
         made = example.returns(k)
         starts = example.starts(k, np.array([0.7, 1.1]), np.array([1.0, 1.5]))
-        found[k] = example.drifts(made, made.returns(starts, 60).states)
+        found[k] = example.drifts(made, made.crossings(starts, 60).states)
     assert found[1.0]["for k = 1"] < 1e-10 < 1e-2 < found[1.0]["for k = −1"]
     assert found[-1.0]["for k = −1"] < 1e-10 < 1e-2 < found[-1.0]["for k = 1"]
     assert min(found[0.5]["for k = 1"], found[0.5]["for k = −1"]) > 1e-2

@@ -88,6 +88,6 @@ def test_a_push_to_the_right_turns_it_to_the_right(bicycle: ModuleType):
 
 def test_equations_stay_small(bicycle: ModuleType):
     system = bicycle.model()
-    steps = system.needed(system.rates)
+    steps = system.required_definitions(system.rates)
     count = sum(sp.count_ops(e) for e in (*system.rates, *(value for _, value in steps)))
     assert count < 3000

@@ -41,7 +41,7 @@ def test_circles_begin_at_the_critical_speed(example: ModuleType):
 
 @pytest.mark.slow
 def test_a_circle_stays_one_in_the_nonlinear_equations(example: ModuleType):
-    bicycle = replace(example.model(), motion=None)
+    bicycle = replace(example.model(), reconstruction=None)
     guess = example.beginning(0.02)
     state = relative_equilibrium(bicycle, guess, example.VALUES, held=["delta"], digits=15)
     start = [float(state[symbol]) for symbol in bicycle.symbols]

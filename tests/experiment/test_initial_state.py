@@ -143,7 +143,7 @@ def test_the_lift_to_space_may_be_left_out() -> None:
         (unit_length(), *attitude_relations(gamma)),
         (),
     )
-    system = replace(TOP.system(), motion=lift)
+    system = replace(TOP.system(), reconstruction=lift)
     for up in ((0.0, 0.6, 0.8), (0.0, 0.0, -1.0)):
         state = [
             float(v) for v in initial_state_from_values(system, {"M": (0.0, 0.1, 3.0), "gamma": up})

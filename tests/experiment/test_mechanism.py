@@ -70,7 +70,7 @@ def same_field(found: System, expected: System) -> bool:
 
     def rates(system: System) -> dict[str, sp.Expr]:
         table: dict[sp.Symbol, sp.Expr] = {}
-        for symbol, value in system.steps:
+        for symbol, value in system.scalar_definitions:
             table[symbol] = value.xreplace(table)
         pairs = zip(system.symbols, system.rates, strict=True)
         return {str(s): value.xreplace(table) for s, value in pairs}

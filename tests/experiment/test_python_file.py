@@ -193,5 +193,5 @@ def test_rolling_bodies_can_be_written_too() -> None:
     assert tables["equations"]["state"][:2] == ["M[3]", "gamma[3]"]
     again = prepare(loads(EquationsExperiment.model_validate(tables).toml())).system
     assert again.symbols == ball.lifted().symbols
-    names = [str(s) for s, _ in ball.lifted().steps]
-    assert [str(s) for s, _ in again.steps] == names
+    names = [str(s) for s, _ in ball.lifted().scalar_definitions]
+    assert [str(s) for s, _ in again.scalar_definitions] == names

@@ -26,7 +26,7 @@ def test_a_rolling_body_starts_by_its_angular_velocity() -> None:
     omega = values(made.system, ["omega_1", "omega_2"], cells.starts, cells.parameters)
     assert np.ptp(omega[:, 0]) < 1e-15
     assert np.abs(omega[:, 1] - np.repeat([-1.0, 0.0, 1.0], 3)).max() < 1e-15
-    assert made.system.motion is None
+    assert made.system.reconstruction is None
 
 
 def test_other_systems_start_by_their_state() -> None:

@@ -26,7 +26,7 @@ def states(
     system: System, start: Sequence[Any], parameters: Mapping[str, Any], until: int = 20
 ) -> list[Values]:
     """State, definitions and parameters at a few moments of a motion, as mpmath numbers."""
-    bare = replace(system, motion=None, observables=())
+    bare = replace(system, reconstruction=None, observables=())
     with mpmath.workdps(DIGITS):
         motion = integrate(
             bare, start, range(0, until, until // 10), parameters=parameters, precision="quad"
@@ -35,7 +35,7 @@ def states(
         found = []
         for row in motion.states:
             values = {**known, **dict(zip(system.symbols, map(_number, row), strict=True))}
-            for symbol, formula in system.steps:
+            for symbol, formula in system.scalar_definitions:
                 values[symbol] = at(formula, values)
             found.append(values)
     return found

@@ -59,7 +59,7 @@ class Outcome:
 
 def bare(separable: SeparatedSystem) -> SeparatedSystem:
     """The separation without the lift to space."""
-    system = replace(separable.system, motion=None, observables=(), guards=())
+    system = replace(separable.system, reconstruction=None, observables=(), guards=())
     return replace(separable, system=system)
 
 
@@ -112,7 +112,7 @@ def beginning(
 
 def _plain(system: System, formula: Any) -> sp.Expr:
     value = to_components(sp.sympify(formula))
-    for name, meaning in reversed(system.needed([value])):
+    for name, meaning in reversed(system.required_definitions([value])):
         value = value.xreplace({name: meaning})
     return value
 

@@ -50,7 +50,7 @@ TIMES = np.linspace(0.0, 60.0, 7)
 
 def bare(system):
     """Without its motion in space."""
-    return replace(system, motion=None, observables=(), guards=())
+    return replace(system, reconstruction=None, observables=(), guards=())
 
 
 def given(case):
@@ -66,7 +66,7 @@ def image(system, law, start):
     with ctx.workprec(BITS):
         known = {symbol: ball(Fraction(str(x))) for symbol, x in system.defaults.items()}
         known |= {s: ball(Fraction(str(x))) for s, x in zip(system.symbols, start, strict=True)}
-        for symbol, formula in system.steps:
+        for symbol, formula in system.scalar_definitions:
             known[symbol] = evaluated([formula], known)[0]
         constants = {p: evaluated([to_components(f)], known)[0] for p, f in law.constants}
         shared = {p.symbol: known.get(p.symbol) for p in law.target.parameters}

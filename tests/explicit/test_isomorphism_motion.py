@@ -23,7 +23,7 @@ CASES = {
 def case(request):
     """A carrier and an integrated motion of its system, through and at `TIMES`."""
     name, law, start = CASES[request.param]
-    system = replace(from_catalogue(name), motion=None, observables=(), guards=())
+    system = replace(from_catalogue(name), reconstruction=None, observables=(), guards=())
     (found,) = (each for each in system.laws if each.name == law)
     motion = integrate(system, start, [*TIMES, 30.0], dense=True)
     return IsomorphismMap(system, found, system.defaults), motion

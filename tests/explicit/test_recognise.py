@@ -266,7 +266,9 @@ def test_fields_with_functions_are_none_of_the_known() -> None:
     known = from_catalogue("veselova")
     numbers = {s: exact(x) for s, x in known.defaults.items()}
     other = replace(
-        known, field=tuple((name, sp.sin(1) * rate) for name, rate in known.field), motion=None
+        known,
+        field=tuple((name, sp.sin(1) * rate) for name, rate in known.field),
+        reconstruction=None,
     )
     assert not same_field(other, numbers, known, numbers)
 

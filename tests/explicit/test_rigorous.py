@@ -269,7 +269,7 @@ def test_resonant_motion(motion: SeparatedMotion) -> None:
 
 @pytest.mark.slow
 def test_states_keep_the_integrals_and_agree_with_doubles() -> None:
-    system = replace(VESELOVA.system, motion=None, observables=())
+    system = replace(VESELOVA.system, reconstruction=None, observables=())
     solution = solved(replace(VESELOVA, system=system), BODY, START)
     motion = rigorous_motion(solution, 20, 1e6)
     state = motion.state("1e6")

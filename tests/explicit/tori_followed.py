@@ -34,7 +34,7 @@ class Level:
             axis.symbol: sp.Rational(str(v)) for axis, v in zip(diagram.axes, (x, y), strict=True)
         }
         self.known: dict[Any, Any] = {**known}
-        for symbol, value in self.system.steps:
+        for symbol, value in self.system.scalar_definitions:
             if not value.free_symbols - set(self.known):
                 self.known[symbol] = value.xreplace(self.known)
         for symbol, value in separable.constants:
@@ -63,7 +63,7 @@ class Level:
     def numeric(self, formulas: Any, symbols: Any) -> Any:
         """Formulas as a function of an array (symbols, n), definitions filled in."""
         wanted = [to_components(sp.sympify(f)) for f in formulas]
-        for symbol, value in reversed(self.system.steps):
+        for symbol, value in reversed(self.system.scalar_definitions):
             wanted = [f.xreplace({symbol: value}) for f in wanted]
         made = sp.lambdify(list(symbols), [f.subs(self.known) for f in wanted], "numpy", cse=True)
         return lambda values: np.array(

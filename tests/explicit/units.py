@@ -125,7 +125,7 @@ class Motion:
 
     @property
     def lifted(self) -> System:
-        return self.system.lifted() if self.system.motion else self.system
+        return self.system.lifted() if self.system.reconstruction else self.system
 
     def told(self, units: Units) -> tuple[tuple[Fraction, ...], dict[str, Fraction]]:
         """Start and parameters in other units."""
@@ -204,7 +204,7 @@ def motion(kind: str, generator: random.Random) -> Motion:
     if along is not None:
         share = _dot(along, spin) / _dot(along, along)
         spin = tuple(x - share * y for x, y in zip(spin, along, strict=True))
-    if system.motion is None:
+    if system.reconstruction is None:
         return Motion(system, parameters, (*spin, *gamma))
     with mpmath.workdps(60):
         omega, up = ([_long(x) for x in v] for v in (spin, gamma))

@@ -81,7 +81,7 @@ BODIES = ("chaplygin-ball", "unbalanced-ball", "rattleback")
 
 def body(name: str) -> System:
     """A rolling body of the catalogue with a contact that holds both ways, without its lift."""
-    return replace(from_catalogue(name), motion=None, guards=(), observables=())
+    return replace(from_catalogue(name), reconstruction=None, guards=(), observables=())
 
 
 def starts(name: str, count: int, seed: int = 0) -> Any:

@@ -54,7 +54,7 @@ def scaled(found: Any, right: Any) -> float:
 def test_an_oscillator_with_its_own_frequency_in_each_lane() -> None:
     squares = np.linspace(0.5, 9, 21)
     times = np.linspace(0, 20, 11)
-    found = batch_integrator(OSCILLATOR).until([[1.0, 0.0]] * 21, times, {"p": squares})
+    found = batch_integrator(OSCILLATOR).propagate([[1.0, 0.0]] * 21, times, {"p": squares})
     angles = np.sqrt(squares)[:, None] * times
     np.testing.assert_allclose(found.states[..., 0], np.cos(angles), atol=3e-11)
     assert found.states[:, 0].tolist() == [[1.0, 0.0]] * 21
@@ -68,7 +68,7 @@ def test_a_planet() -> None:
     angles = np.array([brentq(lambda E, t=t: E - e * np.sin(E) - t, 0, 20) for t in times])
     right = np.stack([np.cos(angles) - e, np.sqrt(1 - e * e) * np.sin(angles)], axis=1)
     start = [1 - e, 0, 0, np.sqrt((1 + e) / (1 - e))]
-    found = batch_integrator(KEPLER).until([start], times)
+    found = batch_integrator(KEPLER).propagate([start], times)
     np.testing.assert_allclose(found.states[0, :, :2], right, atol=2e-11)
     laws = values(KEPLER, ["energy", "area"], found.states[0])
     assert np.ptp(laws, axis=0).max() < 1e-11
@@ -84,7 +84,7 @@ def test_a_free_body() -> None:
     times = np.linspace(0.5, 30, 13)
     sn, cn, dn, _ = ellipj(rate * times, modulus)
     right = np.stack([first * a * cn, second * b * sn, third * c * dn], axis=1)
-    found = batch_integrator(TOP).until([[first * a, 0, third * c, 0.6, 0, 0.8]], times)
+    found = batch_integrator(TOP).propagate([[first * a, 0, third * c, 0.6, 0, 0.8]], times)
     np.testing.assert_allclose(found.states[0, :, :3], right, atol=3e-11)
     momentum, direction = found.states[0, :, :3], found.states[0, :, 3:]
     assert np.abs(np.linalg.norm(direction, axis=1) - 1).max() < 1e-11
@@ -100,14 +100,14 @@ def test_bodies_against_the_reference(name: str) -> None:
     """Another integrator at its best; integrals and relations stay; going back undoes it."""
     system, states, end = body(name), starts(name, 2), UNTIL[name]
     times = np.linspace(end / 4, end, 4)
-    found = batch_integrator(system, tolerance=1e-15).until(states, times)
+    found = batch_integrator(system, tolerance=1e-15).propagate(states, times)
     for k in range(2):
         motion = integrate(system, states[k], [0.0, *times], tolerance=1e-15)
         assert scaled(found.states[k], motion.states[1:]) < 2e-12
     laws = [law.value for law in system.integrals]
     kept = values(system, [*laws, *system.relations], np.insert(found.states, 0, states, axis=1))
     assert np.abs(kept - kept[:, :1]).max() < 1e-12 * (1 + np.abs(kept).max())
-    back = batch_integrator(system, tolerance=1e-15, backward=True).until(
+    back = batch_integrator(system, tolerance=1e-15, backward=True).propagate(
         found.states[:, -1], [-end]
     )
     assert back.ended.tolist() == [-end] * 2
@@ -122,7 +122,7 @@ def test_thirty_digits(name: str) -> None:
     system, exact = body(name), exactly_on_the_sphere(starts(name, 2))
     with mpmath.workdps(40):
         decimals = {s: mpmath.mpf(repr(value)) for s, value in system.defaults.items()}
-    found = batch_integrator(system, tolerance=1e-27, digits=30).until(exact, [0.5], decimals)
+    found = batch_integrator(system, tolerance=1e-27, digits=30).propagate(exact, [0.5], decimals)
     states = from_pairs(found.states[:, 0], found.rest[:, 0])
     for start, state in zip(exact, states, strict=True):
         motion = integrate(system, start, [0.0, 0.5], precision="quad")
@@ -137,7 +137,7 @@ def test_thirty_digits(name: str) -> None:
 def test_deviations_of_a_linear_system_are_its_motions() -> None:
     frame = np.broadcast_to(np.eye(2), (5, 2, 2))
     moving = batch_integrator(OSCILLATOR, deviations=2)
-    found = moving.until(np.ones((5, 2)), [0.7, 3.0], deviations=frame)
+    found = moving.propagate(np.ones((5, 2)), [0.7, 3.0], deviations=frame)
     for k, t in enumerate((0.7, 3.0)):
         turned = [[np.cos(t), -np.sin(t)], [np.sin(t), np.cos(t)]]
         np.testing.assert_allclose(found.deviations[:, k], [turned] * 5, atol=1e-12)
@@ -152,13 +152,13 @@ def test_deviations_are_derivatives(name: str) -> None:
     if name == "rattleback":
         direction[:3] *= 1e-3
     times = [UNTIL[name] / 5]
-    tangent = batch_integrator(system, tolerance=1e-15, deviations=1).until(
+    tangent = batch_integrator(system, tolerance=1e-15, deviations=1).propagate(
         [state], times, deviations=[[direction]]
     )
     plain = batch_integrator(system, tolerance=1e-15)
     errors = []
     for distance in (2e-2, 1e-2):
-        both = plain.until([state + distance * direction, state - distance * direction], times)
+        both = plain.propagate([state + distance * direction, state - distance * direction], times)
         difference = (both.states[0, 0] - both.states[1, 0]) / (2 * distance)
         errors.append(difference - tangent.deviations[0, 0, 0])
     assert np.abs(errors[1]).max() < 1e-2 * np.abs(tangent.deviations).max()
@@ -168,8 +168,8 @@ def test_deviations_are_derivatives(name: str) -> None:
 
 def test_deviations_leave_the_motion_alone() -> None:
     system, states = body("unbalanced-ball"), starts("unbalanced-ball", 5)
-    alone = batch_integrator(system).until(states, [5.0])
-    along = batch_integrator(system, deviations=1).until(
+    alone = batch_integrator(system).propagate(states, [5.0])
+    along = batch_integrator(system, deviations=1).propagate(
         states, [5.0], deviations=np.ones((5, 1, 6))
     )
     np.testing.assert_allclose(along.states, alone.states, atol=1e-11)
@@ -206,16 +206,16 @@ def test_bits_do_not_depend_on_the_company(
     flow: BatchIntegrator, chosen: list[int], threads: int
 ) -> None:
     """Nor on order, number, or threads."""
-    whole = flow.until(STATES, [1.0, 4.0], {"m": MASSES}, threads=1)
-    part = flow.until(STATES[chosen], [1.0, 4.0], {"m": MASSES[chosen]}, threads=threads)
+    whole = flow.propagate(STATES, [1.0, 4.0], {"m": MASSES}, threads=1)
+    part = flow.propagate(STATES[chosen], [1.0, 4.0], {"m": MASSES[chosen]}, threads=threads)
     assert _bytes(part) == _bytes(whole, chosen)
 
 
 @DRAWN
 @given(chosen=COMPANY, threads=st.sampled_from([1, 2, 5]))
 def test_bits_of_crossings(crossing: BatchIntegrator, chosen: list[int], threads: int) -> None:
-    whole = crossing.returns(STATES, 4, {"m": MASSES}, until=30.0, threads=1)
-    part = crossing.returns(STATES[chosen], 4, {"m": MASSES[chosen]}, until=30.0, threads=threads)
+    whole = crossing.crossings(STATES, 4, {"m": MASSES}, until=30.0, threads=1)
+    part = crossing.crossings(STATES[chosen], 4, {"m": MASSES[chosen]}, until=30.0, threads=threads)
     assert _bytes(part) == _bytes(whole, chosen)
 
 
@@ -226,34 +226,36 @@ def test_bits_of_deviations_and_of_thirty_digits() -> None:
         batch_integrator(BALL, deviations=1),
         batch_integrator(BALL, tolerance=1e-16, digits=30),
     )
-    whole = moving.until(STATES, [2.0], deviations=tangent, threads=1)
-    part = moving.until(STATES[turns], [2.0], deviations=tangent[turns], threads=3)
+    whole = moving.propagate(STATES, [2.0], deviations=tangent, threads=1)
+    part = moving.propagate(STATES[turns], [2.0], deviations=tangent[turns], threads=3)
     assert _bytes(part) == _bytes(whole, turns)
-    whole, part = fine.until(STATES, [0.3], threads=1), fine.until(STATES[turns], [0.3])
+    whole, part = fine.propagate(STATES, [0.3], threads=1), fine.propagate(STATES[turns], [0.3])
     assert _bytes(part) == _bytes(whole, turns)
 
 
 def test_one_value_for_all_is_the_same_as_one_for_each(flow: BatchIntegrator) -> None:
-    one = flow.until(STATES, [2.0], {"m": 1.7})
-    each = flow.until(STATES, [2.0], {sp.Symbol("m"): np.full(40, 1.7)})
+    one = flow.propagate(STATES, [2.0], {"m": 1.7})
+    each = flow.propagate(STATES, [2.0], {sp.Symbol("m"): np.full(40, 1.7)})
     assert _bytes(one) == _bytes(each)
-    assert _bytes(flow.until(STATES, [2.0], BALL.defaults)) == _bytes(flow.until(STATES, [2.0]))
+    assert _bytes(flow.propagate(STATES, [2.0], BALL.defaults)) == _bytes(
+        flow.propagate(STATES, [2.0])
+    )
 
 
 def test_every_start_is_held_against_the_size_of_its_relations(flow: BatchIntegrator) -> None:
     """A fast motion excuses nothing; what is no number but stands in no relation ends a lane."""
     near = [[1e6, 0, 0, 0, 0, 1 + 1e-10], [0, 0, 1, 0, 0, 1 - 1e-10]]
-    assert not flow.until(near, [1e-9]).outcome.any()
+    assert not flow.propagate(near, [1e-9]).outcome.any()
     away = np.array([[0, 0, 1, 0, 0, 1], [1e6, 0, 0, 0, 0, 1 + 1e-8]])
     with pytest.raises(InputError, match="start 1 misses the phase space"):
-        flow.until(away, [1e-9])
-    found = flow.until([[np.nan, 0, 0, 0, 0, 1], [0, 0, 1, 0, 0, 1]], [1.0])
+        flow.propagate(away, [1e-9])
+    found = flow.propagate([[np.nan, 0, 0, 0, 0, 1], [0, 0, 1, 0, 0, 1]], [1.0])
     assert found.outcome.tolist() == [2, 0]
 
 
 def test_no_motions_are_no_error(flow: BatchIntegrator, crossing: BatchIntegrator) -> None:
-    assert flow.until(np.zeros((0, 6)), [1.0, 2.0]).states.shape == (0, 2, 6)
-    assert crossing.returns(np.zeros((0, 6)), 3).times.shape == (0, 3)
+    assert flow.propagate(np.zeros((0, 6)), [1.0, 2.0]).states.shape == (0, 2, 6)
+    assert crossing.crossings(np.zeros((0, 6)), 3).times.shape == (0, 3)
 
 
 def test_threads_are_limited_by_who_runs_several_parts() -> None:
@@ -285,69 +287,69 @@ def cut() -> BatchIntegrator:
 
 MISTAKES: dict[str, tuple[Any, str]] = {
     "shape of starts": (
-        lambda: free().until([[1, 2, 3]], [1.0]),
+        lambda: free().propagate([[1, 2, 3]], [1.0]),
         "oscillator: starts have the shape (1, 3); (motions, 2) is needed, in the order x, y",
     ),
     "one start without its row": (
-        lambda: free().until([1, 2], [1.0]),
+        lambda: free().propagate([1, 2], [1.0]),
         "oscillator: starts have the shape (2,); (motions, 2) is needed, in the order x, y",
     ),
     "rows of two lengths": (
-        lambda: free().until([[1, 2], [1]], [1.0]),
+        lambda: free().propagate([[1, 2], [1]], [1.0]),
         "starts: all must be real numbers, in rows of one length",
     ),
     "words": (
-        lambda: free(digits=30).until([["1", "east"]], [1.0]),
+        lambda: free(digits=30).propagate([["1", "east"]], [1.0]),
         "starts: all must be real numbers, in rows of one length",
     ),
     "off the phase space": (
-        lambda: batch_integrator(BALL).until(OFF, [1.0]),
+        lambda: batch_integrator(BALL).propagate(OFF, [1.0]),
         "chaplygin-ball: start 1 misses the phase space; Dot(gamma, gamma) - 1 is 0.01 there and "
         "must vanish",
     ),
     "a start that is no number": (
-        lambda: batch_integrator(BALL).until([OFF[0], [np.nan] * 6], [1.0]),
+        lambda: batch_integrator(BALL).propagate([OFF[0], [np.nan] * 6], [1.0]),
         "chaplygin-ball: start 1 misses the phase space; Dot(gamma, gamma) - 1 is nan there and "
         "must vanish",
     ),
     "unknown parameter": (
-        lambda: free().until([[1, 2]], [1.0], {"k": 1}),
+        lambda: free().propagate([[1, 2]], [1.0], {"k": 1}),
         "oscillator: no parameter k; it has p",
     ),
     "parameter of one lane": (
-        lambda: free().until([[1, 2]] * 3, [1.0], {"p": [1.0, 2.0, -2.5]}),
+        lambda: free().propagate([[1, 2]] * 3, [1.0], {"p": [1.0, 2.0, -2.5]}),
         "oscillator: p = -2.5 is not admissible; p > 0 must hold",
     ),
     "too few parameters": (
-        lambda: free().until([[1, 2]] * 3, [1.0], {p: [1.0, 2.0]}),
+        lambda: free().propagate([[1, 2]] * 3, [1.0], {p: [1.0, 2.0]}),
         "oscillator: p has the shape (2,); it must be one number or 3, one for each motion",
     ),
     "parameter that is no number": (
-        lambda: free().until([[1, 2]], [1.0], {p: np.nan}),
+        lambda: free().propagate([[1, 2]], [1.0], {p: np.nan}),
         "oscillator: p must be finite numbers",
     ),
     "parameter that is a word": (
-        lambda: free().until([[1, 2]], [1.0], {p: "much"}),
+        lambda: free().propagate([[1, 2]], [1.0], {p: "much"}),
         "oscillator: p: all must be real numbers, in rows of one length",
     ),
     "times that fall": (
-        lambda: free().until([[1, 2]], [1.0, 0.5]),
+        lambda: free().propagate([[1, 2]], [1.0, 0.5]),
         "times: they must increase from 0, where the motion begins",
     ),
     "times before the start": (
-        lambda: free().until([[1, 2]], [-1.0]),
+        lambda: free().propagate([[1, 2]], [-1.0]),
         "times: they must increase from 0, where the motion begins",
     ),
     "times that rise backward": (
-        lambda: free(backward=True).until([[1, 2]], [1.0]),
+        lambda: free(backward=True).propagate([[1, 2]], [1.0]),
         "times: they must decrease from 0, where the motion begins",
     ),
     "times that are no numbers": (
-        lambda: free().until([[1, 2]], [1.0, np.nan]),
+        lambda: free().propagate([[1, 2]], [1.0, np.nan]),
         "times: there must be a row of at least one, and all finite numbers",
     ),
     "no times": (
-        lambda: free().until([[1, 2]], []),
+        lambda: free().propagate([[1, 2]], []),
         "times: there must be a row of at least one, and all finite numbers",
     ),
     "tolerance too small": (
@@ -379,27 +381,27 @@ MISTAKES: dict[str, tuple[Any, str]] = {
         "deviations = -1: there cannot be fewer than none",
     ),
     "deviations that are not carried": (
-        lambda: free().until([[1, 2]], [1.0], deviations=[[[1, 2]]]),
+        lambda: free().propagate([[1, 2]], [1.0], deviations=[[[1, 2]]]),
         "these lanes carry no deviations: make them with some",
     ),
     "shape of deviations": (
-        lambda: free(deviations=1).until([[1, 2]], [1.0], deviations=[[1, 2]]),
+        lambda: free(deviations=1).propagate([[1, 2]], [1.0], deviations=[[1, 2]]),
         "deviations have the shape (1, 2); (1, 1, 2) is needed",
     ),
     "returns without a section": (
-        lambda: free().returns([[1, 2]], 1),
+        lambda: free().crossings([[1, 2]], 1),
         "these lanes have no section: make them with one",
     ),
     "times with a section": (
-        lambda: cut().until([[1, 2]], [1.0]),
+        lambda: cut().propagate([[1, 2]], [1.0]),
         "these lanes stop at a section: ask for returns instead of times",
     ),
     "no crossing": (
-        lambda: cut().returns([[1, 2]], 0),
+        lambda: cut().crossings([[1, 2]], 0),
         "count = 0: it must be a whole number, at least 1",
     ),
     "until before the start": (
-        lambda: cut().returns([[1, 2]], 1, until=-1.0),
+        lambda: cut().crossings([[1, 2]], 1, until=-1.0),
         "until = -1.0: it must lie ahead of the start, at time 0",
     ),
     "unknown function": (
@@ -435,4 +437,4 @@ def test_mistakes_give_one_sentence(name: str) -> None:
 
 def test_deviations_are_needed_where_they_are_carried() -> None:
     with pytest.raises(InputError, match="deviations"):
-        free(deviations=1).until([[1, 2]], [1.0])
+        free(deviations=1).propagate([[1, 2]], [1.0])

@@ -46,7 +46,7 @@ def test_an_oscillator(digits: Any, allowed: float) -> None:
     with mpmath.workdps(50):
         square = mpmath.mpf("1.1")
         flow = gauss_integrator(OSCILLATOR, [1.0, 0.0], digits=digits)
-        found = exact(flow.until([[1.0, 0.0]], [1.0, 250.0], {"p": square}))
+        found = exact(flow.propagate([[1.0, 0.0]], [1.0, 250.0], {"p": square}))
         for k, t in enumerate((1, 250)):
             right = mpmath.cos(mpmath.sqrt(square) * t)
             assert abs(found[0, k, 0] - right) < allowed * max(1, t / 30)
@@ -56,7 +56,7 @@ def test_a_planet() -> None:
     """Kepler's equation after eight turns, to the last digits; so are its integrals."""
     flow = gauss_integrator(KEPLER, PERICENTRE)
     assert flow.held == ("energy", "area")
-    state = flow.until([PERICENTRE], [50.0]).states[0, 0]
+    state = flow.propagate([PERICENTRE], [50.0]).states[0, 0]
     energy, area = values(KEPLER, ["energy", "area"], np.array([PERICENTRE, state])).T
     assert abs(energy[1] - energy[0]) < 1e-15
     assert abs(area[1] - area[0]) < 1e-15
@@ -79,10 +79,10 @@ def test_bodies_keep_fifteen_digits(name: str) -> None:
     """Against thirty digits of the same method, which the reference confirms below."""
     system, states = body(name), starts(name, 3)
     times = [0.1, 0.4] if name == "rattleback" else [5.0, 20.0]
-    right = gauss_integrator(system, states[0], digits=30).until(
+    right = gauss_integrator(system, states[0], digits=30).propagate(
         exactly_on_the_sphere(states), times
     )
-    found = gauss_integrator(system, states[0]).until(states, times)
+    found = gauss_integrator(system, states[0]).propagate(states, times)
     size = np.abs(np.insert(right.states, 0, states, axis=1)).max(axis=1)
     # the fast rocking of the rattleback makes more of what rounding a start does
     allowed = 1e-13 if name == "rattleback" else 2e-14
@@ -102,7 +102,7 @@ def test_thirty_digits_against_the_reference() -> None:
         decimals = {s: mpmath.mpf(repr(value)) for s, value in system.defaults.items()}
     flow = gauss_integrator(system, first[0], digits=30)
     assert flow.held == ()
-    found = exact(flow.until(first, [10.0], decimals))
+    found = exact(flow.propagate(first, [10.0], decimals))
     for start, state in zip(first, found[:, 0], strict=True):
         motion = integrate(system, start, [0.0, 10.0], precision="quad")
         with mpmath.workdps(40):
@@ -111,11 +111,11 @@ def test_thirty_digits_against_the_reference() -> None:
 
 
 def test_backward_undoes_forward() -> None:
-    ahead = gauss_integrator(TOP, [0.3, -1.0, 0.7, 0, 0, 1]).until(
+    ahead = gauss_integrator(TOP, [0.3, -1.0, 0.7, 0, 0, 1]).propagate(
         [[0.3, -1.0, 0.7, 0, 0, 1]], [20.0]
     )
     back = gauss_integrator(TOP, ahead.states[0, 0], backward=True)
-    found = back.until(ahead.states[:, 0], [-20.0])
+    found = back.propagate(ahead.states[:, 0], [-20.0])
     np.testing.assert_allclose(found.states[0, 0], [0.3, -1.0, 0.7, 0, 0, 1], atol=1e-14)
     assert found.ended.tolist() == [-20.0]
 
@@ -123,8 +123,8 @@ def test_backward_undoes_forward() -> None:
 def test_times_in_between_change_nothing_much() -> None:
     """Samples are ends of steps."""
     flow = gauss_integrator(KEPLER, PERICENTRE)
-    one = flow.until([PERICENTRE], [7.0]).states[0, -1]
-    many = flow.until([PERICENTRE], np.linspace(0, 7, 23)).states[0]
+    one = flow.propagate([PERICENTRE], [7.0]).states[0, -1]
+    many = flow.propagate([PERICENTRE], np.linspace(0, 7, 23)).states[0]
     assert many[0].tolist() == PERICENTRE
     np.testing.assert_allclose(many[-1], one, atol=4e-15)
 
@@ -137,7 +137,7 @@ def test_what_is_held_is_what_stands_still() -> None:
     assert gauss_integrator(loose, PERICENTRE).held == ()
     drift = {}
     for system in (loose, KEPLER):
-        found = gauss_integrator(system, PERICENTRE).until([PERICENTRE], [400.0])
+        found = gauss_integrator(system, PERICENTRE).propagate([PERICENTRE], [400.0])
         energies = values(KEPLER, ["energy"], np.vstack([PERICENTRE, found.states[0]]))[:, 0]
         drift[system.laws] = abs(energies[1] - energies[0])
     assert drift[KEPLER.laws] < 1e-15
@@ -147,7 +147,7 @@ def test_what_is_held_is_what_stands_still() -> None:
 def test_relations_are_held() -> None:
     flow = gauss_integrator(TOP, [0.3, -1.0, 0.7, 0, 0, 1])
     assert flow.held == ("relation 1",)
-    direction = flow.until([[0.3, -1.0, 0.7, 0, 0, 1]], [200.0]).states[0, 0, 3:]
+    direction = flow.propagate([[0.3, -1.0, 0.7, 0, 0, 1]], [200.0]).states[0, 0, 3:]
     assert abs(direction @ direction - 1) < 4e-16
 
 
@@ -165,8 +165,8 @@ def test_bits_do_not_depend_on_the_company(chosen: list[int], threads: int) -> N
     states[5, :3] = np.nan
     masses = np.linspace(0.5, 1.5, 30)
     flow = gauss_integrator(system, states[0])
-    whole = flow.until(states, [0.5, 1.0], {"m": masses}, threads=1)
-    part = flow.until(states[chosen], [0.5, 1.0], {"m": masses[chosen]}, threads=threads)
+    whole = flow.propagate(states, [0.5, 1.0], {"m": masses}, threads=1)
+    part = flow.propagate(states[chosen], [0.5, 1.0], {"m": masses[chosen]}, threads=threads)
     assert whole.outcome[5] == 2
     for mine, every in zip(vars(part).values(), vars(whole).values(), strict=True):
         assert mine.tobytes() == every[chosen].tobytes()
@@ -195,20 +195,22 @@ MISTAKES: dict[str, tuple[Any, str]] = {
         "gauss_integrator: start must be a sequence of numbers, not None",
     ),
     "starts": (
-        lambda: flow().until([1.0, 0.0], [1.0]),
+        lambda: flow().propagate([1.0, 0.0], [1.0]),
         "oscillator: starts have the shape (2,); (motions, 2) is needed, in the order x, y",
     ),
     "phase space": (
-        lambda: gauss_integrator(body("chaplygin-ball"), OFF[0]).until(OFF, [1.0]),
+        lambda: gauss_integrator(body("chaplygin-ball"), OFF[0]).propagate(OFF, [1.0]),
         "chaplygin-ball: start 1 misses the phase space; Dot(gamma, gamma) - 1 is 0.01 there and "
         "must vanish",
     ),
     "times": (
-        lambda: flow().until([[1.0, 0.0]], [2.0, 1.0]),
+        lambda: flow().propagate([[1.0, 0.0]], [2.0, 1.0]),
         "times: they must increase from 0, where the motion begins",
     ),
     "times backward": (
-        lambda: gauss_integrator(OSCILLATOR, [1.0, 0.0], backward=True).until([[1.0, 0.0]], [1.0]),
+        lambda: gauss_integrator(OSCILLATOR, [1.0, 0.0], backward=True).propagate(
+            [[1.0, 0.0]], [1.0]
+        ),
         "times: they must decrease from 0, where the motion begins",
     ),
     "parameter": (
@@ -225,7 +227,7 @@ MISTAKES: dict[str, tuple[Any, str]] = {
         "oscillator: p has the shape (2,); it must be one number or 1, one for each motion",
     ),
     "parameter of a motion": (
-        lambda: flow().until([[1.0, 0.0]] * 2, [1.0], {"p": [1.0, -1.0]}),
+        lambda: flow().propagate([[1.0, 0.0]] * 2, [1.0], {"p": [1.0, -1.0]}),
         "oscillator: p = -1 is not admissible; p > 0 must hold",
     ),
 }

@@ -93,7 +93,7 @@ def test_every_formula(name, precision, point):
         y: sp.Float(repr(point[1]), 50),
         p: sp.Float("0.7", 50),
     }
-    exact = formula.subs(dict(SYSTEM.steps)).subs(numbers).evalf(50)
+    exact = formula.subs(dict(SYSTEM.scalar_definitions)).subs(numbers).evalf(50)
     found = evaluated(formula, point, kind)
     with mpmath.workdps(50):
         error = abs(mpmath.mpf(str(found)) - mpmath.mpf(exact)) / abs(mpmath.mpf(exact))

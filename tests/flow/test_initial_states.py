@@ -117,11 +117,11 @@ def test_every_door_takes_every_start() -> None:
     whole = [[float(x) for x in _ways()[0]]]
     machine = batch_integrator(BALL)
     assert np.array_equal(
-        machine.until(whole, [1.0]).states, machine.until([whole[0][:6]], [1.0]).states
+        machine.propagate(whole, [1.0]).states, machine.propagate([whole[0][:6]], [1.0]).states
     )
     assert (
         np.abs(
-            gauss_integrator(BALL, whole[0]).until(whole, [1.0]).states[0, 0, :3] - ends[0]
+            gauss_integrator(BALL, whole[0]).propagate(whole, [1.0]).states[0, 0, :3] - ends[0]
         ).max()
         < 1e-12
     )

@@ -24,7 +24,7 @@ ROTATION = System("rotation", "Rotation", {x: 1, y: sp.sqrt(2)})
 @pytest.mark.parametrize("direction", [1, 0, -1])
 def test_both_crossings_near_a_turning_point_are_found(below: float, direction: int) -> None:
     flow = batch_integrator(OSCILLATOR, section=Section(x - sp.Float(1 - below), direction))
-    found = flow.returns([[np.sin(0.3), np.cos(0.3)]], 40, until=60.0)
+    found = flow.crossings([[np.sin(0.3), np.cos(0.3)]], 40, until=60.0)
     half, turns = np.arccos(1 - below), 2 * np.pi * np.arange(11)
     rises, falls = (np.pi / 2 - 0.3 + sign * half + turns for sign in (-1, 1))
     wanted = {1: rises, -1: falls, 0: np.sort([*rises, *falls])}[direction]
@@ -36,7 +36,7 @@ def test_both_crossings_near_a_turning_point_are_found(below: float, direction: 
 
 def test_no_turn_of_a_uniform_rotation_is_missed() -> None:
     flow = batch_integrator(ROTATION, section=poincare_section(ROTATION, "x", 0, 1, angle=True))
-    found = flow.returns([[0.1, 0.2]], 500)
+    found = flow.crossings([[0.1, 0.2]], 500)
     assert found.counts[0] == 500
     assert np.abs(found.times[0] + 0.1 - 2 * np.pi * np.arange(1, 501)).max() < 1e-11
 
@@ -44,8 +44,8 @@ def test_no_turn_of_a_uniform_rotation_is_missed() -> None:
 def test_what_comes_to_rest_is_given_up() -> None:
     falling = System("falling", "Falling", {x: -x, y: 0})
     flow = batch_integrator(falling, section=Section(x + 1, 0))
-    found = flow.returns([[0.0, 0.0], [1.0, 0.0]], 3)
-    assert [flow.reason(code) for code in found.outcome] == [
+    found = flow.crossings([[0.0, 0.0], [1.0, 0.0]], 3)
+    assert [flow.status_message(code) for code in found.outcome] == [
         "a million steps passed without a crossing"
     ] * 2
     assert (found.steps <= 1e6).all()
@@ -57,7 +57,7 @@ def test_the_place_of_a_body_does_not_blur_its_motion() -> None:
     start = np.array([[float(number) for number in begun]] * 2)
     places = [i for i, symbol in enumerate(ball.symbols) if str(symbol).startswith("place")]
     start[1, places] = 1e6
-    near, far = batch_integrator(ball).until(start, [20.0]).states[:, 0]
+    near, far = batch_integrator(ball).propagate(start, [20.0]).states[:, 0]
     dynamics = [i for i in range(len(near)) if i not in places]
     assert np.abs(near - far)[dynamics].max() < 1e-12
 
@@ -65,13 +65,13 @@ def test_the_place_of_a_body_does_not_blur_its_motion() -> None:
 def test_a_large_momentum_excuses_no_wrong_normal() -> None:
     ball = from_catalogue("unbalanced-ball")
     with pytest.raises(InputError, match="start 0 misses the phase space"):
-        batch_integrator(ball).until([[1e5, 0, 0, 0, 0, 1.001]], [1.0])
+        batch_integrator(ball).propagate([[1e5, 0, 0, 0, 0, 1.001]], [1.0])
 
 
 def test_more_than_memory_holds_is_refused() -> None:
     flow = batch_integrator(OSCILLATOR, section=Section(x, 1))
     with pytest.raises(InputError, match="GiB at once: ask for fewer, or stream them"):
-        flow.returns([[0.0, 1.0]], 10**11)
+        flow.crossings([[0.0, 1.0]], 10**11)
 
 
 @pytest.mark.parametrize(
@@ -86,6 +86,6 @@ def test_no_guard_is_jumped_over(guard: sp.Expr, time: float) -> None:
     guarded = replace(OSCILLATOR, guards=(Guard("height", guard, "it is too high"),))
     for start in ([0.0, 1.0], [-0.6, 0.8]):
         flow = batch_integrator(guarded)
-        found = flow.until([start], [100.0])
-        assert flow.reason(found.outcome[0]) == "it is too high"
+        found = flow.propagate([start], [100.0])
+        assert flow.status_message(found.outcome[0]) == "it is too high"
         assert found.ended[0] == pytest.approx(time - np.arcsin(start[0]), abs=1e-10)

@@ -163,7 +163,7 @@ def test_order_of_the_march() -> None:
     until = 100.0
     errors, steps = [], []
     for tolerance in 10.0 ** -np.arange(6, 13):
-        found = batch_integrator(oscillator, tolerance=tolerance).until([[0.0, 1.0]], [until])
+        found = batch_integrator(oscillator, tolerance=tolerance).propagate([[0.0, 1.0]], [until])
         errors.append(abs(found.states[0, -1, 0] - np.sin(until)))
         steps.append(until / found.steps[0])
     assert slope(errors, steps) == pytest.approx(8, abs=0.15)
@@ -172,7 +172,7 @@ def test_order_of_the_march() -> None:
 @pytest.mark.parametrize(("digits", "allowed"), [(16, 4e-16), (30, 1e-29)])
 def test_precise_motions_reach_their_digits(digits: Any, allowed: float) -> None:
     start, until = [0.0, 1.0, 1.0], 20.0
-    found = gauss_integrator(ELLIPTIC, start, digits=digits).until([start], [until])
+    found = gauss_integrator(ELLIPTIC, start, digits=digits).propagate([start], [until])
     with mpmath.workdps(DIGITS):
         both = zip(found.states[0, -1], found.rest[0, -1], strict=True)
         state = np.array([mpmath.mpf(float(p)) + mpmath.mpf(float(q)) for p, q in both])

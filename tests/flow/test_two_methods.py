@@ -24,7 +24,7 @@ SYSTEMS = [
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_lanes_and_collocation_agree(name: str) -> None:
     """From the start that the catalogue names; neither ends before its time."""
-    system = replace(from_catalogue(name), motion=None, observables=())
+    system = replace(from_catalogue(name), reconstruction=None, observables=())
     chosen = CATALOGUE[name].start
     variables = {str(part) for part in (*flat(system.state), *system.state)}
     given = {
@@ -34,8 +34,8 @@ def test_lanes_and_collocation_agree(name: str) -> None:
     }
     start = flat_starts(system, given)
     times = [min(chosen.until, 5.0)]
-    fine = gauss_integrator(system, start[0]).until(start, times)
-    found = batch_integrator(system).until(start, times)
+    fine = gauss_integrator(system, start[0]).propagate(start, times)
+    found = batch_integrator(system).propagate(start, times)
     assert found.outcome.tolist() == fine.outcome.tolist() == [0]
     allowed = 1e-10 * np.maximum(1, np.abs(fine.states))
     assert (np.abs(found.states - fine.states) < allowed).all()

@@ -39,7 +39,7 @@ def read(formula: Any) -> Any:
 def full(formula: Any) -> sp.Expr:
     """Without named intermediate quantities."""
     formula = sp.sympify(formula)
-    for name, value in reversed(TRIAL.steps):
+    for name, value in reversed(TRIAL.scalar_definitions):
         formula = formula.subs(name, value)
     return formula
 
@@ -83,7 +83,7 @@ def test_values_are_sympys(formula: sp.Expr) -> None:
 def test_derivatives_are_sympys(formula: sp.Expr, symbol: sp.Symbol) -> None:
     reader = Reader(TRIAL, Graph())
     term, leaf = reader(formula), reader(symbol)
-    (change,) = reader.graph.along([term], {leaf: reader.graph.number(1)})
+    (change,) = reader.graph.directional_derivative([term], {leaf: reader.graph.number(1)})
     assert_close(balls([change], LEAVES, 240)[0][0], full(formula).diff(symbol))
 
 
@@ -91,7 +91,9 @@ def test_derivative_along_a_motion() -> None:
     """All leaves at once: v(F) = Σ ∂F/∂x_i v_i."""
     reader, rates = of_system(TRIAL)
     leaves = [reader(symbol) for symbol in TRIAL.symbols]
-    (change,) = reader.graph.along([reader(w * z + v)], dict(zip(leaves, rates, strict=True)))
+    (change,) = reader.graph.directional_derivative(
+        [reader(w * z + v)], dict(zip(leaves, rates, strict=True))
+    )
     field = dict(zip((x, y, z), TRIAL.rates, strict=True))
     right = sum(full(w * z + v).diff(symbol) * rate for symbol, rate in field.items())
     assert_close(balls([change], LEAVES, 240)[0][0], right)
@@ -100,7 +102,9 @@ def test_derivative_along_a_motion() -> None:
 def test_second_derivatives() -> None:
     reader = Reader(TRIAL, Graph())
     one = {reader(x): reader.graph.number(1)}
-    term = reader.graph.along(reader.graph.along([reader(sp.sin(x * y) / v)], one), one)
+    term = reader.graph.directional_derivative(
+        reader.graph.directional_derivative([reader(sp.sin(x * y) / v)], one), one
+    )
     assert_close(balls(term, LEAVES, 240)[0][0], full(sp.sin(x * y) / v).diff(x, 2))
 
 
@@ -108,10 +112,10 @@ def test_choice_and_its_derivative() -> None:
     """Where a test is positive the first branch counts, and its derivative with it."""
     reader = Reader(TRIAL, Graph())
     graph = reader.graph
-    term = graph.positive(reader(y), reader(x**2), reader(x**3))
-    (change,) = graph.along([term], {reader(x): graph.number(1)})
+    term = graph.where_positive(reader(y), reader(x**2), reader(x**3))
+    (change,) = graph.directional_derivative([term], {reader(x): graph.number(1)})
     assert_close(balls([change], LEAVES, 240)[0][0], 3 * x**2)
-    assert graph.positive(reader(y), reader(x), reader(x)) is reader(x)
+    assert graph.where_positive(reader(y), reader(x), reader(x)) is reader(x)
 
 
 def test_equal_things_are_made_once() -> None:

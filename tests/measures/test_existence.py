@@ -265,7 +265,7 @@ def test_the_form_is_the_divergence_of_the_equations_of_motion(contact, surface,
     form, made = one_form(body), body.system()
     z = real_symbol("z")
     given = {*made.symbols, *(p.symbol for p in made.parameters)}
-    own = {s: real_symbol(f"own_{s}") for s, _ in form.system.steps if s not in given}
+    own = {s: real_symbol(f"own_{s}") for s, _ in form.system.scalar_definitions if s not in given}
     rates = dict(zip(made.symbols, made.rates, strict=True))
     share = sum(t * rates[g] for t, g in zip(form.form.symbols, gamma.symbols, strict=True))
     if form.spin is not None:
@@ -276,7 +276,7 @@ def test_the_form_is_the_divergence_of_the_equations_of_motion(contact, surface,
         field={**dict(made.field), z: share.xreplace(own)},
         definitions=(
             *made.definitions,
-            *((own[s], f.xreplace(own)) for s, f in form.system.steps if s in own),
+            *((own[s], f.xreplace(own)) for s, f in form.system.scalar_definitions if s in own),
         ),
         parameters=made.parameters,
         relations=made.relations,

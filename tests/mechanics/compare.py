@@ -184,7 +184,7 @@ def begin(case: Case, system: System, package: Package = PACKAGE) -> tuple[Case,
         heading=heading(gamma, normal, attitude),
         normal=normal.tolist(),
     )
-    names = [str(s) for s in (system.lifted() if system.motion else system).symbols]
+    names = [str(s) for s in (system.lifted() if system.reconstruction else system).symbols]
     first = names.index("attitude_w")
     own = np.array([float(x) for x in state[first : first + 4]])
     return replace(case, start=case.start | {"attitude": own}), state
@@ -265,7 +265,7 @@ def evaluate(
     system: System, formulas: Sequence[Any], values: Mapping[sp.Symbol, float]
 ) -> np.ndarray:
     """Scalar formulas of a system at known symbols."""
-    steps = list(system.needed(formulas, given=values))
+    steps = list(system.required_definitions(formulas, given=values))
     function = sp.lambdify(list(values), list(formulas), "math", cse=lambda e: (steps, e))
     return np.array(function(*values.values()), dtype=float)
 

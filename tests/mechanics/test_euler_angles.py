@@ -140,6 +140,6 @@ def test_agrees_with_euler_angles(name: str, model: Any) -> None:
             state |= dict(zip(Vector("omega").symbols, tables[7], strict=True))
             state[real_symbol("R_3")] = point[5]
             state |= {s: mpmath.mpf(int(x.p)) / int(x.q) for s, x in exact.items()}
-            found = GenericPoint(state, system.steps)
+            found = GenericPoint(state, system.scalar_definitions)
             for formula, number in zip(ours, [*turning, *forces], strict=True):
                 assert abs(found.value(formula) - number) < mpmath.mpf(10) ** -40

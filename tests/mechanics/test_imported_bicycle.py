@@ -54,7 +54,7 @@ def test_the_same_eigenvalues(bicycle: ModuleType, kane: System):
 
 @pytest.mark.slow
 def test_equations_stay_small(kane: System):
-    steps = kane.needed(kane.rates)
+    steps = kane.required_definitions(kane.rates)
     count = sum(sp.count_ops(e) for e in (*kane.rates, *(value for _, value in steps)))
     assert count < 3500
 

@@ -79,7 +79,7 @@ class Point:
             self.known[real_symbol("delta")] = TURN
         for name in self.system.state:
             self.known |= dict(zip(name.symbols, self.state[str(name)], strict=True))
-        for symbol, formula in self.system.steps:
+        for symbol, formula in self.system.scalar_definitions:
             self.known[symbol] = formula.xreplace(self.known)
         self.rates = dict(zip(self.system.symbols, self.system.rates, strict=True))
 

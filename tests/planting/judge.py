@@ -137,7 +137,7 @@ def _allowed(made: tuple[System, Law], witness: Mapping[str, Any] | None) -> boo
     point = {s: _number(witness["point"].get(str(s))) for s in names}
     if None in point.values() or len({str(s) for s in names}) < len(names):
         return True
-    steps = dict(system.steps)
+    steps = dict(system.scalar_definitions)
     asked = [sp.sympify(c) for p in system.parameters for c in p.admissible]
     asked += [_written(guard.value, steps) > 0 for guard in system.guards]
     if any(condition.subs(point, simultaneous=True) == sp.false for condition in asked):

@@ -47,7 +47,7 @@ def exact(system: System, x: Array) -> Array:
     with mpmath.workdps(30):
         known = dict(zip(system.symbols, map(mpmath.mpf, x), strict=True))
         known |= {symbol: mpmath.mpf(value) for symbol, value in system.defaults.items()}
-        for symbol, value in system.needed(system.rates):
+        for symbol, value in system.required_definitions(system.rates):
             known[symbol] = sp.lambdify(list(known), value, "mpmath")(*known.values())
         rates = sp.lambdify(list(known), list(system.rates), "mpmath")(*known.values())
         return np.array([float(rate) for rate in rates])

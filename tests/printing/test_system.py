@@ -292,7 +292,7 @@ def test_a_rate_that_is_a_name_of_the_state_says_nothing() -> None:
 def test_the_lift_has_a_page_of_its_own() -> None:
     x, w, v, ydot, y = (real_symbol(name) for name in ("x", "w", "v", "ydot", "y"))
     lifted = small(
-        definitions={w: 2 * v, ydot: 3 * v}, motion=Reconstruction({x: w, y: ydot}, (), ())
+        definitions={w: 2 * v, ydot: 3 * v}, reconstruction=Reconstruction({x: w, y: ydot}, (), ())
     )
     assert motion_text(lifted) == ["    ẋ = w", "    ẏ = 3 v", "    w = 2 v"]
     assert "ẋ" not in system_text(lifted)

@@ -262,7 +262,7 @@ def test_what_vanishes_with_a_level_holds_on_it_alone(formula, powers):
 def written_out(system: System, formula: sp.Expr) -> sp.Expr:
     """A formula in state and parameters alone."""
     made = to_components(formula)
-    for symbol, value in reversed(system.steps):
+    for symbol, value in reversed(system.scalar_definitions):
         made = made.xreplace({symbol: value})
     return made
 

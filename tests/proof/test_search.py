@@ -66,7 +66,7 @@ def values(system: System, conditions: list[sp.Expr], formulas: list[sp.Expr]) -
     rows = []
     for state in points(system, 3 + len(formulas)):
         known = {**numbers, **state}
-        for symbol, value in system.needed(formulas):
+        for symbol, value in system.required_definitions(formulas):
             known[symbol] = value.xreplace(known)
         rows.append([to_components(f).xreplace(known) for f in formulas])
     return sp.Matrix(rows)
@@ -189,7 +189,7 @@ def test_energy_over_a_denominator() -> None:
         ),
         observables=(),
         guards=(),
-        motion=None,
+        reconstruction=None,
     )
     found = found_in(system, momenta="M", divisors=["1 - m*R**2*(γ, A γ)"])
     assert expresses(system, [], found, dot(M, omega))

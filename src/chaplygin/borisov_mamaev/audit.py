@@ -32,8 +32,6 @@ from ..proof.verdict import Decision, Verdict
 from ..proof.verdict_cache import load_verdict, store_verdict
 from . import Case, Claim, claims, remarks
 
-__all__ = ["DECISIONS", "TITLES", "Judgement", "audit", "counts", "page"]
-
 THOROUGH = 4 * EFFORT
 """Term operations that the proof of one claim may take."""
 

@@ -10,8 +10,6 @@ from ..core.laws import Law
 from ..core.system import System
 from ..proof.verdict import Verdict
 
-__all__ = ["Case", "Claim", "Remark"]
-
 #: A system with a law of it, several such pairs that must all hold, or a verdict computed directly.
 Case: TypeAlias = tuple[System, Law] | tuple[tuple[System, Law], ...] | Verdict
 

@@ -15,8 +15,6 @@ from ..core.isomorphism import Isomorphism
 from ..core.system import System
 from ..core.vectors import constant, real_symbol, to_components, vectors
 
-__all__ = ["NORMAL", "SPIN", "in_angles", "phi", "phidot", "theta", "thetadot"]
-
 omega, gamma = vectors("omega gamma")
 theta, phi, thetadot, phidot = (real_symbol(s) for s in ("theta", "phi", "thetadot", "phidot"))
 
@@ -69,6 +67,6 @@ def in_angles(system: System) -> System:
         ),
         observables=(),
         guards=(),
-        motion=None,
+        reconstruction=None,
         start=(),
     )

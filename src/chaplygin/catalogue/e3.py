@@ -27,18 +27,6 @@ from ..core.vectors import (
 )
 from ..mechanics.rolling.body import triangle_inequalities
 
-__all__ = [
-    "Gamma",
-    "H",
-    "I",
-    "M",
-    "bracket",
-    "e3_system",
-    "hamiltonian_form",
-    "inertia_parameters",
-    "lie_poisson",
-]
-
 M, Gamma = vectors("M Gamma")
 I = Diagonal("I")
 H = real_symbol("H")

@@ -16,8 +16,6 @@ from ..mechanics.ball.ball import RollingBall
 from ..mechanics.lagrangian.plan import Plan
 from ..mechanics.rolling.equations import Rolling
 
-__all__ = ["Entry", "Start", "known_laws", "lookup"]
-
 Numbers = Mapping[str, float]
 Triple: TypeAlias = tuple[float, float, float]
 #: Values of a state by the names of its variables: a number, or the components of a vector.

@@ -8,8 +8,6 @@ from dataclasses import dataclass
 
 from .entry import Entry
 
-__all__ = ["GROUPS", "INTEGRABLE", "Group", "in_section", "sections"]
-
 
 @dataclass(frozen=True)
 class Group:

@@ -11,8 +11,6 @@ from ..core.system import Parameter
 from ..errors import InputError
 from ..mechanics.rolling.body import check_mass
 
-__all__ = ["positive", "positives"]
-
 
 def positive(symbol: sp.Symbol, meaning: str, value: float, unit: str) -> Parameter:
     """A parameter that must be positive.

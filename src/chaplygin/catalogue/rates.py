@@ -7,8 +7,6 @@ from sympy.matrices.expressions import MatrixExpr
 from ..core.laws import Rate
 from ..core.vectors import constant, to_components
 
-__all__ = ["rate"]
-
 
 def rate(vector: MatrixExpr) -> MatrixExpr:
     """The rates of the components of a vector formula along the field of its system."""

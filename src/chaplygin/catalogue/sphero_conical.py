@@ -7,8 +7,6 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ..core.vectors import Diagonal, dot, real_symbol
 
-__all__ = ["cubic", "sphero_conical_coordinates", "u", "v"]
-
 I = Diagonal("I")
 u, v, Delta = (real_symbol(s) for s in ("u", "v", "Delta"))
 

@@ -15,8 +15,6 @@ from typing import NoReturn
 from .certificate import check
 from .claim.errors import BadInputError, CheckError
 
-__all__ = ["main"]
-
 USAGE = "usage: python -m chaplygin.check FILE [FILE ...]"
 
 

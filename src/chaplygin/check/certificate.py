@@ -20,8 +20,6 @@ from .identities.signs import covers
 from .identities.substitution import CONSISTENCY, LAW, expressed_variables, statements
 from .witness import check_sample, check_witness
 
-__all__ = ["FORMAT", "check"]
-
 FORMAT = "chaplygin certificate 2"
 
 

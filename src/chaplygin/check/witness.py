@@ -28,8 +28,6 @@ from .claim.residuals import each_residual, rank_at_least, ranked, residuals
 from .claim.unspecified_functions import Functions
 from .identities.proof import Condition
 
-__all__ = ["check_sample", "check_witness", "failing", "located"]
-
 PRECISION = 1200
 NARROW = 50
 #: Halvings of an interval until a polynomial is steep in it.

@@ -19,8 +19,6 @@ if TYPE_CHECKING:
 
     from ..borisov_mamaev.audit import Judgement
 
-__all__ = ["SECTIONS", "command"]
-
 #: Of the paper.
 SECTIONS = range(1, 13)
 

@@ -14,8 +14,6 @@ from .progress import waiting
 if TYPE_CHECKING:
     from ..explicit.bifurcation import Diagram
 
-__all__ = ["command"]
-
 
 def command(
     what: Annotated[

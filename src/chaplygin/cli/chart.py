@@ -15,8 +15,6 @@ from .stores import Workers, check_picture, check_store, check_workers, outcomes
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["command"]
-
 
 def command(
     what: What,

@@ -17,21 +17,6 @@ if TYPE_CHECKING:
 
     from ..experiment.study import Study
 
-__all__ = [
-    "Effort",
-    "Force",
-    "Json",
-    "Override",
-    "Precision",
-    "What",
-    "complain",
-    "console",
-    "inform",
-    "operations",
-    "print_json",
-    "study_of",
-]
-
 PRECISIONS = ("double", "quad")
 
 What = Annotated[

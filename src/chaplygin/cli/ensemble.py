@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     from ..experiment.study import Study
     from ..flow.ensemble.members import Members
 
-__all__ = ["command", "given_start"]
-
 
 def command(
     what: What,

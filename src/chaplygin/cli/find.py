@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from ..core.system import Parameter, System
     from ..search import Question, SearchResult
 
-__all__ = ["command"]
-
 _TITLES = {
     "integrals": "First integrals",
     "measure": "Invariant measures",

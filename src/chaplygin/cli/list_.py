@@ -8,8 +8,6 @@ import typer
 
 from .common import Json, console, print_json
 
-__all__ = ["command"]
-
 #: Columns of a terminal that has room for names, titles and sources.
 WIDE = 110
 

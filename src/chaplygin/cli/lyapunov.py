@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from ..analysis.lyapunov.averages import Average
     from ..analysis.lyapunov.report import Spectrum
 
-__all__ = ["command"]
-
 #: The length of a motion, in units of that of the experiment, unless told otherwise.
 TIMES_LONGER = 10.0
 

@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from ..analysis.orbits.periodic import Orbit
     from ..experiment.study import Study
 
-__all__ = ["command"]
-
 
 def command(
     what: What,
@@ -160,7 +158,7 @@ def _orbit_of(
             raise InputError(
                 f"--follow {varied[0]}: it must be one of {', '.join((*laws, *known))}"
             )
-        start.append(dict(system.constants)[varied[0]])
+        start.append(dict(system.default_values)[varied[0]])
         system = parameters_to_state(system, varied[0])
         keeps.append(varied[0])
     for name in hold:
@@ -170,11 +168,11 @@ def _orbit_of(
     limit = study.until * max(after, 1)
     section = poincare_section(system, on, value, DIRECTIONS[direction], angle)
     returns = ReturnMap(PoincareMap(system, section, tolerance=tolerance, until=limit))
-    crossed = returns.section.returns(np.array([start]), max(after, 1))
+    crossed = returns.section.crossings(np.array([start]), max(after, 1))
     if crossed.outcome[0]:
         raise RunError(
             f"the motion does not return to {on} = {value:g} often enough: "
-            f"{returns.section.reason(int(crossed.outcome[0]))}",
+            f"{returns.section.status_message(int(crossed.outcome[0]))}",
             float(crossed.ended[0]),
         )
     returns = ReturnMap(PoincareMap(system, section, tolerance=tolerance))

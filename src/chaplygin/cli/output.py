@@ -11,17 +11,6 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = [
-    "FIGURES",
-    "STANDARD_OUTPUT",
-    "beside",
-    "check_figure",
-    "check_output",
-    "deliver",
-    "name_of",
-    "written",
-]
-
 #: Endings of figures.
 FIGURES = (".png", ".svg", ".pdf")
 

@@ -13,8 +13,6 @@ if TYPE_CHECKING:
 
     from ..report.write import Report
 
-__all__ = ["progress", "waiting"]
-
 #: Seconds after which a command begins to say what it is doing, and between two lines of a log.
 PATIENCE, BETWEEN = 0.8, 10.0
 

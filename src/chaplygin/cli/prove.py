@@ -28,8 +28,6 @@ if TYPE_CHECKING:
     from ..core.system import System
     from ..proof.verdict import Verdict
 
-__all__ = ["command", "styled"]
-
 COLOURS = {"proven": "green", "proven where": "cyan", "refuted": "red", "undecided": "yellow"}
 
 

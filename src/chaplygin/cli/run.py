@@ -12,8 +12,6 @@ from .common import Force, Json, Override, Precision, What, inform, print_json, 
 from .output import beside, check_output, deliver, name_of
 from .progress import progress
 
-__all__ = ["command"]
-
 
 def command(
     what: What,

@@ -24,8 +24,6 @@ from .stores import (
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["command"]
-
 #: Points looked at together.
 _AT_ONCE = 2**18
 

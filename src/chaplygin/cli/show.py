@@ -9,8 +9,6 @@ import typer
 
 from .common import Json, Override, What, print_json, study_of
 
-__all__ = ["command"]
-
 FORMS = ("text", "latex", "julia", "c", "toml")
 
 

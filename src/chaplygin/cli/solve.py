@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from ..experiment.study import Study
     from ..explicit.base.solution import Solution
 
-__all__ = ["command"]
-
 #: So many times are printed at most, and so many of a longer list.
 MANY, FEW = 12, 5
 #: Digits that `--digits` may ask for.
@@ -140,7 +138,7 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
             table.add_row(escape(name), escape(unit), *(values[index] for index in some))
         typer.echo()
         shown_on.print(table)
-    if study.system.motion is not None and not in_space(study, solution):
+    if study.system.reconstruction is not None and not in_space(study, solution):
         inform("the attitude and the position in space are not part of this closed form")
     if digits is not None and solution.left_open:
         inform(solution.left_open)

@@ -16,17 +16,6 @@ if TYPE_CHECKING:
 
     from ..flow.ensemble.task import Progress
 
-__all__ = [
-    "Workers",
-    "check_picture",
-    "check_store",
-    "check_workers",
-    "level_of",
-    "outcomes",
-    "resumable",
-    "vacate",
-]
-
 Workers = Annotated[
     str | None,
     typer.Option(

@@ -12,8 +12,6 @@ from .common import Force, Json, Override, Precision, What, operations, print_js
 from .output import STANDARD_OUTPUT
 from .progress import progress
 
-__all__ = ["command"]
-
 
 def command(
     what: What,

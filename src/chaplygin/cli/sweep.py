@@ -13,8 +13,6 @@ from .output import check_figure
 from .progress import progress
 from .stores import Workers, check_picture, check_store, check_workers, outcomes, resumable, vacate
 
-__all__ = ["command", "values_of"]
-
 
 def command(
     what: What,

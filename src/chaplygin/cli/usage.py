@@ -10,8 +10,6 @@ from typer import TyperException
 
 from ..errors import nearest
 
-__all__ = ["sentence"]
-
 
 class CommandParameter(Protocol):
     """An option or an argument of a command."""

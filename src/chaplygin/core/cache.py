@@ -18,8 +18,6 @@ import platformdirs
 
 from .source_digest import computation_digest
 
-__all__ = ["entry_name", "folder"]
-
 #: Libraries that take part in a proof or in the generation of machine code.
 LIBRARIES = (
     "chaplygin",

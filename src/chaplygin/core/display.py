@@ -11,8 +11,6 @@ from typing import Protocol, cast
 
 import sympy as sp
 
-__all__ = ["Displayed", "formula_latex"]
-
 
 class _Printer(Protocol):
     def system_line(self, system: Displayed) -> str: ...

@@ -13,8 +13,6 @@ from .laws import Law
 from .named_formulas import Pairs, repeated, scalar_names
 from .system import System
 
-__all__ = ["Isomorphism"]
-
 
 @arguments_checked
 @dataclass(frozen=True)

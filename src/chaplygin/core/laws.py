@@ -17,19 +17,6 @@ from ..arguments import Declared, Formula, Formulas, arguments_checked
 from ..errors import InputError
 from .named_formulas import Pairs, repeated, scalar_names, with_formulas
 
-__all__ = [
-    "ConformallyHamiltonian",
-    "Identity",
-    "Integral",
-    "Law",
-    "Measure",
-    "PoissonStructure",
-    "Rate",
-    "Reduction",
-    "Separation",
-    "Symmetry",
-]
-
 
 class Rate(sp.Function):
     """The time derivative of a scalar formula along the field of its system.

@@ -7,8 +7,6 @@ from typing import TypeAlias
 
 import sympy as sp
 
-__all__ = ["Pairs", "as_pairs", "expand", "repeated", "scalar_names", "with_formulas"]
-
 #: Named quantities (symbols, vectors, tensors) with a formula for each.
 Pairs: TypeAlias = tuple[tuple[sp.Basic, sp.Basic], ...]
 

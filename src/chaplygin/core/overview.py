@@ -10,8 +10,6 @@ from dataclasses import dataclass
 from html import escape
 from textwrap import TextWrapper
 
-__all__ = ["Overview", "WithOverview"]
-
 #: Columns of a screen.
 COLUMNS = 80
 

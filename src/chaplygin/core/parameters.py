@@ -16,17 +16,6 @@ from ..arguments import ParameterValue
 from ..errors import InputError
 from .system import Parameter, System
 
-__all__ = [
-    "Parameters",
-    "conditions",
-    "parameter_values",
-    "parameters_by_symbol",
-    "require_admissible",
-    "require_finite",
-    "require_parameters",
-    "satisfies",
-]
-
 #: Values by name or symbol: numbers, or arrays with one for each motion.
 Parameters: TypeAlias = Mapping[str, ParameterValue] | Mapping[sp.Symbol, ParameterValue]
 

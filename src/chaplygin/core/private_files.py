@@ -24,8 +24,6 @@ import tempfile
 from functools import cache
 from pathlib import Path
 
-__all__ = ["read_private", "write_private"]
-
 _OTHERS = stat.S_IWGRP | stat.S_IWOTH
 #: Flags with which a link is not followed and a pipe is not waited for.
 _OPEN_FLAGS = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC

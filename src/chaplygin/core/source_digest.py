@@ -13,14 +13,6 @@ from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 
-__all__ = [
-    "PRESENTATION",
-    "computation_digest",
-    "module_digests",
-    "package_digest",
-    "text_digest",
-]
-
 PRESENTATION = ("__main__.py", "borisov_mamaev", "cli", "experiment", "report")
 """Commands, claims of the paper and reports: no module that computes imports any of them."""
 

@@ -18,17 +18,6 @@ from .laws import Integral, Law
 from .named_formulas import Pairs, as_pairs, expand
 from .vectors import Diagonal, Symmetric, Vector, to_components
 
-__all__ = [
-    "Guard",
-    "Observable",
-    "Parameter",
-    "Reconstruction",
-    "System",
-    "flat",
-    "flat_pairs",
-    "unknown_names",
-]
-
 Name: TypeAlias = Vector | sp.Symbol
 Quantity: TypeAlias = Vector | Diagonal | Symmetric | sp.Symbol
 
@@ -191,7 +180,7 @@ class System(Displayed):
     laws : tuple of Law
     observables : tuple of Observable
     guards : tuple of Guard
-    motion : Reconstruction, optional
+    reconstruction : Reconstruction, optional
     source : str
         Equation numbers in the paper.
     summary : str
@@ -226,7 +215,7 @@ class System(Displayed):
     laws: tuple[Law, ...] = ()
     observables: tuple[Observable, ...] = ()
     guards: tuple[Guard, ...] = ()
-    motion: Reconstruction | None = None
+    reconstruction: Reconstruction | None = None
     source: str = ""
     summary: str = ""
     start: Declared = ()
@@ -255,18 +244,18 @@ class System(Displayed):
         return tuple(rate for _, rate in flat_pairs(self.field))
 
     @cached_property
-    def steps(self) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+    def scalar_definitions(self) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
         """The definitions as scalar assignments, in order."""
         return flat_pairs(self.definitions)
 
     @arguments_checked
-    def needed(
+    def required_definitions(
         self, formulas: Iterable[Formula], given: Iterable[sp.Symbol] = ()
     ) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
         """The steps on which `formulas` depend, in order; `given` symbols are known."""
         wanted = {s for formula in formulas for s in _symbols_of(formula)} - set(given)
         chosen = []
-        for symbol, value in reversed(self.steps):
+        for symbol, value in reversed(self.scalar_definitions):
             if symbol in wanted:
                 chosen.append((symbol, value))
                 wanted |= value.free_symbols - set(given)
@@ -275,7 +264,7 @@ class System(Displayed):
     @arguments_checked
     def expand(self, formula: Formula) -> sp.Expr:
         """A scalar or vector formula by components, in the state and the parameters alone."""
-        return expand(to_components(sp.sympify(formula)), self.steps)
+        return expand(to_components(sp.sympify(formula)), self.scalar_definitions)
 
     @property
     def integrals(self) -> tuple[Integral, ...]:
@@ -288,7 +277,7 @@ class System(Displayed):
         return {p.symbol: p.default for p in self.parameters}
 
     @cached_property
-    def constants(self) -> tuple[tuple[str, float], ...]:
+    def default_values(self) -> tuple[tuple[str, float], ...]:
         """Name and default value of every parameter, as text and as a double."""
         return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
 
@@ -298,8 +287,11 @@ class System(Displayed):
                 raise InputError(
                     f"{self.name}: {item.symbol} = {item.default} must be a finite number"
                 )
-        names = [p.symbol for p in self.parameters] + [*self.symbols, *(s for s, _ in self.steps)]
-        moved = flat(name for name, _ in self.motion.field) if self.motion else ()
+        names = [p.symbol for p in self.parameters] + [
+            *self.symbols,
+            *(s for s, _ in self.scalar_definitions),
+        ]
+        moved = flat(name for name, _ in self.reconstruction.field) if self.reconstruction else ()
         whole = [n for n, _ in (*self.field, *self.definitions) if not isinstance(n, sp.Symbol)]
         # whatever is proved, recorded or printed later knows them by their names alone
         for name, count in Counter(map(str, (*names, *moved, *whole))).items():
@@ -314,7 +306,7 @@ class System(Displayed):
                     "and parameter needs a name of its own"
                 )
         known = {p.symbol for p in self.parameters} | set(self.symbols)
-        for symbol, value in self.steps:
+        for symbol, value in self.scalar_definitions:
             self._require(value, known, f"the definition of {symbol}")
             known.add(symbol)
         for symbol, value in zip(self.symbols, self.rates, strict=True):
@@ -347,13 +339,13 @@ class System(Displayed):
         InputError
             If the system has no motion in space.
         """
-        if self.motion is None:
+        if self.reconstruction is None:
             raise InputError(f"{self.name}: this system has no motion in space to be lifted to")
         return self._lifted
 
     @cached_property
     def _lifted(self) -> System:
-        motion = self.motion
+        motion = self.reconstruction
         if motion is None:
             return self
         return replace(
@@ -361,5 +353,5 @@ class System(Displayed):
             field=self.field + motion.field,
             relations=self.relations + motion.relations,
             observables=self.observables + motion.observables,
-            motion=None,
+            reconstruction=None,
         )

@@ -27,29 +27,6 @@ from sympy.printing.precedence import PRECEDENCE
 
 from .display import formula_latex
 
-__all__ = [
-    "Cross",
-    "Diagonal",
-    "Dot",
-    "Gradient",
-    "Symmetric",
-    "Vector",
-    "by_name",
-    "constant",
-    "cross",
-    "dot",
-    "gradient",
-    "hat",
-    "identity",
-    "norm_squared",
-    "outer",
-    "real_symbol",
-    "to_components",
-    "unit_vector",
-    "vectors",
-    "zero",
-]
-
 Scalar: TypeAlias = sp.Expr
 Components: TypeAlias = sp.ImmutableDenseMatrix
 

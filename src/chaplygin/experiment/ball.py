@@ -15,8 +15,6 @@ from .file.shape_tables import BallTable
 from .mechanism import identifier
 from .subject import PlacedBallSubject
 
-__all__ = ["ball_subject"]
-
 R = Vector("R")
 
 

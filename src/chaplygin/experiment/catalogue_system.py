@@ -11,8 +11,6 @@ from .initial_state import StartValues
 from .rolling import rolling_setting
 from .subject import BallSubject, BodySubject, Subject
 
-__all__ = ["body_of_catalogue", "system_of_catalogue"]
-
 
 def body_of_catalogue(experiment: SystemExperiment) -> BodySubject:
     """A body of the catalogue, whose start is given by ω and γ.

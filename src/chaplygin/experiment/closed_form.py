@@ -29,19 +29,6 @@ from ..printing.numerals import signed, unit
 from ..printing.system import displayed, latex, mathml
 from .study import Study, dataset_of
 
-__all__ = [
-    "ClosedFormSection",
-    "ball",
-    "closed_form_section",
-    "closed_form_trajectory",
-    "dataset",
-    "diagram_if_known",
-    "number",
-    "solution_of_study",
-    "solved_if_known",
-    "units",
-]
-
 
 def solution_of_study(study: Study) -> Solution:
     """The motion of a study in closed form.
@@ -80,7 +67,7 @@ def diagram_if_known(study: Study) -> tuple[Diagram, tuple[float, float]] | None
 
 def in_space(study: Study, solution: Solution) -> bool:
     """Whether a solution holds the motion in space, where the system has one."""
-    moves = study.system.motion is not None
+    moves = study.system.reconstruction is not None
     return moves and len(solution.system.symbols) > len(study.system.symbols)
 
 

@@ -18,8 +18,6 @@ from ..flow.integrator import Trajectory
 from ..flow.variable_metadata import FRAMES, LABELS, variable_metadata
 from .formats import save
 
-__all__ = ["read", "to_dataset", "write"]
-
 #: Values along a trajectory: doubles, or numbers of 34 digits.
 Samples: TypeAlias = npt.NDArray[Any]
 

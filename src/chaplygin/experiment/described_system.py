@@ -19,8 +19,6 @@ from .mechanism import identifier, mechanism_of, system_of, with_claims
 from .plan import described_plan
 from .subject import DescribedSubject
 
-__all__ = ["described_subject", "equations_subject", "mechanism_subject"]
-
 #: Subjects of error messages, and the keys of the file that they concern.
 _PLACES: tuple[tuple[str, Key], ...] = (
     (r"(the )?(constraint|velocity constraint)\b", ("constraints", "velocity")),
@@ -108,7 +106,7 @@ def _check_variables(
     experiment: OwnExperiment, mechanism: Mechanism | None, system: System
 ) -> None:
     """Refuse meanings of what is no variable."""
-    lifted = system.lifted() if system.motion else system
+    lifted = system.lifted() if system.reconstruction else system
     known = [str(name) for name in lifted.state]
     if mechanism is not None:
         known += [*map(str, mechanism.frame.velocities), *map(str, mechanism.symbols)]
@@ -120,7 +118,7 @@ def _check_variables(
 
 def _check_names(experiment: OwnExperiment, system: System) -> None:
     """Refuse names under which two things would be recorded."""
-    whole = system.lifted() if system.motion else system
+    whole = system.lifted() if system.reconstruction else system
     law_names = Counter(law.name for law in whole.laws)
     for name in experiment.laws.integrals:
         if law_names[name] > 1:

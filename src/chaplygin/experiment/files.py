@@ -11,8 +11,6 @@ from pathlib import Path
 
 from ..errors import InputError
 
-__all__ = ["atomic_file", "check_target"]
-
 #: Kinds of files that are no regular files, with the tests for them.
 _OTHERS = (
     (stat.S_ISDIR, "a folder"),

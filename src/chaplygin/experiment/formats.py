@@ -16,8 +16,6 @@ from .files import atomic_file, check_target
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["FORMATS", "check_format", "check_output", "csv_text", "netcdf", "save"]
-
 #: Endings of names, and what they mean.
 FORMATS = {".nc": "NetCDF", ".zarr": "a Zarr store", ".csv": "a table"}
 

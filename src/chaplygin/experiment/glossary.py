@@ -12,8 +12,6 @@ from ..core.vectors import Diagonal, Symmetric, Vector
 from ..parsing import Formula, Named
 from ..printing.formula import text
 
-__all__ = ["glossary"]
-
 #: Letters of every body, in body axes.
 _BODY = {
     "omega": "angular velocity",

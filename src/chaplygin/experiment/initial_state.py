@@ -25,15 +25,6 @@ from ..parsing import Named, nearest
 from ..printing.formula import text
 from .file.validation import value_text
 
-__all__ = [
-    "StartValues",
-    "initial_state_from_values",
-    "lift_of",
-    "normalised_vectors",
-    "on_level",
-    "unit_vectors",
-]
-
 #: Components that a vector may have.
 SIZES = (2, 3, 4)
 SPACE, QUATERNION = 3, 4
@@ -74,7 +65,7 @@ def initial_state_from_values(system: System, values: StartValues) -> tuple[mpma
         relations; the message then names the nearest state that does not.  Also if a definition
         has another value at this state.
     """
-    lifted = system.lifted() if system.motion else system
+    lifted = system.lifted() if system.reconstruction else system
     values, claims = _state_and_claims(lifted, values)
     with mpmath.workdps(DIGITS):
         known = _read(system, values)
@@ -87,7 +78,7 @@ def initial_state_from_values(system: System, values: StartValues) -> tuple[mpma
 
 def lift_of(system: System, values: StartValues) -> dict[str, float | tuple[float, ...]]:
     """The variables of the lift that a start leaves out, as they are completed."""
-    if system.motion is None:
+    if system.reconstruction is None:
         return {}
     gamma = values.get("gamma")
     known: dict[str, list[mpmath.mpf]] = {}
@@ -95,7 +86,7 @@ def lift_of(system: System, values: StartValues) -> dict[str, float | tuple[floa
         known["gamma"] = [mpmath.mpf(x) for x in gamma]
     _complete(system.lifted(), known)
     lift: dict[str, float | tuple[float, ...]] = {}
-    for name, _ in system.motion.field:
+    for name, _ in system.reconstruction.field:
         if str(name) not in values:
             numbers = tuple(float(x) for x in known[str(name)])
             lift[str(name)] = numbers if _size(name) else numbers[0]
@@ -129,7 +120,7 @@ def _state_and_claims(
 ) -> tuple[StartValues, dict[sp.Symbol, float]]:
     """Values of the state by its names, and of definitions by their symbols."""
     state = set(map(str, lifted.state))
-    defined = {str(s): s for s, _ in lifted.steps}
+    defined = {str(s): s for s, _ in lifted.scalar_definitions}
     words: dict[str, float | Sequence[float]] = {}
     claims: dict[sp.Symbol, float] = {}
     for name, whole in values.items():
@@ -169,7 +160,7 @@ def _check_claims(
 
 def _read(system: System, values: StartValues) -> dict[str, list[mpmath.mpf]]:
     """The given values as numbers, names and shapes checked, unit vectors normalised."""
-    lifted = system.lifted() if system.motion else system
+    lifted = system.lifted() if system.reconstruction else system
     sizes = {str(name): _size(name) for name in lifted.state}
     for name in values:
         if name not in sizes:
@@ -233,7 +224,7 @@ def _function(
 ) -> Callable[[Sequence[mpmath.mpf]], list[mpmath.mpf]]:
     """Scalar formulas of a system as a function of its flat state, in mpmath."""
     constants = {s: mpmath.mpf(repr(float(v))) for s, v in system.defaults.items()}
-    steps = system.needed(formulas)
+    steps = system.required_definitions(formulas)
 
     def values(state: Sequence[mpmath.mpf]) -> list[mpmath.mpf]:
         try:

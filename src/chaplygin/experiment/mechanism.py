@@ -20,8 +20,6 @@ from .file.mechanism_tables import NumberTable
 from .file.models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from .file.names import Names, components
 
-__all__ = ["identifier", "mechanism_of", "system_of", "with_claims"]
-
 UNTITLED = "Untitled system"
 
 #: The commutators of pairs of fields of a frame, by coefficients of the fields.
@@ -147,7 +145,7 @@ def with_claims(experiment: OwnExperiment, system: System) -> System:
         key = ("laws", "measures", name)
         density = names.scalar(law.value, *key)
         on = names.formulas(law.on, *key, "on")
-        powers = _powers(density, set(system.symbols), [s for s, _ in system.steps])
+        powers = _powers(density, set(system.symbols), [s for s, _ in system.scalar_definitions])
         laws.append(Measure(name, powers, law.meaning, on=on))
     for name, moved in table.symmetries.items():
         key = ("laws", "symmetries", name)

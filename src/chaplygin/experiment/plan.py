@@ -18,8 +18,6 @@ from .file.mechanism_tables import PlanTable
 from .file.models import OwnExperiment
 from .file.names import Names
 
-__all__ = ["PlanMotion", "described_plan", "plan_motion"]
-
 
 @dataclass(frozen=True, eq=False)
 class PlanMotion:
@@ -56,7 +54,7 @@ def described_plan(
     table = experiment.plan
     if table is None:
         return None if mechanism is None else plan_of(mechanism)
-    whole = system.lifted() if system.motion else system
+    whole = system.lifted() if system.reconstruction else system
     everything = [
         TIME,
         *(p.symbol for p in whole.parameters),

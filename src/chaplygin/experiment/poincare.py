@@ -24,8 +24,6 @@ from .section_coordinates import is_angle, usual, within_a_turn
 from .study import Study
 from .without_lift import without_reconstruction
 
-__all__ = ["DIRECTIONS", "Place", "ReducedCoordinates", "Starts", "coordinates_of", "section_of"]
-
 #: Functions whose value is an angle.
 ANGLES = (sp.atan2, sp.atan, sp.asin, sp.acos)
 

@@ -35,8 +35,6 @@ from .initial_state import lift_of
 from .study import Study
 from .write_equations import plan_table_of, tables_of
 
-__all__ = ["load_python"]
-
 _SYSTEMS: Mapping[str, type] = {"mechanism": Mechanism, "system": System, "study": Study}
 _KINDS: Mapping[str, type] = {**_SYSTEMS, "plan": Plan}
 _CHANGEABLE = ("parameters", "run", "start", "title")

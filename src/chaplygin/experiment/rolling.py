@@ -15,8 +15,6 @@ from .file.tables import PlaneTable
 from .mechanism import identifier
 from .subject import BodySubject
 
-__all__ = ["rolling_setting", "rolling_subject"]
-
 
 def rolling_subject(experiment: RollingExperiment) -> BodySubject:
     """The rolling body of an experiment, with all integrals that are known of it.

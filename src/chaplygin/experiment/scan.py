@@ -14,8 +14,6 @@ from ..flow.batch import batch_integrator
 from .study import Study
 from .without_lift import without_reconstruction
 
-__all__ = ["VECTORS", "chart_of", "plane_of"]
-
 #: Meaning and unit of the vectors of a rolling body.
 VECTORS = {
     "omega": ("angular velocity", "rad/s"),

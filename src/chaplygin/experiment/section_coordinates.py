@@ -12,8 +12,6 @@ from ..errors import InputError
 from ..flow.sections.poincare_dataset import Quantity
 from ..formulas.evaluate import values
 
-__all__ = ["is_angle", "usual", "within_a_turn"]
-
 #: States at which it is tried whether a variable is an angle.
 _TRIED = 5
 _ROUNDING = 1e-9

@@ -36,8 +36,6 @@ from .initial_state import StartValues, normalised_vectors, on_level
 from .rolling import rolling_subject
 from .subject import Subject, Variables
 
-__all__ = ["Study", "dataset_of", "prepare"]
-
 
 @dataclass(frozen=True, repr=False)
 class Study(WithOverview):

@@ -29,8 +29,6 @@ from ..printing.formula import text
 from .glossary import glossary
 from .initial_state import StartValues, initial_state_from_values, unit_vectors
 
-__all__ = ["BallSubject", "BodySubject", "DescribedSubject", "PlacedBallSubject", "Subject"]
-
 #: Meaning and unit of variables of a state, by name.
 Variables: TypeAlias = Mapping[str, tuple[str, str]]
 
@@ -300,7 +298,7 @@ class DescribedSubject(Subject):
     @property
     def state_names(self) -> list[str]:
         """The variables of the state, and of the motion in space."""
-        whole = self.system.lifted() if self.system.motion else self.system
+        whole = self.system.lifted() if self.system.reconstruction else self.system
         return [str(name) for name in whole.state if name != TIME]
 
     @property
@@ -319,7 +317,7 @@ class DescribedSubject(Subject):
 
     @property
     def _observables(self) -> tuple[Observable, ...]:
-        motion = self.system.motion
+        motion = self.system.reconstruction
         return (*self.system.observables, *(motion.observables if motion else ()))
 
     def _observables_note(self) -> str:

@@ -16,8 +16,6 @@ from ..parsing import FUNCTIONS, Formula, Named
 from ..parsing.exact_decimals import exactly
 from .file.toml import Tables
 
-__all__ = ["plan_table_of", "tables_of"]
-
 _WRITABLE = (
     *(sp.Symbol, sp.Add, sp.Mul, sp.Pow, sp.Rational, sp.Float),
     *(function for function in FUNCTIONS.values() if isinstance(function, type)),
@@ -35,7 +33,7 @@ def tables_of(system: System) -> Tables:
     InputError
         If a formula uses what no file can say, such as a function that it does not know.
     """
-    whole = system.lifted() if system.motion else system
+    whole = system.lifted() if system.reconstruction else system
     tables: Tables = {"title": whole.title, "summary": whole.summary}
     tables["parameters"] = {
         str(p.symbol): {"value": float(p.default), "unit": p.unit, "meaning": p.meaning}
@@ -46,7 +44,9 @@ def tables_of(system: System) -> Tables:
         "rates": {str(name): _formula_text(rate) for name, rate in whole.field},
         "relations": _all(whole.relations),
     }
-    tables["definitions"] = {str(symbol): _formula_text(value) for symbol, value in whole.steps}
+    tables["definitions"] = {
+        str(symbol): _formula_text(value) for symbol, value in whole.scalar_definitions
+    }
     tables["laws"] = _laws(whole)
     tables["observables"] = {
         item.name: {"value": _formula_text(item.value), "meaning": item.meaning, "unit": item.unit}

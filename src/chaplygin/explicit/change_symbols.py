@@ -12,8 +12,6 @@ from ..core.system import System, flat_pairs
 from ..core.vectors import constant, real_symbol, to_components
 from .genus_two.separation import SeparatedSystem
 
-__all__ = ["in_symbols_of", "translation"]
-
 
 def in_symbols_of(
     separable: SeparatedSystem, system: System, parameters: Mapping[sp.Symbol, sp.Expr]
@@ -72,13 +70,17 @@ def translation(
     """State, parameters and definitions of one system in the symbols of another."""
     known: dict[sp.Symbol, sp.Expr] = dict(zip(home.symbols, system.symbols, strict=True))
     known |= parameters
-    for symbol, value in home.steps:
+    for symbol, value in home.scalar_definitions:
         known[symbol] = value.xreplace(known)
     return known
 
 
 def _constants(separable: SeparatedSystem, system: System) -> dict[sp.Symbol, sp.Symbol]:
     """New names for constants whose letters mean something else in a system."""
-    names = {*system.symbols, *system.defaults, *(symbol for symbol, _ in system.steps)}
+    names = {
+        *system.symbols,
+        *system.defaults,
+        *(symbol for symbol, _ in system.scalar_definitions),
+    }
     clashes = [symbol for symbol, _ in separable.constants if symbol in names]
     return {symbol: real_symbol(f"{symbol}_const") for symbol in clashes}

@@ -21,8 +21,6 @@ from .genus_two.separated_motion import SeparatedMotion, separate
 from .genus_two.separation import SeparatedSystem, nu
 from .genus_two.time_map import TimeMap, clock_of
 
-__all__ = ["BITS", "GenusTwo", "solved"]
-
 #: Working precision of the set-up, in bits.
 BITS = 320
 QUATERNION = 4
@@ -85,7 +83,7 @@ class GenusTwo(Solution):
         """A sentence on the part of the state that :meth:`rigorous` leaves open; or ""."""
         of = self.separable
         lifted = len(self.start) - len(of.system.symbols)
-        if of.system.motion is None or len(of.fixed) > 1:
+        if of.system.reconstruction is None or len(of.fixed) > 1:
             return ""
         if not of.fixed:
             return (
@@ -180,7 +178,7 @@ def _meaning_and_unit(motion: SeparatedMotion, value: arb) -> tuple[str, str]:
     """Meaning and unit of a constant: those of the integral whose value it is."""
     system = motion.separable.system
     known = {**motion.values, **dict(zip(system.symbols, motion.state, strict=True))}
-    for name, formula in system.steps:
+    for name, formula in system.scalar_definitions:
         known[name] = evaluated([formula], known)[0]
     for law in system.integrals:
         if evaluated(components(law.value), known)[0].overlaps(value):
@@ -208,7 +206,7 @@ def solved(
         If roots of the curve coincide.
     """
     system = separable.system
-    lifted = system.lifted() if system.motion else system
+    lifted = system.lifted() if system.reconstruction else system
     if len(start) != len(lifted.symbols):
         raise InputError(
             f"start: it has {len(start)} numbers; {lifted.name} needs {len(lifted.symbols)}"

@@ -21,8 +21,6 @@ from ..core.vectors import Vector, norm_squared, real_symbol, to_components
 from ..errors import InputError
 from .genus_two.separation import SeparatedSystem
 
-__all__ = ["inverse", "inverse_identity", "pull_back", "push_forward"]
-
 #: Scalar symbols with what is put in for them.
 Formulas: TypeAlias = dict[sp.Symbol, sp.Expr]
 
@@ -261,7 +259,7 @@ def _with_names(
 def _unused_names(symbols: Iterable[sp.Symbol], system: System) -> Formulas:
     """Names for symbols in a system that may use the same ones."""
     names = {p.symbol for p in system.parameters} | set(system.symbols)
-    names |= {s for s, _ in system.steps}
+    names |= {s for s, _ in system.scalar_definitions}
     return {s: _tilde(s) if s in names else s for s in symbols}
 
 

@@ -23,8 +23,6 @@ from ..errors import InputError
 from ..formulas.balls import array_function, number
 from .isomorphism import inverse
 
-__all__ = ["IsomorphismMap"]
-
 #: Times (n,) ↦ states (n, size).
 Motion: TypeAlias = Callable[[FloatArray], FloatArray]
 Rate: TypeAlias = Callable[[FloatArray], FloatArray]

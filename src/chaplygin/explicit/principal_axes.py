@@ -21,8 +21,6 @@ from .base.problem import Problem, exact
 from .base.solution import ClosedForm, Solution
 from .rigorous.reconstruction import quaternion_products
 
-__all__ = ["PrincipalAxesSolution", "in_principal_axes", "to_original_axes"]
-
 #: Digits with which principal axes are computed.
 DIGITS = 220
 SPACE, QUATERNION = 3, 4
@@ -104,15 +102,15 @@ def in_principal_axes(problem: Problem) -> tuple[Problem, arb_mat] | None:
         else:
             entries = [ball(exact(problem.parameters[s])) for s in Symmetric("I").symbols]
             moments, axes = _axes(entries)
-        lifted = problem.system.lifted() if problem.system.motion else problem.system
+        lifted = problem.system.lifted() if problem.system.reconstruction else problem.system
         matrix = _blocks(lifted, axes)
         column = arb_mat([[ball(exact(x))] for x in problem.start])
         start = tuple(row[0] for row in (matrix.transpose() * column).tolist())
         turn = [[number(x) for x in row] for row in axes.tolist()]
         principal = _ball_in_axes(rolling, [number(x) for x in moments], np.array(turn))
         system = principal.system(problem.system.name, problem.system.title)
-        if problem.system.motion is None:
-            system = replace(system, motion=None)
+        if problem.system.reconstruction is None:
+            system = replace(system, reconstruction=None)
         parameters = {
             **system.defaults,
             **{s: x for s, x in problem.parameters.items() if s in system.defaults},
@@ -133,7 +131,7 @@ def _order(problem: Problem, rolling: Rolling) -> tuple[int, int, int] | None:
 
 def to_original_axes(problem: Problem, inner: Solution, matrix: arb_mat) -> PrincipalAxesSolution:
     """A solution in principal axes as one in the axes of the problem."""
-    lifted = problem.system.lifted() if problem.system.motion else problem.system
+    lifted = problem.system.lifted() if problem.system.reconstruction else problem.system
     return PrincipalAxesSolution(lifted, problem.parameters, inner, matrix)
 
 

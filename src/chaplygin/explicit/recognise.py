@@ -36,8 +36,6 @@ from .genus_two.separation import SeparatedSystem
 from .principal_axes import in_principal_axes, to_original_axes
 from .recover_body import rolling_of
 
-__all__ = ["RECOGNISERS", "Match", "find_match", "solution_of"]
-
 #: A motion in closed form, or None where it is not of this kind.
 Recogniser: TypeAlias = Callable[[Problem], Solution | None]
 #: Parameters of one system as formulas in those of another.
@@ -284,7 +282,7 @@ def _axisymmetric(
     from .degenerate.recognise_axisymmetric import chaplygin_of_revolution, veselova_of_revolution
 
     own, name = match.own, match.known.name
-    if problem.system.motion is None or name not in (*TURNING, *ROLLING):
+    if problem.system.reconstruction is None or name not in (*TURNING, *ROLLING):
         return None
     with ctx.workprec(PRECISION):
         numbers = {symbol: ball(value) for symbol, value in values.items()}

@@ -18,8 +18,6 @@ from ..mechanics.rolling.equations import ContactModel, Forces, Rolling
 from ..mechanics.rolling.shapes import Ball
 from ..mechanics.rolling.surfaces import Plane, Sphere, Surface
 
-__all__ = ["rolling_of"]
-
 MODELS: tuple[ContactModel, ContactModel] = ("marble", "rubber")
 
 

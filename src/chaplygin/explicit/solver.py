@@ -14,8 +14,6 @@ from .base.problem import Problem
 from .base.solution import Solution
 from .recognise import solution_of
 
-__all__ = ["solve"]
-
 
 @arguments_checked
 def solve(system: System, start: Start, parameters: Parameters = None) -> Solution:

@@ -81,11 +81,11 @@ class BatchIntegrator:
         """State variables of the system."""
         return len(self.system.symbols)
 
-    def reason(self, code: int) -> str:
+    def status_message(self, code: int) -> str:
         """The reason why a motion ended, in words; empty for 0."""
         return outcome_message(self.system, code)
 
-    def until(
+    def propagate(
         self,
         starts: npt.ArrayLike,
         times: npt.ArrayLike,
@@ -123,7 +123,7 @@ class BatchIntegrator:
         states, tangents, low = self._split(numbers)
         return BatchTrajectories(states, tangents, *ends, low)
 
-    def returns(
+    def crossings(
         self,
         starts: npt.ArrayLike,
         count: int,
@@ -327,7 +327,7 @@ def batch_integrator(
     >>> import chaplygin as ch
     >>> ball = ch.from_catalogue("unbalanced-ball")
     >>> starts = ch.sample_level(ball, 100, {"energy": 2.0}, seed=1)
-    >>> motions = ch.batch_integrator(ball).until(starts, [5.0, 10.0])
+    >>> motions = ch.batch_integrator(ball).propagate(starts, [5.0, 10.0])
     >>> motions.states.shape, int((motions.outcome == 0).sum())
     ((100, 2, 6), 100)
     """

@@ -6,8 +6,6 @@ from dataclasses import dataclass
 
 from ..core.arrays import FloatArray, IntArray
 
-__all__ = ["BatchCrossings", "BatchTrajectories"]
-
 
 @dataclass(frozen=True)
 class BatchTrajectories:

@@ -9,8 +9,6 @@ import numpy as np
 
 from ..core.arrays import FloatArray
 
-__all__ = ["batched_matvec", "batched_solve", "norm_squared_columns", "row_dots"]
-
 
 def norm_squared_columns(columns: FloatArray) -> FloatArray:
     """(v, v) for vectors in columns, array (n, k)."""

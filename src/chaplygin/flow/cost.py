@@ -12,16 +12,6 @@ from pathlib import Path
 from ..errors import InputError
 from .kernel.outcomes import STEPS
 
-__all__ = [
-    "FEW_STEPS",
-    "MOST_STEPS",
-    "Pace",
-    "TooMuchError",
-    "in_words",
-    "require_room",
-    "require_steps",
-]
-
 #: A computation that would take longer is refused: seconds in a year.
 YEAR = 365.25 * 86400.0
 #: Seconds after which the pace is known.

@@ -38,8 +38,6 @@ from .kernel.tableaux import gauss
 from .threads import run_in_threads
 from .validation import check_state_shape, moments as read_moments, require_on_phase_space
 
-__all__ = ["GaussIntegrator", "GaussTrajectories", "gauss_integrator"]
-
 #: Stages, and what the highest coefficient of the rates over a step may be, relative to the state.
 _METHODS = {16: (8, 1e-7), 30: (16, 3e-15)}
 
@@ -94,11 +92,11 @@ class GaussIntegrator:
     def _relations(self) -> tuple[Term, ...]:
         return relation_terms(self.system)
 
-    def reason(self, code: int) -> str:
+    def status_message(self, code: int) -> str:
         """The reason why a motion ended, in words; empty for 0."""
         return outcome_message(self.system, code)
 
-    def until(
+    def propagate(
         self,
         starts: npt.ArrayLike,
         times: npt.ArrayLike,
@@ -214,9 +212,11 @@ def gauss_integrator(
     >>> import chaplygin as ch
     >>> ball = ch.from_catalogue("unbalanced-ball")
     >>> starts = ch.sample_level(ball, 1, {"energy": 2.0}, seed=1)
-    >>> there = ch.gauss_integrator(ball, starts[0]).until(starts, [10.0]).states[:, -1]
+    >>> there = ch.gauss_integrator(ball, starts[0]).propagate(starts, [10.0]).states[:, -1]
     >>> back = (
-    ...     ch.gauss_integrator(ball, there[0], backward=True).until(there, [-10.0]).states[:, -1]
+    ...     ch.gauss_integrator(ball, there[0], backward=True)
+    ...     .propagate(there, [-10.0])
+    ...     .states[:, -1]
     ... )
     >>> bool(abs(back - starts).max() < 1e-13)
     True
@@ -292,7 +292,7 @@ def _conserved_names(
         summands: list[Term] = []
         for i in range(size):
             unit = {graph.state(k): graph.number(int(k == i)) for k in range(size)}
-            (slope,) = graph.along([term], unit)
+            (slope,) = graph.directional_derivative([term], unit)
             summands.append(slope * rates[i])
 
         def constant(points: FloatArray, summands: list[Term] = summands) -> bool:

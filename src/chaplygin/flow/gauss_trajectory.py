@@ -21,8 +21,6 @@ from .kernel.double_double import from_pairs
 from .kernel.outcomes import STATUS_MESSAGES
 from .trajectory import Event, Statistics, Trajectory, recorded_values
 
-__all__ = ["collocate"]
-
 
 def collocate(
     system: System,
@@ -59,7 +57,7 @@ def collocate(
     RunError
         If the integration fails; it carries the last good time and the trajectory so far.
     """
-    lifted = system.lifted() if system.motion else system
+    lifted = system.lifted() if system.reconstruction else system
     moments = np.asarray(times, dtype=float)
     if len(moments) < 2:
         raise InputError(f"{len(moments)} time(s) given: at least a first and a last are needed")
@@ -75,7 +73,7 @@ def collocate(
         point = [_decimal(x) for x in start]
     flow = gauss_integrator(watched, point, constants, digits, backward=backward)
     flow.require_reach(point, float(moments[-1] - moments[0]), constants)
-    motion = flow.until([point], moments - moments[0], constants)
+    motion = flow.propagate([point], moments - moments[0], constants)
     outcome, reached = int(motion.outcome[0]), float(motion.ended[0] + moments[0])
     events: tuple[Event, ...] = ()
     if outcome >= len(STATUS_MESSAGES):
@@ -83,7 +81,7 @@ def collocate(
         events = (Event(reached, guard, True),)
         earlier = [t for t in moments if abs(t - moments[0]) < abs(reached - moments[0])]
         moments = np.array([*earlier, reached] if reached != moments[0] else [reached])
-        motion = flow.until([point], moments - moments[0], constants)
+        motion = flow.propagate([point], moments - moments[0], constants)
     good = np.isfinite(motion.states[0]).all(axis=1)
     states = _states(flow, motion, good)
     doubles = {symbol: float(np.asarray(value, dtype=float)) for symbol, value in constants.items()}
@@ -99,7 +97,7 @@ def collocate(
     )
     trajectory = Trajectory(lifted, constants, moments[good], states, recorded, events, statistics)
     if 0 < outcome < len(STATUS_MESSAGES):
-        raise RunError(f"{system.name}: {flow.reason(outcome)}", reached, trajectory)
+        raise RunError(f"{system.name}: {flow.status_message(outcome)}", reached, trajectory)
     return trajectory
 
 

@@ -14,8 +14,6 @@ from ..core.vectors import to_components
 from ..errors import InputError
 from ..formulas.evaluation import Evaluation, numerator_and_denominator
 
-__all__ = ["Translator", "WorkingArray", "WorkingNumber"]
-
 #: A number of the working precision: a double, or one of heyoka's with 34 digits; and arrays.
 WorkingNumber: TypeAlias = Any
 WorkingArray: TypeAlias = npt.NDArray[Any]
@@ -54,7 +52,7 @@ class Translator(Evaluation[hy.expression]):
             self.variables = [self.variables]
         variables = dict(zip(system.symbols, self.variables, strict=True))
         parameters = {p.symbol: hy.par[i] for i, p in enumerate(system.parameters)}
-        super().__init__({**variables, **parameters}, dict(system.steps))
+        super().__init__({**variables, **parameters}, dict(system.scalar_definitions))
 
     def __call__(self, formula: sp.Expr) -> hy.expression:
         """The heyoka expression of a scalar formula."""

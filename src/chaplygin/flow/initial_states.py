@@ -19,8 +19,6 @@ from ..errors import InputError
 from ..flow.heyoka_expressions import WorkingNumber
 from ..formulas.evaluate import values
 
-__all__ = ["flat_starts", "reduced_rows", "reduced_start", "upright", "whole_start"]
-
 #: Digits of the attitude that goes with a start, and what is left of a half turn.
 _DIGITS, _TURNED = 50, 1e-12
 
@@ -78,12 +76,12 @@ def whole_start(
     if isinstance(start, Mapping):
         start = reduced_start(system, start, parameters)
     _require_size(system, len(start))
-    if system.motion is None or len(start) > len(system.symbols):
+    if system.reconstruction is None or len(start) > len(system.symbols):
         return tuple(start)
     known = dict(zip(map(str, system.symbols), start, strict=True))
     up = next((n for n in (Vector("zeta"), gamma) if n in system.state), None)
     state: list[WorkingNumber] = list(start)
-    for name, _ in system.motion.field:
+    for name, _ in system.reconstruction.field:
         if str(name) == "attitude":
             state += upright([known[str(s)] for s in up.symbols]) if up else [1.0, 0.0, 0.0, 0.0]
         else:
@@ -106,7 +104,7 @@ def upright(vertical: Sequence[WorkingNumber]) -> list[mpmath.mpf]:
 
 def reduced_rows(system: System, rows: FloatArray) -> FloatArray:
     """Starts (motions, size, …) without the columns of the motion in space."""
-    whole = system.motion is not None and rows.ndim > 1
+    whole = system.reconstruction is not None and rows.ndim > 1
     if whole and rows.shape[1] == len(system.lifted().symbols):
         return rows[:, : len(system.symbols)]
     return rows
@@ -115,7 +113,7 @@ def reduced_rows(system: System, rows: FloatArray) -> FloatArray:
 def _require_size(system: System, count: int) -> None:
     """Refuse a start whose size is not that of the state, reduced or in space."""
     size = len(system.symbols)
-    whole = system.lifted() if system.motion else system
+    whole = system.lifted() if system.reconstruction else system
     if count in (size, len(whole.symbols)):
         return
     names = list(map(str, whole.symbols))
@@ -224,7 +222,7 @@ def _spinning(system: System) -> tuple[System, tuple[sp.Symbol, ...]]:
     still = {name: sp.ImmutableMatrix([0, 0, 0]) for name in state}
     known = flat(state)
     formulas = [formula for _, formula in system.start]
-    before = system.needed(formulas, known)
+    before = system.required_definitions(formulas, known)
     auxiliary = System(
         system.name,
         system.title,

@@ -130,7 +130,7 @@ def integrate(
     if tolerance is None:
         tolerance = DEFAULT_TOLERANCE[precision]
     code = compile_system(system, tolerance, precision, direction)
-    lifted = system.lifted() if system.motion else system
+    lifted = system.lifted() if system.reconstruction else system
     run = TaylorRun(lifted, len(system.symbols), code, kind, values, precision)
     run.begin(start, moments[0], keep_integrals)
     began = clock.perf_counter()

@@ -15,8 +15,6 @@ from ..arguments import Parameters, ParameterValue
 from ..core.arrays import BoolArray, FloatArray
 from ..formulas.batch import Formulas
 
-__all__ = ["projected", "select_parameters"]
-
 #: Steps of Newton's method, at most.
 STEPS = 60
 #: A level is met when it is missed by no more than this, relative to the size of its value.

@@ -33,14 +33,6 @@ from ..formulas.multiprecision import number, slopes
 from .initial_states import reduced_start
 from .multiprecision_linalg import complement, shortest, without
 
-__all__ = [
-    "Linearisation",
-    "components",
-    "essential_variables",
-    "linear_stability",
-    "relative_equilibrium",
-]
-
 NEWTON_STEPS = 60
 
 #: Numbers by variable, or in flat order.
@@ -262,7 +254,7 @@ class _LinearisedSystem:
         if not isinstance(law, Symmetry):
             return False
         level = [to_components(condition) for condition in law.on]
-        moving = set(self.system.symbols) | {s for s, _ in self.system.steps}
+        moving = set(self.system.symbols) | {s for s, _ in self.system.scalar_definitions}
         if any(condition.free_symbols & moving for condition in level):
             return False
         return all(abs(value) < self.tolerance for value in self._field(level)[0])
@@ -342,7 +334,9 @@ def essential_variables(system: System) -> tuple[sp.Symbol, ...]:
     while True:
         formulas = [*rates.values(), *_relations(system)]
         used = {s for formula in formulas for s in formula.free_symbols}
-        used |= {s for _, value in system.needed(formulas) for s in value.free_symbols}
+        used |= {
+            s for _, value in system.required_definitions(formulas) for s in value.free_symbols
+        }
         if rates.keys() <= used:
             return tuple(rates)
         rates = {symbol: rate for symbol, rate in rates.items() if symbol in used}

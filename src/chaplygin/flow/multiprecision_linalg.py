@@ -6,8 +6,6 @@ from collections.abc import Sequence
 
 import mpmath
 
-__all__ = ["complement", "shortest", "without"]
-
 
 def shortest(matrix: mpmath.matrix, right: mpmath.matrix) -> mpmath.matrix:
     """The shortest of the least-squares solutions of a x = b, whatever the rank."""

@@ -15,8 +15,6 @@ import numpy as np
 
 from .heyoka_expressions import WorkingArray
 
-__all__ = ["Block", "Projector", "call"]
-
 
 @dataclass(frozen=True)
 class Block:

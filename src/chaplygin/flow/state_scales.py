@@ -16,9 +16,6 @@ from ..formulas.batch import Formulas
 from .batch import batch_integrator
 from .kernel.equations import groups
 
-__all__ = ["state_scales", "state_scales_at"]
-
-
 #: Part of a motion over which the sizes of its vectors are taken, and the number of samples.
 STRETCH, LOOKS = 0.1, 32
 #: A vector smaller than this share of the size by which it acts as much as others counts as zero.
@@ -54,7 +51,7 @@ def state_scales(
         The size of the vector of each variable, positive; see `state_scales_at`.
     """
     times = STRETCH * until * np.arange(1, LOOKS + 1) / LOOKS
-    run = batch_integrator(system, tolerance=tolerance).until(starts, times, parameters)
+    run = batch_integrator(system, tolerance=tolerance).propagate(starts, times, parameters)
     first = np.asarray(starts, dtype=np.float64)
     return state_scales_at(system, np.concatenate([first[:, None], run.states], axis=1), parameters)
 

@@ -27,9 +27,6 @@ from ..formulas.batch import Formulas
 from .batch import BatchIntegrator
 from .level_projection import REDUNDANT, select_parameters
 
-__all__ = ["Stretch", "TangentSpace", "orthonormal", "propagate"]
-
-
 #: A vector whose remainder is shorter than this share of it counts as dependent on others.
 DEPENDENT = 1e-12
 #: A state is put back on its level when it misses it by more than this, relatively.
@@ -326,7 +323,7 @@ def propagate(
     level = space.level(states, parameters)
     while True:
         carried = frames * measures if frames.shape[1] else None
-        run = lanes.until(states, times, parameters, deviations=carried, threads=threads)
+        run = lanes.propagate(states, times, parameters, deviations=carried, threads=threads)
         states = space.on_level(run.states[:, -1], level, parameters, sizes)
         basis, excluded = space.excluded_basis(states, parameters, sizes)
         if run.deviations is not None:

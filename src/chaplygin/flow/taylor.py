@@ -18,8 +18,6 @@ from .heyoka_expressions import Translator, WorkingNumber
 from .kernel import code_cache as cache
 from .projection import Block
 
-__all__ = ["CompiledSystem", "Direction", "Precision", "compile_system", "number_type"]
-
 Precision = Literal["double", "quad"]
 Direction = Literal["forward", "backward"]
 
@@ -88,7 +86,7 @@ class _Plan:
 
     @cached_property
     def system_in_space(self) -> System:
-        return self.system.lifted() if self.system.motion else self.system
+        return self.system.lifted() if self.system.reconstruction else self.system
 
     @cached_property
     def name(self) -> str:
@@ -99,7 +97,7 @@ class _Plan:
             self.system.relations,
             system.symbols,
             [p.symbol for p in system.parameters],
-            [item for step in system.steps for item in step],
+            [item for step in system.scalar_definitions for item in step],
             system.rates,
             system.relations,
             [law.value for law in system.integrals],
@@ -145,7 +143,7 @@ class _Plan:
         outputs = hy.cfunc([*translate.all(recorded), variables[0]], variables, fp_type=kind)
         size = len(self.system.symbols)
         core = list(self.system.relations)
-        lift = list(self.system.motion.relations) if self.system.motion else []
+        lift = list(self.system.reconstruction.relations) if self.system.reconstruction else []
         laws = [law.value for law in system.integrals]
         constrain = _constraints(translate)
         return CompiledSystem(

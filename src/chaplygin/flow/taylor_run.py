@@ -29,8 +29,6 @@ from .trajectory import (
     recorded_quantities,
 )
 
-__all__ = ["LEFT_ALONE", "RunLog", "StoppedError", "TaylorRun", "decimal_text", "too_extreme"]
-
 #: Residuals of the relations that are left alone, per precision.
 LEFT_ALONE = {"double": 1e-15, "quad": 1e-32}
 
@@ -354,7 +352,7 @@ def _quadratures(system: System) -> list[int]:
         *(to_components(guard.value) for guard in system.guards),
     ]
     used = {s for formula in formulas for s in formula.free_symbols}
-    used |= {s for _, value in system.needed(formulas) for s in value.free_symbols}
+    used |= {s for _, value in system.required_definitions(formulas) for s in value.free_symbols}
     return [i for i, symbol in enumerate(system.symbols) if symbol not in used]
 
 

@@ -10,8 +10,6 @@ from contextvars import ContextVar
 
 import numpy as np
 
-__all__ = ["THREADS", "available_threads", "run_in_threads"]
-
 #: Threads that a section of a program may use at most; set by code that runs several at once.
 THREADS: ContextVar[int] = ContextVar("THREADS", default=2**31)
 

@@ -21,19 +21,6 @@ from ..errors import InputError
 from ..formulas.evaluate import values
 from .heyoka_expressions import WorkingArray, WorkingNumber
 
-__all__ = [
-    "DenseOutput",
-    "Event",
-    "RecordedQuantity",
-    "Statistics",
-    "Trajectory",
-    "by_name",
-    "columns_by_name",
-    "recorded_quantities",
-    "recorded_values",
-]
-
-
 Number = TypeVar("Number", bound=np.generic)
 
 

@@ -13,8 +13,6 @@ from ..errors import InputError
 from ..formulas.evaluate import as_float_array, numbers
 from ..formulas.graph import Term
 
-__all__ = ["check_state_shape", "moments", "require_on_phase_space"]
-
 #: A start may miss a relation by this share of what it consists of, and by so much besides.
 SLACK, LEAST = 1e-9, 1e-13
 

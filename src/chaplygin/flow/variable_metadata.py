@@ -4,15 +4,6 @@ from __future__ import annotations
 
 from ..core.system import System
 
-__all__ = [
-    "FRAMES",
-    "LABELS",
-    "UNKNOWN",
-    "cf_attributes",
-    "system_attributes",
-    "variable_metadata",
-]
-
 #: Frames in which vectors are given: the name of the axis, and what its places are called.
 FRAMES = {
     "body": ("axis", (1, 2, 3)),

@@ -17,8 +17,6 @@ from ..errors import InputError
 from .evaluate import ParameterValues, numbers, parameter_rows
 from .graph import Graph, Reader, Term
 
-__all__ = ["Formulas"]
-
 
 @dataclass(frozen=True)
 class Formulas:
@@ -74,7 +72,7 @@ class Formulas:
 
     @cached_property
     def _terms(self) -> list[Term]:
-        known = {*self.system.symbols, *self.system.defaults, *dict(self.system.steps)}
+        known = {*self.system.symbols, *self.system.defaults, *dict(self.system.scalar_definitions)}
         formulas = [to_components(formula) for formula in self.formulas]
         for formula in formulas:
             unknown = sorted(map(str, formula.free_symbols - known))

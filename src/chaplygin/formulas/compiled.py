@@ -14,8 +14,6 @@ from ..core.system import System
 from .evaluate import NUMPY
 from .graph import Graph, Reader, Term, ordered
 
-__all__ = ["Compiled", "SystemFormulas"]
-
 
 class Compiled:
     """Terms as one function of arrays.

@@ -17,8 +17,6 @@ from ..core.laws import Integral, Law, Measure, Symmetry
 from ..core.system import System
 from ..errors import InputError
 
-__all__ = ["canonical", "digest", "field_digests"]
-
 #: The attributes of a System that determine its motions.
 _OF_A_SYSTEM = ("name", "field", "definitions", "parameters", "relations", "guards", "start")
 

@@ -2,16 +2,6 @@
 
 from __future__ import annotations
 
-__all__ = [
-    "EffortSpentError",
-    "EmptyLevelError",
-    "NeedMoreGeneratorsError",
-    "NoRealValueError",
-    "NotExactError",
-    "OutOfReachError",
-    "UnknownSymbolError",
-]
-
 
 class OutOfReachError(Exception):
     """The computation would be too large, or meets a formula it cannot treat."""

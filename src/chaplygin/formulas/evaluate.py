@@ -19,15 +19,6 @@ from ..parsing import parse_formula
 from .digest import canonical
 from .graph import Reader, Term, of_system, ordered
 
-__all__ = [
-    "as_float_array",
-    "formula",
-    "parameter_rows",
-    "read_formulas",
-    "relation_terms",
-    "values",
-]
-
 #: Values of parameters by symbol or name; an array has one for each motion.
 ParameterValues: TypeAlias = Parameters
 
@@ -155,7 +146,7 @@ def parameter_rows(system: System, parameters: ParameterValues | None, count: in
         length.
     """
     parameters_by_symbol(system, parameters)
-    columns: dict[str, FloatArray | float] = dict(system.constants)
+    columns: dict[str, FloatArray | float] = dict(system.default_values)
     for key, value in (parameters or {}).items():
         column = as_float_array(f"{system.name}: {key}", value)
         if column.shape not in ((), (count,)):

@@ -22,8 +22,6 @@ from ..parsing.exact_decimals import exact_number
 from .evaluation import Evaluation
 from .taylor import Number, Numbers, Series
 
-__all__ = ["TaylorExpansion", "add_angle", "angles", "combination"]
-
 Steps = Mapping[sp.Symbol, sp.Expr]
 #: Angles α of which sines and cosines are taken, with n where those of α/n are needed.
 Angles = Mapping[sp.Expr, int]

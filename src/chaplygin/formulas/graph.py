@@ -18,8 +18,6 @@ from ..core.vectors import to_components
 from ..errors import InputError
 from .evaluation import Evaluation, numerator_and_denominator
 
-__all__ = ["Graph", "Term", "of_system"]
-
 #: Functions of one variable that the machine code knows, by SymPy's name for them.
 FUNCTIONS: Mapping[Any, str] = {
     sp.sin: "sin",
@@ -192,13 +190,15 @@ class Graph:
         """A function of terms."""
         return self._term(name, *args)
 
-    def positive(self, test: Term, yes: Term, no: Term) -> Term:
+    def where_positive(self, test: Term, yes: Term, no: Term) -> Term:
         """`yes` where `test` > 0, else `no`."""
         return yes if yes is no else self._term("positive", test, yes, no)
 
     # --- derivatives -----------------------------------------------------------------------
 
-    def along(self, terms: Sequence[Term], direction: Mapping[Term, Term]) -> list[Term]:
+    def directional_derivative(
+        self, terms: Sequence[Term], direction: Mapping[Term, Term]
+    ) -> list[Term]:
         """The derivatives of terms when leaves change at the rates given by `direction`."""
         zero, known = self.number(0), {}
         for leaf, rate in direction.items():
@@ -213,7 +213,8 @@ class Graph:
         """The partial derivatives: one row for each term, one column for each variable."""
         zero, one = self.number(0), self.number(1)
         columns = [
-            self.along(terms, {v: one if v is x else zero for v in variables}) for x in variables
+            self.directional_derivative(terms, {v: one if v is x else zero for v in variables})
+            for x in variables
         ]
         return [list(row) for row in zip(*columns, strict=True)]
 
@@ -231,7 +232,7 @@ class Graph:
         if kind == "neg":
             return -changes[0]
         if kind == "positive":
-            return self.positive(args[0], changes[1], changes[2])
+            return self.where_positive(args[0], changes[1], changes[2])
         if kind == "atan2":
             y, x = args
             return (x * changes[0] - y * changes[1]) / (x * x + y * y)
@@ -292,7 +293,7 @@ class Reader(Evaluation[Term]):
     def __init__(self, system: System, graph: Graph) -> None:
         states = {s: graph.state(i) for i, s in enumerate(system.symbols)}
         parameters = {p.symbol: graph.parameter(i) for i, p in enumerate(system.parameters)}
-        super().__init__({**states, **parameters}, dict(system.steps))
+        super().__init__({**states, **parameters}, dict(system.scalar_definitions))
         self.graph = graph
 
     def __call__(self, formula: sp.Expr | float) -> Term:

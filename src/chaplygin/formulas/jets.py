@@ -21,8 +21,6 @@ from .errors import OutOfReachError, UnknownSymbolError
 from .evaluation import Evaluation
 from .number_fields import Element
 
-__all__ = ["Evaluator", "GeneratorSwap", "Inversion", "Jet"]
-
 #: Multiples of an angle whose sine is written in the sine and cosine of the angle.
 MOST_MULTIPLES = 24
 

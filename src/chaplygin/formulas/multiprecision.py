@@ -15,8 +15,6 @@ from ..errors import InputError
 from ..parsing import parse
 from .evaluation import Evaluation
 
-__all__ = ["Multiprecision", "mpmath_function", "number", "slopes"]
-
 
 def number(value: object, where: str) -> mpmath.mpf:
     """A number of the user's with all its digits; a float means the decimal that it shows.
@@ -111,7 +109,7 @@ def slopes(
     seeds: dict[sp.Symbol, Pair] = {s: (value, {}) for s, value in values.items()}
     seeds |= {s: (values[s], {i: mpmath.mpf(1)}) for i, s in enumerate(variables)}
     jets = _Jets(seeds)
-    jets.define(system.needed(formulas))
+    jets.define(system.required_definitions(formulas))
     column, rows = mpmath.matrix(len(formulas), 1), mpmath.matrix(len(formulas), len(variables))
     for i, formula in enumerate(formulas):
         column[i], row = jets(formula)

@@ -16,8 +16,6 @@ from flint import arb, ctx, fmpq
 
 from .errors import NotExactError
 
-__all__ = ["Balls", "Element", "Rationals", "ball_precision", "exact_root"]
-
 #: An element of the field in use; no static type has the arithmetic of all of them.
 Element: TypeAlias = Any
 

@@ -25,8 +25,6 @@ from ..core.vectors import Vector
 from .evaluation import Evaluation
 from .multiprecision import mpmath_function
 
-__all__ = ["GIVEN", "RESOLUTION", "ROUNDED", "Sized", "measured", "sized", "vanishes"]
-
 #: A number below this, relative to its size, is zero: starts are read to fifty digits.
 RESOLUTION = fmpq(1, 10**40)
 #: The rounding of doubles leaves at most this of a sum that is zero, relative to its size.

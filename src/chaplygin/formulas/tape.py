@@ -18,8 +18,6 @@ import sympy as sp
 
 from ..core.vectors import real_symbol
 
-__all__ = ["Derivation", "Tape", "simplify_small"]
-
 SHORT = 2
 """Operations up to which a value is written out instead of being named."""
 SMALL = 40

@@ -28,8 +28,6 @@ from flint import (
     nmod_poly,
 )
 
-__all__ = ["PRIMES", "IrrationalError", "Modular", "Numbers", "Rational", "Series"]
-
 #: Primes p with (p − 1)/2 prime: every number has roots of odd degree, every second one a square
 #: root; 2 and 3 have square roots.
 PRIMES = (4611686018427376319, 4611686018427375743, 4611686018427369527)

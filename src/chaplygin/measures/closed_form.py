@@ -35,8 +35,6 @@ from ..parsing.exact_decimals import exact_number
 from ..proof.level.level_set import LevelSet
 from .one_form import OneForm, Powers
 
-__all__ = ["closed_form", "density"]
-
 gamma, r, gammatilde = Vector("gamma"), Vector("r"), Vector("gammatilde")
 I = Diagonal("I")
 m, a = real_symbol("m"), real_symbol("a")

@@ -18,8 +18,6 @@ from .lifted_fields import LiftedFields
 from .parameter_conditions import Level, solved_parameters
 from .positivity import Powers
 
-__all__ = ["density_from_powers", "integrated"]
-
 SEED = 20080830
 POINTS = 6
 ATTEMPTS = 60

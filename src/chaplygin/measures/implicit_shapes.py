@@ -11,8 +11,6 @@ from ..errors import InputError
 from .one_form import OneForm
 from .quadrature import arc, numerical_functions
 
-__all__ = ["log_density_on_surface"]
-
 TOLERANCES = (1e-9, 1e-12)
 REACH = 60
 """Doublings of the distance at which a ray from the centre has left the body, at most."""

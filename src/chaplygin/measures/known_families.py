@@ -18,8 +18,6 @@ from ..mechanics.rolling.shapes import Ball, Ellipsoid
 from ..mechanics.rolling.surfaces import Plane
 from ..parsing.exact_decimals import exact_number
 
-__all__ = ["Level", "criterion", "levels"]
-
 Level = tuple[sp.Expr, ...]
 
 I, c = Diagonal("I"), Vector("c")

@@ -25,8 +25,6 @@ from ..formulas.tape import Derivation, Tape
 from ..mechanics.constraints.distribution import Distribution
 from ..mechanics.lagrangian.constrained_frame import Restriction
 
-__all__ = ["LiftedFields", "lift"]
-
 
 @dataclass(frozen=True)
 class LiftedFields:

@@ -25,8 +25,6 @@ from .parameter_conditions import Level, branches
 from .positivity import Powers, Signs, positive
 from .result import Existence
 
-__all__ = ["decide_mechanism"]
-
 FURTHER = 3
 PATIENCE = EFFORT // 10
 """Term operations for the proof in all variables of the motion; one in the coordinates remains."""

@@ -42,8 +42,6 @@ from ..mechanics.rolling.shapes import Ball
 from ..mechanics.rolling.surfaces import Plane
 from .shape_geometry import Geometry, geometry
 
-__all__ = ["OneForm", "Powers", "one_form"]
-
 Pairs = tuple[tuple[Any, Any], ...]
 #: Bases with exponents.
 Powers = tuple[tuple[sp.Expr, sp.Expr], ...]

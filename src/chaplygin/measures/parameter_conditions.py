@@ -28,8 +28,6 @@ from ..mechanics.reduction.rational_evaluation import (
 from .lifted_fields import LiftedFields
 from .positivity import definite
 
-__all__ = ["Branches", "Level", "branches", "solved_parameters"]
-
 SEED = 20080830
 POINTS = 3
 ATTEMPTS = 40

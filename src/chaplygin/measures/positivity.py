@@ -8,8 +8,6 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-__all__ = ["Powers", "Signs", "definite", "positive"]
-
 #: Bases with exponents.
 Powers = tuple[tuple[sp.Expr, sp.Expr], ...]
 

@@ -11,8 +11,6 @@ from ..core.system import System
 from ..errors import InputError
 from .one_form import OneForm
 
-__all__ = ["arc", "log_density", "numerical_functions"]
-
 NODES = 24
 MORE_NODES = 40
 #: Pieces into which an arc is cut.
@@ -24,8 +22,8 @@ def numerical_functions(
 ) -> Callable[[np.ndarray], np.ndarray]:
     """Definitions and further formulas as functions of the state, at the defaults."""
     numbers = {p.symbol: p.default for p in system.parameters}
-    names = [s for s, _ in system.steps]
-    steps = [*system.steps, *((None, f) for f in formulas)]
+    names = [s for s, _ in system.scalar_definitions]
+    steps = [*system.scalar_definitions, *((None, f) for f in formulas)]
     code = [
         (s, sp.lambdify([*system.symbols, *names[:i]], f.xreplace(numbers), "numpy"))
         for i, (s, f) in enumerate(steps)

@@ -13,8 +13,6 @@ from ..core.system import System
 from ..printing.formula import text
 from ..proof.verdict import Verdict
 
-__all__ = ["Existence", "Outcome"]
-
 Outcome = Literal["exists", "none", "conditional", "undecided"]
 
 

@@ -23,8 +23,6 @@ from .one_form import OneForm, Powers, one_form
 from .quadrature import log_density
 from .result import Existence
 
-__all__ = ["decide_body"]
-
 PATIENCE = EFFORT // 10
 """Term operations for each attempt to prove the density as a law of the equations of motion."""
 POINTS_ALONE = 1

@@ -19,8 +19,6 @@ from ..core.vectors import Symmetric, Vector, constant, cross, dot, norm_squared
 from ..mechanics.rolling.shapes import Implicit, Shape
 from ..mechanics.rolling.surfaces import Plane, Surface
 
-__all__ = ["Geometry", "Operator", "geometry", "tangent"]
-
 Pairs = tuple[tuple[Any, Any], ...]
 Operator = Callable[[MatrixExpr], MatrixExpr]
 

@@ -14,8 +14,6 @@ from mpmath import libmp
 
 from ..errors import InputError
 
-__all__ = ["exact_number", "exactly"]
-
 _DOUBLE = 53
 """Bits of a double, whose shortest decimal says it."""
 

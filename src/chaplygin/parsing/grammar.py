@@ -7,21 +7,6 @@ from types import MappingProxyType
 
 import sympy
 
-__all__ = [
-    "CONSTANTS",
-    "DECIMALS",
-    "FUNCTIONS",
-    "MAX_BITS",
-    "MAX_CONSTANT",
-    "MAX_DEPTH",
-    "MAX_DIGITS",
-    "MAX_EXPONENT",
-    "MAX_LENGTH",
-    "MAX_ROOT",
-    "PRODUCTS",
-    "RESERVED",
-]
-
 FUNCTIONS: Mapping[str, Callable[..., sympy.Expr]] = MappingProxyType(
     {
         "sqrt": sympy.sqrt,

@@ -5,8 +5,6 @@ from __future__ import annotations
 import re
 import unicodedata
 
-__all__ = ["spelt"]
-
 _PLAIN = str.maketrans(
     {
         **{chr(0x2080 + i): f"_{i}" for i in range(10)},

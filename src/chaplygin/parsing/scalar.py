@@ -23,8 +23,6 @@ from .grammar import (
 )
 from .syntax import TOO_DEEP, Source, chain
 
-__all__ = ["Scalars"]
-
 # SymPy computes constants while it builds an expression, and where that is beyond its means it
 # fails in these ways (among them PrecisionExhausted, an ArithmeticError).
 _SYMPY_FAILURES = (ArithmeticError, AttributeError, RecursionError, TypeError, ValueError)

@@ -11,8 +11,6 @@ from types import MappingProxyType
 from ..errors import InputError, nearest
 from .grammar import FUNCTIONS, MAX_DEPTH, MAX_DIGITS, MAX_LENGTH, PRODUCTS
 
-__all__ = ["TOO_DEEP", "Source", "chain", "syntax_tree"]
-
 _TOKEN = re.compile(
     r"(?P<space>\s+)"
     r"|(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)"

@@ -21,8 +21,6 @@ from .grammar import MAX_DEPTH
 from .scalar import Scalars
 from .syntax import TOO_DEEP, Source, chain
 
-__all__ = ["Formula", "Named", "Vectors"]
-
 Named: TypeAlias = sympy.Symbol | Vector | Diagonal
 Formula: TypeAlias = sympy.Expr | MatrixExpr
 

@@ -27,8 +27,6 @@ from .system import field_text
 if TYPE_CHECKING:
     from ..core.system import System
 
-__all__ = ["LANGUAGES", "TARGETS", "lambdify", "source_code"]
-
 Field = Callable[..., Any]
 Assignments = list[tuple[sp.Symbol, sp.Expr]]
 
@@ -216,7 +214,11 @@ _PYTHON = _words("t x p jax math numpy arcsin arccos arctan arctan2 e E", *keywo
 def _identifiers(system: System, reserved: Iterable[str]) -> dict[sp.Symbol, sp.Symbol]:
     """Identifiers of the symbols; those that clash get a trailing underscore."""
     reserved = _FUNCTIONS.union(reserved)
-    ours = [*system.symbols, *(p.symbol for p in system.parameters), *dict(system.steps)]
+    ours = [
+        *system.symbols,
+        *(p.symbol for p in system.parameters),
+        *dict(system.scalar_definitions),
+    ]
     spelt = {str(symbol) for symbol in ours}
     names = {}
     for symbol in ours:
@@ -232,7 +234,8 @@ def _assignments(
 ) -> tuple[Assignments, list[sp.Expr]]:
     """Definitions that the field needs, and the rates, in the identifiers given."""
     steps = [
-        (names[symbol], value.xreplace(names)) for symbol, value in system.needed(system.rates)
+        (names[symbol], value.xreplace(names))
+        for symbol, value in system.required_definitions(system.rates)
     ]
     return steps, [value.xreplace(names) for value in system.rates]
 

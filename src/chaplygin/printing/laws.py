@@ -31,8 +31,6 @@ from .poisson_brackets import Side, bracket_sides, curly_brackets
 if TYPE_CHECKING:
     from ..core.system import Name, System
 
-__all__ = ["caption", "condition_text", "equation", "equation_sides", "formulas", "heading"]
-
 
 def heading(law: Law) -> str:
     """The kind of a law, in words."""

@@ -15,8 +15,6 @@ from .laws import formulas
 if TYPE_CHECKING:
     from ..core.system import System
 
-__all__ = ["Layout", "layout", "reconstruction_layout"]
-
 
 @dataclass(frozen=True)
 class Layout:
@@ -79,11 +77,13 @@ def _page_of(system: System) -> Layout:
 
 def reconstruction_layout(system: System) -> Layout:
     """The equations of the lift to space, with the definitions that they add."""
-    field, spelt_out = _with_rates_spelt_out(system, system.motion.field if system.motion else ())
+    field, spelt_out = _with_rates_spelt_out(
+        system, system.reconstruction.field if system.reconstruction else ()
+    )
     page = layout(system)
     shown = {s for name in spelt_out for s in _scalars(name)}
     shown |= {s for name, _ in (*page.where, *page.further) for s in _scalars(name)}
-    steps = system.needed(formula for _, formula in field)
+    steps = system.required_definitions(formula for _, formula in field)
     return Layout(field, tuple(pair for pair in steps if pair[0] not in shown), ())
 
 

@@ -6,8 +6,6 @@ import re
 import xml.etree.ElementTree as ElementTree
 from typing import Literal
 
-__all__ = ["mathml", "width_of"]
-
 #: Fonts with tall brackets and roots, one of which most systems have.
 _FONTS = ("Latin Modern Math", "STIX Two Math", "Cambria Math", "DejaVu Math TeX Gyre")
 

@@ -14,8 +14,6 @@ import sympy as sp
 
 from .symbol_names import GREEK, SymbolName
 
-__all__ = ["LATEX", "UNICODE", "Fragment", "Notation", "Precedence"]
-
 
 class Precedence(IntEnum):
     """Precedence of a part of a formula, the weakest binding first."""

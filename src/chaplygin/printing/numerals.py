@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 
-__all__ = ["MINUS", "RAISED", "number", "signed", "unit"]
-
 MINUS = "\N{MINUS SIGN}"
 RAISED = str.maketrans("0123456789-" + MINUS, "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻")
 

@@ -11,17 +11,6 @@ from sympy.matrices.expressions import Identity, MatAdd, MatMul, MatrixExpr
 from ..core.vectors import Diagonal, Dot, Gradient, Symmetric, Vector
 from .symbol_names import GREEK, letter_of
 
-__all__ = [
-    "Factors",
-    "as_unit_vector_multiple",
-    "common_fraction",
-    "factors_of",
-    "is_negative",
-    "negated",
-    "sort_terms",
-    "vector_of",
-]
-
 #: Mass and gravity stand first in a product: m g R.
 _FIRST = {"m": 0, "g": 1}
 

@@ -13,8 +13,6 @@ from dataclasses import dataclass
 
 from .symbol_names import GREEK
 
-__all__ = ["plain", "plain_words"]
-
 _SYMBOLS = {
     "varphi": "φ",
     "varepsilon": "ε",

@@ -15,8 +15,6 @@ from .formula import LATEX, UNICODE, Notation, latex, text
 if TYPE_CHECKING:
     from ..core.system import Name, System
 
-__all__ = ["Side", "bracket_sides", "curly_brackets"]
-
 #: A left side, written; and a formula, or what is written already.
 Side: TypeAlias = tuple[str, sp.Basic | str]
 

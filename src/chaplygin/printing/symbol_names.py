@@ -6,8 +6,6 @@ import re
 import unicodedata
 from dataclasses import dataclass
 
-__all__ = ["GREEK", "SymbolName", "letter_of"]
-
 GREEK = {
     **{
         unicodedata.name(chr(code)).rsplit(" ", 1)[-1].lower(): chr(code)

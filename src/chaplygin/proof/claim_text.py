@@ -25,8 +25,6 @@ from .fields.quotient_ring import Poly
 from .level.level_formulas import assumed_relations
 from .level.named_formulas import scalars
 
-__all__ = ["admissible", "claim_text", "guards", "powers_text", "terms_text"]
-
 #: A mapping of a certificate, and a polynomial as a list of its terms.
 Text: TypeAlias = dict[str, object]
 Terms: TypeAlias = list[list[object]]
@@ -42,7 +40,7 @@ def _system(system: System) -> Text:
         "name": system.name,
         "state": [str(s) for s in system.symbols],
         "rates": [str(rate) for rate in system.rates],
-        "definitions": [[str(s), str(value)] for s, value in system.steps],
+        "definitions": [[str(s), str(value)] for s, value in system.scalar_definitions],
         "parameters": [str(p.symbol) for p in system.parameters],
         "relations": _formulas(system.relations),
         "guards": [str(formula) for formula in guards(system)],
@@ -110,8 +108,8 @@ def _content(system: System, law: Law) -> Text:
 def _there(system: System, law: Isomorphism, condition: sp.Expr) -> sp.Expr:
     """A condition on the image, without definitions of the source that the target has not."""
     target = law.target
-    theirs = {*target.symbols, *target.defaults, *(s for s, _ in target.steps)}
-    steps = {s: value for s, value in system.steps if s not in theirs}
+    theirs = {*target.symbols, *target.defaults, *(s for s, _ in target.scalar_definitions)}
+    steps = {s: value for s, value in system.scalar_definitions if s not in theirs}
     return expand(to_components(condition), steps)
 
 

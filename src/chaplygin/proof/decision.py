@@ -44,8 +44,6 @@ from .symbolic_proof import Proof, proof
 from .verdict import Verdict
 from .witness_points import Witness, witness, witness_point
 
-__all__ = ["verdict_of"]
-
 FURTHER = (near,) * 6 + (far,) * 40
 """Points tried where a remainder is left, before a law is called undecided."""
 

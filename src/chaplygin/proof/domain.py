@@ -24,8 +24,6 @@ from .level.named_formulas import quantities_in_order
 from .level.time_derivatives import without_second_rates
 from .residuals import target_state
 
-__all__ = ["Divisor", "divisors", "sympy_formula"]
-
 #: Formula, where it stands ("own" or "target"), its value, and whether it must be positive.
 Divisor = tuple[str, str, Element, bool]
 _Value = Callable[[Formula], tuple[str, Element]]
@@ -35,7 +33,9 @@ def divisors(
     claim: CheckedClaim, law: Law, level: LevelSet, field: UnreducedField
 ) -> Iterator[Divisor]:
     """All divisors and radicands of a law, apart from those that have no value in the field."""
-    settled = {str(s): parse(str(v), "a settled parameter") for s, v in level.settled.items()}
+    settled = {
+        str(s): parse(str(v), "a settled parameter") for s, v in level.fixed_parameters.items()
+    }
     own_domain = domain(claim, settled)
     positive = dict.fromkeys(
         [*((where, f) for where, f, _ in own_domain.positive), *own_domain.logarithms]
@@ -81,8 +81,8 @@ def _target(law: Law, level: LevelSet, field: UnreducedField) -> list[_Value]:
         return []
     along = level.along(field)
     seeds = {s: Jet(jet.value, {}) for s, jet in target_state(law, level, along).items()}
-    there = Evaluator(field, seeds.get, dict(law.target.steps))
-    table = {str(s): s for s in (*seeds, *(s for s, _ in law.target.steps))}
+    there = Evaluator(field, seeds.get, dict(law.target.scalar_definitions))
+    table = {str(s): s for s in (*seeds, *(s for s, _ in law.target.scalar_definitions))}
 
     def value(formula: Formula) -> tuple[str, Element]:
         made_of = sympy_formula(formula, table)

@@ -21,8 +21,6 @@ from .fields.budget import EFFORT, Budget, checked_effort
 from .verdict import Verdict
 from .verdict_cache import fingerprint, load_verdict, store_verdict
 
-__all__ = ["prove"]
-
 
 @overload
 def prove(system: System, law: None = None, *, effort: int = ...) -> tuple[Verdict, ...]: ...

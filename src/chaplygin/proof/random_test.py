@@ -20,8 +20,6 @@ from .level.sample_points import broad, far, near
 from .rank import rank_defect
 from .residuals import Residuals, condition_rates, residuals
 
-__all__ = ["Trial", "backwards", "everything", "trials"]
-
 ATTEMPTS = 400
 """Points looked at, for one inside the domain at which the law is defined."""
 SEED = 20080830

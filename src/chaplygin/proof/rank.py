@@ -35,8 +35,6 @@ from .level.separability import of_separation
 from .level.time_derivatives import without_rates
 from .residuals import Row, target_state
 
-__all__ = ["DIMENSION", "rank", "rank_defect"]
-
 DIMENSION = "the dimension of the level"
 """Lacking at a point where all conditions are independent: no hint, but certain."""
 
@@ -145,7 +143,7 @@ def _too_large(
             return None
         return Jet(values[symbol], {number[symbol]: field.one} if symbol in number else {})
 
-    there = Evaluator(field, seed, dict(target.steps))
+    there = Evaluator(field, seed, dict(target.scalar_definitions))
 
     def normals(conditions: Sequence[sp.Expr]) -> list[Row]:
         slopes = [there(c).slopes for c in conditions]

@@ -13,8 +13,6 @@ from .level.named_formulas import components
 from .level.time_derivatives import without_rates
 from .rank import rank
 
-__all__ = ["remark"]
-
 
 @singledispatch
 def remark(law: Law, level: LevelSet, field: Field) -> str:

@@ -35,8 +35,6 @@ from .level.named_formulas import components, quantities_in_order, scalars
 from .level.separability import separated
 from .level.time_derivatives import without_rates, without_second_rates
 
-__all__ = ["condition_rates", "pfaffian", "residuals", "target_state"]
-
 Row: TypeAlias = Sequence[FieldElement]
 Residuals: TypeAlias = Iterator[tuple[str, FieldElement]]
 
@@ -295,7 +293,7 @@ def _(law: Isomorphism, level: LevelSet, field: Field) -> Residuals:
     for symbol, formula in components(law.constants, level).items():
         yield f"rate of {symbol}", along.slope(formula)
     given = {s: Jet(jet.value, {}) for s, jet in target_state(law, level, along).items()}
-    there = Evaluator(field, given.get, dict(target.steps))
+    there = Evaluator(field, given.get, dict(target.scalar_definitions))
     for relation in target.relations:
         yield f"{relation} in {target.name}", there.value(to_components(relation))
     for condition in law.onto:
@@ -334,7 +332,7 @@ def target_state(law: Isomorphism, level: LevelSet, evaluate: Evaluator) -> dict
                 f"is{but}"
             )
         constants[symbol] = symbol
-    theirs = {*images, *constants, *(s for s, _ in target.steps)}
+    theirs = {*images, *constants, *(s for s, _ in target.scalar_definitions)}
     state = set(level.system.symbols)
     beside = {s for condition in law.onto for s in to_components(condition).free_symbols} - theirs
     if turning := {s for s in beside if level.expanded(s).free_symbols & state}:

@@ -27,8 +27,6 @@ from .level.level_set import LevelSet
 from .random_test import everything
 from .rank import rank_defect
 
-__all__ = ["MOST_RUNS", "Proof", "flipped_decisions", "proof"]
-
 MOST_RUNS = 48
 """Choices of signs that are followed."""
 

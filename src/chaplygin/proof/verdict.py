@@ -7,8 +7,6 @@ from typing import Any, Literal
 
 from ..core.overview import Overview, WithOverview
 
-__all__ = ["Decision", "Verdict"]
-
 Decision = Literal["proven", "proven where", "refuted", "undecided"]
 
 

@@ -19,9 +19,6 @@ from ..core.system import Guard, Parameter, System
 from ..formulas.digest import digest
 from .verdict import Verdict
 
-__all__ = ["fingerprint", "load_verdict", "store_verdict"]
-
-
 FOR_THE_READER = frozenset({"as_printed", "meaning", "misprint", "source", "unit"})
 """Fields of a law on which no proof depends."""
 

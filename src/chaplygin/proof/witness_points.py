@@ -17,8 +17,6 @@ from ..formulas.number_fields import Rationals
 from .level.level_set import LevelSet
 from .level.polynomial_problems import Claim
 
-__all__ = ["Witness", "witness", "witness_point"]
-
 
 def witness_point(
     claim: Claim, level: LevelSet, values: Mapping[str, fmpq | arb]
@@ -50,8 +48,8 @@ def witness_point(
         if name in by_name and by_name[name] not in coordinates:
             coordinates[by_name[name]] = {"root": root}
     for symbol in level.symbols:
-        if symbol not in coordinates and symbol in level.settled:
-            coordinates[symbol] = {"formula": str(level.settled[symbol])}
+        if symbol not in coordinates and symbol in level.fixed_parameters:
+            coordinates[symbol] = {"formula": str(level.fixed_parameters[symbol])}
     if set(level.symbols) - set(coordinates):
         return None
     return _original(claim, coordinates)

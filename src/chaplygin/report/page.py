@@ -28,8 +28,6 @@ from ..proof.fields.budget import EFFORT
 from . import figures
 from .summary import drift
 
-__all__ = ["render"]
-
 #: Term operations that the proof of one law may take, and those of all together: the first unless
 #: more is asked for, the second so many times the first.
 PATIENCE = EFFORT // 20

@@ -21,8 +21,6 @@ from ..flow.taylor import number_type
 from ..flow.trajectory import Event, Statistics
 from ..formulas.digest import digest
 
-__all__ = ["read_trajectory", "store_trajectory", "trajectory_digest"]
-
 #: Digits of the start that take part in the digest.
 _DIGITS = 50
 
@@ -95,7 +93,7 @@ def read_trajectory(path: Path, key: str | None, study: Study) -> Trajectory | N
     except (OSError, ValueError, KeyError, zipfile.BadZipFile):
         return None
     system = study.system_on_level
-    lifted = system.lifted() if system.motion else system
+    lifted = system.lifted() if system.reconstruction else system
     return Trajectory(
         lifted,
         lifted.defaults,

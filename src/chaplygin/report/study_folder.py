@@ -7,8 +7,6 @@ from pathlib import Path
 from ..errors import InputError
 from ..experiment.files import atomic_file, check_target
 
-__all__ = ["TRAJECTORY", "begin", "check_folder", "end", "is_begun"]
-
 FILES = ("report.html", "trajectory.nc", "experiment.toml", "figures")
 
 #: Holds the experiment of a study that is not complete.

@@ -10,8 +10,6 @@ from ..experiment.subject import BallSubject, BodySubject, Subject
 from . import figures
 from .scenes.scene import ball_scene_of, scene_of
 
-__all__ = ["subject_figures"]
-
 
 def subject_figures(
     subject: Subject, dataset: xr.Dataset, plan: PlanMotion | None

@@ -10,8 +10,6 @@ from ..core.system import System
 from ..experiment.dataset import Samples
 from ..flow.integrator import Trajectory
 
-__all__ = ["drift", "summary", "summary_text"]
-
 
 def drift(values: Samples) -> float:
     """Largest |F(t) − F(0)|, relative to |F(0)|; absolute when F(0) = 0."""

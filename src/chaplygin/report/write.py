@@ -22,8 +22,6 @@ from .stored_trajectory import read_trajectory, store_trajectory, trajectory_dig
 from .study_folder import TRAJECTORY, begin, end
 from .subject_figures import subject_figures
 
-__all__ = ["write_study"]
-
 #: Points through which curves are drawn, at least.
 SMOOTH = 3000
 

@@ -15,16 +15,6 @@ from ..errors import InputError
 from .modular_jets import Integers, prime
 from .phase_space import Sample
 
-__all__ = [
-    "MEMORY",
-    "Ansatz",
-    "Exponents",
-    "Table",
-    "default_momenta",
-    "rates_of_products",
-    "table",
-]
-
 MEMORY = 4_000_000_000
 """Bytes that the linear algebra of a search may take."""
 _BYTES = 72  # per entry of the square matrix: value, rate, a Python integer, FLINT's copies

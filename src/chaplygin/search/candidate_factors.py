@@ -12,8 +12,6 @@ from ..core.vectors import Diagonal, Symmetric, dot, to_components
 from .modular_jets import Integers, inverse, prime
 from .vector_invariants import VectorInvariants
 
-__all__ = ["natural_bases", "natural_divisors"]
-
 _POINTS = 12
 
 

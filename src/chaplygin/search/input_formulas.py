@@ -13,8 +13,6 @@ from ..core.vectors import Diagonal, Symmetric, Vector, dot
 from ..errors import InputError
 from ..parsing import nearest, parse
 
-__all__ = ["condition", "formula", "quantities", "spelt"]
-
 _WORD = r"[A-Za-z_]\w*"
 _OPERAND = rf"{_WORD}(?:(?:\s*\*?\s+|\s*\*\s*){_WORD})*"
 _PRODUCT = re.compile(
@@ -59,7 +57,7 @@ def _scalars(system: System) -> dict[str, sp.Symbol]:
     symbols = (
         *(p.symbol for p in system.parameters),
         *system.symbols,
-        *(s for s, _ in system.steps),
+        *(s for s, _ in system.scalar_definitions),
     )
     return {str(s): s for s in symbols}
 
@@ -137,7 +135,7 @@ def condition(text: str, system: System, where: str = "") -> sp.Expr:
         If it is no formula or mentions what is not constant.
     """
     fixed = {p.symbol for p in system.parameters}
-    for symbol, value in system.steps:
+    for symbol, value in system.scalar_definitions:
         if value.free_symbols <= fixed:
             fixed.add(symbol)
     expression = _read(text, system, {str(s): s for s in sorted(fixed, key=str)}, where)

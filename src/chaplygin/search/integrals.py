@@ -22,8 +22,6 @@ from .result import Progress, Question, SearchResult, silent
 from .scaling import Weight, weight_of, weights
 from .vector_invariants import VectorInvariants, component_scalars
 
-__all__ = ["integrals"]
-
 _SPARE = 24
 _RESERVE = 1500  # points for products of known integrals
 _SIMPLE = 1

@@ -22,8 +22,6 @@ from .modular_linalg import combination, rational
 from .phase_space import Sample, SearchSpace
 from .result import Progress, Question, SearchResult, silent
 
-__all__ = ["measures"]
-
 _POINTS = 40
 _SETS = 6
 _MOST_BASES = 4

@@ -24,18 +24,6 @@ from ..errors import InputError
 from ..formulas.evaluation import Evaluation
 from ..parsing.exact_decimals import exact_number
 
-__all__ = [
-    "PRIMES",
-    "Evaluator",
-    "Integers",
-    "Jet",
-    "inverse",
-    "modulo",
-    "power",
-    "prime",
-    "square_root",
-]
-
 PRIMES = (2_147_483_647, 2_147_483_587, 2_147_483_579, 2_147_483_563)
 """Moduli; they leave the remainder 3 on division by 4, which makes square roots easy."""
 

@@ -10,8 +10,6 @@ from flint import nmod_mat
 
 from .modular_jets import Integers, prime
 
-__all__ = ["combination", "independent_columns", "nullspace", "product", "rank", "rational"]
-
 _MARGIN = 12
 
 

@@ -21,8 +21,6 @@ from ..printing.formula import text
 from .modular_jets import Evaluator, Integers, Jet, inverse, prime, square_root
 from .real_points import has_real_points
 
-__all__ = ["Sample", "SearchSpace", "search_space"]
-
 _PROBE = 64
 _PATIENCE = 3
 _NEXT = 1_000_003
@@ -100,7 +98,7 @@ class SearchSpace:
         known: dict[sp.Symbol, sp.Expr] = dict(self.substitutions)
         fixed = {p.symbol for p in self.system.parameters}
         constants: dict[sp.Symbol, sp.Expr] = {}
-        for symbol, value in self.system.steps:
+        for symbol, value in self.system.scalar_definitions:
             if value.free_symbols <= fixed:
                 fixed.add(symbol)
                 known[symbol] = constants[symbol] = value.xreplace(known)
@@ -192,7 +190,7 @@ class SearchSpace:
 
     @cached_property
     def _definitions(self) -> dict[sp.Symbol, sp.Expr]:
-        return dict((*self.substitutions, *self.system.steps))
+        return dict((*self.substitutions, *self.system.scalar_definitions))
 
     def _with_relations(
         self, values: Mapping[sp.Symbol, Integers], order: Sequence[tuple[sp.Expr, sp.Symbol]]
@@ -207,7 +205,7 @@ class SearchSpace:
     @cached_property
     def _formulas_with_roots(self) -> tuple[sp.Expr, ...]:
         """Definitions and rates with roots, which exist at some points only."""
-        formulas = [*(formula for _, formula in self.system.steps), *self.system.rates]
+        formulas = [*(formula for _, formula in self.system.scalar_definitions), *self.system.rates]
         return tuple(f for f in formulas if any(not p.exp.is_integer for p in f.atoms(sp.Pow)))
 
     def _regular(self, values: dict[sp.Symbol, Integers]) -> dict[sp.Symbol, Integers]:
@@ -277,7 +275,7 @@ class SearchSpace:
         return (s for s in reversed(self.system.symbols) if s in reached and s not in settled)
 
     def _depends(self, relation: sp.Expr) -> set[sp.Symbol]:
-        steps = self.system.needed([relation])
+        steps = self.system.required_definitions([relation])
         reached: set[sp.Symbol] = set(relation.free_symbols)
         for _, value in steps:
             reached |= value.free_symbols

@@ -23,17 +23,6 @@ from .modular_jets import PRIMES, Integers, modulo, prime
 from .modular_linalg import independent_columns, nullspace, rational
 from .scaling import Weight, total
 
-__all__ = [
-    "LARGEST",
-    "Draw",
-    "Part",
-    "Plan",
-    "RationalLaw",
-    "Scalars",
-    "plan",
-    "reconstructed_laws",
-]
-
 LARGEST = 1000
 """The largest number of unknowns of one linear system; of more, the simplest are taken."""
 _SPARE = 24

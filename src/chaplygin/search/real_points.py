@@ -10,8 +10,6 @@ import sympy as sp
 from ..core.arrays import FloatArray
 from ..core.system import System
 
-__all__ = ["has_real_points"]
-
 _TRIES = 24
 _RESIDUAL = 1e-8
 

@@ -17,8 +17,6 @@ from .result import Question
 from .scaling import weights
 from .vector_invariants import VectorInvariants
 
-__all__ = ["search_request"]
-
 _MOMENTUM_LIKE = ("M", "omega")
 _CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot)
 
@@ -144,5 +142,5 @@ def _without_angles(system: System, symbols: tuple[sp.Expr, ...]) -> tuple[sp.Ex
 
 def _angles(system: System) -> set[sp.Symbol]:
     """The symbols that enter the equations through sines and cosines."""
-    formulas = [*system.rates, *(value for _, value in system.steps)]
+    formulas = [*system.rates, *(value for _, value in system.scalar_definitions)]
     return {s for f in formulas for node in f.atoms(*_CIRCULAR) for s in node.args[0].free_symbols}

@@ -14,8 +14,6 @@ from ..proof.verdict import Verdict
 from .ansatz import Ansatz
 from .phase_space import SearchSpace
 
-__all__ = ["Kind", "Progress", "Question", "SearchResult", "silent"]
-
 Kind = Literal["integral", "measure", "symmetry"]
 Progress = Callable[[float, str], None]
 """Called with the fraction done and a few words about what comes next."""

@@ -17,8 +17,6 @@ from flint import fmpq, fmpq_mat
 
 from .phase_space import SearchSpace
 
-__all__ = ["Weight", "total", "weight_of", "weights"]
-
 Weight: TypeAlias = tuple[int, ...]
 #: A symbol, or the word for the time.
 Base: TypeAlias = sp.Basic | str
@@ -80,7 +78,7 @@ def weights(space: SearchSpace) -> dict[sp.Symbol, Weight]:
     and conditions on the parameters is a combination of the scalings returned.
     """
     system = space.system
-    steps = (*space.substitutions, *system.needed([*system.rates, *space.relations]))
+    steps = (*space.substitutions, *system.required_definitions([*system.rates, *space.relations]))
     # what is zero has every weight
     empty = [symbol for symbol, formula in steps if formula == 0]
     bases: list[Base] = [*space.free, *system.symbols, *empty, _TIME]

@@ -20,8 +20,6 @@ from .result import Progress, Question, SearchResult, silent
 from .scaling import Weight, weight_of, weights
 from .vector_invariants import component_scalars
 
-__all__ = ["symmetries"]
-
 _SPARE = 24
 _SEED = 20080830
 

@@ -21,8 +21,6 @@ from .phase_space import SearchSpace
 from .rational_reconstruction import Part, Scalars
 from .scaling import Weight, total, weight_of
 
-__all__ = ["VectorInvariants", "component_scalars"]
-
 Tensor: TypeAlias = Diagonal | Symmetric
 
 _MOMENTA = ("M", "omega")
@@ -109,7 +107,7 @@ class VectorInvariants:
     def coordinates(self) -> tuple[Vector, ...]:
         """The vectors in the coordinates of the ansatz, and those that are linear in them."""
         chosen = set(self.ansatz.coordinates)
-        steps = dict(self.space.system.steps)
+        steps = dict(self.space.system.scalar_definitions)
         written = dict(self.space.system.definitions)
         vectors = []
         for vector in self._vectors():

@@ -89,7 +89,7 @@ def test_a_motion_that_does_not_return_is_marked():
     assert np.isfinite(found.values[0])
     assert np.isnan(found.values[1])
     assert found.outcome[1] > 0
-    assert made.reason(int(found.outcome[1]))
+    assert made.status_message(int(found.outcome[1]))
 
 
 def test_mistakes_are_told():

@@ -26,7 +26,7 @@ def test_integrals_leave_two_dimensions(name: str, cyclic: int) -> None:
         functions += [u @ v for u, v in ((alpha, beta), (beta, gamma), (gamma, alpha))]
     numbers = {**system.defaults, **dict(zip(state, map(float, made.start), strict=False))}
     flat = {}
-    for symbol, value in system.steps:
+    for symbol, value in system.scalar_definitions:
         flat[symbol] = value.xreplace(flat)
     slopes = [
         [float(sp.diff(f.xreplace(flat), s).xreplace(numbers)) for s in state] for f in functions

@@ -39,7 +39,7 @@ def inertia(name: str) -> Any:
 def function(system: System, formulas: list[Any]) -> Any:
     """Formulas of a system as a function of its flat state, at the default parameters."""
     numbers = system.defaults
-    steps = [(s, v.xreplace(numbers)) for s, v in system.needed(formulas)]
+    steps = [(s, v.xreplace(numbers)) for s, v in system.required_definitions(formulas)]
     plain = [sp.sympify(f).xreplace(numbers) for f in formulas]
     made = sp.lambdify(list(system.symbols), plain, "numpy", cse=lambda e: (steps, e))
     return lambda state: np.array(made(*state), dtype=float)

@@ -75,7 +75,7 @@ def test_tori_of_other_bodies(name, seed):
 
 def _numeric(system, formulas, parameters):
     wanted = [to_components(sp.sympify(formula)) for formula in formulas]
-    for symbol, value in reversed(system.steps):
+    for symbol, value in reversed(system.scalar_definitions):
         wanted = [formula.xreplace({symbol: value}) for formula in wanted]
     known = {s: sp.Rational(str(v)) for s, v in parameters.items()}
     return sp.lambdify(system.symbols, [w.subs(known) for w in wanted], "numpy", cse=True)
@@ -151,7 +151,7 @@ def _multipliers(system, parameters, start, period):
     symbols = system.symbols
     rates = _numeric(system, system.rates, parameters)
     wanted = list(system.rates)
-    for symbol, value in reversed(system.steps):
+    for symbol, value in reversed(system.scalar_definitions):
         wanted = [formula.xreplace({symbol: value}) for formula in wanted]
     known = {s: sp.Rational(str(v)) for s, v in parameters.items()}
     slopes = sp.lambdify(

@@ -25,7 +25,7 @@ TIMES = [0.0, 0.5, 4.0]
 
 def reduced(made: SeparatedSystem) -> SeparatedSystem:
     """Without the motion in space, on the level of the state alone."""
-    system = replace(made.system, motion=None)
+    system = replace(made.system, reconstruction=None)
     moving = set(system.symbols)
     level = tuple(formula for formula in made.level if formula.free_symbols & moving)
     return replace(made, system=system, level=level)
@@ -107,7 +107,7 @@ def focal(made: SeparatedSystem, push: tuple[float, float, float]) -> list[Any]:
     rate = [p - along * x for p, x in zip(push, n, strict=True)]
     known |= dict(zip(nu.symbols, n, strict=True)) | dict(zip(nuprime.symbols, rate, strict=True))
     moving = set(system.symbols)
-    for symbol, formula in system.steps:
+    for symbol, formula in system.scalar_definitions:
         if not formula.free_symbols & moving:
             (known[symbol],) = evaluated([formula], known)
         else:

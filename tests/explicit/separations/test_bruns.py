@@ -64,7 +64,7 @@ def test_along_a_motion(case):
 @pytest.mark.parametrize("case", CASES)
 def test_closed_form(case):
     of, parameters = chosen(case)
-    reduced = replace(of, system=replace(of.system, motion=None, observables=(), guards=()))
+    reduced = replace(of, system=replace(of.system, reconstruction=None, observables=(), guards=()))
     values = {p.symbol: parameters[str(p.symbol)] for p in of.system.parameters}
     times = np.linspace(0.0, 20.0, 5)
     found = solved(reduced, values, START).states(times)

@@ -55,7 +55,7 @@ def test_along_a_motion(case):
 
 @pytest.mark.parametrize("case", NUMBERS)
 def test_closed_form(case):
-    bare = replace(SEPARABLE.system, motion=None, observables=(), guards=())
+    bare = replace(SEPARABLE.system, reconstruction=None, observables=(), guards=())
     reduced = replace(SEPARABLE, system=bare)
     values = {p.symbol: NUMBERS[case][str(p.symbol)] for p in bare.parameters}
     times = np.linspace(0.0, 20.0, 5)

@@ -51,7 +51,7 @@ def test_along_a_motion(case):
 
 @pytest.mark.parametrize("case", NUMBERS)
 def test_closed_form(case):
-    bare = replace(SEPARABLE.system, motion=None, observables=(), guards=())
+    bare = replace(SEPARABLE.system, reconstruction=None, observables=(), guards=())
     # R = 2a holds for these numbers
     reduced = replace(SEPARABLE, system=bare, level=SEPARABLE.level[1:])
     values = {p.symbol: NUMBERS[case][str(p.symbol)] for p in bare.parameters}

@@ -135,7 +135,7 @@ def test_why_motions_ended() -> None:
 def test_lanes_do_the_work() -> None:
     starts = sample_level(BALL, 5, LEVEL)
     data = ensemble(BALL, starts, TIMES, tolerance=1e-9)
-    marched = batch_integrator(BALL, tolerance=1e-9).until(starts, TIMES)
+    marched = batch_integrator(BALL, tolerance=1e-9).propagate(starts, TIMES)
     assert np.array_equal(data.M, marched.states[:, :, :3])
     assert np.array_equal(data.steps, marched.steps)
 

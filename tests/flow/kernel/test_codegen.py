@@ -93,7 +93,7 @@ def test_choices(arithmetic: Any) -> None:
     """Lanes take their own branch; at zero the second."""
     graph = Graph()
     p, q = graph.state(0), graph.state(1)
-    term = graph.positive(p, q, -q)
+    term = graph.where_positive(p, q, -q)
     points = np.zeros((3, 2, arithmetic.words))
     points[:, :, 0] = [(1, 5), (-1, 5), (0, 5)]
     found = run(arithmetic, 4, lambda k, v: evaluate(k, [term], _leaf(v)), points)

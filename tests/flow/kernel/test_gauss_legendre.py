@@ -28,19 +28,19 @@ def test_a_singularity_is_found_and_named(end: float) -> None:
     """x = x₀/(1 − x₀ t) ends at 1/x₀, however far one wants to go."""
     first = np.array([1.0, 2.0, -1.0, 0.2])
     flow = gauss_integrator(RUNAWAY, [1.0])
-    found = flow.until(first[:, None], [0.25, end])
+    found = flow.propagate(first[:, None], [0.25, end])
     right = [COLLAPSED, COLLAPSED, 0, 0 if end < 5 else COLLAPSED]
     assert found.outcome.tolist() == right
     ends = [1, 0.5, end, end if end < 5 else 5.0]
     np.testing.assert_allclose(found.ended, ends, rtol=1e-11)
     np.testing.assert_allclose(found.states[:, 0, 0], first / (1 - first / 4), rtol=4e-16)
-    assert flow.reason(COLLAPSED) == STATUS_MESSAGES[COLLAPSED]
+    assert flow.status_message(COLLAPSED) == STATUS_MESSAGES[COLLAPSED]
 
 
 @FAR
 def test_a_guard_ends_the_motion_at_its_moment(end: float) -> None:
     first = [[1.0, 0.0], [0.0, -1.0], [-1.0, 0.0], [0.0, 3.0]]
-    found = gauss_integrator(FENCED, first[0]).until(
+    found = gauss_integrator(FENCED, first[0]).propagate(
         first, [0.2, end], {"p": 0.5, "q": [9, 9, 9, 2.0]}
     )
     left, right = len(STATUS_MESSAGES), len(STATUS_MESSAGES) + 1
@@ -55,9 +55,9 @@ def test_a_guard_ends_the_motion_at_its_moment(end: float) -> None:
 @pytest.mark.slow
 def test_a_body_that_leaves_the_plane() -> None:
     """Against the moment at which the reference sees the normal force change its sign."""
-    system = replace(from_catalogue("rattleback"), motion=None, observables=())
+    system = replace(from_catalogue("rattleback"), reconstruction=None, observables=())
     states = starts("rattleback", 4) * [30, 30, 30, 1, 1, 1]
-    found = gauss_integrator(system, states[0]).until(states, [1.0])
+    found = gauss_integrator(system, states[0]).propagate(states, [1.0])
     assert found.outcome.tolist() == [len(STATUS_MESSAGES)] * 4
     for start, ended in zip(states, found.ended, strict=True):
         (message,) = integrate(system, start, [0.0, 1.0]).events
@@ -66,7 +66,7 @@ def test_a_body_that_leaves_the_plane() -> None:
 
 def test_a_state_that_is_no_number() -> None:
     first = [[1.0, 0.0], [2.0, 0.0], [-1.0, 0.0], [np.nan, 0.0], [0.0, 0.0]]
-    found = gauss_integrator(LOGARITHM, first[0]).until(first, [0.25, 1.5])
+    found = gauss_integrator(LOGARITHM, first[0]).propagate(first, [0.25, 1.5])
     assert found.outcome.tolist() == [NOT_A_NUMBER, 0, *[NOT_A_NUMBER] * 3]
     np.testing.assert_allclose(found.ended, [1, 1.5, 0, 0, 0], atol=1e-11)
     assert (found.steps[2:] < 100).all()
@@ -76,7 +76,7 @@ def test_a_state_that_is_no_number() -> None:
 def test_the_largest_number_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     flow = gauss_integrator(OSCILLATOR, [1.0, 0.0])
     monkeypatch.setattr(precise_module, "MOST_STEPS", 5)
-    found = flow.until([[1.0, 0.0], [0.0, 0.0]], [1e-3, 100.0])
+    found = flow.propagate([[1.0, 0.0], [0.0, 0.0]], [1e-3, 100.0])
     assert found.outcome.tolist() == [STEPS, 0]
     assert found.steps[0] == 5
     assert 1e-3 < found.ended[0] < 50
@@ -85,7 +85,7 @@ def test_the_largest_number_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_nothing_moves_where_nothing_moves() -> None:
     """A state of rest is kept to the bit."""
-    found = gauss_integrator(OSCILLATOR, [0.0, 0.0]).until([[0.0, 0.0]], [1e4])
+    found = gauss_integrator(OSCILLATOR, [0.0, 0.0]).propagate([[0.0, 0.0]], [1e4])
     assert found.states.tolist() == [[[0.0, 0.0]]]
     assert found.outcome.tolist() == [0]
 
@@ -96,7 +96,7 @@ def _error(method: Gauss, refine: bool) -> float:
     text, room = gauss_loop(method, equations, None, refine)
     code = native.load_code(text, lambda: (text, room), {"gauss": precise_module._SIGNATURE})
     flow = replace(gauss_integrator(OSCILLATOR, [0.0, 1.0]), code=code)
-    state = flow.until([[0.0, 1.0]], [20.0]).states[0, 0]
+    state = flow.propagate([[0.0, 1.0]], [20.0]).states[0, 0]
     return float(np.abs(state - [np.sin(20.0), np.cos(20.0)]).max())
 
 

@@ -138,7 +138,7 @@ def test_another_process_finds_the_code(tmp_path: Path) -> None:
         "from chaplygin.core.system import System\n"
         "x, y = sp.symbols('x y', real=True)\n"
         "flow = batch_integrator(System(name='o', title='O', field={x: y, y: -x}))\n"
-        "found = flow.until([[1.0, 0.0]], [3.0])\n"
+        "found = flow.propagate([[1.0, 0.0]], [3.0])\n"
         "print(flow.code.from_cache, found.states[0, 0, 0].hex(), found.states[0, 0, 1].hex())\n"
     )
     environment = os.environ | {"CHAPLYGIN_CACHE": str(tmp_path / "code")}

@@ -51,20 +51,20 @@ def test_a_singularity_is_found_and_named() -> None:
     """x = x₀/(1 − x₀ t) ends at 1/x₀; lanes beside it go on."""
     first = np.array([1.0, 2.0, -1.0, 0.5, 8.0])
     flow = batch_integrator(RUNAWAY)
-    found = flow.until(first[:, None], [0.1, 1.5])
+    found = flow.propagate(first[:, None], [0.1, 1.5])
     assert found.outcome.tolist() == [COLLAPSED, COLLAPSED, 0, 0, COLLAPSED]
     np.testing.assert_allclose(found.ended, [1, 0.5, 1.5, 1.5, 0.125], atol=1e-11)
     np.testing.assert_allclose(found.states[:, 0, 0], first / (1 - 0.1 * first), rtol=1e-12)
     np.testing.assert_allclose(found.states[2:4, 1, 0], [-0.4, 2.0], rtol=1e-11)
     assert np.isnan(found.states[[0, 1, 4], 1]).all()
-    assert flow.reason(COLLAPSED) == STATUS_MESSAGES[COLLAPSED]
-    assert flow.reason(0) == ""
+    assert flow.status_message(COLLAPSED) == STATUS_MESSAGES[COLLAPSED]
+    assert flow.status_message(0) == ""
 
 
 def test_a_state_that_is_no_number() -> None:
     """The logarithm of what has become negative, and starts that are none."""
     first = [[1.0, 0.0], [2.0, 0.0], [-1.0, 0.0], [np.nan, 0.0], [0.0, 0.0]]
-    found = batch_integrator(LOGARITHM).until(first, [0.25, 1.5])
+    found = batch_integrator(LOGARITHM).propagate(first, [0.25, 1.5])
     assert found.outcome.tolist() == [NOT_A_NUMBER, 0, *[NOT_A_NUMBER] * 3]
     np.testing.assert_allclose(found.ended, [1, 1.5, 0, 0, 0], atol=1e-11)
     assert np.isnan(found.states[2:]).all()
@@ -77,7 +77,7 @@ def test_a_guard_ends_its_lane_at_its_moment() -> None:
     first = [[1.0, 0.0], [0.0, -1.0], [-1.0, 0.0], [0.2, 0.0], [0.0, 3.0], [0.0, 1.0]]
     fences = {"p": 0.5, "q": [9, 9, 9, 9, 2, 1.0001]}
     flow = batch_integrator(FENCED)
-    found = flow.until(first, [0.2, 3.0], fences)
+    found = flow.propagate(first, [0.2, 3.0], fences)
     left, right = len(STATUS_MESSAGES), len(STATUS_MESSAGES) + 1
     assert found.outcome.tolist() == [left, left, left, 0, right, 0]
     angle = np.arcsin(0.5)
@@ -85,16 +85,19 @@ def test_a_guard_ends_its_lane_at_its_moment() -> None:
     np.testing.assert_allclose(found.ended, ends, atol=1e-11)
     assert np.isfinite(found.states[[0, 1, 3, 4, 5], 0]).all()
     assert np.isnan(found.states[[0, 1, 2, 4], 1]).all()
-    assert [flow.reason(code) for code in (left, right)] == ["it went left", "it went right"]
+    assert [flow.status_message(code) for code in (left, right)] == [
+        "it went left",
+        "it went right",
+    ]
 
 
 def test_a_body_that_leaves_the_plane() -> None:
     """Against the moment at which the reference sees the normal force change its sign."""
-    system = replace(from_catalogue("rattleback"), motion=None, observables=())
+    system = replace(from_catalogue("rattleback"), reconstruction=None, observables=())
     states = starts("rattleback", 4) * [30, 30, 30, 1, 1, 1]
     flow = batch_integrator(system, tolerance=1e-14)
-    found = flow.until(states, [1.0])
-    assert {flow.reason(int(code)) for code in found.outcome} == {system.guards[0].message}
+    found = flow.propagate(states, [1.0])
+    assert {flow.status_message(int(code)) for code in found.outcome} == {system.guards[0].message}
     for start, ended in zip(states, found.ended, strict=True):
         (message,) = integrate(system, start, [0.0, 1.0]).events
         assert message.guard == system.guards[0]
@@ -104,9 +107,9 @@ def test_a_body_that_leaves_the_plane() -> None:
 def test_the_largest_number_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     """A lane that needs more is given up, at a time that it has reached."""
     flow, first = batch_integrator(OSCILLATOR), [[1.0, 0.0], [0.0, 0.0], [2.0, 1.0]]
-    whole = flow.until(first, [0.5, 100.0])
+    whole = flow.propagate(first, [0.5, 100.0])
     monkeypatch.setattr(lanes_module, "MOST_STEPS", 10)
-    found = flow.until(first, [0.5, 100.0])
+    found = flow.propagate(first, [0.5, 100.0])
     assert found.outcome.tolist() == [STEPS, 0, STEPS]
     assert found.steps.tolist() == [10, whole.steps[1], 10]
     assert (found.ended[[0, 2]] > 0.5).all()
@@ -129,9 +132,9 @@ def test_failing_lanes_do_not_disturb_their_neighbours(chosen: list[int]) -> Non
     """Guards, logarithms of nothing, not-a-number, in any company: the same bits."""
     first = np.array([[a, b] for a in (0.0, -2.9, 1.0, 60.0) for b in (0.0, 1.0, np.nan)])
     flow = batch_integrator(EDGE)
-    whole = flow.until(first, [0.1, 2.0, 4.0])
+    whole = flow.propagate(first, [0.1, 2.0, 4.0])
     assert set(whole.outcome) == {0, NOT_A_NUMBER, len(STATUS_MESSAGES)}
-    part = flow.until(first[chosen], [0.1, 2.0, 4.0])
+    part = flow.propagate(first[chosen], [0.1, 2.0, 4.0])
     for mine, all_of_them in zip(vars(part).values(), vars(whole).values(), strict=True):
         if mine is not None:
             assert mine.tobytes() == all_of_them[chosen].tobytes()
@@ -158,7 +161,7 @@ RISE, FALL, TURN = np.pi / 6, 5 * np.pi / 6, 2 * np.pi
     ],
 )
 def test_directions(direction: int, right: list[float]) -> None:
-    found = crossings(direction).returns([[0.0, 1.0]], 3)
+    found = crossings(direction).crossings([[0.0, 1.0]], 3)
     np.testing.assert_allclose(found.times[0], right, atol=1e-11)
     assert np.abs(found.states[0, :, 0] - 0.5).max() < 1e-13
     assert found.counts.tolist() == [3]
@@ -168,27 +171,27 @@ def test_directions(direction: int, right: list[float]) -> None:
 @pytest.mark.parametrize("direction", [1, -1, 0])
 def test_backward_the_same_crossings_come_in_the_other_order(direction: int) -> None:
     """A crossing keeps its direction, which is that of time."""
-    ahead = crossings(direction).returns([[0.0, 1.0]], 3)
-    behind = crossings(direction, backward=True).returns([[0.0, 1.0]], 3, until=-100.0)
+    ahead = crossings(direction).crossings([[0.0, 1.0]], 3)
+    behind = crossings(direction, backward=True).crossings([[0.0, 1.0]], 3, until=-100.0)
     right = sorted([RISE - TURN * k for k in range(1, 4)] + [FALL - TURN * k for k in range(1, 4)])
     keep = {1: right[0::2], -1: right[1::2], 0: right}[direction]
     np.testing.assert_allclose(behind.times[0], keep[::-1][:3], atol=1e-11)
     assert (ahead.times > 0).all()
-    back = crossings(direction, backward=True).returns(ahead.states[:, -1], 2)
+    back = crossings(direction, backward=True).crossings(ahead.states[:, -1], 2)
     np.testing.assert_allclose(back.states[0], ahead.states[0, 1::-1], atol=1e-11)
     np.testing.assert_allclose(back.times[0], ahead.times[0, 1::-1] - ahead.times[0, 2], atol=1e-11)
 
 
 def test_a_start_on_the_section_is_not_a_crossing() -> None:
     cut = batch_integrator(OSCILLATOR, section=poincare_section(OSCILLATOR, x, direction=0))
-    found = cut.returns([[0.0, 1.0], [0.0, -2.0], [1e-17, 1.0], [-1e-17, 1.0]], 2)
+    found = cut.crossings([[0.0, 1.0], [0.0, -2.0], [1e-17, 1.0], [-1e-17, 1.0]], 2)
     np.testing.assert_allclose(found.times, [[np.pi, 2 * np.pi]] * 4, atol=1e-11)
 
 
 def test_crossings_that_count() -> None:
     """Only where y > 0 and the frequency of the lane says so."""
     cut = batch_integrator(OSCILLATOR, section=Section(x, 0, y))
-    found = cut.returns([[0.0, 1.0]] * 2, 2, {"p": [1.0, 4.0]})
+    found = cut.crossings([[0.0, 1.0]] * 2, 2, {"p": [1.0, 4.0]})
     np.testing.assert_allclose(found.times, [[TURN, 2 * TURN], [np.pi, TURN]], atol=1e-11)
     assert (found.states[..., 1] > 0).all()
 
@@ -198,7 +201,7 @@ def test_angles_go_on_beyond_a_turn() -> None:
     cut = batch_integrator(
         TURNING, section=poincare_section(TURNING, x - y, 1.0, direction=0, angle=True)
     )
-    found = cut.returns([[0.5, 0.5], [1.0, 0.0]], 7, {"p": [2.0, -2.0]})
+    found = cut.crossings([[0.5, 0.5], [1.0, 0.0]], 7, {"p": [2.0, -2.0]})
     angle = found.states[..., 0] - found.states[..., 1] - 1
     turns = angle / TURN
     np.testing.assert_allclose(turns[0], np.arange(7), atol=1e-13)
@@ -206,7 +209,7 @@ def test_angles_go_on_beyond_a_turn() -> None:
     rising = batch_integrator(
         TURNING, section=poincare_section(TURNING, x, 1.0, direction=1, angle=True)
     )
-    found = rising.returns([[0.5, 0.5]], 2, {"p": -2.0}, until=20.0)
+    found = rising.crossings([[0.5, 0.5]], 2, {"p": -2.0}, until=20.0)
     assert found.counts.tolist() == [0]
     assert found.outcome.tolist() == [OVER]
 
@@ -214,7 +217,7 @@ def test_angles_go_on_beyond_a_turn() -> None:
 def test_what_is_not_reached() -> None:
     """A section that is not crossed, or only touched, ends with the time."""
     cut = batch_integrator(OSCILLATOR, section=poincare_section(OSCILLATOR, x, 2.0))
-    found = cut.returns([[0.0, 1.0], [2.0, 0.0], [3.0, 0.0], [np.nan, 0.0]], 3, until=15.0)
+    found = cut.crossings([[0.0, 1.0], [2.0, 0.0], [3.0, 0.0], [np.nan, 0.0]], 3, until=15.0)
     assert found.counts.tolist() == [0, 0, 2, 0]
     assert found.outcome.tolist() == [OVER, OVER, OVER, NOT_A_NUMBER]
     assert found.ended.tolist() == [15.0, 15.0, 15.0, 0.0]
@@ -226,7 +229,7 @@ def test_what_is_not_reached() -> None:
 def test_deviations_at_crossings() -> None:
     """Of the oscillator they turn with the motion."""
     cut = crossings(1, deviations=1)
-    found = cut.returns([[0.0, 1.0]], 2, deviations=[[[1.0, 0.0]]])
+    found = cut.crossings([[0.0, 1.0]], 2, deviations=[[[1.0, 0.0]]])
     right = np.stack([np.cos(found.times), -np.sin(found.times)], axis=-1)
     np.testing.assert_allclose(found.deviations[:, :, 0], right, atol=1e-11)
 
@@ -235,7 +238,7 @@ def test_a_pericentre() -> None:
     """The nearest points of a planet: (r, v) rises through zero once in a turn."""
     e = 0.6
     cut = batch_integrator(KEPLER, section=poincare_section(KEPLER, "x*u + y*v"))
-    found = cut.returns([[1 - e, 0, 0, np.sqrt((1 + e) / (1 - e))]], 3)
+    found = cut.crossings([[1 - e, 0, 0, np.sqrt((1 + e) / (1 - e))]], 3)
     np.testing.assert_allclose(found.times[0], TURN * np.arange(1, 4), atol=1e-10)
     assert np.abs(values(KEPLER, ["x*u + y*v"], found.states[0])).max() < 1e-13
 
@@ -248,7 +251,7 @@ def test_crossings_of_a_body_against_the_reference(name: str) -> None:
     cut = batch_integrator(
         ball, tolerance=1e-14, section=poincare_section(ball, "gamma_3", direction=-1)
     )
-    found = cut.returns(states, 3, until=40.0)
+    found = cut.crossings(states, 3, until=40.0)
     crossed = np.flatnonzero(found.counts == 3)
     assert crossed.size >= 2
     for start, times, points in zip(
@@ -290,10 +293,10 @@ def test_bits_do_not_depend_on_the_width(
         monkeypatch.setattr(native, "width", lambda width=width: width)
         # past the memory of what has been made
         made = batch_integrator.__wrapped__(planet, **options)
-        results: list[Any] = [made.until(first, [0.5, 1.0], deviations=tangent)]
+        results: list[Any] = [made.propagate(first, [0.5, 1.0], deviations=tangent)]
         if digits == 16:
             crossed = batch_integrator.__wrapped__(planet, section=cut, **options)
-            results.append(crossed.returns(first, 1, until=3.0, deviations=tangent))
+            results.append(crossed.crossings(first, 1, until=3.0, deviations=tangent))
         arrays = [a for result in results for a in vars(result).values() if a is not None]
         found.add(b"".join(a.tobytes() for a in arrays))
         assert set(results[0].outcome) == {0, len(STATUS_MESSAGES)}
@@ -306,7 +309,7 @@ def _errors(table: Any, tolerances: Any) -> tuple[Any, Any]:
     text, room = runge_kutta_loop(Double, table, equations, 4)
     code = native.load_code(text, lambda: (text, room), {"march": lanes_module._SIGNATURE})
     flow = replace(batch_integrator(OSCILLATOR), code=code)
-    found = [replace(flow, tolerance=t).until([[0.0, 1.0]], [100.0]) for t in tolerances]
+    found = [replace(flow, tolerance=t).propagate([[0.0, 1.0]], [100.0]) for t in tolerances]
     errors = [abs(f.states[0, 0, 0] - np.sin(100.0)) for f in found]
     return np.array(errors), np.array([f.steps[0] for f in found])
 

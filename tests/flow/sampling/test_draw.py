@@ -148,7 +148,7 @@ def test_the_motion_keeps_the_distribution(name: str) -> None:
     made = chosen.system
     assert chosen.invariant
     begin, later = chosen.draw(count, seed=6), chosen.draw(count, seed=7)
-    end = batch_integrator(made, tolerance=1e-9).until(begin, [3.0]).states[:, -1]
+    end = batch_integrator(made, tolerance=1e-9).propagate(begin, [3.0]).states[:, -1]
     assert mixed(made, end, later) > LEAST
 
 
@@ -160,7 +160,7 @@ def test_a_wrong_measure_is_not_kept() -> None:
     assert not chosen.invariant
     assert chosen.measure == "surface measure"
     begin, later = chosen.draw(20_000, seed=6), chosen.draw(20_000, seed=7)
-    end = batch_integrator(made, tolerance=1e-9).until(begin, [3.0]).states[:, -1]
+    end = batch_integrator(made, tolerance=1e-9).propagate(begin, [3.0]).states[:, -1]
     assert mixed(made, begin, later) > LEAST
     assert mixed(made, end, later) < 1e-6
 

@@ -58,7 +58,7 @@ def test_a_pendulum_returns_after_its_period() -> None:
     )
     back = PoincareMap(oscillator, Section(x), {"omega": np.array([1.0, 2.0, 3.0])})
     points = np.array([[0.0, 1.0], [0.0, 0.3], [0.0, 5.0]])
-    crossed = back.returns(points, 3)
+    crossed = back.crossings(points, 3)
     assert np.abs(crossed.times - np.outer(2 * np.pi / np.arange(1, 4), [1, 2, 3])).max() < 1e-11
     assert np.abs(crossed.states - points[:, None]).max() < 1e-11
     assert np.abs(PoincareMap(oscillator, Section(x, 0))(points[0]) + points[0]).max() < 1e-11
@@ -71,7 +71,7 @@ def test_a_pendulum_returns_after_its_period() -> None:
 @pytest.mark.parametrize("name", BODIES)
 def test_points_are_those_of_taylor_integration(name: str) -> None:
     back = map_of(name, tolerance=1e-15)
-    points = back.returns(starts(name), 6)
+    points = back.crossings(starts(name), 6)
     assert (points.counts == 6).all()
     # errors grow along a motion as its derivative does
     growth = np.abs(back.derivative(starts(name), 6).matrices).max(axis=(1, 2))
@@ -124,7 +124,7 @@ def test_the_inverse_leads_back(name: str) -> None:
     assert np.abs(back.inverse(back.inverse(back.inverse(third))) - first).max() < 1e-11 * growth
     assert np.abs(back.iterate(third, -3) - first).max() < 1e-11 * growth
     assert np.array_equal(back.iterate(first, 0), first)
-    assert (back.inverse.returns(first, 2).times < 0).all()
+    assert (back.inverse.crossings(first, 2).times < 0).all()
 
 
 def _growth(back: PoincareMap, points: Any, count: int) -> float:
@@ -137,12 +137,12 @@ def _growth(back: PoincareMap, points: Any, count: int) -> float:
 def test_the_derivative_is_a_difference(name: str) -> None:
     system, back = body(name), map_of(name, tolerance=1e-15)
     # a long way to the section leaves differences few digits
-    soon = back.returns(starts(name), 1).times[:, 0] < 10.0
+    soon = back.crossings(starts(name), 1).times[:, 0] < 10.0
     assert soon.sum() >= 2
     points = starts(name)[soon]
     made = back.derivative(points)
     assert np.abs(made.images - back(points)).max() < 1e-12
-    assert np.abs(made.times - back.returns(points, 1).times[:, 0]).max() < 1e-12
+    assert np.abs(made.times - back.crossings(points, 1).times[:, 0]).max() < 1e-12
     random = np.random.default_rng(3)
     step = 1e-7
     normal = points[:, 3:]
@@ -170,7 +170,7 @@ def test_the_derivative_is_a_difference(name: str) -> None:
 def _moved(back: PoincareMap, points: Any) -> BatchCrossings:
     """The first returns of points that are put back on the phase space."""
     points[:, 3:] /= np.linalg.norm(points[:, 3:], axis=1, keepdims=True)
-    return back.returns(points, 1)
+    return back.crossings(points, 1)
 
 
 def test_the_dimension_counts_what_is_kept() -> None:
@@ -185,14 +185,14 @@ def test_a_section_of_the_section() -> None:
     (start, *_) = back(starts("unbalanced-ball"))
     first, second = to_components(back.system.state[1])[0], to_components(back.system.state[0])[1]
     thin = back.within(second, 0.2)
-    every = back.returns(start[None], 400).states[0]
+    every = back.crossings(start[None], 400).states[0]
     near = every[np.abs(every[:, 1]) < 0.2]
     assert 10 < len(near) < 100
-    assert np.array_equal(thin.returns(start[None], len(near)).states[0], near)
+    assert np.array_equal(thin.crossings(start[None], len(near)).states[0], near)
     thinner = thin.within(first, 0.5)
     both = near[np.abs(near[:, 3]) < 0.5]
     assert 1 < len(both) < len(near)
-    assert np.array_equal(thinner.returns(start[None], len(both)).states[0], both)
+    assert np.array_equal(thinner.crossings(start[None], len(both)).states[0], both)
     with pytest.raises(InputError, match="must be positive"):
         slab(back.section, first, 0.0)
 
@@ -201,8 +201,8 @@ def test_what_does_not_return_is_told() -> None:
     back = map_of("unbalanced-ball", until=1e-3)
     image = back(starts("unbalanced-ball"))
     assert np.isnan(image).all()
-    crossed = back.returns(starts("unbalanced-ball"), 1)
-    assert {back.reason(code) for code in crossed.outcome} == {"the time limit was reached"}
+    crossed = back.crossings(starts("unbalanced-ball"), 1)
+    assert {back.status_message(code) for code in crossed.outcome} == {"the time limit was reached"}
     assert np.isnan(back.derivative(starts("unbalanced-ball")).matrices).all()
 
 
@@ -219,6 +219,6 @@ def test_it_travels_to_other_processes() -> None:
 )
 def test_points_of_a_wrong_shape_are_refused(points: Any, sentence: str) -> None:
     with pytest.raises(InputError, match=sentence):
-        map_of("unbalanced-ball").returns(points, 1)
+        map_of("unbalanced-ball").crossings(points, 1)
     with pytest.raises(InputError, match="one at least"):
         map_of("unbalanced-ball").derivative(np.zeros((1, 6)), 0)

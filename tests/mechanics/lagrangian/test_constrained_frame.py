@@ -62,7 +62,9 @@ def test_equations_on_the_distribution_are_those_of_the_mechanism(name: str) -> 
             s: sum(known.value(row[i]) * chosen[made.velocities[i]] for i in count)
             for s, row in zip(mechanism.frame.w, made.basis, strict=True)
         }
-        motion = GenericPoint(base | {s: w[s] for s in system.symbols if s in w}, system.steps)
+        motion = GenericPoint(
+            base | {s: w[s] for s in system.symbols if s in w}, system.scalar_definitions
+        )
         rates = {s: motion.value(r) for s, r in zip(system.symbols, system.rates, strict=True)}
         g = [[known.value(e) for e in row] for row in made.kinetic]
         P = [sum(g[s][r] * chosen[made.velocities[r]] for r in count) for s in count]

@@ -43,7 +43,9 @@ PLANE = Frame(
 
 
 def operations(system: System) -> int:
-    return int(sum(sp.count_ops(f) for f in (*system.rates, *(e for _, e in system.steps))))
+    return int(
+        sum(sp.count_ops(f) for f in (*system.rates, *(e for _, e in system.scalar_definitions)))
+    )
 
 
 def sleigh(constraint: sp.Expr = v, **more: Any) -> Mechanism:
@@ -67,7 +69,7 @@ def test_sleigh_in_its_own_frame_reads_as_in_books() -> None:
     assert system.symbols == (u, w)
     assert sp.simplify(system.rates[0] - a * w**2) == 0
     assert sp.simplify(system.rates[1] + m * a * u * w / (J + m * a**2)) == 0
-    assert [str(s) for name, _ in system.motion.field for s in [name]] == ["x", "y", "phi"]
+    assert [str(s) for name, _ in system.reconstruction.field for s in [name]] == ["x", "y", "phi"]
 
 
 def test_rates_may_use_definitions() -> None:
@@ -89,7 +91,7 @@ def test_rates_may_use_definitions() -> None:
 def test_the_reaction_is_the_sideways_force() -> None:
     system = equations(sleigh())
     (reaction,) = system.observables
-    steps = dict(system.steps)
+    steps = dict(system.scalar_definitions)
     value = reaction.value
     while value.free_symbols & steps.keys():
         value = value.xreplace(steps)

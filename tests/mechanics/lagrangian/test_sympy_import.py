@@ -47,7 +47,7 @@ def value(formula: sp.Expr, point: Mapping[sp.Symbol, Any]) -> Any:
 
 def rates_at(system: System, point: Mapping[sp.Symbol, Any]) -> dict[str, Any]:
     known = dict(point)
-    for symbol, formula in system.steps:
+    for symbol, formula in system.scalar_definitions:
         known[symbol] = value(formula, known)
     pairs = zip(system.symbols, system.rates, strict=True)
     return {str(symbol): value(rate, known) for symbol, rate in pairs}
@@ -129,7 +129,7 @@ def test_a_multiplier_is_sympys_with_the_other_sign():
     system = from_sympy(method, {str(s): value for s, value in numbers.items()})
     known = {s: mpmath.mpf(float(point[str(s)])) for s in system.symbols}
     known |= {p.symbol: mpmath.mpf(p.default) for p in system.parameters}
-    for symbol, formula in system.steps:
+    for symbol, formula in system.scalar_definitions:
         known[symbol] = value(formula, known)
     ours = next(o for o in system.observables if o.name == "lambda_1")
     assert float(value(ours.value, known)) == pytest.approx(-float(theirs), rel=1e-13)

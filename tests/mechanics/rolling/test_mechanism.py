@@ -206,10 +206,14 @@ def test_accelerations_and_reactions_to_forty_digits(shape: str, surface: str, m
             place = to_components(real_symbol("a") * gamma - touch.r)
             point |= dict(zip(X.symbols, map(before.value, place), strict=True))
         momentum = to_components(dict(closed.start).get(M, zero))
-        found = GenericPoint({s: x for s, x in point.items() if s not in v.symbols}, derived.steps)
+        found = GenericPoint(
+            {s: x for s, x in point.items() if s not in v.symbols}, derived.scalar_definitions
+        )
         point |= dict(zip(M.symbols, map(found.value, momentum), strict=True))
-        names = {s for s, _ in closed.steps}
-        expected = GenericPoint({s: x for s, x in point.items() if s not in names}, closed.steps)
+        names = {s for s, _ in closed.scalar_definitions}
+        expected = GenericPoint(
+            {s: x for s, x in point.items() if s not in names}, closed.scalar_definitions
+        )
         rates = dict(zip(derived.symbols, derived.rates, strict=True))
         pairs = [
             *zip((rates[s] for s in omega.symbols), Vector("omegadot").symbols, strict=True),

@@ -72,19 +72,19 @@ def test_a_ratio_of_radii_settles_a_radius():
     system = from_catalogue("ball-around-sphere")
     (linear,) = (law for law in system.laws if law.name == "linear")
     ground = LevelSet(system, linear.on)
-    assert ground.settled
-    assert set(ground.settled) <= {p.symbol for p in system.parameters}
-    assert not set(ground.settled) & set(ground.generators)
+    assert ground.fixed_parameters
+    assert set(ground.fixed_parameters) <= {p.symbol for p in system.parameters}
+    assert not set(ground.fixed_parameters) & set(ground.generators)
 
 
 def test_equal_moments_settle_one_of_them():
     ground = LevelSet(from_catalogue("chaplygin-ball"), (I_1 - I_2,))
-    assert ground.settled == {I_1: I_2}
+    assert ground.fixed_parameters == {I_1: I_2}
 
 
 def test_the_inertia_at_the_contact_takes_the_place_of_the_inertia():
     ground = LevelSet(from_catalogue("unbalanced-ball"))
-    names = {str(e.name): str(e.parameter) for e in ground.exchanged}
+    names = {str(e.name): str(e.parameter) for e in ground.swapped_generators}
     assert names["J_1"] == "I_1"
     assert names["r_1"] == "c_1"
 
@@ -95,8 +95,8 @@ def test_exchanged_parameters_have_their_value_and_do_not_move():
     field = ground.numbers(values, exact)
     along = ground.along(field)
     plain = ground.evaluator(field)
-    steps = dict(ground.system.steps)
-    for change in ground.exchanged:
+    steps = dict(ground.system.scalar_definitions)
+    for change in ground.swapped_generators:
         assert along.slope(change.parameter) == 0
         assert plain.value(steps[change.name]) == values[str(change.name)]
 

@@ -15,8 +15,6 @@ from ...proof.verdict import Verdict
 from .ranks import RankSample
 from .statements import IgnoredLaw
 
-__all__ = ["ApplicableLaws", "sorted_laws"]
-
 
 @dataclass(frozen=True)
 class ApplicableLaws:

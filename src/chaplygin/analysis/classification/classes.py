@@ -11,8 +11,6 @@ from dataclasses import dataclass
 from .facts import Fact
 from .statements import Bracket, Density, IntegrabilityClass, Statement
 
-__all__ = ["DynamicalStructure", "classes_and_dynamics"]
-
 
 @dataclass(frozen=True)
 class DynamicalStructure:

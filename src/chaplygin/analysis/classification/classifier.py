@@ -34,8 +34,6 @@ from .sign_reversal import reversal
 from .statements import IntegrabilityClass
 from .via_isomorphism import TargetResults, through_isomorphisms
 
-__all__ = ["classify", "classify_quickly"]
-
 #: Term operations for the proof of one law, and for all, where the place must be there at once.
 PATIENCE = EFFORT // 50
 ALTOGETHER = EFFORT // 25

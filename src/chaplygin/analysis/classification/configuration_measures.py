@@ -19,9 +19,6 @@ from .facts import HERE, Fact, ProofBudget
 from .ranks import Number
 from .statements import Density
 
-__all__ = ["MeasureFacts", "configuration_measure"]
-
-
 _OPEN = "whether one has a density that depends on the configuration alone"
 
 

@@ -19,8 +19,6 @@ from ...proof.level.time_derivatives import without_rates
 from .facts import Fact, fact_of
 from .ranks import Covectors, Element, View
 
-__all__ = ["AnnihilatingCovectors", "casimirs", "many_valued", "sources"]
-
 #: Angles have many values, so that levels of functions of theirs need not be closed.
 _MANY_VALUED = (sp.atan, sp.atan2)
 

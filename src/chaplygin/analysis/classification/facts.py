@@ -12,8 +12,6 @@ from ...printing.laws import heading
 from ...proof.prover import prove
 from ...proof.verdict import UNTRIED, Verdict
 
-__all__ = ["HERE", "Fact", "ProofBudget", "fact_of"]
-
 NOT_TRIED = f"{UNTRIED}, as the effort for all laws together was spent"
 """Why a law is left undecided that no work was left for."""
 LEFT_OUT = f"{UNTRIED}, as proofs were left out"

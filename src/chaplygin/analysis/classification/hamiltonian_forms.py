@@ -18,8 +18,6 @@ from .ranks import Element, RankSample, View, conditions_on_parameters
 from .sign_test import sign
 from .statements import Bracket, Density
 
-__all__ = ["Forms", "density", "hamiltonian", "measures"]
-
 
 @dataclass(frozen=True)
 class Forms:

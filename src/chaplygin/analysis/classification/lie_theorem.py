@@ -17,8 +17,6 @@ from .facts import HERE, Fact, ProofBudget, fact_of
 from .ranks import RankSample, View, conditions_on_parameters
 from .rotation_symmetry import Turning, is_rotation_invariant
 
-__all__ = ["fields", "lie"]
-
 Components = dict[sp.Symbol, Any]
 
 

@@ -17,9 +17,6 @@ from ...core.overview import Overview, WithOverview
 from .facts import HERE, Fact
 from .statements import Bracket, Density, IgnoredLaw, IntegrabilityClass, Statement
 
-__all__ = ["Classification", "listing", "rows"]
-
-
 WIDTH = 100
 COLUMN = 16
 

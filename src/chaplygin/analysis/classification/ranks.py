@@ -24,14 +24,6 @@ from ...proof.level.named_formulas import components
 from ...proof.level.time_derivatives import without_rates
 from ...proof.rank import rank
 
-__all__ = [
-    "RankSample",
-    "View",
-    "conditions_on_parameters",
-    "rational_parameters",
-    "with_numeric_parameters",
-]
-
 T = TypeVar("T")
 
 #: Elements of the fields of numbers, and numbers that turn into such.
@@ -98,7 +90,7 @@ class View:
             if parameter.symbol not in values:
                 values[parameter.symbol] = self.evaluate(parameter.symbol)
         there = LevelSet(law.target)
-        reading = Evaluator(self.field, values.get, dict(law.target.steps))
+        reading = Evaluator(self.field, values.get, dict(law.target.scalar_definitions))
         return View(self.field, reading, there, self.size)
 
 

@@ -15,8 +15,6 @@ from ...core.system import flat_pairs
 from ...core.vectors import Diagonal, Symmetric, Vector, to_components
 from .ranks import RankSample
 
-__all__ = ["Turning", "is_rotation_invariant", "vanishes"]
-
 #: Operations in a formula above which this proof gives up: definitions are to be short.
 LARGEST = 1500
 

@@ -15,8 +15,6 @@ from ...core.system import Name, System, flat
 from ...core.vectors import to_components
 from .rotation_symmetry import vanishes
 
-__all__ = ["reversal", "reverses"]
-
 #: State variables, a vector counted as one, above which no reversal is looked for.
 LARGEST = 6
 
@@ -59,7 +57,7 @@ def reverses(system: System, odd: Set[sp.Symbol]) -> bool:
     """
     signs = {s: -1 if s in odd else 1 for s in (*system.symbols, *system.defaults)}
     zeros: dict[sp.Symbol, sp.Expr] = {}
-    for symbol, formula in system.steps:
+    for symbol, formula in system.scalar_definitions:
         value = formula.xreplace(zeros)
         if value == 0:  # even and odd at once
             zeros[symbol] = sp.S.Zero

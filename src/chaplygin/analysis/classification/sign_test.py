@@ -20,8 +20,6 @@ from .ranks import RankSample
 #: Intervals of the variables.
 Box: TypeAlias = tuple[tuple[sp.Expr, sp.Expr], ...]
 
-__all__ = ["Sign", "sign"]
-
 Sign = Literal["kept", "changes", "unknown"]
 
 #: Boxes that are tested before the sign is left unknown.
@@ -64,7 +62,7 @@ def _sign_of(sample: RankSample, formula: sp.Expr) -> Sign:
 
 def _divides(sample: RankSample, formula: sp.Expr) -> bool:
     """Whether a formula is a root by which the equations divide, thus positive."""
-    steps = dict(sample.system.steps)
+    steps = dict(sample.system.scalar_definitions)
     inner = steps.get(formula, formula)
     if not (inner.is_Pow and inner.exp == sp.Rational(1, 2)):
         return False

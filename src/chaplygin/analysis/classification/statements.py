@@ -6,8 +6,6 @@ from dataclasses import dataclass
 
 from .facts import Fact
 
-__all__ = ["Bracket", "Density", "IgnoredLaw", "IntegrabilityClass", "Statement"]
-
 
 @dataclass(frozen=True)
 class Statement:

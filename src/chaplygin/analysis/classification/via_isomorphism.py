@@ -25,8 +25,6 @@ from .ranks import Element, RankSample, View, rational_parameters
 from .sign_test import sign
 from .statements import Bracket, Density
 
-__all__ = ["TargetResults", "through_isomorphisms"]
-
 #: Isomorphisms that are followed one after another.
 DEPTH = 2
 

@@ -9,9 +9,6 @@ import numpy as np
 from ...core.arrays import FloatArray
 from ...errors import InputError
 
-__all__ = ["BATCHES", "Average", "average", "batch_means", "resolution"]
-
-
 #: Batches into which a series is divided.
 BATCHES = 16
 #: Intervals that a batch has at least.

@@ -30,9 +30,6 @@ from .zero_exponents import TrivialDirections, trivial_directions
 if TYPE_CHECKING:
     pass
 
-__all__ = ["lyapunov_spectrum"]
-
-
 #: Part of a motion left out at the beginning, where deviations find their directions.
 UNSETTLED = 0.2
 #: Intervals of a motion, unless deviations part too fast.
@@ -204,7 +201,7 @@ def _run(
             code = int(stretch.outcome[0])
             if code:
                 ended = k * interval + float(stretch.ended[0])
-                raise EarlyEndError(machine.system.name, machine.reason(code), ended)
+                raise EarlyEndError(machine.system.name, machine.status_message(code), ended)
             spread = float(np.ptp(stretch.lengths[0])) if space.dimension else 0.0
             if not max(spread, np.abs(stretch.lengths[0]).max(initial=0.0)) <= APART[k >= FIRST]:
                 return None

@@ -17,9 +17,6 @@ from ...formulas.batch import Formulas
 from .averages import Average, average
 from .zero_exponents import TrivialDirections, vanish
 
-__all__ = ["NODES", "MotionRecord", "Volume", "divergence_average"]
-
-
 #: Points of Gauss's rule in an interval, for the mean of the divergence.
 NODES = 16
 #: Intervals taken together, to bound the memory.
@@ -94,7 +91,7 @@ def _densities(
     system: System, ends: FloatArray, sizes: FloatArray, parameters: Parameters
 ) -> Iterator[tuple[str, float]]:
     """For each invariant measure, its growth of volumes between two states."""
-    moving = set(system.symbols) | {symbol for symbol, _ in system.steps}
+    moving = set(system.symbols) | {symbol for symbol, _ in system.scalar_definitions}
     relations = [to_components(relation) for relation in system.relations]
     gradients = Formulas(system, relations).slopes(ends, parameters) * sizes
     _, lengths = orthonormal(gradients)

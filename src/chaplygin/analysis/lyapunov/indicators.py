@@ -28,19 +28,6 @@ from ...flow.level_projection import select_parameters
 from ...flow.state_scales import state_scales
 from ...flow.tangent_space import TangentSpace, orthonormal
 
-__all__ = [
-    "ChaosIndicator",
-    "ExponentSum",
-    "FastLyapunovIndicator",
-    "MaximalExponent",
-    "Megno",
-    "SmallerAlignmentIndex",
-    "TangentGrowth",
-    "tangent",
-    "tangent_growth",
-    "transverse_space",
-]
-
 #: Part of a motion left out at the beginning, where a deviation finds its direction.
 UNSETTLED = 0.2
 #: Batches whose means give the error, and Student's factor for 95 % of them.
@@ -219,7 +206,7 @@ def _growth_arrays(
             break
         chosen = select_parameters(parameters, live)
         carried = frames[live] * sizes[live, None]
-        run = flow.until(states[live], [interval], chosen, deviations=carried)
+        run = flow.propagate(states[live], [interval], chosen, deviations=carried)
         ended[live] = k * interval + run.ended
         outcome[live] = run.outcome
         going = run.outcome == 0

@@ -21,8 +21,6 @@ from .zero_exponents import TrivialExponent
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["Spectrum", "dataset", "kaplan_yorke", "record", "remarks", "rounded", "word"]
-
 #: Draws of the bootstrap, and its seed.
 DRAWS, SEED = 400, 20080830
 #: A relative error of the computation above which it is reported.

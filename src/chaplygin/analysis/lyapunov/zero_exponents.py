@@ -28,8 +28,6 @@ from ...formulas.batch import Formulas
 from ...printing.formula import text
 from ...printing.laws import equation
 
-__all__ = ["TrivialDirections", "TrivialExponent", "trivial_directions", "vanish"]
-
 Kind = Literal["relation", "integral", "flow", "symmetry", "quadrature"]
 
 #: Relative size below which a vector counts as dependent on others.
@@ -267,7 +265,7 @@ def _conditions(at: _At) -> Iterator[_Item]:
     idle = set(_idle(system))
     for law in sorted(system.integrals, key=lambda law: bool(law.on)):
         value = to_components(law.value)
-        used = {s for _, step in system.needed([value]) for s in step.free_symbols}
+        used = {s for _, step in system.required_definitions([value]) for s in step.free_symbols}
         # a variable on which nothing depends is removed as such
         if not idle & (used | value.free_symbols):
             yield _Item(TrivialExponent(law.name, "integral"), (value,), _level(law))

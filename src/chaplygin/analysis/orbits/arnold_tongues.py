@@ -21,16 +21,6 @@ from ...core.arrays import FloatArray
 from ...errors import InputError, RunError
 from .rotation import FIRST, average
 
-__all__ = [
-    "CircleMaps",
-    "DevilsStaircase",
-    "Plateau",
-    "displacement",
-    "locked_interval",
-    "plateaus",
-    "staircase",
-]
-
 #: Error of one step of an integrated map, turns.
 ACCURACY = 1e-13
 #: Points on the circle with which a displacement is first known, for each step of the cycle.

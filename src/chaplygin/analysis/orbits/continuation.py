@@ -29,8 +29,6 @@ from .periodic import (
     orbit_from_points,
 )
 
-__all__ = ["Branch", "Event", "follow"]
-
 #: Halvings of a step before a branch ends, and of an interval in which something happens.
 SHORTENED, LOCATED = 12, 50
 #: A step is lengthened by this factor when the tangent turns by less than `_STRAIGHT` radians,

@@ -15,8 +15,6 @@ import numpy as np
 from ...core.arrays import FloatArray
 from .maps import Map, normalised
 
-__all__ = ["Multipliers", "multipliers", "stability"]
-
 #: Differentials whose part across the others is a smaller share of them are dependent.
 DEPENDENT = 1e-7
 #: Two eigenvalues that rounding drew apart from one are twice as far from it as the first-order

@@ -24,8 +24,6 @@ from .maps import normalised
 from .periodic import NoOrbitError, Orbit, held_values, periodic_difference, shortest
 from .return_map import ReturnMap
 
-__all__ = ["RefinedOrbit", "refine_orbit"]
-
 #: Digits of mpmath; steps at most; a step at which the iteration rests, relative to the state.
 _DIGITS, _STEPS, _REST = 36, 8, 1e-29
 
@@ -108,11 +106,11 @@ class _Problem:
         rough = np.array([float(x) for x in point])
         whole = float(duration)
         flow = gauss_integrator(system, rough, parameters, digits=30)
-        motion = flow.until(np.array([point], dtype=object), [whole], parameters)
+        motion = flow.propagate(np.array([point], dtype=object), [whole], parameters)
         end = from_pairs(motion.states[0, 0], motion.rest[0, 0])
         if motion.outcome[0] != 0:
-            raise NoOrbitError(flow.reason(int(motion.outcome[0])), rough[None])
-        moved = batch_integrator(system, deviations=size).until(
+            raise NoOrbitError(flow.status_message(int(motion.outcome[0])), rough[None])
+        moved = batch_integrator(system, deviations=size).propagate(
             rough[None], [whole], parameters, deviations=np.eye(size)[None]
         )
         (rates, _) = self._numbers(system.rates, end)

@@ -21,8 +21,6 @@ from ...core.system import System
 from ...errors import InputError
 from ...formulas.graph import Term, of_system, ordered
 
-__all__ = ["Cycle", "enclose_limit_cycle"]
-
 #: Bits of the numbers: the polygons are much rougher than these.
 _BITS = 64
 #: Radius of the parts into which a box is cut.
@@ -110,7 +108,7 @@ def _slope(
     slope = rates[places[0]] / rates[places[1]]
     graph = reader.graph
     unit = {graph.state(i): graph.number(int(i == places[0])) for i in range(2)}
-    terms = (slope, graph.along([slope], unit)[0], rates[places[1]])
+    terms = (slope, graph.directional_derivative([slope], unit)[0], rates[places[1]])
     nodes = ordered(terms)
     for node in nodes:
         if node.kind not in _KNOWN | _FUNCTIONS:

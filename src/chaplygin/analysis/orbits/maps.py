@@ -15,8 +15,6 @@ import numpy as np
 
 from ...core.arrays import FloatArray
 
-__all__ = ["ConservedFunctions", "Image", "Map", "Plain", "normalised", "slope_of"]
-
 Function = Callable[[FloatArray], FloatArray]
 
 #: Step along the imaginary axis; its square is nothing beside 1, so that no digits are lost.

@@ -19,19 +19,6 @@ from ...errors import InputError, RunError
 from .floquet import Multipliers, multipliers
 from .maps import Image, Map, normalised
 
-__all__ = [
-    "Equations",
-    "NoOrbitError",
-    "Orbit",
-    "find",
-    "held_values",
-    "newton_solution",
-    "onto",
-    "orbit_from_points",
-    "periodic_difference",
-    "shortest",
-]
-
 #: Singular values below this share of the greatest belong to a family.
 FAMILY = 1e-10
 #: Steps of Newton's method, and halvings of one of them.

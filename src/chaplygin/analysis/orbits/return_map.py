@@ -26,8 +26,6 @@ from ...formulas.batch import Formulas
 from .maps import ConservedFunctions, Image
 from .rotation import average, unwrapped_turns
 
-__all__ = ["Circle", "ReturnMap", "Rotations", "parameters_to_state", "rotations"]
-
 #: Numbers kept at once when many motions are followed.
 AT_ONCE = 1 << 23
 
@@ -146,7 +144,7 @@ class ReturnMap:
         if slopes:
             derivative = self.section.derivative(points, count)
             return Image(derivative.images, derivative.times, derivative.matrices)
-        crossed = self.section.returns(points, count)
+        crossed = self.section.crossings(points, count)
         return Image(crossed.states[:, -1], crossed.times[:, -1])
 
 
@@ -186,7 +184,7 @@ class Circle:
         starts = np.array([[self.state.get(name, 0.0) for name in names]]).repeat(len(turns), 0)
         starts[:, place] = 2 * np.pi * turns
         parameters = {**self.section.parameters, self.varied: np.asarray(values, dtype=float)}
-        crossings = replace(self.section, parameters=parameters).returns(starts, count)
+        crossings = replace(self.section, parameters=parameters).crossings(starts, count)
         return np.concatenate([turns[:, None], crossings.states[:, :, place] / (2 * np.pi)], axis=1)
 
 
@@ -239,7 +237,7 @@ def rotations(section: PoincareMap, starts: FloatArray, angle: Any, count: int =
             name: value if np.ndim(value) == 0 else np.asarray(value)[part]
             for name, value in section.parameters.items()
         }
-        crossed = replace(section, parameters=parameters).returns(starts[part], count)
+        crossed = replace(section, parameters=parameters).crossings(starts[part], count)
         outcome[part] = crossed.outcome
         angles = formula(crossed.states, parameters)[..., 0]
         for i in np.flatnonzero(crossed.outcome == 0):

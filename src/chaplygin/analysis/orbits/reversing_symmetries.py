@@ -25,8 +25,6 @@ from ...formulas.batch import Formulas
 from ...printing.formula import text
 from ..classification.sign_reversal import reverses
 
-__all__ = ["Reversor", "reversors"]
-
 #: So many signs are tried one by one; where there are more, a vector counts as one.
 SIGNS = 16
 #: States at which candidates are tried, and how often a usable one is drawn for.

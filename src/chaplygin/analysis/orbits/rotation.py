@@ -18,16 +18,6 @@ from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...errors import InputError
 
-__all__ = [
-    "Rotation",
-    "average",
-    "frequency",
-    "rotation",
-    "rotation_number",
-    "simplest",
-    "unwrapped_turns",
-]
-
 #: Points with which a rotation number is tried first.
 FIRST = 256
 #: Rounds of a period that must be seen before an orbit may be called locked or closed.

@@ -15,8 +15,6 @@ from ...core.system import System
 from ...core.vectors import Vector
 from ...errors import InputError
 
-__all__ = ["Andoyer", "momentum_of"]
-
 #: Below this the sine of an angle is rounding, and what turns about its axis is not defined.
 _FLAT = 1e-7
 

@@ -22,8 +22,6 @@ from ...flow.sampling.find_fibration import find_fibration
 from ...formulas.compiled import SystemFormulas
 from ...formulas.evaluate import parameter_rows
 
-__all__ = ["Directions"]
-
 #: Below this the sine of an angle is rounding.
 _FLAT = 1e-7
 #: Tolerance for a linear condition on the component along γ.

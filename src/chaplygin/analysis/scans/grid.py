@@ -27,17 +27,6 @@ from ...formulas.evaluate import formula
 from ...parsing import nearest, parse
 from .system_quantities import quantities_by_name
 
-__all__ = [
-    "NO_NUMBER",
-    "REASONS",
-    "Axis",
-    "GridCells",
-    "ScanGrid",
-    "axis",
-    "directions",
-    "scan_grid",
-]
-
 #: Why a cell has no motion or no number; −1 in a store is what is not computed yet.
 NO_STATE, INADMISSIBLE, NO_NUMBER = -2, -3, -4
 REASONS: Mapping[int, str] = {
@@ -242,7 +231,9 @@ def scan_grid(
     known = {str(s): s for s in system.defaults} | {a.name: a.symbol for a in (x, y)}
     values: dict[str, sp.Expr] = {n: parse(t, known, f"{n} = {t}") for n, t in texts.items()}
     used = {s for value in values.values() for s in value.free_symbols}
-    levels = {str(s) for s, _ in described.steps} | quantities_by_name(described).keys()
+    levels = {str(s) for s, _ in described.scalar_definitions} | quantities_by_name(
+        described
+    ).keys()
     for item in (x, y):
         if item.name in symbols.keys() | levels:
             values = {item.name: item.symbol, **values}
@@ -314,14 +305,14 @@ def _by_velocity(system: System, start: Mapping[str, npt.ArrayLike]) -> System:
         )
     symbols = set(flat(names))
     follow = [(name, value) for name, value in follow if name not in names]
-    before = system.needed([value for _, value in follow], given=symbols)
+    before = system.required_definitions([value for _, value in follow], given=symbols)
     done = {symbol for symbol, _ in before}
-    after = [(s, v) for s, v in system.steps if s not in done | symbols]
+    after = [(s, v) for s, v in system.scalar_definitions if s not in done | symbols]
     return replace(
         system,
         field=tuple((name, 0 * name) for name in names),
         definitions=(*before, *follow, *after),
-        motion=None,
+        reconstruction=None,
         start=(),
         guards=(),
     )

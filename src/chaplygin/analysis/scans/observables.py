@@ -21,17 +21,6 @@ from ...flow.level_projection import select_parameters
 from ...formulas.evaluate import values
 from ..orbits.rotation import average
 
-__all__ = [
-    "Frequency",
-    "Maximum",
-    "Minimum",
-    "ObservedSeries",
-    "SurvivalTime",
-    "TimeAverage",
-    "observe",
-]
-
-
 #: States of a motion that are kept at a time.
 KEPT = 128
 #: An additional variable of the state: a formula integrated in time.
@@ -60,7 +49,7 @@ class SurvivalTime:
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
         """Times, outcomes and times reached, (n,) each."""
-        run = batch_integrator(self.system, tolerance=self.tolerance).until(
+        run = batch_integrator(self.system, tolerance=self.tolerance).propagate(
             starts, [self.until], parameters
         )
         return {"value": run.ended, "outcome": run.outcome, "ended": run.ended}
@@ -89,7 +78,7 @@ class TimeAverage:
     ) -> dict[str, FloatArray | IntArray]:
         """Means, outcomes and times reached, (n,) each."""
         flow = batch_integrator(_with_total(self.system, self.formula), tolerance=self.tolerance)
-        run = flow.until(_from_zero(starts), [self.until], parameters)
+        run = flow.propagate(_from_zero(starts), [self.until], parameters)
         mean = run.states[:, 0, -1] / self.until
         return {"value": mean, "outcome": run.outcome, "ended": run.ended}
 
@@ -180,7 +169,7 @@ class Frequency:
 
 def _with_total(system: System, formula: sp.Expr) -> System:
     """A system that integrates a formula in time along with its motion."""
-    return replace(system, field=(*system.field, (TOTAL, formula)), motion=None)
+    return replace(system, field=(*system.field, (TOTAL, formula)), reconstruction=None)
 
 
 def _from_zero(starts: FloatArray) -> FloatArray:
@@ -190,7 +179,7 @@ def _from_zero(starts: FloatArray) -> FloatArray:
 def _rate(system: System, formula: sp.Expr) -> sp.Expr:
     """The derivative of a formula along the motion, through the definitions."""
     rates = dict(zip(system.symbols, system.rates, strict=True))
-    for symbol, value in system.needed([formula]):
+    for symbol, value in system.required_definitions([formula]):
         rates[symbol] = _changing(value, rates)
     return _changing(formula, rates)
 
@@ -251,7 +240,7 @@ def observe(
         if not len(live):
             break
         chosen = select_parameters(parameters, live)
-        run = flow.until(states[live], times[some] - times[first], chosen)
+        run = flow.propagate(states[live], times[some] - times[first], chosen)
         series[live, some] = values(flow.system, [formula], run.states, chosen)[..., 0]
         outcome[live], states[live] = run.outcome, run.states[:, -1]
         ended[live] = times[first] + run.ended

@@ -25,8 +25,6 @@ from .scan_task import Rule
 from .section_rotation import Winding
 from .system_quantities import meaning
 
-__all__ = ["KINDS", "NamedQuantity", "quantity_from_text"]
-
 
 @dataclass(frozen=True)
 class NamedQuantity:

@@ -25,8 +25,6 @@ from ...flow.kernel.outcomes import STATUS_MESSAGES
 from ...flow.variable_metadata import cf_attributes
 from .grid import NO_NUMBER, REASONS, Axis, ScanGrid
 
-__all__ = ["Rule", "Scan", "scan"]
-
 #: Motions that are computed at once, about.
 AT_ONCE = 2048
 
@@ -175,7 +173,8 @@ def _outcomes(rule: Rule) -> dict[str, object]:
     flow = batch_integrator(rule.system, tolerance=rule.tolerance)
     reasons = {0: "followed to the end", -1: "not computed yet", **REASONS}
     reasons |= {
-        code: flow.reason(code) for code in range(1, len(STATUS_MESSAGES) + len(rule.system.guards))
+        code: flow.status_message(code)
+        for code in range(1, len(STATUS_MESSAGES) + len(rule.system.guards))
     }
     return {
         **cf_attributes("why there is no number", ""),

@@ -16,8 +16,6 @@ from ...flow.batch import Section
 from ...flow.sections.poincare_map import PoincareMap
 from ..orbits.return_map import rotations
 
-__all__ = ["Winding"]
-
 
 @dataclass(frozen=True)
 class Winding:

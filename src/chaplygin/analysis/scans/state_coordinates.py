@@ -30,8 +30,6 @@ from ...formulas.batch import Formulas
 from .andoyer import Andoyer
 from .directions import Directions
 
-__all__ = ["CHARTS", "StateCoordinates", "chart"]
-
 _TURN = 2 * np.pi
 
 #: Pieces of the range of a solved coordinate with which the search begins.

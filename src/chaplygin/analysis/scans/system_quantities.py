@@ -9,8 +9,6 @@ import sympy as sp
 from ...core.system import System
 from ...core.vectors import Vector, to_components
 
-__all__ = ["meaning", "quantities_by_name"]
-
 
 def quantities_by_name(system: System) -> dict[str, sp.Expr]:
     """Scalar integrals and observables by name; of two with one name, the integral."""

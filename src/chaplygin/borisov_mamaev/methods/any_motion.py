@@ -25,8 +25,6 @@ from ...core.vectors import (
 from . import unspecified
 from .rigid_body_in_space import POTENTIAL
 
-__all__ = ["TORQUE", "any_motion", "driven", "newton_euler", "reaction", "reduced", "tensor"]
-
 omega, gamma, r, X, omegadot, rdot, gammadot = vectors("omega gamma r X omegadot rdot gammadot")
 I, K = Diagonal("I"), Symmetric("K")
 m, lambda_0 = real_symbol("m"), real_symbol("lambda_0")

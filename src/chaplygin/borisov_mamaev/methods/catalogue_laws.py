@@ -5,8 +5,6 @@ from __future__ import annotations
 from ...core.laws import Law
 from ...core.system import System
 
-__all__ = ["law_named", "laws_named", "printed_form"]
-
 
 def law_named(system: System, name: str) -> Law:
     """The law of a system by its name.

@@ -10,8 +10,6 @@ from ...core.system import System
 from ...proof.prover import prove
 from ...proof.verdict import Decision, Verdict
 
-__all__ = ["computed_verdict", "concluded"]
-
 
 def computed_verdict(
     name: str,

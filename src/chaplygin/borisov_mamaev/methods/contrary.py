@@ -6,8 +6,6 @@ from dataclasses import replace
 
 from ...proof.verdict import Decision, Verdict
 
-__all__ = ["contrary"]
-
 _OPPOSITE: dict[Decision, Decision] = {
     "proven": "refuted",
     "refuted": "proven",

@@ -15,8 +15,6 @@ from ...core.vectors import to_components
 from ...parsing.exact_decimals import exactly
 from ...proof.verdict import Verdict
 
-__all__ = ["divergence", "excludes_measure"]
-
 Point = Mapping[sp.Symbol, sp.Expr]
 
 
@@ -24,7 +22,7 @@ def _jets(system: System, point: Point) -> tuple[dict[sp.Symbol, sp.Expr], dict[
     """Values of state, parameters and definitions, and their derivatives by the state."""
     values = dict(point)
     slopes: dict[sp.Symbol, Point] = {s: {s: sp.S.One} for s in system.symbols}
-    for symbol, formula in system.steps:
+    for symbol, formula in system.scalar_definitions:
         slopes[symbol] = _slopes(formula, values, slopes)
         values[symbol] = exactly(formula.xreplace(values))
     return values, slopes

@@ -11,8 +11,6 @@ from ...parsing.exact_decimals import exact_number
 from ...proof.verdict import Verdict
 from .conclusion import computed_verdict
 
-__all__ = ["independent", "rational_point"]
-
 
 def rational_point(system: System, state: Mapping[str, object]) -> dict[sp.Symbol, sp.Rational]:
     """A point with the default parameters, as exact rational numbers.

@@ -22,8 +22,6 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, roll
 from ...mechanics.rolling.shapes import Revolution
 
-__all__ = ["curvatures", "height", "lens", "linear_integral", "slope"]
-
 M, omega, gamma, r = vectors("M omega gamma r")
 m, I_1, I_2, I_3 = (real_symbol(s) for s in ("m", "I_1", "I_2", "I_3"))
 #: The names that the mechanics gives to the support function and its derivatives.
@@ -59,7 +57,7 @@ def lens(potential: sp.Expr = POTENTIAL) -> System:
         definitions=((bend, (along - across) / LEAN), *definitions),
         guards=(),
         observables=(),
-        motion=None,
+        reconstruction=None,
         laws=(),
     )
 

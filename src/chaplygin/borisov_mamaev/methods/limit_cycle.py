@@ -21,8 +21,6 @@ from flint import arb, ctx
 from ...proof.verdict import Verdict
 from .conclusion import computed_verdict
 
-__all__ = ["CASE", "displacement", "limit_cycle"]
-
 Case = tuple[tuple[str, ...], tuple[str, ...], str]
 
 #: J, κ and λ: a ball with m = 1 kg, R = 0.5 m, c = κ/(2mR) and I = J − mR² − m(c² − c⊗c).

@@ -22,8 +22,6 @@ import sympy as sp
 from ...core.system import System
 from ...core.vectors import to_components, vectors
 
-__all__ = ["divergence_of_spin"]
-
 M, omega, gamma = vectors("M omega gamma")
 
 Known = Mapping[sp.Symbol, Fraction]
@@ -58,7 +56,7 @@ def _symbol_values(
     """Parameters, state, and the definitions that follow from them."""
     known = {p.symbol: Fraction(str(p.default)) for p in system.parameters}
     known |= {**state, **dict(zip(gamma.symbols, place, strict=True))}
-    for symbol, formula in system.steps:
+    for symbol, formula in system.scalar_definitions:
         if symbol not in known and formula.free_symbols <= set(known):
             known[symbol] = _rational_value(formula, known)
     return known

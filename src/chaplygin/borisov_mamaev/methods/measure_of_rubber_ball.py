@@ -32,8 +32,6 @@ from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from .conclusion import computed_verdict
 
-__all__ = ["curl", "only_symmetric_balls"]
-
 J, kappa, gamma = Diagonal("J").symbols, Vector("kappa").symbols, Vector("gamma").symbols
 cosine, sine = real_symbol("C"), real_symbol("S")
 

@@ -33,8 +33,6 @@ from ...catalogue.ball_on_sphere.rubber_ball_on_e3 import J, M, gamma, k
 from ...proof.verdict import Verdict
 from .conclusion import computed_verdict
 
-__all__ = ["EXPONENT", "exponents", "no_second_integral", "normal_equation", "remainder"]
-
 #: k.
 EXPONENT = sp.Rational(-1, 2)
 phi, t, y, slope, b, c = sp.symbols("phi t y y_phi b c", real=True)

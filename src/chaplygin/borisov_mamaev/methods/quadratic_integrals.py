@@ -17,8 +17,6 @@ from ...core.vectors import Diagonal, real_symbol, to_components, vectors
 from ...proof.verdict import Verdict
 from .conclusion import computed_verdict
 
-__all__ = ["conditions", "no_quadratic_integral"]
-
 J = Diagonal("J")
 (gamma,) = vectors("gamma")
 s = real_symbol("s")

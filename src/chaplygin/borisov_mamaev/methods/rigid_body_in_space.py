@@ -16,16 +16,6 @@ from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, u
 from . import unspecified
 from .growth_vector import VectorField, commutator
 
-__all__ = [
-    "COORDINATES",
-    "POTENTIAL",
-    "bracket",
-    "constrained",
-    "moving",
-    "shift",
-    "turn",
-]
-
 alpha, beta, gamma, R, omega, v, r = vectors("alpha beta gamma R omega v r")
 lambda_ = vectors("lambda")[0]
 I = Diagonal("I")

@@ -12,17 +12,6 @@ from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from .unspecified import of, system
 
-__all__ = [
-    "F_1",
-    "F_2",
-    "canonical_in",
-    "not_hamiltonian",
-    "of_rank_two",
-    "theta_1",
-    "theta_2",
-    "theta_3",
-]
-
 theta_1, theta_2, theta_3, F_1, F_2 = sp.symbols("theta_1:4 F_1:3", real=True)
 
 

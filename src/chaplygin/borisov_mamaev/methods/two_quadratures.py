@@ -34,8 +34,6 @@ from ...explicit.separations.fedorov import fedorov
 from ...proof.verdict import Verdict
 from .conclusion import computed_verdict, concluded
 
-__all__ = ["alike", "level_factor", "not_the_same", "roots_that_move"]
-
 h, f, w = real_symbol("h"), real_symbol("f"), real_symbol("w")
 
 

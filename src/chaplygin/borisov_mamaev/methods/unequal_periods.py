@@ -35,8 +35,6 @@ from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from .conclusion import computed_verdict
 
-__all__ = ["BALL", "BETWEEN", "clock", "half_period", "resonance", "unequal_periods"]
-
 T = TypeVar("T", arb, arb_series)
 #: I and D = mR², as decimal fractions.
 Ball: TypeAlias = tuple[tuple[str, str, str], str]

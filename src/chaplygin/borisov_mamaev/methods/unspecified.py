@@ -10,8 +10,6 @@ import sympy as sp
 from ...arguments import Declared
 from ...core.system import System
 
-__all__ = ["bracket", "fields", "gradient", "hamiltonian", "of", "skew", "system"]
-
 
 def of(names: str, *variables: sp.Symbol) -> tuple[sp.Expr, ...]:
     """Unspecified functions of the given variables, by their names."""

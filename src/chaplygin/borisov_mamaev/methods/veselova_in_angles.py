@@ -11,22 +11,6 @@ from ...catalogue.fixed_point import veselova as catalogue
 from ...core.system import System
 from ...core.vectors import Diagonal, Vector, constant, dot, gradient, real_symbol, to_components
 
-__all__ = [
-    "ANGLES",
-    "RATES",
-    "T_0",
-    "T",
-    "body",
-    "constrained",
-    "lagrangian",
-    "metric",
-    "multiplier",
-    "omega_of_angles",
-    "psi",
-    "psidot",
-    "slope_of_potential",
-]
-
 I = Diagonal("I")
 gamma = Vector("gamma")
 psi, psidot = real_symbol("psi"), real_symbol("psidot")

@@ -75,7 +75,7 @@ def sleigh() -> Case:
 
 def _condition() -> Identity:
     """∂A₁/∂q₁ + ∂A₂/∂q₂ = 0, without which no density ρ(q) has ρ₁/ρ = A₂, ρ₂/ρ = −A₁."""
-    gyroscopic = dict(chaplygin_sleigh.sleigh_in_chaplygin_form().steps)[chaplygin.S]
+    gyroscopic = dict(chaplygin_sleigh.sleigh_in_chaplygin_form().scalar_definitions)[chaplygin.S]
     A_1, A_2 = (sp.diff(gyroscopic, P) for P in (chaplygin.P_1, chaplygin.P_2))
     return Identity("condition", sp.diff(A_1, q_1) + sp.diff(A_2, q_2))
 

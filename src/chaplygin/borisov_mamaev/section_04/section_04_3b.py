@@ -91,7 +91,7 @@ def linear() -> Case:
 
 def _divergence(dynamics: System) -> sp.Expr:
     """div(ρv)/ρ of (4.7), written out."""
-    gyroscopic = dict(dynamics.steps)
+    gyroscopic = dict(dynamics.scalar_definitions)
     rates = [rate.xreplace(gyroscopic) for rate in dynamics.rates]
     states = (*q, *P)
     return sp.Add(*(sp.diff(rho * r, s) for r, s in zip(rates, states, strict=True))) / rho

@@ -63,7 +63,7 @@ def kinematics() -> Case:
         dynamics,
         field=(*dynamics.field, (attitude, quaternion_rate(omega))),
         relations=(*dynamics.relations, unit_length()),
-        motion=None,
+        reconstruction=None,
     )
     first, second = (sp.ImmutableDenseMatrix(rotation()[i, :].T) for i in range(2))
     return system, Identity(

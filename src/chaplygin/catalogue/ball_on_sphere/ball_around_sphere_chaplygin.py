@@ -21,26 +21,6 @@ from ...core.laws import Identity, Integral, Law, Measure
 from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, real_symbol
 
-__all__ = [
-    "J",
-    "P_u",
-    "P_v",
-    "ball",
-    "chaplygin_system",
-    "density",
-    "energy",
-    "force",
-    "form",
-    "momentum",
-    "numerator",
-    "rates",
-    "reduced",
-    "square",
-    "sums",
-    "u",
-    "v",
-]
-
 J = Diagonal("J")
 J_1, J_2, J_3 = J.symbols
 u, v, P_u, P_v, d = (real_symbol(name) for name in ("u", "v", "P_u", "P_v", "d"))

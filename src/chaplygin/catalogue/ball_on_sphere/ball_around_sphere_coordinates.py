@@ -28,29 +28,6 @@ from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, Vector, constant, cross, identity, real_symbol
 from . import ball_on_sphere_equations as ball
 
-__all__ = [
-    "A",
-    "J",
-    "S",
-    "coordinates_around_sphere",
-    "cubic",
-    "d",
-    "det",
-    "energies",
-    "form",
-    "function",
-    "liouville",
-    "momenta",
-    "of_ball",
-    "ratio_form",
-    "scale",
-    "square",
-    "tau",
-    "u",
-    "variable",
-    "weighted",
-]
-
 A, J = Diagonal("A"), Diagonal("J")
 A_1, A_2, A_3 = A.symbols
 TRACE, E_2, E_3 = A_1 + A_2 + A_3, A_1 * A_2 + A_2 * A_3 + A_3 * A_1, A_1 * A_2 * A_3

@@ -22,22 +22,6 @@ from ..e3 import Gamma, M, e3_system
 from ..entry import Entry, Numbers, Start
 from . import ball_around_sphere_chaplygin as chaplygin, ball_on_sphere_equations as ball
 
-__all__ = [
-    "ENTRIES",
-    "J",
-    "build",
-    "d",
-    "delta",
-    "energy",
-    "momentum",
-    "parameters",
-    "reduced",
-    "second",
-    "slowness",
-    "to_ball",
-    "velocity",
-]
-
 J = Diagonal("J")
 d = real_symbol("d")
 

@@ -15,22 +15,6 @@ from ...core.laws import Integral, Measure
 from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, cross, dot, identity, norm_squared, real_symbol, vectors
 
-__all__ = [
-    "A",
-    "I",
-    "J",
-    "M",
-    "d",
-    "drawn",
-    "equations_in_omega",
-    "equations_on_sphere",
-    "k",
-    "n",
-    "omega",
-    "rho_2",
-    "vanishing_area",
-]
-
 M, n, omega, omegadot, ndot = vectors("M n omega omegadot ndot")
 I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
 d, k, rho_2 = real_symbol("d"), real_symbol("k"), real_symbol("rho_2")

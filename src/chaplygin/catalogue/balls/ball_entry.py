@@ -11,8 +11,6 @@ from ...mechanics.ball.ball import RollingBall
 from ..entry import Entry, Numbers, Start, Values
 from .ball_laws import known_ball_laws
 
-__all__ = ["ball_entry", "ball_variables"]
-
 #: Meaning and unit of the variables in which the start of a ball is given.
 ball_variables: Mapping[str, tuple[str, str]] = {
     "R": ("centre of the ball, space axes", "m"),

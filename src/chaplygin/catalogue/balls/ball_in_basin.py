@@ -18,8 +18,6 @@ from .ball_entry import ball_entry
 from .ball_laws import meridian_law
 from .ball_on_any_surface import any_marble, any_supported_marble, any_supported_rubber
 
-__all__ = ["ENTRIES"]
-
 R, v = vectors("R v")
 h, s = real_symbol("h"), real_symbol("s")
 x, y, z = ImplicitSurface.coordinates

@@ -24,8 +24,6 @@ from ...mechanics.ball.surface import (
     SphericalSurface,
 )
 
-__all__ = ["ROLLING", "known_ball_laws", "meridian_law", "quadratic"]
-
 R, omega, v, n, ndot, F = vectors("R omega v n ndot F")
 m, mu, b, k, p, q = (real_symbol(name) for name in ("m", "mu", "b", "k", "p", "q"))
 ell, mtilde, sigma = (real_symbol(name) for name in ("ell", "mtilde", "sigma"))

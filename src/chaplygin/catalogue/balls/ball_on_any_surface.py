@@ -41,17 +41,6 @@ from ...mechanics.ball.mechanism import ball_mechanism
 from ...mechanics.lagrangian.poincare_suslov import equations
 from ..rates import rate
 
-__all__ = [
-    "TANGENT",
-    "any_marble",
-    "any_rubber",
-    "any_supported_marble",
-    "any_supported_rubber",
-    "particle",
-    "spinning_particle",
-    "tangential",
-]
-
 R, x, omega, v, n, ndot, r, N, F, df = vectors("R x omega v n ndot r N F df")
 m, mu, b, N_0, ell = (real_symbol(name) for name in ("m", "mu", "b", "N_0", "ell"))
 mtilde, sigma, lambda_, Delta = (real_symbol(s) for s in ("mtilde", "sigma", "lambda", "Delta"))
@@ -151,13 +140,13 @@ def _common(kinematics: Kinematics, density: dict[sp.Expr, sp.Expr]) -> tuple[La
 def _system(contact: Contact, kinematics: Kinematics) -> System:
     force = -gradient(POTENTIAL, R)
     system = equations_of_motion(contact, kinematics, force, NUMBERS)
-    return replace(system, motion=None)
+    return replace(system, reconstruction=None)
 
 
 def _derived_system(contact: Contact) -> System:
     """The equations that follow from Lagrangian, frame and constraints alone."""
     system = equations(ball_mechanism(contact, SURFACE, POTENTIAL, NUMBERS))
-    return replace(system, laws=(), motion=None)
+    return replace(system, laws=(), reconstruction=None)
 
 
 def _first_principles(target: System) -> Isomorphism:

@@ -21,8 +21,6 @@ from ..entry import Numbers
 from .ball_entry import ball_entry
 from .ball_laws import ROLLING
 
-__all__ = ["ENTRIES", "any_cone"]
-
 R, omega, v, df = vectors("R omega v df")
 
 
@@ -60,7 +58,7 @@ def any_cone() -> System:
         system,
         field={first: speed_1, second: speed_2, omega: field[omega]},
         definitions=((third, shape), *system.definitions),
-        motion=None,
+        reconstruction=None,
     )
     return on_cone.with_laws(
         Integral(

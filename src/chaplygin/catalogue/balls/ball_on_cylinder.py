@@ -25,8 +25,6 @@ from ..entry import Numbers
 from .ball_entry import ball_entry
 from .ball_laws import ROLLING
 
-__all__ = ["ENTRIES", "any_cylinder"]
-
 R, omega = vectors("R omega")
 m, g = real_symbol("m"), real_symbol("g")
 
@@ -60,7 +58,7 @@ def any_cylinder() -> System:
         source=ROLLING,
         unit="rad/s",
     )
-    return replace(system, motion=None).with_laws(rotation)
+    return replace(system, reconstruction=None).with_laws(rotation)
 
 
 _DEFAULTS = {"m": 1.0, "mu": 0.064, "b": 0.4, "a": 2.0, "g": 9.81}

@@ -29,8 +29,6 @@ from .ball_entry import ball_entry
 from .ball_laws import ROLLING, quadratic
 from .ball_on_any_surface import TANGENT, any_rubber, particle
 
-__all__ = ["ENTRIES", "any_quadric"]
-
 R, omega, v = vectors("R omega v")
 A = Diagonal("A")
 ell, mtilde, kappa = (real_symbol(name) for name in ("ell", "mtilde", "kappa"))
@@ -86,7 +84,7 @@ def any_quadric() -> System:
         name="marble-ball-on-any-quadric",
         title="Marble ball on any quadric",
     )
-    return replace(system, motion=None).with_laws(
+    return replace(system, reconstruction=None).with_laws(
         Integral(
             "quadratic",
             ell**2 * (dot(v, A * v) - 2 * kappa / mtilde * form),

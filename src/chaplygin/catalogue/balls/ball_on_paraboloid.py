@@ -12,8 +12,6 @@ from ...mechanics.ball.surface import Paraboloid
 from ..entry import Numbers
 from .ball_entry import ball_entry
 
-__all__ = ["ENTRIES"]
-
 
 def _ball(numbers: Numbers) -> RollingBall:
     return RollingBall(

@@ -19,8 +19,6 @@ from ..entry import Numbers
 from .ball_entry import ball_entry
 from .ball_laws import meridian_law
 
-__all__ = ["ENTRIES", "any_revolution"]
-
 (R,) = vectors("R")
 m, g = real_symbol("m"), real_symbol("g")
 
@@ -52,7 +50,7 @@ def any_revolution() -> System:
         name="marble-ball-on-any-surface-of-revolution",
         title="Marble ball on any surface of revolution",
     )
-    return replace(system, motion=None).with_laws(meridian_law())
+    return replace(system, reconstruction=None).with_laws(meridian_law())
 
 
 _DEFAULTS = {"m": 1.0, "mu": 0.036, "b": 0.3, "a": 3.0, "c": 1.0, "g": 9.81}

@@ -29,8 +29,6 @@ from ..rates import rate
 from .ball_entry import ball_entry
 from .ball_on_any_surface import TANGENT, particle, tangential
 
-__all__ = ["ENTRIES", "FORCE", "any_graph", "general"]
-
 R, omega, v, n, r, N, F = vectors("R omega v n r N F")
 m, mu, b, g, N_0, mtilde = (real_symbol(name) for name in ("m", "mu", "b", "g", "N_0", "mtilde"))
 x, y, z = R.symbols
@@ -73,7 +71,7 @@ def any_graph(force: MatrixExpr = FORCE) -> System:
     """The ball over any surface z = f(x, y), with ω₃ = (∂f/∂x) ω₁ + (∂f/∂y) ω₂ as a definition."""
     numbers = ball_parameters(1.0, 0.4, 1.0)
     system = equations_of_motion("rubber", centre_surface(GRAPH), force, numbers, NAME, TITLE)
-    return tangential(replace(system, motion=None))
+    return tangential(replace(system, reconstruction=None))
 
 
 def general() -> System:

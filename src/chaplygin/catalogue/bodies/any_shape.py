@@ -29,22 +29,6 @@ from ...mechanics.rolling.shapes import Ellipsoid
 from ...mechanics.rolling.surfaces import Sphere
 from ..entry import Entry, Numbers, Start
 
-__all__ = [
-    "ELLIPSOID",
-    "INERTIA",
-    "POTENTIAL",
-    "SHAPE",
-    "SUPPORT",
-    "Touch",
-    "ellipsoid",
-    "ellipsoid_entries",
-    "energy",
-    "inverse",
-    "kinematics",
-    "momentum",
-    "touch",
-]
-
 Pairs = tuple[tuple[Any, Any], ...]
 
 omega, gamma, r, rdot, gammadot = vectors("omega gamma r rdot gammadot")

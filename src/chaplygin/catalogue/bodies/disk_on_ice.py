@@ -39,18 +39,6 @@ from ...mechanics.rolling.attitude import (
 from ...mechanics.rolling.body import check_inertia, check_mass
 from ..entry import Entry, Numbers, Start
 
-__all__ = [
-    "AXIS",
-    "INERTIA",
-    "MOMENTUM",
-    "PARTS",
-    "disk_parameters",
-    "flat",
-    "gamma",
-    "in_space",
-    "omega",
-]
-
 omega, gamma, xi, y, N, v, L = vectors("omega gamma xi y N v L")
 place = Vector("place", 2)
 m, R, g, I_1, I_3, V, s, omega_xi, omega_y, N_e = (
@@ -222,7 +210,7 @@ def build(p: Numbers) -> System:
             Observable("edge_force", dot(N, cross(xi, gamma)), "force across the edge", "N"),
         ),
         guards=(flat(), lift_off(dot(N, gamma))),
-        motion=in_space(v),
+        reconstruction=in_space(v),
     )
 
 

@@ -8,8 +8,6 @@ from ...core.system import System
 from ...core.vectors import cross, norm_squared, real_symbol, vectors
 from .any_shape import INERTIA, SHAPE, ellipsoid_entries, energy, inverse, kinematics, touch
 
-__all__ = ["ENTRIES", "any_marble_body", "general", "general_on_sphere"]
-
 omega, gamma, M, r, rdot, torque = vectors("omega gamma M r rdot torque")
 m, a = real_symbol("m"), real_symbol("a")
 

@@ -20,8 +20,6 @@ from .any_shape import (
     touch,
 )
 
-__all__ = ["ENTRIES", "any_rubber_body", "general", "general_on_sphere"]
-
 omega, gamma, r, rdot = vectors("omega gamma r rdot")
 M, X, q, torque = vectors("M X q torque")
 m, a, lambda_0 = real_symbol("m"), real_symbol("a"), real_symbol("lambda_0")

@@ -26,8 +26,6 @@ from ...core.vectors import (
     vectors,
 )
 
-__all__ = ["HEIGHT", "POTENTIAL", "from_support", "profile_system"]
-
 omega, gamma, r, rdot, M, X, n, w, e = vectors("omega gamma r rdot M X n w e")
 I = Diagonal("I")
 I_1, I_2, I_3 = I.symbols

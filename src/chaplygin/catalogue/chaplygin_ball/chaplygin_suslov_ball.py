@@ -93,7 +93,7 @@ def equations(numbers: Numbers, potential: sp.Expr = sp.S.Zero) -> System:
         observables=(
             Observable("spin_torque", lambda_0, "torque about the axis of the ball", "N m"),
         ),
-        motion=Reconstruction(
+        reconstruction=Reconstruction(
             field={attitude: quaternion_rate(omega)},
             relations=(unit_length(), *attitude_relations(gamma)),
             observables=(attitude_observable(),),

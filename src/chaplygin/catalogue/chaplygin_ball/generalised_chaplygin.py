@@ -15,19 +15,6 @@ from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure, Poisson
 from ...core.system import Observable, Parameter, System
 from ..entry import Entry, Numbers, Start
 
-__all__ = [
-    "P_1",
-    "P_2",
-    "N",
-    "S",
-    "bracket",
-    "form",
-    "general",
-    "q_1",
-    "q_2",
-    "quadratic_hamiltonian",
-]
-
 q_1, q_2, P_1, P_2, N, S = sp.symbols("q_1 q_2 P_1 P_2 N S", real=True)
 STATE = (q_1, q_2, P_1, P_2)
 HALF = sp.Rational(1, 2)

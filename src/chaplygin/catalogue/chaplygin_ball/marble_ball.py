@@ -18,8 +18,6 @@ from ...mechanics.rolling.body import check_inertia, check_mass
 from ..entry import Entry, Numbers, Start
 from ..rates import rate
 
-__all__ = ["ENTRIES", "ball"]
-
 R, omega, v, r, N, F = vectors("R omega v r N F")
 m, mu, b, kappa, mtilde = (real_symbol(name) for name in ("m", "mu", "b", "kappa", "mtilde"))
 

@@ -12,8 +12,6 @@ from ..entry import Entry, Numbers, bruns_factor
 from ..fixed_point import veselova
 from . import chaplygin_ball, rubber_chaplygin_ball
 
-__all__ = ["ENTRIES"]
-
 
 def build(p: Numbers) -> Rolling:
     """The ball in the potential U = ½K(γ, Iγ)."""

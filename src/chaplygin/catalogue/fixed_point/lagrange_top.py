@@ -26,8 +26,6 @@ from ...mechanics.rolling.body import check_inertia
 from ..e3 import Gamma, M, e3_system
 from ..entry import Entry, Numbers, Start
 
-__all__ = ["angles", "on_e3"]
-
 I_1, I_3, P = sp.symbols("I_1 I_3 P", real=True)
 theta, phi, psi = sp.symbols("theta phi psi", real=True)
 p_theta, p_phi, p_psi = sp.symbols("p_theta p_phi p_psi", real=True)

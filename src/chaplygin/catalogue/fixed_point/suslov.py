@@ -35,8 +35,6 @@ from ...mechanics.rolling.body import check_inertia
 from ..entry import Entry, Numbers, Start
 from . import suslov_bracket
 
-__all__ = ["field_free", "in_field", "in_quadratic_field"]
-
 omega, gamma, X = vectors("omega gamma X")
 lambda_0 = real_symbol("lambda_0")
 I_1, I_2, I_3, I_13, I_23 = MOMENTS = sp.symbols("I_1 I_2 I_3 I_13 I_23", real=True)
@@ -125,7 +123,7 @@ def in_field(
         observables=(
             Observable("axis_torque", lambda_0, "torque about the axis without rotation", "N m"),
         ),
-        motion=Reconstruction(
+        reconstruction=Reconstruction(
             field={attitude: quaternion_rate(omega)},
             relations=(unit_length(), *attitude_relations(gamma)),
             observables=(attitude_observable(),),

@@ -15,8 +15,6 @@ from ...core.system import Parameter, System
 from ...core.vectors import Components, Vector, constant, norm_squared
 from ..entry import Entry, Numbers, Start
 
-__all__ = ["bracket", "d", "gamma", "general", "p_1", "p_2", "third_casimir"]
-
 gamma = Vector("gamma")
 p_1, p_2, d = sp.symbols("p_1 p_2 d", real=True)
 gamma_1, gamma_2, gamma_3 = gamma.symbols

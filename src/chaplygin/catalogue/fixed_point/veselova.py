@@ -105,7 +105,7 @@ def turning(
         observables=(
             Observable("spin_torque", lambda_0, "torque about the vertical", "N m", source="(6.1)"),
         ),
-        motion=Reconstruction(
+        reconstruction=Reconstruction(
             field={attitude: quaternion_rate(omega)},
             relations=(unit_length(), *attitude_relations(gamma)),
             observables=(attitude_observable(),),

@@ -29,8 +29,6 @@ from ...mechanics.rolling.body import check_mass
 from ..chaplygin_ball import generalised_chaplygin as chaplygin
 from ..entry import Entry, Numbers, Start
 
-__all__ = ["a", "reduced", "sleigh", "sleigh_in_chaplygin_form"]
-
 x, y, phi, v, u, Omega = sp.symbols("x y phi v u Omega", real=True)
 m, I, a, b, J = sp.symbols("m I a b J", real=True)
 

@@ -21,8 +21,6 @@ from ...mechanics.lagrangian.poincare_suslov import equations
 from ..entry import Entry, Numbers, Start
 from ..positive import positives
 
-__all__ = ["racer"]
-
 x, y, theta, phi = (real_symbol(name) for name in ("x", "y", "theta", "phi"))
 u, v, turn, swing, D = (real_symbol(name) for name in ("u", "v", "Omega", "phidot", "D"))
 m, I_1, I_2, d_1, d_2 = (real_symbol(name) for name in ("m", "I_1", "I_2", "d_1", "d_2"))

@@ -20,8 +20,6 @@ from ...mechanics.lagrangian.poincare_suslov import equations
 from ..entry import Entry, Numbers, Start
 from ..positive import positives
 
-__all__ = ["board"]
-
 x, y, theta, psi, phi = (real_symbol(name) for name in ("x", "y", "theta", "psi", "phi"))
 s, n, v, spin, steer, u, Omega = (
     real_symbol(name) for name in ("s", "n", "v", "w", "phidot", "u", "Omega")

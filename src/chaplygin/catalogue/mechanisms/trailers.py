@@ -24,8 +24,6 @@ from ...mechanics.lagrangian.poincare_suslov import equations
 from ..entry import Entry, Numbers, Start
 from ..positive import positive
 
-__all__ = ["drawing_of_trailers", "train"]
-
 x, y, theta, u, v, m, J = (real_symbol(name) for name in ("x", "y", "theta", "u", "v", "m", "J"))
 HALF = sp.Rational(1, 2)
 SOURCE = "§2.1"

@@ -21,8 +21,6 @@ from ...mechanics.lagrangian.poincare_suslov import equations
 from ..entry import Entry, Numbers, Start
 from ..positive import positives
 
-__all__ = ["disk"]
-
 x, y, theta, psi = (real_symbol(name) for name in ("x", "y", "theta", "psi"))
 u, v, spin, turn, c = (real_symbol(name) for name in ("u", "v", "psidot", "w", "c"))
 m, I, J, R, g, slope = (real_symbol(name) for name in ("m", "I", "J", "R", "g", "alpha"))

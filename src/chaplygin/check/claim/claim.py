@@ -15,8 +15,6 @@ from .jets import Number
 from .json_data import field, integer, items, listed, mapping, only, text
 from .unspecified_functions import Functions
 
-__all__ = ["Claim", "ClaimedSystem", "Law", "read_claim"]
-
 _NAME = re.compile(r"[^\W\d]\w*")
 
 #: Names that formulas use otherwise.

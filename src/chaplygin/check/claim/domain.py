@@ -19,8 +19,6 @@ from .formulas import Formula, call, number, power, product, total, walk
 from .jets import Number
 from .residuals import gram_determinants, target_point
 
-__all__ = ["GRAM", "Domain", "domain"]
-
 HALF = Fraction(1, 2)
 
 #: Stands for the determinant whose vanishing means that the conditions cut out no volume.

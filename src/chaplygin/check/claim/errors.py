@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-__all__ = ["BadInputError", "CheckError", "UndefinedError"]
-
 
 class CheckError(Exception):
     """A certificate does not check."""

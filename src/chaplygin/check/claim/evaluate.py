@@ -25,8 +25,6 @@ from .jets import (
 )
 from .unspecified_functions import Functions
 
-__all__ = ["Point", "exact_value"]
-
 
 class Point:
     """A point at which formulas are evaluated, perhaps moving.

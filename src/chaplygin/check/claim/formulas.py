@@ -15,23 +15,6 @@ from typing import Any
 
 from .errors import CheckError
 
-__all__ = [
-    "KNOWN",
-    "Formula",
-    "call",
-    "function",
-    "name",
-    "names_in",
-    "number",
-    "parse",
-    "parse_condition",
-    "power",
-    "product",
-    "replaced",
-    "total",
-    "walk",
-]
-
 #: Known functions and how many arguments they take.
 KNOWN = {
     **dict.fromkeys(

@@ -16,9 +16,6 @@ from flint import arb, fmpq
 
 from .errors import UndefinedError
 
-__all__ = ["Jet", "Number", "add", "apply", "arctangent", "ball", "inverse", "multiply", "raised"]
-__all__ += ["general_power", "rational_power", "slopes_of", "value_of"]
-
 #: A ball or a jet.
 Number: TypeAlias = Any
 

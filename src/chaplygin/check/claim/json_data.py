@@ -9,8 +9,6 @@ from typing import TypeVar
 
 from .errors import CheckError
 
-__all__ = ["choice", "field", "integer", "items", "listed", "mapping", "only", "rational", "text"]
-
 T = TypeVar("T", str, int)
 
 _RATIONAL = re.compile(r"-?\d{1,40000}(/\d{1,40000})?")

@@ -16,8 +16,6 @@ from .errors import CheckError
 from .jets import inverse
 from .json_data import field, integer, items, listed, mapping, only, rational
 
-__all__ = ["Poly", "Powers", "Ring", "monic"]
-
 Poly: TypeAlias = fmpq_mpoly
 #: A product of powers of polynomials.
 Powers: TypeAlias = list[tuple[Poly, int]]

@@ -9,8 +9,6 @@ from .evaluate import exact_value
 from .formulas import Formula
 from .polynomials import Poly, Ring
 
-__all__ = ["Quotient", "quotient"]
-
 #: Numerator and denominator.
 Quotient = tuple[Poly, Poly]
 

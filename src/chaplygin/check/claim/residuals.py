@@ -23,15 +23,6 @@ from .formulas import Formula, call, name, number
 from .jets import Number, add, inverse, multiply
 from .separation import parts
 
-__all__ = [
-    "each_residual",
-    "gram_determinants",
-    "rank_at_least",
-    "ranked",
-    "residuals",
-    "target_point",
-]
-
 #: Residuals of one law.
 MANY = 20_000
 

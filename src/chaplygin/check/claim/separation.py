@@ -19,8 +19,6 @@ from .formulas import Formula, name, power, product, total, walk
 from .polynomials import Poly, Ring
 from .quotients import Quotient, quotient
 
-__all__ = ["Parts", "check_separation", "parts"]
-
 
 @dataclass(frozen=True)
 class Parts:

@@ -9,8 +9,6 @@ from flint import arb
 
 from .jets import Jet, Number, add, multiply
 
-__all__ = ["Functions"]
-
 
 class Functions:
     """Smooth functions about which nothing is known, at one point.

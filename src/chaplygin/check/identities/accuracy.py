@@ -9,8 +9,6 @@ from flint import arb, ctx
 
 from ..claim.errors import CheckError
 
-__all__ = ["InaccurateError", "agree", "with_precision"]
-
 DIGITS = 60
 PRECISIONS = (640, 2560, 10240)
 

@@ -16,8 +16,6 @@ from .generators import POINTS, Generators, Sample
 from .positivity import PositiveSum, check_radicand_positive, learn_positive, settle
 from .roots import check_functions, check_radicands, check_roots, has_formal_roots
 
-__all__ = ["Basis", "read_basis"]
-
 #: Points at which roots are compared of which the sign is not said.
 FORMAL = 10
 

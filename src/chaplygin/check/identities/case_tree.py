@@ -16,8 +16,6 @@ from ..claim.errors import CheckError
 from ..claim.json_data import field, integer, items, listed, mapping, only, rational
 from ..claim.polynomials import Poly, Ring, monic
 
-__all__ = ["Node", "Signs", "check_tree"]
-
 DEPTH = 200
 
 #: The treatment of a case that is left, or of a part with a proof: its node, data and label.

@@ -17,8 +17,6 @@ from ..claim.json_data import items, listed, text
 from ..claim.unspecified_functions import Functions
 from .accuracy import agree
 
-__all__ = ["Change", "PointPair", "point_pairs", "read_change", "slopes_determinant"]
-
 POINTS, ATTEMPTS = 3, 300
 GRAPH_KINDS = ("Identity", "Integral", "Isomorphism", "Measure", "Reduction", "Separation")
 

@@ -17,8 +17,6 @@ from ..claim.residuals import target_point
 from .accuracy import InaccurateError, agree
 from .generators import Generators, Sample
 
-__all__ = ["Entry", "nonzero_factors", "read_divisors"]
-
 
 @dataclass(frozen=True)
 class Entry:

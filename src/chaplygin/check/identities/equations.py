@@ -12,8 +12,6 @@ from .accuracy import agree
 from .case_tree import Signs
 from .generators import Auxiliary, Generators, Sample
 
-__all__ = ["read_equations"]
-
 
 def read_equations(
     data: Mapping[str, object],

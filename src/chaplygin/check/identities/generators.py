@@ -23,8 +23,6 @@ from ..claim.jets import Number, add, apply, arctangent, inverse, multiply
 from ..claim.polynomials import Poly, Powers, Ring
 from ..claim.unspecified_functions import Functions
 
-__all__ = ["Auxiliary", "Exchange", "Generators", "Sample"]
-
 #: Random points at which formulas and polynomials are compared.
 POINTS = 4
 ATTEMPTS = 1200

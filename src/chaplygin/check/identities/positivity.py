@@ -16,8 +16,6 @@ from .case_tree import Signs
 from .divisors import Entry
 from .generators import Generators, Sample
 
-__all__ = ["PositiveSum", "check_radicand_positive", "common_ratio", "learn_positive", "settle"]
-
 
 def learn_positive(
     item: object, generators: Generators, samples: list[Sample], signs: Signs, what: str

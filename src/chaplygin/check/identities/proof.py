@@ -24,8 +24,6 @@ from .case_tree import Node, check_tree
 from .positivity import common_ratio
 from .read_generators import FIELDS, read_generators
 
-__all__ = ["Condition", "check_left", "check_proof", "read_region", "same"]
-
 
 @dataclass(frozen=True)
 class Condition:

@@ -15,8 +15,6 @@ from ..claim.polynomials import Poly, Ring
 from ..claim.quotients import quotient
 from .generators import Auxiliary, Exchange, Generators
 
-__all__ = ["FIELDS", "read_generators"]
-
 FIELDS = (
     "ring",
     "auxiliary",

@@ -11,8 +11,6 @@ from .case_tree import Signs
 from .divisors import Entry
 from .generators import Auxiliary, Generators, Sample
 
-__all__ = ["check_functions", "check_radicands", "check_roots", "has_formal_roots"]
-
 
 def has_formal_roots(generators: Generators) -> bool:
     """Whether a root is used of which nothing but its power is known."""

@@ -16,8 +16,6 @@ from .basis import Basis
 from .generators import Generators
 from .proof import Condition, same
 
-__all__ = ["covers"]
-
 #: A polynomial by its terms, whatever the ring.
 Key: TypeAlias = tuple[object, ...]
 

@@ -13,8 +13,6 @@ from ..claim.jets import add, multiply
 from .accuracy import agree
 from .change_of_variables import Change, PointPair, slopes_determinant
 
-__all__ = ["says_consistency", "says_law"]
-
 
 def says_consistency(
     claim: Claim, stated: Claim, change: Change, pairs: Sequence[PointPair]

@@ -23,8 +23,6 @@ from .change_of_variables import Change, PointPair, point_pairs, read_change, sl
 from .proof import Condition
 from .substituted_law import says_consistency, says_law
 
-__all__ = ["CONSISTENCY", "LAW", "expressed_variables", "statements"]
-
 #: Statements of a claim in other variables: the law, or that expressed variables move as they must.
 LAW, CONSISTENCY = "law", "consistency"
 

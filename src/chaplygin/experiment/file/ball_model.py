@@ -12,8 +12,6 @@ from .base import ExperimentBase
 from .shape_tables import BallTable
 from .tables import BodyTable, ContactTable, RunTable
 
-__all__ = ["BallExperiment", "is_ball_experiment", "moment"]
-
 #: Kinds of surface on which no other body of the package rolls.
 _BALLS_ONLY = {table.model_fields["kind"].default for table in get_args(SmoothTable)} - {
     "plane",

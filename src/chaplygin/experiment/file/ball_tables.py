@@ -36,20 +36,6 @@ from .table import (
     Vector,
 )
 
-__all__ = [
-    "BallFieldTable",
-    "BallStartTable",
-    "ConeTable",
-    "CylinderTable",
-    "EllipsoidSurfaceTable",
-    "FlatTable",
-    "ImplicitSurfaceTable",
-    "ParaboloidTable",
-    "RingTable",
-    "RoundTable",
-    "SmoothTable",
-]
-
 
 class _SurfaceTable(FormulaTable):
     """The keys that all surfaces have."""

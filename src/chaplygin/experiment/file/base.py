@@ -13,8 +13,6 @@ from .source import Source
 from .table import Table
 from .toml import Key, dumps
 
-__all__ = ["ExperimentBase"]
-
 
 class ExperimentBase(Table):
     """The base of all experiments.

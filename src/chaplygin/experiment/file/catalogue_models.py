@@ -10,8 +10,6 @@ from ...catalogue import entry
 from .base import ExperimentBase
 from .tables import StateTable, SystemRunTable, SystemStartTable, SystemTable
 
-__all__ = ["CatalogueExperiment", "StateExperiment", "SystemExperiment"]
-
 
 class CatalogueExperiment(ExperimentBase):
     """The part that all systems of the catalogue have in common."""

@@ -21,8 +21,6 @@ from .mechanism_tables import (
 from .tables import RunTable, StateTable
 from .toml import dumps
 
-__all__ = ["EquationsExperiment", "MechanismExperiment", "OwnExperiment"]
-
 
 class OwnExperiment(ExperimentBase):
     """The base of systems of the user's own, whose start is given by their state."""

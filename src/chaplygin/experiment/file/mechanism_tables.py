@@ -23,21 +23,6 @@ from .table import FORMULA, THREE, Table, Vector
 from .toml import Tables
 from .validation import value_text
 
-__all__ = [
-    "ConstraintsTable",
-    "EquationsTable",
-    "FormulaValue",
-    "FrameTable",
-    "GuardTable",
-    "LagrangianTable",
-    "LawTable",
-    "LawsTable",
-    "MeaningTable",
-    "NumberTable",
-    "ObservableTable",
-    "PlanTable",
-]
-
 FORMULAS = "formulas in quotes, in brackets"
 NAMES = 'names in quotes, in brackets, such as ["x", "gamma[3]"]'
 NUMBER = "a finite number, or finite numbers in brackets"

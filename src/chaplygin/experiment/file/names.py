@@ -16,8 +16,6 @@ from ...mechanics.lagrangian.mechanism import TIME
 from ...parsing import PRODUCTS, RESERVED, Formula, Named, nearest, parse_formula
 from .models import OwnExperiment
 
-__all__ = ["Names", "components"]
-
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _SIZED = re.compile(r"(.*?)(?:\[([234])\])?", re.DOTALL)
 

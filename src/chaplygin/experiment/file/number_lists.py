@@ -8,8 +8,6 @@ from ...errors import InputError
 from ...parsing import parse
 from .validation import value_text
 
-__all__ = ["given_numbers"]
-
 
 def given_numbers(value: object, wanted: str) -> float | tuple[float, ...]:
     """A number, or numbers in brackets.

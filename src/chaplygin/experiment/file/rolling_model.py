@@ -17,8 +17,6 @@ from .tables import (
     SurfaceTable,
 )
 
-__all__ = ["RollingExperiment"]
-
 #: The description that a file needs.
 BODY = "a table [body], or [system], [lagrangian] or [equations] instead of it"
 

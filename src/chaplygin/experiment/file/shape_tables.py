@@ -13,17 +13,6 @@ from pydantic import Field, StrictBool, ValidationInfo, field_validator, model_v
 from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Shape, Torus
 from .table import FORMULA, POSITIVE, THREE, FormulaTable, Number, Positive, Vector
 
-__all__ = [
-    "BallTable",
-    "DiskTable",
-    "EllipsoidTable",
-    "ImplicitTable",
-    "RevolutionTable",
-    "ShapeTable",
-    "TorusTable",
-    "shape_name",
-]
-
 
 class _ShapeTable(FormulaTable):
     """The keys that all shapes have: the position of the geometric centre."""

@@ -12,8 +12,6 @@ from functools import cached_property
 from ...errors import InputError
 from .toml import Key, Tables, dotted_key, key_lines
 
-__all__ = ["Source"]
-
 _POSITION = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", re.DOTALL)
 
 #: Control characters but for tabs and line breaks.

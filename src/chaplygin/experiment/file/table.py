@@ -25,8 +25,6 @@ from ...core.system import Parameter
 from ...core.vectors import real_symbol
 from ...parsing import RESERVED, parse
 
-__all__ = ["FormulaTable", "Number", "Positive", "SphereRadius", "Table", "Vector"]
-
 Number = Annotated[float, Strict()]
 Positive = Annotated[Number, Field(gt=0)]
 Vector = tuple[Number, Number, Number]

@@ -29,21 +29,6 @@ from .table import (
     Vector,
 )
 
-__all__ = [
-    "BodyTable",
-    "ContactTable",
-    "FieldTable",
-    "PlaneTable",
-    "RunTable",
-    "SphereTable",
-    "StartTable",
-    "StateTable",
-    "SurfaceTable",
-    "SystemRunTable",
-    "SystemStartTable",
-    "SystemTable",
-]
-
 Inertia = Vector | tuple[Vector, Vector, Vector]
 
 STATE = "a finite number, or finite numbers in brackets"

@@ -9,8 +9,6 @@ from typing import TypeAlias
 
 import tomli_w
 
-__all__ = ["Key", "Tables", "dotted_key", "dumps", "key_lines"]
-
 Key = tuple[str, ...]
 
 #: Tables of a file: values, or further tables, by name.

@@ -15,8 +15,6 @@ from pydantic_core import ErrorDetails
 from ...parsing import nearest
 from .toml import Key
 
-__all__ = ["validation_messages", "value_text"]
-
 _LONGEST = 60
 _DEEPEST = 2
 _MOST_BITS = 1024

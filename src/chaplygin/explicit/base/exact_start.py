@@ -15,8 +15,6 @@ from ...errors import InputError
 from ...formulas.balls import ball, ball_function, exact
 from ...formulas.relative_zero import GIVEN, Sized, measured, sized
 
-__all__ = ["on_phase_space"]
-
 
 def on_phase_space(
     system: System,

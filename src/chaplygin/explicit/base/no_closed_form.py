@@ -18,9 +18,6 @@ from ...mechanics.rolling.surfaces import Sphere
 from ...printing.formula import text
 from .problem import Problem
 
-__all__ = ["Condition", "NoClosedFormError", "degenerate", "refusal"]
-
-
 #: A condition so short is written out.
 SHORT = 30
 

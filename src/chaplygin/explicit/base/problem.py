@@ -65,7 +65,7 @@ class Problem:
             If the start has not as many numbers as the state, or one that is not finite; if a
             parameter is not finite or not admissible.
         """
-        lifted = self.system.lifted() if self.system.motion else self.system
+        lifted = self.system.lifted() if self.system.reconstruction else self.system
         reduced, whole = self.system.symbols, lifted.symbols
         if len(self.start) not in (len(reduced), len(whole)):
             names = ", ".join(map(str, whole))
@@ -78,7 +78,7 @@ class Problem:
                 raise InputError(f"{name} = {number}: it must be a finite number")
         self._check_admissible()
         if len(self.start) < len(whole):
-            return replace(self, system=replace(self.system, motion=None))
+            return replace(self, system=replace(self.system, reconstruction=None))
         return self
 
     def _check_admissible(self) -> None:
@@ -96,14 +96,14 @@ class Problem:
 
     def sized_values(self, formulas: Sequence[sp.Expr]) -> list[Sized]:
         """Values of scalar formulas at the start, with the sizes of their terms."""
-        lifted = self.system.lifted() if self.system.motion else self.system
+        lifted = self.system.lifted() if self.system.reconstruction else self.system
         known = {s: exact(value) for s, value in self.parameters.items()}
         start = measured(lifted.state, lifted.symbols, [exact(x) for x in self.start])
         wanted = [to_components(formula) for formula in formulas]
         return sized(
             wanted,
             {**{s: Sized(x, abs(x)) for s, x in known.items()}, **start},
-            lifted.needed(wanted),
+            lifted.required_definitions(wanted),
         )
 
     def vanish(self, formulas: Sequence[sp.Expr], part: fmpq = RESOLUTION) -> bool:
@@ -162,7 +162,7 @@ def _evaluator(system: System, point: Sequence[fmpq], numbers: Numbers) -> Evalu
     known = dict(zip(system.symbols, point, strict=True))
     known |= {s: fmpq(x.numerator, x.denominator) for s, x in numbers.items()}
     seeds = {s: Jet(value, {}) for s, value in known.items()}
-    return Evaluator(Rationals({}), seeds.get, dict(system.steps))
+    return Evaluator(Rationals({}), seeds.get, dict(system.scalar_definitions))
 
 
 def _rates(system: System, point: Sequence[fmpq], numbers: Numbers) -> list[fmpq]:

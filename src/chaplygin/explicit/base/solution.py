@@ -17,8 +17,6 @@ from ...core.system import System
 from ...errors import InputError
 from ...flow.trajectory import by_name
 
-__all__ = ["LATEST", "ClosedForm", "NamedConstant", "Solution", "States", "checked"]
-
 #: The largest phase Ωt in double precision; its digits are lost beyond 1e15.
 LATEST = 1e13
 

@@ -105,7 +105,7 @@ def locate(diagram: Diagram, state: Mapping[sp.Symbol | str, Written]) -> tuple[
     known |= {s: Sized(exact(x), abs(exact(x))) for s, x in diagram.parameters.items()}
     conditions = [*system.relations, *plane.level]
     formulas = [to_components(f) for f in (*conditions, *(axis.value for axis in plane.axes))]
-    *level, x, y = sized(formulas, known, system.needed(formulas))
+    *level, x, y = sized(formulas, known, system.required_definitions(formulas))
     for condition, value in zip(conditions, level, strict=True):
         if not value.vanishes(ROUNDED):
             raise InputError(
@@ -192,7 +192,7 @@ def _number(
 ) -> sp.Expr:
     """A formula with the definitions and parameters filled in."""
     known = {s: sp.Rational(x.numerator, x.denominator) for s, x in values.items()}
-    for symbol, value in plane.system.steps:
+    for symbol, value in plane.system.scalar_definitions:
         if not value.free_symbols - set(known):
             known[symbol] = value.xreplace(known)
     return sp.sympify(formula).xreplace(known)

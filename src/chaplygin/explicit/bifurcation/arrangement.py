@@ -20,22 +20,6 @@ from flint import Ordering, arb, ctx, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_pol
 
 from ...formulas.balls import exact
 
-__all__ = [
-    "RING",
-    "Arrangement",
-    "arrangement",
-    "fraction",
-    "highest",
-    "irreducible",
-    "lowest",
-    "on_vertical",
-    "ordered_roots",
-    "rational",
-    "real_roots",
-    "short_rational",
-    "stack",
-]
-
 #: Polynomials in the two coordinates of the plane and the variable of the curve y² = P(z).
 RING = fmpq_mpoly_ctx.get(("x", "y", "z"), Ordering.lex)
 X, Y, _Z = RING.gens()

@@ -17,8 +17,6 @@ from ...formulas.balls import exact
 from .arrangement import FIRST_PRECISION, stack
 from .tori import SHEETS, Oval, group, ovals
 
-__all__ = ["Circles", "circles_at_a_double_root", "circles_at_a_pole"]
-
 #: Binary digits beyond which a sign is given up.
 LAST_PRECISION = 4096
 

@@ -8,8 +8,6 @@ from ..base.problem import Problem
 from ..recognise import find_match
 from . import Diagram, bifurcation_diagram, locate
 
-__all__ = ["diagram_of"]
-
 
 def diagram_of(problem: Problem) -> tuple[Diagram, tuple[float, float]] | None:
     """The diagram of a motion, and the values of its two integrals.

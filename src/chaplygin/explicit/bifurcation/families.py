@@ -32,17 +32,6 @@ from ..separations.neumann import neumann_system
 from ..separations.rubber_ball_plane import rubber_ball_plane
 from ..separations.veselova import veselova
 
-__all__ = [
-    "PLANES",
-    "SEPARATED",
-    "Axis",
-    "Bound",
-    "IntegralPlane",
-    "numbers",
-    "plane_named",
-    "plane_of",
-]
-
 #: The variable of the curve.
 Z = real_symbol("z")
 M, gamma, omega = vectors("M gamma omega")
@@ -164,7 +153,7 @@ def plane_of(separable: SeparatedSystem) -> IntegralPlane:
 
 def _axis(symbol: sp.Symbol, value: sp.Expr, system: System) -> Axis:
     """An axis with the meaning that the system gives to this integral."""
-    steps = dict(system.steps)
+    steps = dict(system.scalar_definitions)
     for law in system.integrals:
         text = to_components(law.value)
         if sp.expand(steps.get(text, text) - to_components(value)) == 0:

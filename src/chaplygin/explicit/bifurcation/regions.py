@@ -16,8 +16,6 @@ from .critical_motions import Arc, Circles, circles_at_a_double_root, circles_at
 from .families import IntegralPlane
 from .tori import Family, families
 
-__all__ = ["Boundary", "Equilibrium", "Kinds", "Region"]
-
 
 @dataclass(frozen=True)
 class Region:

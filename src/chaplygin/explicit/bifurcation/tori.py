@@ -24,8 +24,6 @@ from flint import arb, fmpq, fmpq_poly
 
 from .arrangement import highest, lowest, ordered_roots, rational, short_rational
 
-__all__ = ["Family", "Oval", "families", "group", "ovals"]
-
 #: One bit for each of the three components of ν.
 SHEETS = 8
 

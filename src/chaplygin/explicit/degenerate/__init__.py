@@ -62,8 +62,8 @@ def solved_degenerate(
         for e, others in double_roots(exact):
             motion = motion_at_double_root(exact, e, others)
             if motion is not None:
-                lifted = system.motion is not None and len(separable.fixed) == 2
-                whole = system.lifted() if lifted else replace(system, motion=None)
+                lifted = system.reconstruction is not None and len(separable.fixed) == 2
+                whole = system.lifted() if lifted else replace(system, reconstruction=None)
                 numbers = {s: ball(x) for s, x in values.items()}
                 return DegenerateSolution(whole, numbers, tuple(start), separable, exact, motion, e)
     return None

@@ -10,8 +10,6 @@ import sympy as sp
 from ...formulas.program import ANALYTIC, Steps, StraightLineProgram
 from ..one_degree.vectors import cross
 
-__all__ = ["analytic", "root", "triad"]
-
 root = ANALYTIC.root
 
 

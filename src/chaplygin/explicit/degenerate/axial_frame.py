@@ -34,8 +34,6 @@ from ..one_degree.uniformisation import Oscillating
 from ..one_degree.vectors import conjugate, cross, dot, product, times
 from .axisymmetric import Axial
 
-__all__ = ["AxialFrame", "AxialStart", "axial_solution"]
-
 #: Points of a period at which e is compared with the vectors that stand still.
 POINTS = 65
 

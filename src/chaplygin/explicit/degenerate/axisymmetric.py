@@ -30,8 +30,6 @@ from ..one_degree.functions import Functions, N
 from ..one_degree.uniformisation import Equation
 from ..one_degree.vectors import cross, dot
 
-__all__ = ["Axial", "ChaplyginAxial", "VeselovaAxial"]
-
 Vector: TypeAlias = Sequence[arb]
 
 

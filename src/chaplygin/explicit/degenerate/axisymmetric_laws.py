@@ -12,8 +12,6 @@ from ...catalogue.fixed_point.veselova import F, I, gamma, h, omega
 from ...core.laws import Identity, Integral, Law, Rate, Reduction
 from ...core.vectors import cross, dot, norm_squared, real_symbol, to_components, vectors
 
-__all__ = ["chaplygin_laws", "veselova_laws"]
-
 (M,) = vectors("M")
 u, own, f, g = (real_symbol(s) for s in ("u", "c_squared", "f", "g"))
 I_1, I_2, I_3 = I.symbols

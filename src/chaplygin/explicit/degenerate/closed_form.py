@@ -12,8 +12,6 @@ from ..genus_two.separation import SeparatedSystem
 from .exact_start import ExactStart
 from .theta_motion import Asymptotic, Periodic
 
-__all__ = ["form_of"]
-
 
 def form_of(
     separable: SeparatedSystem,

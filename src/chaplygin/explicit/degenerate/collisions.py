@@ -12,8 +12,6 @@ from .elliptic_curve import Oval, oval_around
 from .exact_start import ExactStart
 from .theta_motion import Asymptotic, Periodic, direction, direction_array
 
-__all__ = ["double_roots", "motion_at_double_root"]
-
 #: Step of difference quotients at the working precision.
 STEP = arb(2) ** (-140)
 

@@ -19,8 +19,6 @@ from flint import acb, arb
 
 from .jacobi_theta import Thetas
 
-__all__ = ["Oval", "oval_around"]
-
 
 @dataclass(frozen=True)
 class Oval:

@@ -19,8 +19,6 @@ from ...formulas.balls import ball, components, evaluated
 from ..base.exact_start import on_phase_space
 from ..genus_two.separation import SeparatedSystem
 
-__all__ = ["PRECISION", "ExactStart", "exact_start", "with_definitions"]
-
 Balls: TypeAlias = tuple[arb, ...]
 
 #: Bits in which starts are worked out.
@@ -75,7 +73,7 @@ def with_definitions(
 ) -> dict[sp.Symbol, arb]:
     """Parameters, state and definitions of a system by their symbols."""
     known = {**values, **dict(zip(system.symbols, state, strict=False))}
-    for symbol, formula in system.steps:
+    for symbol, formula in system.scalar_definitions:
         (known[symbol],) = evaluated([formula], known)
     return known
 

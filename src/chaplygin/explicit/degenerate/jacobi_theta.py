@@ -22,8 +22,6 @@ from flint import acb, arb, ctx
 from ...core.arrays import FloatArray
 from ..one_degree.functions import B
 
-__all__ = ["Thetas"]
-
 #: A function and its derivative.
 Pair: TypeAlias = tuple[B, B]
 

@@ -24,8 +24,6 @@ from .quadratures import AsymptoticQuadratures, Quadratures, quadratures_along
 from .quaternion_sign import Signs, continuous_signs
 from .theta_motion import Asymptotic, Periodic, direction, direction_array
 
-__all__ = ["DegenerateMotion"]
-
 #: ν and ν′ (3, n), and further arrays ↦ the values (m, n) of formulas.
 ArrayFunction: TypeAlias = Callable[..., FloatArray]
 
@@ -93,7 +91,7 @@ class DegenerateMotion:
     def _integrands(self) -> ArrayFunction:
         """The rate of the clock, then the velocity in space, all in τ."""
         clock = self._arrays(components(self.separable.clock))
-        motion = self.separable.system.motion
+        motion = self.separable.system.reconstruction
         if motion is None or not self.in_space:
             return clock
         pairs = flat_pairs(motion.field)

@@ -20,8 +20,6 @@ from ..genus_two.phases import halves, turned
 from ..one_degree.angles import ComplexArray
 from .theta_motion import Asymptotic, Periodic, direction_array
 
-__all__ = ["AsymptoticQuadratures", "Moment", "Quadratures", "quadratures_along"]
-
 #: The integrands at ν, ν′ (3, n): an array (m, n), the clock first.
 Integrands: TypeAlias = Callable[[FloatArray, FloatArray], FloatArray]
 

@@ -6,8 +6,6 @@ from collections.abc import Sequence
 
 from flint import arb
 
-__all__ = ["quaternion"]
-
 
 def quaternion(rows: Sequence[Sequence[arb]], near: Sequence[float]) -> list[arb]:
     """The unit quaternion of a rotation matrix, the one of two that is nearer to `near`.

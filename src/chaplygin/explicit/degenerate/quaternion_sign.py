@@ -9,8 +9,6 @@ import numpy as np
 
 from ...core.arrays import FloatArray
 
-__all__ = ["Signs", "continuous_signs"]
-
 #: Points of a period in the table of quaternions.
 POINTS = 512
 

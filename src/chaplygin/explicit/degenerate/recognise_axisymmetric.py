@@ -24,8 +24,6 @@ from .axisymmetric import Axial, ChaplyginAxial, VeselovaAxial
 from .exact_start import PRECISION
 from .uniform_motion import uniform_solution
 
-__all__ = ["chaplygin_of_revolution", "equal_pair", "veselova_of_revolution"]
-
 Numbers = Mapping[sp.Symbol, Written]
 Vector = Sequence[arb]
 

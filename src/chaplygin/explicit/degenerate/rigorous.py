@@ -32,8 +32,6 @@ from .motion import DegenerateMotion
 from .quaternion import quaternion
 from .theta_motion import Asymptotic, direction
 
-__all__ = ["rigorous_state"]
-
 #: σ ↦ N and N′ in complex balls.
 Numerators: TypeAlias = Callable[[acb], tuple[list[acb], list[acb]]]
 #: The distance, in σ, to which boxes reach from a panel in which functions are bounded.
@@ -126,7 +124,7 @@ class Rigorous:
     def _rates(self) -> Callable[..., list[Any]]:
         """The clock, then the velocity in body axes."""
         clock = components(self.solution.separable.clock)
-        motion = self.solution.separable.system.motion
+        motion = self.solution.separable.system.reconstruction
         if motion is None or not self.solution.in_space:
             return self._function(clock)
         pairs = flat_pairs(motion.field)

@@ -13,8 +13,6 @@ from .closed_form import form_of
 from .motion import DegenerateMotion
 from .rigorous import rigorous_state
 
-__all__ = ["DegenerateSolution"]
-
 
 @dataclass(frozen=True, repr=False)
 class DegenerateSolution(DegenerateMotion, Solution):

@@ -30,8 +30,6 @@ from ..one_degree.functions import B
 from ..one_degree.vectors import dot
 from .jacobi_theta import Thetas
 
-__all__ = ["Asymptotic", "Numerators", "Periodic", "direction", "direction_array"]
-
 #: N and N′, or ν and ν′.
 Pair: TypeAlias = tuple[list[B], list[B]]
 

@@ -26,8 +26,6 @@ from ..one_degree.uniform import Rotation, UniformSolution
 from ..one_degree.vectors import cross, dot, product
 from .exact_start import PRECISION, with_definitions
 
-__all__ = ["resting", "uniform_solution"]
-
 #: Angles of a turn about ω at which the field is compared with that turn.
 ANGLES = 7
 
@@ -101,7 +99,9 @@ def resting(
         numbers = measured(system.state, system.symbols, [exact(x) for x in state])
         fixed = {s: Sized(exact(x), abs(exact(x))) for s, x in known.items()}
         rates = [to_components(rate) for rate in system.rates]
-        if not all(x.vanishes() for x in sized(rates, {**fixed, **numbers}, system.steps)):
+        if not all(
+            x.vanishes() for x in sized(rates, {**fixed, **numbers}, system.scalar_definitions)
+        ):
             return None
         definitions = with_definitions(system, known, state)
         zero = [arb(0)] * 3
@@ -174,7 +174,7 @@ def _solution(
     omega: Balls,
 ) -> UniformSolution:
     size = len(system.symbols)
-    in_space = system.motion is not None
+    in_space = system.reconstruction is not None
     length = sum((q * q for q in start[size : size + 4]), arb(0)).sqrt()
     # exact numbers: their radii, near 1e-120, would hide that a difference is zero
     own, whole = [x.mid() for x in turning], [x.mid() for x in omega]
@@ -208,8 +208,10 @@ def _solution(
 
 def _velocity(system: System, values: Values, start: Balls) -> Balls:
     """The velocity in body axes, read off the rates of the position at two attitudes."""
-    assert system.motion is not None
-    rates = [f for name, f in flat_pairs(system.motion.field) if name not in attitude.symbols]
+    assert system.reconstruction is not None
+    rates = [
+        f for name, f in flat_pairs(system.reconstruction.field) if name not in attitude.symbols
+    ]
     if not rates:
         return ()
     known = with_definitions(system, values, start)

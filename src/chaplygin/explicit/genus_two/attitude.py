@@ -10,8 +10,6 @@ from scipy.spatial.transform import Rotation
 
 from ...core.arrays import FloatArray
 
-__all__ = ["Cover", "Triad", "continuous_signs", "cover"]
-
 
 @dataclass(frozen=True)
 class Triad:

@@ -25,16 +25,6 @@ from ...core.laws import Identity, Rate
 from ...core.vectors import constant, cross, dot, norm_squared, to_components, unit_vector, vectors
 from .separation import SeparatedSystem, nu, nuprime
 
-__all__ = [
-    "Reference",
-    "farthest",
-    "rate",
-    "references",
-    "rotated_triad",
-    "spin_identity",
-    "spinning",
-]
-
 omega, kappa, level, a = vectors("omega spin_kappa spin_level spin_a")
 
 

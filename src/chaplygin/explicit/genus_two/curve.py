@@ -15,8 +15,6 @@ from typing import Any
 
 from flint import arb
 
-__all__ = ["Curve", "DegenerateError"]
-
 
 class DegenerateError(ValueError):
     """Two branch points coincide as far as is known: the curve has a smaller genus."""

@@ -30,8 +30,6 @@ from ..base.no_closed_form import NoClosedFormError
 from .attitude import continuous_signs
 from .quadrature import Series, series
 
-__all__ = ["FloquetReduction", "reduction"]
-
 #: Places in the phase that is not turned: at first and at most.
 _PLACES = (64, 512)
 #: Steps of one turn: at first and at most.

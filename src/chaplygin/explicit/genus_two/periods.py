@@ -14,8 +14,6 @@ from flint import acb, arb, arb_mat
 from ...formulas.balls import number
 from .curve import Curve, DegenerateError
 
-__all__ = ["Lattice", "abelian", "lattice"]
-
 Pair = tuple[arb, arb]
 #: Two pairs of whole numbers.
 Integers = tuple[tuple[int, int], tuple[int, int]]

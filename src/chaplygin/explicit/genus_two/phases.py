@@ -10,8 +10,6 @@ from flint import arb
 from ...core.arrays import ComplexArray, FloatArray, IntArray
 from ...formulas.balls import number
 
-__all__ = ["halves", "phase_grid", "turned", "wave_rates"]
-
 #: Splits a double into two halves of 26 bits (Dekker).
 _SPLITTER = 134217729.0
 

@@ -21,8 +21,6 @@ from ...formulas.balls import number
 from ..base.no_closed_form import NoClosedFormError
 from .phases import phase_grid, wave_rates
 
-__all__ = ["Quadrature", "Series", "quadrature", "series"]
-
 #: Coefficients below this part of the largest one are rounding.
 _LEVEL = 2e-16
 #: Grid points per period 2 at first.

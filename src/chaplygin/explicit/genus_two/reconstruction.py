@@ -26,16 +26,6 @@ from .separation import SeparatedSystem
 from .third_frequency import Turning, turning
 from .time_map import TimeMap, TorusPoint
 
-__all__ = [
-    "Lift",
-    "NoFixedVector",
-    "OneFixedVector",
-    "TwoFixedVectors",
-    "lift",
-    "on_arrays",
-    "spinning_pair",
-]
-
 #: Points per phase at which the directions of two vectors are compared.
 _COARSE = 24
 
@@ -107,7 +97,7 @@ def spinning_pair(motion: SeparatedMotion) -> tuple[sp.MatrixExpr, sp.MatrixExpr
 
 def place_rates(of: SeparatedSystem) -> list[sp.Expr]:
     """Rates of the variables of the motion in space, the attitude left out."""
-    motion = of.system.motion
+    motion = of.system.reconstruction
     pairs = () if motion is None else flat_pairs(motion.field)
     return [formula for name, formula in pairs if name not in attitude.symbols]
 
@@ -297,7 +287,7 @@ def lift(motion: SeparatedMotion, clock: TimeMap, start: Sequence[float]) -> Lif
         If the system has places in space and no direction that stays there.
     """
     of = motion.separable
-    if of.system.motion is None:
+    if of.system.reconstruction is None:
         return None
     numbers = np.array([float(x) for x in start])
     if not of.fixed and len(numbers) > 4:

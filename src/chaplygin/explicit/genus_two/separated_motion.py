@@ -16,8 +16,6 @@ from .curve import Curve
 from .separation import SeparatedSystem, nu, nuprime
 from .torus import InvariantTorus, torus
 
-__all__ = ["SeparatedMotion", "chain", "separate"]
-
 
 @dataclass(frozen=True)
 class SeparatedMotion:
@@ -62,7 +60,7 @@ def separate(
     values: dict[sp.Symbol, arb] = {name: ball(x) for name, x in parameters.items()}
     state = on_phase_space(system, separable.level, start, values)
     known = {**values, **dict(zip(system.symbols, state, strict=True))}
-    for name, formula in system.steps:
+    for name, formula in system.scalar_definitions:
         known[name] = evaluated([formula], known)[0]
     for name, formula in separable.constants:
         known[name] = values[name] = evaluated(components(formula), known)[0]
@@ -102,7 +100,7 @@ def chain(
     """
     moving = set(separable.system.symbols)
     still, changing = [], []
-    for name, formula in separable.system.steps:
+    for name, formula in separable.system.scalar_definitions:
         # quantities of the parameters alone may be used by the formulas of the state
         if formula.free_symbols & moving:
             moving.add(name)

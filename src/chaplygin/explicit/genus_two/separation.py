@@ -25,8 +25,6 @@ from ...core.laws import Law
 from ...core.system import System
 from ...core.vectors import Vector, vectors
 
-__all__ = ["SeparatedSystem", "gaps", "nu", "nuprime"]
-
 #: The unit vector and its derivative in the time τ, body axes.
 nu, nuprime = vectors("nu nuprime")
 

@@ -23,8 +23,6 @@ from ...core.vectors import Vector, cross, norm_squared, real_symbol, to_compone
 from ...formulas.balls import components
 from .separation import SeparatedSystem, gaps, nu, nuprime
 
-__all__ = ["separation_laws", "with_laws"]
-
 #: c₁z + c₀ as (c₁, c₀).
 Linear: TypeAlias = tuple[sp.Expr, sp.Expr]
 

@@ -19,8 +19,6 @@ from flint import arb, arb_mat, ctx
 from ...core.arrays import FloatArray
 from ...formulas.balls import number
 
-__all__ = ["Theta"]
-
 #: Points that are computed at once.
 _BLOCK = 16384
 

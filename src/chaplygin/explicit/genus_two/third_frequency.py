@@ -12,8 +12,6 @@ from ...core.arrays import ComplexArray, FloatArray, IntArray
 from .phases import wave_rates
 from .quadrature import Series
 
-__all__ = ["Turning", "turning"]
-
 
 @dataclass(frozen=True)
 class Turning:

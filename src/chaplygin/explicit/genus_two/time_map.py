@@ -14,8 +14,6 @@ from .quadrature import Quadrature, quadrature, series
 from .separated_motion import SeparatedMotion, chain
 from .torus_average import mean
 
-__all__ = ["TimeMap", "TorusPoint", "clock_of"]
-
 #: Newton steps for the clock; it takes four or five.
 _STEPS = 40
 

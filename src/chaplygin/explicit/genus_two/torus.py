@@ -20,8 +20,6 @@ from .curve import Curve
 from .periods import Lattice, Pair, abelian, lattice
 from .theta import Theta
 
-__all__ = ["Divisor", "InvariantTorus", "divisor_of", "torus"]
-
 #: Distance of a motion from its start, relative to ν and ν′: near separatrices digits are lost.
 _PASSED = fmpq(1, 2**30)
 

@@ -10,8 +10,6 @@ from .quadrature import Series
 from .theta import Theta
 from .torus import InvariantTorus
 
-__all__ = ["BITS", "mean"]
-
 #: Working precision of a mean.
 BITS = 128
 #: Points of the grid beyond which the mean is left to doubles.

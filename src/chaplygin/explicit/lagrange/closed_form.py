@@ -13,8 +13,6 @@ from ..one_degree import FAST, Equilibrium, QuadratureMotion
 from ..one_degree.uniformisation import Uniformisation
 from .top import Top
 
-__all__ = ["form_of", "steady_form"]
-
 t, h, s, c = (real_symbol(name) for name in "thsc")
 w, k, u_1, u_2 = (real_symbol(name) for name in ("w", "k", "u_1", "u_2"))
 u, phi = (sp.Function(name)(t) for name in ("u", "varphi"))

@@ -36,8 +36,6 @@ from ..revolution.body import BITS
 from .closed_form import form_of, steady_form
 from .top import Top, Vector, level_of
 
-__all__ = ["TopFrame", "solve_top"]
-
 
 def solve_top(
     system: System, start: Sequence[Written], parameters: Mapping[sp.Symbol, Written] | None = None

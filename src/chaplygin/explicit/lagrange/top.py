@@ -12,8 +12,6 @@ from ...formulas.relative_zero import vanishes
 from ..one_degree.divided_differences import Argument, Formula
 from ..one_degree.uniformisation import Equation, Uniformisation
 
-__all__ = ["Top", "level_of"]
-
 Vector: TypeAlias = Sequence[arb]
 
 

@@ -21,16 +21,6 @@ from flint import acb, arb
 from ...core.arrays import FloatArray
 from .phase_reduction import Pair, fraction, pair
 
-__all__ = [
-    "ComplexArray",
-    "LinearPhase",
-    "circular_path",
-    "circular_paths",
-    "displacement_sum",
-    "displacement_sums",
-    "unit_complex",
-]
-
 ComplexArray: TypeAlias = npt.NDArray[np.complex128]
 
 

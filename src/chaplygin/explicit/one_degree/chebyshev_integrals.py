@@ -20,8 +20,6 @@ from flint import acb, arb, arb_mat, ctx
 from ...core.arrays import FloatArray, IntArray
 from ...errors import InputError
 
-__all__ = ["Integrals", "Panel", "Table", "integrals", "working_bits"]
-
 #: ρ of the ellipse, and its half-axes.
 RHO = 4
 ALONG, ACROSS = arb("2.125"), arb("1.875")

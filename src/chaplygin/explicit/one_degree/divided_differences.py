@@ -17,8 +17,6 @@ from typing import Protocol, TypeAlias, TypeVar
 
 from flint import acb, acb_mat, arb, fmpq
 
-__all__ = ["DividedDifferences", "Formula", "analytic_root", "jet", "slope", "value"]
-
 #: Constants in formulas.
 Constant: TypeAlias = int | float | fmpq | arb | acb
 

@@ -10,8 +10,6 @@ import sympy as sp
 
 from ...formulas.program import ENTIRE, StraightLineProgram
 
-__all__ = ["program"]
-
 
 @lru_cache(maxsize=512)
 def program(formula: sp.Expr) -> Callable[[Mapping[sp.Symbol, Any]], Any]:

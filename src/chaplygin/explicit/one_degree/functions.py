@@ -12,8 +12,6 @@ from flint import acb, arb
 from ...core.arrays import FloatArray
 from .divided_differences import analytic_root
 
-__all__ = ["BALLS", "DOUBLES", "B", "Count", "Functions", "N", "T"]
-
 #: Real or complex balls.
 B = TypeVar("B", arb, acb)
 #: Real numbers: balls, or arrays in double precision.

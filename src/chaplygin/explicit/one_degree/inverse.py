@@ -6,8 +6,6 @@ from collections.abc import Callable
 
 from flint import arb, ctx
 
-__all__ = ["enclosed_root"]
-
 #: Steps of Newton's method, and doublings of the radius of its last step.
 STEPS, DOUBLINGS = 8, 60
 

@@ -12,8 +12,6 @@ from flint import arb
 
 from ...core.arrays import FloatArray
 
-__all__ = ["Pair", "fraction", "pair", "reduced_phase"]
-
 #: A number as the sum of two doubles.
 Pair = tuple[float, float]
 

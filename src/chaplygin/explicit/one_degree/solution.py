@@ -41,8 +41,6 @@ from .functions import BALLS, DOUBLES, Count, Functions, T
 from .vectors import times
 from .working_precision import exact_time, working_digits
 
-__all__ = ["BodyFrame", "Inclination", "QuadratureSolution", "euler_quaternion", "intrinsic_angle"]
-
 #: Below this angle of precession, in the time of one unit of the phase, the path in a tail is
 #: computed as that of a slow turn.
 SLOW = 1e-3

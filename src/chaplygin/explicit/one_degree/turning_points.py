@@ -15,8 +15,6 @@ from ...errors import InputError
 from ...formulas.relative_zero import vanishes
 from .divided_differences import Argument, Formula, jet, slope
 
-__all__ = ["End", "next_end"]
-
 #: Intervals are not halved below this width.
 NARROWEST = 1e-13
 

@@ -27,8 +27,6 @@ from .functions import BALLS, DOUBLES, Functions, T
 from .vectors import cross, dot, product, times
 from .working_precision import exact_time, working_digits
 
-__all__ = ["Rotation", "UniformSolution"]
-
 Vector = Sequence[arb]
 
 #: Digits behind the phases in double precision.

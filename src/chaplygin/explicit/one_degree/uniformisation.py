@@ -21,8 +21,6 @@ from .divided_differences import Formula, analytic_root, slope, value
 from .functions import BALLS, Functions, N
 from .turning_points import End
 
-__all__ = ["Asymptotic", "Equation", "Heteroclinic", "Oscillating", "Uniformisation"]
-
 
 @dataclass(frozen=True)
 class Equation:

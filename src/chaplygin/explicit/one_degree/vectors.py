@@ -6,8 +6,6 @@ from collections.abc import Sequence
 
 from .functions import N
 
-__all__ = ["conjugate", "cross", "dot", "product", "times"]
-
 
 def dot(a: Sequence[N], b: Sequence[N]) -> N:
     """The scalar product of two vectors."""

@@ -10,8 +10,6 @@ from ...arguments import Written
 from ...errors import InputError
 from ..base.problem import exact
 
-__all__ = ["exact_time", "working_digits"]
-
 #: Digits that are carried at most.
 MOST = 100
 

@@ -71,7 +71,7 @@ def solve_rolling(
     """
     values = {**system.defaults, **(parameters or {})}
     body = body_of(rolling, values)
-    if body is None or system.motion is None:
+    if body is None or system.reconstruction is None:
         return None
     lifted = system.lifted()
     if len(start) != len(lifted.symbols):

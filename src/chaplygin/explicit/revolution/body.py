@@ -28,8 +28,6 @@ from ..one_degree.divided_differences import Argument, value
 from ..one_degree.formula import program
 from ..one_degree.uniformisation import Equation
 
-__all__ = ["BITS", "AxisymmetricBody", "Level", "body_of", "level_of"]
-
 #: Bits to which constants of the motion and turning points are computed.
 BITS = 700
 

@@ -11,8 +11,6 @@ from ..one_degree import FAST, Equilibrium, QuadratureMotion
 from ..one_degree.uniformisation import Asymptotic, Heteroclinic, Uniformisation
 from .body import Level, u
 
-__all__ = ["form_of", "kind_of", "steady_form"]
-
 TITLE = "Rubber body of revolution on a plane"
 SOURCE = "(5.1), (5.2), Theorem 4"
 

@@ -28,15 +28,6 @@ from ..base.problem import exact
 from ..one_degree.divided_differences import Argument, Formula, jet
 from .body import AxisymmetricBody, body_of, u
 
-__all__ = [
-    "Column",
-    "Diagram",
-    "PermanentRotation",
-    "columns_at",
-    "motions_at",
-    "revolution_diagram",
-]
-
 #: Bits to compute with.
 BITS = 120
 

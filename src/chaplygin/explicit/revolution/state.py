@@ -31,17 +31,6 @@ from ..one_degree.solution import BodyFrame, Inclination, intrinsic_angle
 from ..one_degree.uniformisation import Heteroclinic, Oscillating, Uniformisation
 from .body import AxisymmetricBody, Level, level_of, u
 
-__all__ = [
-    "RevolutionFrame",
-    "StartState",
-    "path_parities",
-    "path_rates",
-    "path_speed",
-    "start_angles",
-    "start_state",
-    "turning_rates",
-]
-
 Vector: TypeAlias = Sequence[arb]
 
 

@@ -136,7 +136,7 @@ class RigorousMotion:
             moment = ball(time)
             tau = self.clock.inverse(moment)
             reduced_state, there = self.reduced_state(tau)
-            if self.prepared.separable.system.motion is None:
+            if self.prepared.separable.system.reconstruction is None:
                 return tuple(reduced_state)
             rough = self.solution.states([number(moment)])[0, len(reduced_state) :]
             return (*reduced_state, *self._motion_in_space(tau, there, rough))

@@ -19,8 +19,6 @@ from flint import arb
 from ...core.arrays import BoolArray, ComplexArray, FloatArray
 from ...formulas.balls import number
 
-__all__ = ["ROUNDING", "Affine"]
-
 #: A bound of the relative error of a dozen roundings.
 ROUNDING = 1e-14
 

@@ -19,8 +19,6 @@ from ...formulas.program import BallArithmetic, Steps, StraightLineProgram
 from ..genus_two.separation import nu, nuprime
 from .affine import Affine
 
-__all__ = ["Branch", "LeavesBranchError", "direction"]
-
 
 class LeavesBranchError(Exception):
     """On this ball the formula may meet a branch point, a branch cut or a pole."""

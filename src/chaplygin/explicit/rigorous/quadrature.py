@@ -28,8 +28,6 @@ from .branch_formula import Branch, direction
 from .strip import least, lines_of, strip_bound
 from .theta import Line, Numerators, numerators_at
 
-__all__ = ["RigorousQuadrature", "bits_for", "quadratures", "speed_of"]
-
 #: Points of the grid beyond which the answer would take minutes.
 _MOST = 1_500_000
 #: Speeds |k·V| below this part of |V| are integrated without dividing by them.

@@ -18,8 +18,6 @@ from ..genus_two.reconstruction import place_rates, spinning_pair
 from ..genus_two.separated_motion import SeparatedMotion, chain
 from .branch_formula import Branch
 
-__all__ = ["Pair", "PathRates", "Turn", "path_rates", "quaternion_products"]
-
 _AXES = sp.Matrix(3, 3, lambda k, s: real_symbol(f"axis_{k + 1}{s + 1}"))
 _TRIAD = sp.Matrix(3, 3, lambda k, b: real_symbol(f"triad_{k + 1}{b + 1}"))
 

@@ -19,8 +19,6 @@ from .affine import Affine
 from .branch_formula import Branch, direction
 from .theta import Line, Numerators
 
-__all__ = ["Strip", "least", "lines_of", "strip_bound"]
-
 #: Bits of the theta series that are turned into doubles.
 BITS = 64
 #: Numbers of boxes in each direction, for the period 1, that are tried; and the most for both

@@ -22,8 +22,6 @@ from ...formulas.balls import number
 from ..genus_two.torus import InvariantTorus
 from .affine import ROUNDING, Affine
 
-__all__ = ["Line", "Numerators", "numerators_at"]
-
 _DEGREES = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
 #: Orders of derivatives that the bounds of what is left out allow for.
 _ORDER = 3

@@ -11,8 +11,6 @@ from ...arguments import Numbers, Written
 from ...core.arrays import FloatArray
 from ..genus_two.separated_motion import SeparatedMotion
 
-__all__ = ["TorusMotion"]
-
 
 class TorusMotion(Protocol):
     """A motion on a two-dimensional torus, as bounds need it."""

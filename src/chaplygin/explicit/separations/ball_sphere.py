@@ -42,8 +42,6 @@ from ...core.vectors import Vector, constant, cross, dot, norm_squared, real_sym
 from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import separation_laws
 
-__all__ = ["hollow_ball", "of_tensor"]
-
 M, omega, gamma = vectors("M omega gamma")
 h, f = real_symbol("h"), real_symbol("f")
 

@@ -22,8 +22,6 @@ from ...core.system import Parameter, System
 from ..genus_two.separation import SeparatedSystem
 from .ball_sphere import f, h
 
-__all__ = ["in_coordinates"]
-
 
 def in_coordinates(of: SeparatedSystem) -> System:
     """An instant of any motion in the coordinates, with the laws that make up the separation.

@@ -30,14 +30,6 @@ from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 from .neumann import quadratic
 
-__all__ = [
-    "ROLLING",
-    "diagonal",
-    "integral",
-    "rubber_ball_in_bruns_field",
-    "veselova_in_bruns_field",
-]
-
 #: The diagonal of a tensor.
 Tensor: TypeAlias = tuple[sp.Expr, sp.Expr, sp.Expr]
 

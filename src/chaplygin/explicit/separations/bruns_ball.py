@@ -40,8 +40,6 @@ from .bruns import integral
 from .chaplygin_ball import chaplygin_ball
 from .neumann import quadratic
 
-__all__ = ["chaplygin_ball_in_bruns_field"]
-
 M, gamma, omega, g = vectors("M gamma omega g")
 I = Diagonal("I")
 TRACE, DET_I = sp.Add(*I.symbols), sp.Mul(*I.symbols)

@@ -31,8 +31,6 @@ from .ball_sphere import hollow_ball
 from .bruns import integral
 from .neumann import quadratic
 
-__all__ = ["hollow_ball_in_bruns_field"]
-
 (gamma,) = vectors("gamma")
 I, J = Diagonal("I"), Diagonal("J")
 D = real_symbol("m") * real_symbol("R") ** 2

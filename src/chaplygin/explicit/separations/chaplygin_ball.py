@@ -29,8 +29,6 @@ from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import separation_laws
 from .fedorov import E, fedorov, q_1, r
 
-__all__ = ["chaplygin_ball"]
-
 M, gamma, omega = vectors("M gamma omega")
 h, f = real_symbol("h"), real_symbol("f")
 

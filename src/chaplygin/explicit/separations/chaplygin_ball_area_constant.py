@@ -46,8 +46,6 @@ from ...core.vectors import Vector, constant, cross, dot, norm_squared, real_sym
 from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import separation_laws
 
-__all__ = ["EVEN", "chaplygin_area", "original_vectors"]
-
 M, gamma, omega = vectors("M gamma omega")
 h, f, g, sigma, delta, e, n = (real_symbol(s) for s in ("h", "f", "g", "sigma", "delta", "e", "n"))
 

@@ -54,8 +54,6 @@ from .chaplygin_ball_area_constant import (
     sigma,
 )
 
-__all__ = ["chart", "chart_at_level"]
-
 M, gamma, omega, Mprime, gammaprime, omegaprime = vectors(
     "M gamma omega Mprime gammaprime omegaprime"
 )

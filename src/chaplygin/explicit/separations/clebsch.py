@@ -25,8 +25,6 @@ from ..genus_two.separation import SeparatedSystem, nu, nuprime
 from ..genus_two.separation_laws import separation_laws
 from .neumann import neumann_system
 
-__all__ = ["clebsch_case"]
-
 #: z₁ + z₂, z₁z₂ and their derivatives along Neumann's flow.
 total, product, total_slope, product_slope = (
     real_symbol(f"separation_{s}") for s in ("S", "P", "Sprime", "Pprime")

@@ -22,8 +22,6 @@ from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors
 from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 
-__all__ = ["fedorov"]
-
 (gamma,) = vectors("gamma")
 E, G, q_1, r = (real_symbol(name) for name in ("E", "G", "q_1", "r"))
 

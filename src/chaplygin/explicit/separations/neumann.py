@@ -21,8 +21,6 @@ from ...core.vectors import cross
 from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 
-__all__ = ["neumann_system", "quadratic"]
-
 
 def quadratic(first: sp.Expr, second: sp.Expr, third: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """The two roots of first z² + second z + third."""

@@ -10,8 +10,6 @@ from ...catalogue.chaplygin_ball.chaplygin_bracket import D, I, J
 from ..genus_two.separation import SeparatedSystem
 from .veselova import veselova_separation
 
-__all__ = ["rubber_ball_plane"]
-
 
 def rubber_ball_plane() -> SeparatedSystem:
     """The rubber Chaplygin ball on a plane, with any three different principal moments."""

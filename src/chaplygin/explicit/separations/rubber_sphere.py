@@ -37,8 +37,6 @@ from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 from .veselova import veselova as without_field
 
-__all__ = ["hollow_ball", "of_ratio", "on_e3", "on_plane"]
-
 omega, gamma, n, M = vectors("omega gamma n M")
 h, F = real_symbol("h"), real_symbol("F")
 HALF = sp.Rational(1, 2)

@@ -19,8 +19,6 @@ from ...core.vectors import Diagonal, cross, dot, norm_squared
 from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 
-__all__ = ["veselova", "veselova_separation"]
-
 
 def veselova() -> SeparatedSystem:
     """The Veselova system with any three different principal moments."""

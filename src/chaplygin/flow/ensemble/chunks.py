@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 
     ZarrArray: TypeAlias = zarr.Array[Any]
 
-__all__ = ["chunk_path", "damaged_blocks", "flush", "write_chunk_table"]
-
 #: The table of sizes and times of change of all chunks, in the folder of the marks: a row of pairs
 #: of 64-bit numbers for each block.
 CHUNK_TABLE = Path("done", "chunks")

@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     import xarray as xr
     from distributed import Client
 
-__all__ = ["compute"]
-
 
 def compute(
     task: Task,

@@ -22,8 +22,6 @@ from .task import Arrays, Divisible, IncompleteError, Work
 if TYPE_CHECKING:
     from distributed import Client, Future
 
-__all__ = ["results"]
-
 #: Blocks waiting at each thread of the workers, besides the one it is at.
 _WAITING = 1
 

@@ -18,8 +18,6 @@ from ...core.arrays import FloatArray, IntArray
 from ...errors import InputError
 from ...formulas.evaluate import as_float_array
 
-__all__ = ["ListedMembers", "Members", "SampledMembers", "from_lists", "grid", "sampled", "single"]
-
 
 @dataclass(frozen=True, eq=False)
 class ListedMembers:

@@ -176,7 +176,7 @@ def _times(times: npt.ArrayLike) -> tuple[float, ...]:
 
 def _constants(system: System, parameters: Parameters) -> dict[str, float]:
     """Values of parameters by name, without those that equal the default."""
-    constants, defaults = {}, dict(system.constants)
+    constants, defaults = {}, dict(system.default_values)
     for name, value in (parameters or {}).items():
         number = as_float_array(f"{system.name}: {name}", value)
         if number.ndim:
@@ -231,7 +231,10 @@ def _variable(
 def _outcomes(work: EnsembleWork) -> dict[str, object]:
     """Flags that say why a motion ended."""
     codes = range(len(STATUS_MESSAGES) + len(work.system.guards))
-    reasons = ["the last time was reached", *(work.lanes.reason(code) for code in codes[1:])]
+    reasons = [
+        "the last time was reached",
+        *(work.lanes.status_message(code) for code in codes[1:]),
+    ]
     return {
         **cf_attributes("why the motion ended", "1"),
         "flag_values": list(codes),

@@ -21,8 +21,6 @@ from ...errors import InputError, RunError
 if TYPE_CHECKING:
     pass
 
-__all__ = ["Coordinate", "Divisible", "IncompleteError", "Progress", "Task", "Variable", "Work"]
-
 Arrays: TypeAlias = Mapping[str, np.ndarray]
 #: A function that is called with the fraction done.
 Progress: TypeAlias = Callable[[float], Any]

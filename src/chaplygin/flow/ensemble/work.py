@@ -20,8 +20,6 @@ from ..trajectory import RecordedQuantity, by_name, recorded_quantities
 from .members import ListedMembers, Members, SampledMembers
 from .task import Arrays
 
-__all__ = ["EnsembleWork", "quantities_by_name"]
-
 
 def quantities_by_name(system: System, names: Sequence[str]) -> tuple[RecordedQuantity, ...]:
     """Observables and integrals by name; an integral is recorded as ``law_<name>``.
@@ -90,7 +88,7 @@ class EnsembleWork:
         """Motions first, …, last − 1; arrays by name, a row for each."""
         try:
             starts, parameters, points = self.starts(first, last)
-            motions = self.lanes.until(starts, self.times, parameters)
+            motions = self.lanes.propagate(starts, self.times, parameters)
         except InputError as error:
             raise InputError(error.message, f"runs {first} to {last - 1}") from error
         arrays: dict[str, npt.NDArray[np.number]] = {

@@ -41,8 +41,6 @@ if TYPE_CHECKING:
 
     ZarrArray: TypeAlias = zarr.Array[Any]
 
-__all__ = ["Store", "open_store", "read_store"]
-
 #: The array of the marks of complete blocks.
 DONE = "done"
 

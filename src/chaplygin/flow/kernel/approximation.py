@@ -11,8 +11,6 @@ from typing import TypeAlias
 import mpmath
 from mpmath import MPContext, libmp
 
-__all__ = ["Approximation", "parts", "series"]
-
 #: A function of an mpmath context and a number.
 SmoothPart: TypeAlias = Callable[[MPContext, mpmath.mpf], mpmath.mpf]
 

@@ -7,8 +7,6 @@ from typing import Any, Protocol, TypeAlias
 
 from .ir_writer import IRWriter
 
-__all__ = ["Arithmetic", "Double", "Pair", "Value"]
-
 #: The name of one vector register, or of two that hold one number of twice the digits.
 Value: TypeAlias = Any
 

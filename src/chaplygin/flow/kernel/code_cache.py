@@ -18,8 +18,6 @@ from typing import TypeVar, cast
 from ...core import private_files
 from ...core.cache import entry_name, folder
 
-__all__ = ["code_name", "remember"]
-
 Entry = TypeVar("Entry")
 
 #: Entries on disk, and in the memory of this process, at most.

@@ -15,8 +15,6 @@ from . import elementary as special
 from .arithmetic import Arithmetic, Value
 from .ir_writer import IRWriter
 
-__all__ = ["evaluate", "functions", "parameter_only_terms"]
-
 
 def evaluate(
     arithmetic: Arithmetic, terms: Sequence[Term], leaf: Callable[[Term], Value]

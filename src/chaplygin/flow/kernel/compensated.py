@@ -11,29 +11,6 @@ if TYPE_CHECKING:
     from .arithmetic import Arithmetic, Value
     from .ir_writer import IRWriter
 
-__all__ = [
-    "HeadTail",
-    "as_doubles",
-    "as_integers",
-    "constant",
-    "copy_sign",
-    "difference",
-    "fast_sum",
-    "integers",
-    "is_negative",
-    "is_odd",
-    "nearest",
-    "polynomial",
-    "power_of_two",
-    "quotient",
-    "reduce_argument",
-    "select",
-    "total_of",
-    "unit",
-    "where",
-    "where_constant",
-]
-
 #: Adding this rounds to an integer, which then stands in the lowest bits (Moler's trick; vector
 #: instructions for it are missing on half of the machines).
 MAGIC = 1.5 * 2.0**52

@@ -19,8 +19,6 @@ import numpy as np
 import numpy.typing as npt
 from flint import arb
 
-__all__ = ["Table", "explicit_table", "trees", "weights"]
-
 #: A rooted tree: the branches at its root.
 Tree: TypeAlias = tuple["Tree", ...]
 

@@ -11,8 +11,6 @@ from ...core.arrays import FloatArray
 from ...core.system import System
 from ...formulas.evaluate import as_float_array, parameter_rows
 
-__all__ = ["as_pairs", "from_pairs", "parameter_pairs"]
-
 
 def as_pairs(name: str, values: npt.ArrayLike) -> FloatArray:
     """Numbers as pairs (..., 2) of doubles: the rounded number and its error.

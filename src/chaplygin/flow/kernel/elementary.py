@@ -41,8 +41,6 @@ from .compensated import (
 if TYPE_CHECKING:
     from .arithmetic import Arithmetic, Value
 
-__all__ = ["FUNCTIONS"]
-
 INFINITY = float("inf")
 
 # --- signs ------------------------------------------------------------------------------------

@@ -13,16 +13,6 @@ from ...errors import InputError
 from ...formulas.evaluate import formula, read_formulas
 from ...formulas.graph import Graph, Term, ordered
 
-__all__ = [
-    "Equations",
-    "Section",
-    "equations_of",
-    "groups",
-    "poincare_section",
-    "serial",
-    "serial_terms",
-]
-
 
 @dataclass(frozen=True)
 class Section:
@@ -75,7 +65,7 @@ def poincare_section(
     >>> ball = ch.from_catalogue("unbalanced-ball")
     >>> section = ch.poincare_section(ball, "gamma_3")
     >>> starts = ch.sample_level(ball, 4, {"energy": 2.0}, seed=1)
-    >>> ch.batch_integrator(ball, section=section).returns(starts, 10).states.shape
+    >>> ch.batch_integrator(ball, section=section).crossings(starts, 10).states.shape
     (4, 10, 6)
     """
     if direction not in (-1, 0, 1):
@@ -155,7 +145,9 @@ def equations_of(
     value = slope = where = None
     if section is not None:
         value = reader(section.value)
-        (slope,) = graph.along([value], {graph.state(i): rate for i, rate in enumerate(rates)})
+        (slope,) = graph.directional_derivative(
+            [value], {graph.state(i): rate for i, rate in enumerate(rates)}
+        )
         where = None if section.where is None else reader(section.where)
     direction = 0 if section is None else -section.direction if backward else section.direction
     return Equations(
@@ -181,7 +173,7 @@ def _variations(graph: Graph, rates: Sequence[Term], deviations: int) -> list[Te
     variations: list[Term] = []
     for k in range(1, deviations + 1):
         direction = {graph.state(i): graph.state(k * size + i) for i in range(size)}
-        variations.extend(graph.along(rates, direction))
+        variations.extend(graph.directional_derivative(rates, direction))
     return variations
 
 

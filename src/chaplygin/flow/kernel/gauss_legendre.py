@@ -24,8 +24,6 @@ from .projection_terms import ProjectionTerms
 from .runge_kutta import Workspace
 from .tableaux import Gauss
 
-__all__ = ["gauss_loop"]
-
 #: Steps between two projections.
 EVERY = 4
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from .ir_writer import IRWriter
 
-__all__ = ["cubic", "dipping", "hence", "root"]
-
 
 def cubic(
     w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str

@@ -7,8 +7,6 @@ import struct
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-__all__ = ["IRWriter", "literal"]
-
 
 class IRWriter:
     """The text of one function.

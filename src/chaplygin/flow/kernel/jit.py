@@ -15,8 +15,6 @@ import numpy as np
 from ...core.arrays import FloatArray
 from . import code_cache as cache
 
-__all__ = ["Native", "aligned_zeros", "load_code", "width"]
-
 _ATTRIBUTES = """
 attributes #0 = { nounwind "prefer-vector-width"="512" "min-legal-vector-width"="512" }
 attributes #1 = { nounwind "prefer-vector-width"="512" "min-legal-vector-width"="512" }

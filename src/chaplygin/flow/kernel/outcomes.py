@@ -4,16 +4,6 @@ from __future__ import annotations
 
 from ...core.system import System
 
-__all__ = [
-    "COLLAPSED",
-    "IN_VAIN",
-    "NOT_A_NUMBER",
-    "OVER",
-    "STATUS_MESSAGES",
-    "STEPS",
-    "outcome_message",
-]
-
 #: Reasons why a motion ended, by code; guards of the system follow.
 STATUS_MESSAGES = (
     "",

@@ -8,8 +8,6 @@ from fractions import Fraction
 
 from ...formulas.graph import Graph, Term
 
-__all__ = ["ProjectionTerms", "projection_terms"]
-
 
 @dataclass(frozen=True)
 class ProjectionTerms:
@@ -51,7 +49,10 @@ def projection_terms(
             total = total + states[i] * states[i]
         for i in group:
             lengths[i] = total
-    columns = [graph.along(functions, {s: one if s is x else zero for s in states}) for x in states]
+    columns = [
+        graph.directional_derivative(functions, {s: one if s is x else zero for s in states})
+        for x in states
+    ]
     gradients = [[columns[i][k] for i in range(size)] for k in range(len(functions))]
     scaled = [[g * d for g, d in zip(row, lengths, strict=True)] for row in gradients]
     matrix = [[_dot(graph, row, other) for other in scaled] for row in gradients]
@@ -79,7 +80,7 @@ def _solution(graph: Graph, matrix: list[list[Term]], right: list[Term]) -> list
     for k in range(size):
         share = matrix[k][k] * graph.number(Fraction(1, 10**10))
         pivot = rows[k][k]
-        inverse = graph.positive(pivot - share, graph.recip(pivot), graph.number(0))
+        inverse = graph.where_positive(pivot - share, graph.recip(pivot), graph.number(0))
         pivots.append(inverse)
         for i in range(k + 1, size):
             factor = rows[i][k] * inverse

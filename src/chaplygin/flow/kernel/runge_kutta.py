@@ -23,8 +23,6 @@ from .ir_writer import IRWriter, literal
 from .outcomes import COLLAPSED, IN_VAIN, NOT_A_NUMBER, OVER, STATUS_MESSAGES, STEPS
 from .tableaux import Explicit
 
-__all__ = ["Workspace", "runge_kutta_loop"]
-
 #: Steps without a crossing after which a motion is given up: one at rest crosses nothing.
 MAX_STEPS_WITHOUT_CROSSING = 1e6
 

@@ -10,8 +10,6 @@ import mpmath
 
 from ...core.arrays import FloatArray
 
-__all__ = ["Explicit", "Gauss", "explicit", "explicit_fine", "gauss"]
-
 
 @dataclass(frozen=True)
 class Explicit:

@@ -13,8 +13,6 @@ import numpy.typing as npt
 from ...core.arrays import FloatArray, IntArray
 from ...errors import InputError
 
-__all__ = ["counter_normals", "philox", "uniforms"]
-
 _MULTIPLIERS = (np.uint64(0xD2511F53), np.uint64(0xCD9E8D57))
 _WEYL = (0x9E3779B9, 0xBB67AE85)
 _WORD = np.uint64(0xFFFFFFFF)

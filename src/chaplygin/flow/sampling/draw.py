@@ -32,8 +32,6 @@ from .great_circles import GreatCircleProposal
 from .held_integrals import level_label, measure_label, measures, validate_level
 from .proposals import Proposal, RayProposal, WeightedPoints, maximise
 
-__all__ = ["LevelSampler", "level_sampler", "sample_level"]
-
 #: Attempts that are computed together.
 _BATCH = 1 << 14
 #: The bound of the density, relative to the largest value that was met.

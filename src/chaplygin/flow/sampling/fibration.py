@@ -17,8 +17,6 @@ from ...formulas.compiled import Compiled
 from ...formulas.graph import Term
 from ..batched_linalg import batched_matvec, batched_solve, norm_squared_columns, row_dots
 
-__all__ = ["Fibration", "FibrePoints", "LevelCondition"]
-
 
 @dataclass(frozen=True)
 class LevelCondition:

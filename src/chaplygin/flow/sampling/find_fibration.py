@@ -17,8 +17,6 @@ from ...formulas.graph import Term
 from .counter_rng import counter_normals
 from .fibration import Fibration, LevelCondition
 
-__all__ = ["find_fibration"]
-
 #: Integrals that are tried first as the ones that bound the fibre.
 _BOUNDING = ("energy", "hamiltonian")
 #: Base points at which boundedness is tested.

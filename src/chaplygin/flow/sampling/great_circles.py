@@ -20,8 +20,6 @@ from ..batched_linalg import batched_matvec, batched_solve, norm_squared_columns
 from .fibration import Fibration, FibrePoints
 from .proposals import WeightedPoints
 
-__all__ = ["GreatCircleProposal", "crossings"]
-
 #: Length of a geodesic, and its initial number of pieces.
 LENGTH = 0.5
 PIECES = 1

@@ -13,8 +13,6 @@ from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
 
-__all__ = ["level_label", "measure_label", "measures", "validate_level"]
-
 #: A condition on parameters holds up to this, relative to the size of its terms.
 _ROUNDING = 1e-12
 

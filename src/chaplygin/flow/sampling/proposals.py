@@ -12,8 +12,6 @@ from ...core.arrays import FloatArray, IntArray
 from .counter_rng import counter_normals
 from .fibration import Fibration
 
-__all__ = ["Proposal", "RayProposal", "WeightedPoints", "maximise"]
-
 #: The seed of trials: any number that users will not choose.
 _SEED = 0x9E3779B97F4A7C15
 #: Trials to begin with; then the best are followed for some rounds, each in some directions.

@@ -22,8 +22,6 @@ from ..trajectory import by_name
 from ..variable_metadata import FRAMES, LABELS, cf_attributes, system_attributes, variable_metadata
 from .poincare_map import PoincareMap
 
-__all__ = ["Columns", "Quantity", "Returns", "section_task"]
-
 #: Bytes of a block, about, and points at which formulas are computed at once: what is in memory
 #: at a time.
 BLOCK, PIECE = 2**26, 2**15
@@ -90,7 +88,7 @@ class Returns:
 
     def __call__(self, first: int, last: int) -> dict[str, npt.NDArray[np.generic]]:
         """The arrays of a block, by the names of the dataset."""
-        crossed = self.returns.returns(self.starts[first:last], self.count)
+        crossed = self.returns.crossings(self.starts[first:last], self.count)
         arrays: dict[str, Any] = {
             "time": crossed.times,
             "points": crossed.counts.astype("int64"),
@@ -223,7 +221,7 @@ def _outcome(returns: PoincareMap) -> dict[str, object]:
     """Attributes of the codes with which a run ends, by the CF conventions."""
     reasons = {0: "all its points"}
     reasons |= {
-        code: returns.reason(code)
+        code: returns.status_message(code)
         for code in range(1, len(STATUS_MESSAGES) + len(returns.system.guards))
     }
     return {

@@ -34,8 +34,6 @@ from ..batch import BatchIntegrator, Section, batch_integrator
 if TYPE_CHECKING:
     from ..batch import BatchCrossings
 
-__all__ = ["Derivative", "PoincareMap", "slab"]
-
 
 @dataclass(frozen=True)
 class Derivative:
@@ -129,11 +127,11 @@ class PoincareMap:
             NaN for a point that does not return; `returns` tells why.
         """
         rows = np.asarray(points, dtype=float)
-        images = self.returns(np.atleast_2d(rows), 1).states[:, 0]
+        images = self.crossings(np.atleast_2d(rows), 1).states[:, 0]
         return images.reshape(rows.shape)
 
     @arguments_checked
-    def returns(self, points: Any, count: int, threads: int | None = None) -> BatchCrossings:
+    def crossings(self, points: Any, count: int, threads: int | None = None) -> BatchCrossings:
         """The next `count` returns of n points, with their times, and why some have fewer.
 
         Parameters
@@ -143,7 +141,7 @@ class PoincareMap:
         threads : int, optional
             All cores if left out; the result does not depend on it.
         """
-        return self._integrator(0).returns(
+        return self._integrator(0).crossings(
             points, count, self.parameters, until=self.until, threads=threads
         )
 
@@ -158,7 +156,7 @@ class PoincareMap:
             return rows.copy()
         if count < 0:
             return self.inverse.iterate(rows, -count)
-        images = self.returns(np.atleast_2d(rows), count).states[:, -1]
+        images = self.crossings(np.atleast_2d(rows), count).states[:, -1]
         return images.reshape(rows.shape)
 
     @arguments_checked
@@ -174,7 +172,7 @@ class PoincareMap:
         if count < 1:
             raise InputError(f"a derivative of {count} returns: there must be one at least")
         frame = np.broadcast_to(np.eye(self.size), (len(starts), self.size, self.size))
-        crossed = self._integrator(self.size).returns(
+        crossed = self._integrator(self.size).crossings(
             starts, count, self.parameters, until=self.until, deviations=frame.copy()
         )
         images, times = crossed.states[:, -1], crossed.times[:, -1]
@@ -188,9 +186,9 @@ class PoincareMap:
         return Derivative(images, times, matrices, time_slopes)
 
     @arguments_checked
-    def reason(self, code: int) -> str:
+    def status_message(self, code: int) -> str:
         """The reason why a motion of `returns` ended, in words; empty for 0."""
-        return self._integrator(0).reason(code)
+        return self._integrator(0).status_message(code)
 
     def residual(self, points: npt.ArrayLike) -> FloatArray:
         """The section's value at points (..., size): zero on it."""

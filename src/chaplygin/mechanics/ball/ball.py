@@ -34,8 +34,6 @@ from .equations import (
 )
 from .surface import SmoothSurface
 
-__all__ = ["RollingBall"]
-
 R, x, omega, v = vectors("R x omega v")
 m, mu, b, g, ell, Delta = (real_symbol(name) for name in ("m", "mu", "b", "g", "ell", "Delta"))
 down = tuple(real_symbol(f"e_{i}") for i in (1, 2, 3))

@@ -38,16 +38,6 @@ from ...core.vectors import (
 )
 from ..rolling.attitude import attitude, attitude_observable, quaternion_rate, rotation, unit_length
 
-__all__ = [
-    "Carrier",
-    "Contact",
-    "Kinematics",
-    "ball_parameters",
-    "centre_surface",
-    "equations_of_motion",
-    "supporting_surface",
-]
-
 R, x, omega, v, n, ndot, xdot = vectors("R x omega v n ndot xdot")
 r, N, F, df, turned = vectors("r N F df vtilde")
 m, mu, b = (real_symbol(name) for name in ("m", "mu", "b"))
@@ -205,7 +195,7 @@ def equations_of_motion(
         relations=spare,
         observables=_observables(kinematics.place),
         guards=tuple(guards),
-        motion=_motion(),
+        reconstruction=_motion(),
         source="§2.2, §2.3",
     )
 

@@ -18,8 +18,6 @@ from ...formulas.multiprecision import Multiprecision
 from ..rolling.initial_state import DIGITS, SLACK, evaluate
 from .ball import RollingBall
 
-__all__ = ["ball_state"]
-
 R, x = Vector("R"), Vector("x")
 
 #: Steps by which the nearest point of a surface is approached, at most.

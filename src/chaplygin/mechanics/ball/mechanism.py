@@ -14,8 +14,6 @@ from ...core.vectors import cross, dot, gradient, norm_squared, real_symbol, vec
 from ..lagrangian.mechanism import Frame, Mechanism, rotations
 from .equations import Contact
 
-__all__ = ["ball_mechanism"]
-
 R, omega, v, n, r, df = vectors("R omega v n r df")
 m, mu, b, ell = (real_symbol(name) for name in ("m", "mu", "b", "ell"))
 

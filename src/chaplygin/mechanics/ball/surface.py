@@ -19,21 +19,6 @@ from ...core.system import Guard, Parameter
 from ...core.vectors import by_name, real_symbol
 from ...errors import InputError
 
-__all__ = [
-    "Axis",
-    "CircularCylinder",
-    "Cone",
-    "EllipsoidSurface",
-    "EllipticCylinder",
-    "FlatSurface",
-    "ImplicitSurface",
-    "Paraboloid",
-    "Ring",
-    "Side",
-    "SmoothSurface",
-    "SphericalSurface",
-]
-
 Axis = Literal["x", "y", "z"]
 Side = Literal["outside", "inside"]
 Point: TypeAlias = tuple[sp.Symbol, ...]

@@ -21,17 +21,6 @@ from ...formulas.expansion import Angles, TaylorExpansion, angles
 from ...formulas.taylor import IrrationalError, Numbers, Series
 from ...parsing.exact_decimals import exactly
 
-__all__ = [
-    "ConfigurationSpace",
-    "ExactPoint",
-    "FieldElement",
-    "NoPointError",
-    "ParameterValue",
-    "UnsolvedError",
-    "point_at",
-    "random_point",
-]
-
 ATTEMPTS = 60
 
 #: A number of the field in which a point is taken.

@@ -26,8 +26,6 @@ from .exact_points import ExactPoint, NoPointError, random_point
 from .growth import SEED, Filtration, generic, pivots_at
 from .vector_field_series import SingularError
 
-__all__ = ["Exceptional", "exceptional"]
-
 POINTS = 3
 SAMPLES = 240
 """Interpolation is given up where numerator and denominator have more coefficients."""

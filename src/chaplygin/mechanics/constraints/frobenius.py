@@ -10,8 +10,6 @@ from ...core.named_formulas import expand
 from .distribution import Distribution, VectorField, commutator
 from .zero_test import vanishes
 
-__all__ = ["involutive"]
-
 
 def involutive(distribution: Distribution) -> bool:
     """Whether all commutators of admissible fields are combinations of these.

@@ -28,8 +28,6 @@ from .exact_points import (
 )
 from .vector_field_series import Bundle, Section, SingularError, Span
 
-__all__ = ["Filtration", "filtration", "generic", "growth"]
-
 SEED = 20080830
 RATIONAL_ATTEMPTS = 4
 ATTEMPTS = 40

@@ -26,8 +26,6 @@ from .growth import SEED
 from .vector_field_series import SingularError, Values, slopes, values_at
 from .zero_test import vanishes
 
-__all__ = ["Constancy", "constant_along", "constants"]
-
 #: Degrees of the monomials tried, with or without inverses and logarithms.
 STAGES = ((1, False), (2, False), (2, True), (3, False))
 MONOMIALS = 500

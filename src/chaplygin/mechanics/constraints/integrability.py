@@ -27,8 +27,6 @@ from .frobenius import involutive
 from .growth import Filtration, filtration, generic
 from .holonomic import Constancy, constants
 
-__all__ = ["Nonholonomy", "Word", "nonholonomy", "nonholonomy_at"]
-
 Word = Literal["free", "holonomic", "in between", "completely nonholonomic"]
 
 

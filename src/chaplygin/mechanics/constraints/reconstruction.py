@@ -33,8 +33,6 @@ from .exact_points import (
     random_point,
 )
 
-__all__ = ["Whole", "whole_configuration"]
-
 Steps: TypeAlias = tuple[tuple[sp.Symbol, sp.Expr], ...]
 
 alpha, beta, gamma, zeta, place = (Vector(n) for n in ("alpha", "beta", "gamma", "zeta", "R"))

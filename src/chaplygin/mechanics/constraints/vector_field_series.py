@@ -17,8 +17,6 @@ from ...formulas.taylor import Numbers, Series
 from .distribution import Distribution
 from .exact_points import ConfigurationSpace, ExactPoint, FieldElement
 
-__all__ = ["Bundle", "Section", "SingularError", "Span", "Values", "slopes", "values_at"]
-
 Section: TypeAlias = list[Series]
 #: Coefficients of a series of several components, by degree, component and exponents.
 Remainder: TypeAlias = dict[tuple[int, int, tuple[int, ...]], FieldElement]

@@ -9,8 +9,6 @@ import sympy as sp
 from ...core.named_formulas import expand
 from ...formulas.expansion import Angles, add_angle, angles, combination
 
-__all__ = ["vanishes"]
-
 Steps = Sequence[tuple[sp.Symbol, sp.Expr]]
 
 

@@ -14,8 +14,6 @@ from .assembly import Balance
 from .generic_points import rank, with_working_precision
 from .ldl import Factorisation, product
 
-__all__ = ["Accelerations", "accelerations"]
-
 
 @dataclass(frozen=True)
 class Accelerations:

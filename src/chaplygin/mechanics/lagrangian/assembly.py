@@ -21,8 +21,6 @@ from .independence import check_constraints, check_velocities
 from .mechanism import TIME, Mechanism
 from .structure_functions import Coefficients, structure, written_frame
 
-__all__ = ["Balance", "balance"]
-
 
 @dataclass(frozen=True)
 class Balance:

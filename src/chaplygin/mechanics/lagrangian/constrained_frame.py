@@ -25,8 +25,6 @@ from .generic_points import is_numerically_zero, rank, with_working_precision
 from .ldl import Factorisation, product
 from .mechanism import TIME, Mechanism
 
-__all__ = ["Restriction", "constraint_distribution"]
-
 Rows = tuple[tuple[sp.Expr, ...], ...]
 
 

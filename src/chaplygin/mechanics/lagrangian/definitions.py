@@ -15,8 +15,6 @@ from ...core.vectors import Vector, constant, real_symbol, to_components
 from ...formulas.tape import Step
 from .assembly import Balance
 
-__all__ = ["NamedDefinitions", "name_definitions"]
-
 SHORT = 12
 """Operations up to which a value used once is put where it is used."""
 

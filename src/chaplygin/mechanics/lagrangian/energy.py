@@ -14,8 +14,6 @@ from .generic_points import ZERO, is_numerically_zero, with_working_precision
 from .ldl import product
 from .mechanism import TIME
 
-__all__ = ["EnergyTheorem", "energy_theorem"]
-
 
 @dataclass(frozen=True)
 class EnergyTheorem:

@@ -20,17 +20,6 @@ from ...errors import InputError
 from ...formulas.multiprecision import Multiprecision
 from .mechanism import TIME, Frame, Mechanism
 
-__all__ = [
-    "ZERO",
-    "GenericPoint",
-    "defaults",
-    "generic",
-    "is_numerically_zero",
-    "rank",
-    "samples",
-    "with_working_precision",
-]
-
 DIGITS = 50
 SEED = 20080830
 POINTS = 3

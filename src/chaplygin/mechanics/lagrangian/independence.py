@@ -12,8 +12,6 @@ from ...formulas.tape import Step, Tape
 from .generic_points import ZERO, GenericPoint, rank, with_working_precision
 from .mechanism import Mechanism
 
-__all__ = ["check_constraints", "check_velocities"]
-
 NEWTON_STEPS = 80
 #: Below this a derivative by a velocity counts as zero where a constraint holds.
 FLAT = mpmath.mpf(10) ** -10

@@ -8,8 +8,6 @@ import sympy as sp
 
 from ...formulas.tape import Tape
 
-__all__ = ["Factorisation", "product"]
-
 
 def product(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> sp.Expr:
     """Σ u_i v_i."""

@@ -29,8 +29,6 @@ from ...core.system import Guard, Name, Observable, Parameter, flat, flat_pairs,
 from ...core.vectors import Vector, cross, real_symbol, to_components, unit_vector
 from ...errors import InputError
 
-__all__ = ["TIME", "Frame", "Mechanism", "Structure", "coordinates", "euclidean", "rotations"]
-
 #: c_ij^k by the velocities (w_i, w_j), then by w_k; what is not named is zero or follows by
 #: antisymmetry.
 Structure: TypeAlias = tuple[tuple[tuple[sp.Symbol, sp.Symbol], Pairs], ...]

@@ -18,8 +18,6 @@ from ...core.arrays import FloatArray
 from ...core.vectors import real_symbol
 from .mechanism import Mechanism
 
-__all__ = ["Place", "Plan", "Pose", "plan_of"]
-
 Place: TypeAlias = tuple[Any, Any]
 Pose: TypeAlias = tuple[Any, Any, Any]
 

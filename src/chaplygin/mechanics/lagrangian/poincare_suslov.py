@@ -35,8 +35,6 @@ from .energy import EnergyTheorem, energy_theorem
 from .mechanism import TIME, Mechanism
 from .units import momentum_units
 
-__all__ = ["DerivedEquations", "derive", "equations"]
-
 
 @dataclass(frozen=True)
 class DerivedEquations:
@@ -163,7 +161,7 @@ def equations(mechanism: Mechanism) -> System:
         ),
         observables=here,
         guards=mechanism.guards,
-        motion=Reconstruction(
+        reconstruction=Reconstruction(
             field={name: names(rate) for name, rate in following.items()},
             relations=tuple(f for f in relations if _depends(parts, [f], irrelevant)),
             observables=tuple(o for o in observables if o not in here),

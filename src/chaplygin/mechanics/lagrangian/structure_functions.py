@@ -20,16 +20,6 @@ from .generic_points import (
 )
 from .mechanism import Frame, Mechanism
 
-__all__ = [
-    "Coefficients",
-    "VectorField",
-    "check_structure",
-    "commutator",
-    "lie_derivative",
-    "structure",
-    "written_frame",
-]
-
 #: c_ij^k by (i, j, k), for i < j; what is not named is zero.
 Coefficients = Mapping[tuple[int, int, int], sp.Expr]
 VectorField = Mapping[sp.Symbol, sp.Expr]

@@ -12,8 +12,6 @@ from ...core.named_formulas import Pairs
 from ...core.vectors import to_components
 from .mechanism import Frame, Mechanism, Structure
 
-__all__ = ["with_parameters"]
-
 
 def with_parameters(mechanism: Mechanism, values: Mapping[sp.Symbol, sp.Expr]) -> Mechanism:
     """A mechanism with parameters replaced by numbers or by formulas in the others.

@@ -29,8 +29,6 @@ from .poincare_suslov import equations
 from .sympy_kane import Kane, kane
 from .sympy_names import Defaults, Inputs, name_translation
 
-__all__ = ["from_sympy", "mechanism_from_sympy"]
-
 NOTHING: Mapping[Any, Any] = {}
 
 

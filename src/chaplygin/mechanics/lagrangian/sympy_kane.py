@@ -38,8 +38,6 @@ from .ldl import Factorisation, product
 from .mechanism import TIME, Frame, Mechanism
 from .sympy_names import Defaults, Inputs, NameTranslation, name_translation
 
-__all__ = ["Kane", "kane"]
-
 
 class _Plain(Tape):
     """A tape that does not simplify: SymPy's formulas are long, their parts named."""

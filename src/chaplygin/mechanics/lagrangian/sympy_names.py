@@ -15,8 +15,6 @@ from ...core.vectors import real_symbol
 from ...errors import InputError
 from .mechanism import TIME
 
-__all__ = ["Defaults", "Inputs", "NameTranslation", "name_translation"]
-
 #: Values of a model's constants, by symbol or name.
 Defaults: TypeAlias = Mapping[sp.Symbol | str, float | Parameter]
 #: Formulas for functions of time, by function or name.

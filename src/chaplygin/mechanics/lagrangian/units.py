@@ -17,8 +17,6 @@ import sympy as sp
 from ...core.system import Parameter
 from .mechanism import Mechanism
 
-__all__ = ["momentum_units"]
-
 #: Exponents of kg, m and s.
 Dimension: TypeAlias = tuple[Fraction, ...]
 

@@ -22,8 +22,6 @@ from ..lagrangian.mechanism import Mechanism
 from .momenta import ReducedMomenta
 from .rational_evaluation import Formulas, bare, point
 
-__all__ = ["Base", "base", "on_base"]
-
 SEED = 1949
 TRIES = 3
 

@@ -13,8 +13,6 @@ from .closed_form import ClosedFormParts
 from .multiplier import Multiplier
 from .system import N, h_11, h_12, h_22, in_base_coordinates, momenta
 
-__all__ = ["canonical", "canonical_law"]
-
 HALF = sp.Rational(1, 2)
 V = real_symbol("V")
 

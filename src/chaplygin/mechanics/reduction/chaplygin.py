@@ -36,8 +36,6 @@ from .multiplier import Multiplier, is_closed, multiplier, obstruction_point, ov
 from .quadratic_integral import energy_like_integral
 from .system import chaplygin_system, motion_law, with_base, with_carried_coordinates
 
-__all__ = ["chaplygin_form"]
-
 
 @arguments_checked
 def chaplygin_form(

@@ -13,8 +13,6 @@ from .factors import HalfAngleChart, has_even_degrees, in_angles, on_sphere
 from .horizontal_lift import Local
 from .rational_evaluation import Formulas, Quotient, inverse, product, quotients
 
-__all__ = ["ClosedFormParts", "closed_forms", "in_unit_vector"]
-
 
 @dataclass(frozen=True)
 class ClosedFormParts:

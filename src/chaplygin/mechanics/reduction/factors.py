@@ -27,15 +27,6 @@ from .rational_evaluation import (
     quotients,
 )
 
-__all__ = [
-    "HalfAngleChart",
-    "determinant",
-    "has_even_degrees",
-    "in_angles",
-    "natural_factors",
-    "on_sphere",
-]
-
 SEED = 1930
 HIGHEST = 6
 """Degree in the unit vector up to which a factor is recognised."""

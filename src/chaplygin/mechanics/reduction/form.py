@@ -19,8 +19,6 @@ from .horizontal_lift import Local
 from .integrals import Linear
 from .multiplier import Multiplier, Obstruction, poles
 
-__all__ = ["ChaplyginForm"]
-
 WIDTH = 100
 MARGIN = 16
 LONG = 30

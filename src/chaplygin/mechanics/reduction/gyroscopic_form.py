@@ -28,8 +28,6 @@ from .integrals import solutions
 from .multiplier import Multiplier, as_positive, over_rational
 from .rational_evaluation import Formulas
 
-__all__ = ["Flux", "flux", "indefinite"]
-
 HALF = sp.Rational(1, 2)
 SHORT = 300
 """Operations up to which a form is compared with the solid angle."""

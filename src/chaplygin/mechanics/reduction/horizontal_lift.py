@@ -25,8 +25,6 @@ from .integrals import Linear
 from .momenta import ReducedMomenta
 from .rational_evaluation import Formulas, Value, inverse, product
 
-__all__ = ["Chaplygin", "Lift", "Local", "Point", "Quadratic", "energy", "in_momenta", "lift"]
-
 Point = Any
 
 

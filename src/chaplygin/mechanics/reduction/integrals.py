@@ -30,8 +30,6 @@ from .rational_evaluation import (
     quotients,
 )
 
-__all__ = ["Linear", "linear_integrals", "primitive", "quadratic_integrals", "solutions"]
-
 SEED = 1911
 DEGREE = 2
 """In the coordinates, of the coefficients of an integral linear in the momenta."""

@@ -18,8 +18,6 @@ from ..lagrangian.mechanism import TIME, Mechanism
 from ..lagrangian.structure_functions import structure
 from .rational_evaluation import is_rational
 
-__all__ = ["ReducedMomenta", "gradient_by", "motion"]
-
 
 @dataclass(frozen=True)
 class ReducedMomenta:

@@ -28,18 +28,6 @@ from .rational_evaluation import (
     reduced_echelon_form,
 )
 
-__all__ = [
-    "Multiplier",
-    "Obstruction",
-    "as_positive",
-    "curl",
-    "is_closed",
-    "multiplier",
-    "obstruction_point",
-    "open_unless",
-    "over_rational",
-]
-
 SEED = 1961
 SPARE = 3
 """Points more than exponents, at which the solution must hold as well."""

@@ -15,8 +15,6 @@ from .rational_evaluation import circle
 if TYPE_CHECKING:
     from .form import ChaplyginForm
 
-__all__ = ["integral_of_gyroscopic", "log_multiplier"]
-
 Place = Sequence[float]
 NODES = (16, 24, 36, 54, 81, 122)
 """Of Gauss and Legendre in cos θ, and twice as many equidistant ones in φ."""

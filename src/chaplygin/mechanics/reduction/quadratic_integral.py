@@ -22,9 +22,6 @@ from .integrals import quadratic_integrals, solutions
 from .momenta import ReducedMomenta
 from .rational_evaluation import Value, bare, point
 
-__all__ = ["EnergyLikeIntegral", "energy_like_integral"]
-
-
 SEED = 2008
 
 

@@ -18,27 +18,6 @@ from ...core.vectors import real_symbol
 from ...errors import InputError
 from ...formulas.program import BallArithmetic, StraightLineProgram
 
-__all__ = [
-    "Evaluable",
-    "Formulas",
-    "Quotient",
-    "Value",
-    "as_expression",
-    "as_formula",
-    "bare",
-    "circle",
-    "inverse",
-    "is_rational",
-    "kernel",
-    "near",
-    "number",
-    "on_circles",
-    "point",
-    "product",
-    "quotients",
-    "reduced_echelon_form",
-]
-
 #: A rational number, or a fraction of polynomials in some parameters.
 Value = Any
 Point = Mapping[sp.Symbol, Value]

@@ -16,21 +16,6 @@ from .base import Base
 from .closed_form import ClosedFormParts
 from .multiplier import Multiplier
 
-__all__ = [
-    "N",
-    "S",
-    "bracket",
-    "chaplygin_system",
-    "h_11",
-    "h_12",
-    "h_22",
-    "in_base_coordinates",
-    "momenta",
-    "motion_law",
-    "with_base",
-    "with_carried_coordinates",
-]
-
 N, S = real_symbol("N"), real_symbol("S")
 V = real_symbol("V")
 h_11, h_12, h_22 = (real_symbol(f"h_{i}") for i in ("11", "12", "22"))
@@ -178,10 +163,10 @@ def _theorem_6(hamiltonian: sp.Expr, powers: Iterable[tuple[sp.Expr, sp.Expr]]) 
 
 def with_base(original: System, base: Base) -> System:
     """The original system with the coordinates of the base that it lacks."""
-    if original.motion is None:
+    if original.reconstruction is None:
         return original
-    missing = [(x, rate) for x, rate in original.motion.field if x in base.coordinates]
-    return replace(original, field=(*missing, *original.field), motion=None)
+    missing = [(x, rate) for x, rate in original.reconstruction.field if x in base.coordinates]
+    return replace(original, field=(*missing, *original.field), reconstruction=None)
 
 
 def _velocities_on_base(base: Base, closed: ClosedFormParts) -> dict[sp.Symbol, sp.Expr]:
@@ -202,7 +187,7 @@ def with_carried_coordinates(
     if not missing:
         return None
     rates = dict(zip(original.symbols, original.rates, strict=True))
-    steps = original.needed([rates[s] for s in missing])
+    steps = original.required_definitions([rates[s] for s in missing])
     for symbol, value in steps:
         known[symbol] = value.xreplace(known)
     further = tuple((s, rates[s].xreplace(known)) for s in missing)

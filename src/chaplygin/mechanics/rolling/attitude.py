@@ -8,8 +8,6 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.system import Observable
 from ...core.vectors import Vector, constant, to_components
 
-__all__ = ["attitude", "attitude_relations", "quaternion_rate", "rotation", "unit_length"]
-
 attitude = Vector("attitude", 4)
 
 _HALF = sp.Rational(1, 2)

@@ -15,8 +15,6 @@ from ...core.vectors import Diagonal, Symmetric, Vector, real_symbol, to_compone
 from ...errors import InputError
 from .shapes import Shape
 
-__all__ = ["Body", "body_parameters", "check_inertia", "check_mass", "triangle_inequalities"]
-
 m, k = real_symbol("m"), Vector("k")
 
 

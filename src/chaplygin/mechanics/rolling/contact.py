@@ -31,9 +31,6 @@ from .shape_base import GaussMap, convexity
 from .shapes import Ball, Implicit, Shape
 from .surfaces import Plane, Sphere, Surface
 
-__all__ = ["Contact", "contact", "definitions_by_velocity"]
-
-
 omega = Vector("omega")
 gamma = Vector("gamma")
 r = Vector("r")

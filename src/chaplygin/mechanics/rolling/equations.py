@@ -47,8 +47,6 @@ from .motion_in_space import motion_in_space
 from .shape_base import check_values, real_values
 from .surfaces import Plane, Surface
 
-__all__ = ["ContactModel", "Forces", "Rolling", "roll"]
-
 ContactModel = Literal["marble", "rubber"]
 
 M, omega, gamma, zeta = (Vector(name) for name in ("M", "omega", "gamma", "zeta"))
@@ -390,7 +388,7 @@ def _system(
             ),
         ),
         guards=guards,
-        motion=motion_in_space(touch, surface, tilting=balance.force != zero),
+        reconstruction=motion_in_space(touch, surface, tilting=balance.force != zero),
         source=source,
         summary=f"A rigid body rolls {contact_law} on {surface.words}.",
         start=start,

@@ -13,9 +13,6 @@ from ...errors import InputError
 from .rays import directions
 from .shapes import Ball, Implicit, Shape
 
-__all__ = ["centre_outside", "contact_points", "contact_points_of_normals"]
-
-
 _ITERATIONS = 200
 
 #: Tangent planes that are looked at.

@@ -28,8 +28,6 @@ from .shape_base import (
     require_known,
 )
 
-__all__ = ["Implicit"]
-
 #: Names in the equations of an implicit body: the contact point from the geometric centre, and
 #: gradient and Hessian of f there.
 IMPLICIT_POINT, IMPLICIT_GRADIENT, IMPLICIT_HESSIAN = Vector("x"), Vector("nu"), Symmetric("F")

@@ -23,8 +23,6 @@ from ...formulas.multiprecision import Multiprecision
 from .attitude import attitude
 from .gauss_map import contact_points_of_normals
 
-__all__ = ["initial_state"]
-
 DIGITS = 50
 
 #: A start may miss a constraint by this much, relative to its size; more is refused.
@@ -92,7 +90,7 @@ def initial_state(
         if r in system.state:
             known |= dict(zip(r.symbols, _contact_point(system, up, known), strict=True))
         turn = _attitude(up, _direction(normal, "normal"), _number(heading))
-        lifted = system.lifted() if system.motion else system
+        lifted = system.lifted() if system.reconstruction else system
         try:
             _check_domain(system, known)
             known |= dict(zip(attitude.symbols, turn, strict=True))
@@ -222,7 +220,7 @@ def evaluate(
 ) -> list[Any]:
     """Values of scalar formulas of a system, in the working precision of mpmath."""
     numbers = Multiprecision(known)
-    numbers.define(system.needed(formulas, given=known))
+    numbers.define(system.required_definitions(formulas, given=known))
     return [numbers(formula) for formula in formulas]
 
 
@@ -269,8 +267,10 @@ def _contact_point(
 def _place(system: System, known: Mapping[sp.Symbol, mpmath.mpf]) -> list[mpmath.mpf]:
     """The centre of mass that puts the contact point at the origin of the plane."""
     zero = mpmath.mpf(0)
-    if system.motion is None or all(name != place for name, _ in system.motion.field):
+    if system.reconstruction is None or all(
+        name != place for name, _ in system.reconstruction.field
+    ):
         return [zero, zero]
     origin = {**known, **dict.fromkeys(place.symbols, zero)}
-    contact = next(o.value for o in system.motion.observables if o.name == "contact")
+    contact = next(o.value for o in system.reconstruction.observables if o.name == "contact")
     return [-x for x in evaluate(system, list(to_components(contact))[:2], origin)]

@@ -29,8 +29,6 @@ from .contact import contact as contact_of, definitions_by_velocity
 from .equations import Rolling
 from .surfaces import Plane
 
-__all__ = ["rolling_mechanism"]
-
 omega, v, gamma, zeta, X, k = (Vector(n) for n in ("omega", "v", "gamma", "zeta", "X", "k"))
 m, g, R_3, U = (real_symbol(name) for name in ("m", "g", "R_3", "U"))
 HALF = sp.Rational(1, 2)

@@ -16,8 +16,6 @@ from .attitude import (
 from .contact import Contact
 from .surfaces import Plane, Surface
 
-__all__ = ["motion_in_space"]
-
 omega, gamma, zeta = (Vector(name) for name in ("omega", "gamma", "zeta"))
 place, a = Vector("place", 2), real_symbol("a")
 

@@ -11,8 +11,6 @@ import numpy as np
 from ...core.arrays import FloatArray
 from ...errors import InputError
 
-__all__ = ["directions", "require_closed"]
-
 #: Rays along which a surface is looked at, and powers of two up to which.
 RAYS, FARTHEST = 1000, 80
 

@@ -28,8 +28,6 @@ from .shape_base import (
     require_known,
 )
 
-__all__ = ["Revolution"]
-
 gamma = Vector("gamma")
 
 

@@ -24,18 +24,6 @@ from ...core.vectors import (
 )
 from ...errors import InputError
 
-__all__ = [
-    "CentredShape",
-    "GaussMap",
-    "check_centre",
-    "check_values",
-    "convexity",
-    "length",
-    "real_values",
-    "require_known",
-    "require_positive",
-]
-
 c = Vector("c")
 
 

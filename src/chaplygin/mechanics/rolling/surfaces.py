@@ -9,8 +9,6 @@ from typing import Literal
 from ...arguments import arguments_checked
 from ...errors import InputError
 
-__all__ = ["Plane", "Sphere", "Surface"]
-
 
 @dataclass(frozen=True)
 class Plane:

@@ -20,8 +20,6 @@ from .chains import Chains, Combination, Division, Step
 from .groebner import Basis
 from .sign_reasons import Term, monic
 
-__all__ = ["Cases"]
-
 MOST_NODES = 120
 MOST_FOR_A_BASIS = 80
 """Terms of the equations together, up to which a Gröbner basis is tried."""

@@ -35,8 +35,6 @@ from ..witness_points import witness_point
 from .identities import Excluded, proof_text
 from .proof_setting import ProofSetting
 
-__all__ = ["certified"]
-
 
 def certified(system: System, law: Law, effort: int = EFFORT) -> Verdict:
     """Prove or refute a law, with a certificate that checks.

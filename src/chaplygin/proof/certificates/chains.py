@@ -13,8 +13,6 @@ from ..fields.quotient_ring import Poly, coefficient
 from .groebner import Multiples
 from .sign_reasons import Reasons, monic
 
-__all__ = ["Chains", "Combination", "Division", "Step"]
-
 MOST_TERMS = 400_000
 
 
@@ -182,6 +180,7 @@ class Chains:
 
 
 def variables(poly: Poly) -> list[int]:
+    """Numbers of the variables that occur in a polynomial."""
     return [i for i, degree in enumerate(poly.degrees()) if degree]
 
 

@@ -11,8 +11,6 @@ from flint import Ordering, fmpq_mpoly_ctx
 from ..fields.budget import Budget
 from ..fields.quotient_ring import Poly
 
-__all__ = ["Basis"]
-
 #: Polynomials by the number of the equation with which they are multiplied.
 Multiples = dict[int, Poly]
 

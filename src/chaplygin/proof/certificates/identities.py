@@ -13,8 +13,6 @@ from .proof_equations import equation_sources, meaning_text
 from .proof_setting import ProofSetting
 from .proof_signs import positive_texts, sign_reasons
 
-__all__ = ["Excluded", "proof_text"]
-
 #: The condition of a verdict that excludes the zeros of a polynomial; None if none does.
 Excluded = Callable[[ProofSetting, Poly], str | None]
 
@@ -54,9 +52,10 @@ def proof_text(setting: ProofSetting, excluded: Excluded, decided: bool) -> Text
     return {
         "ring": list(setting.ring),
         "auxiliary": [[name, meaning_text(setting, m)] for name, m in field.record.items()],
-        "settled": [[str(s), str(value)] for s, value in level.settled.items()],
+        "settled": [[str(s), str(value)] for s, value in level.fixed_parameters.items()],
         "exchanged": [
-            [str(e.name), str(e.factor), str(e.parameter), str(e.rest)] for e in level.exchanged
+            [str(e.name), str(e.factor), str(e.parameter), str(e.rest)]
+            for e in level.swapped_generators
         ],
         "inverted": [[[str(s) for s in i.name], [str(s) for s in i.of]] for i in level.inverted],
         "zeros": [str(zero) for zero in level.zeros],

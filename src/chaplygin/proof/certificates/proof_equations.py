@@ -12,8 +12,6 @@ from .chains import Chains
 from .proof_setting import ProofSetting
 from .sign_reasons import Reasons
 
-__all__ = ["equation_sources", "meaning_text"]
-
 
 def equation_sources(setting: ProofSetting) -> list[tuple[Poly, Text]]:
     """The polynomials that vanish, each with the text that says why."""

@@ -21,8 +21,6 @@ from ..level.triangular_set import numerator
 from ..random_test import everything
 from .sign_reasons import monic
 
-__all__ = ["ProofSetting"]
-
 
 class ProofSetting:
     """A field in which a proof is written, with what is known in it.

@@ -17,8 +17,6 @@ from ..level.triangular_set import numerator
 from .proof_setting import ProofSetting
 from .sign_reasons import Reasons, Sum, monic
 
-__all__ = ["positive_texts", "sign_reasons"]
-
 
 @dataclass(frozen=True)
 class FactoredDivisor:

@@ -15,8 +15,6 @@ from flint import fmpq, fmpq_mpoly_ctx
 from ..fields.quotient_ring import Poly
 from ..fields.signs import MANY, completed_squares
 
-__all__ = ["Reasons", "Sum", "Term", "monic"]
-
 Powers = tuple[tuple[Poly, int], ...]
 
 

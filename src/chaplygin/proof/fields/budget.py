@@ -12,8 +12,6 @@ from typing import Any
 from ...errors import InputError
 from ...formulas.errors import EffortSpentError, OutOfReachError
 
-__all__ = ["EFFORT", "STEP", "Budget", "checked_effort", "spent"]
-
 Poly = Any
 
 EFFORT = 2_000_000_000

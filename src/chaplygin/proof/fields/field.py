@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Any, Protocol, Self
 
-__all__ = ["Field", "FieldElement"]
-
 
 class FieldElement(Protocol):
     """An element of a field: a fraction, a rational number or a ball."""

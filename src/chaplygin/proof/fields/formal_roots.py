@@ -17,8 +17,6 @@ from flint import fmpq
 from .function_field import FINENESS, FunctionField, power_of_zero
 from .quotient_ring import Element
 
-__all__ = ["FormalRoots"]
-
 
 class FormalRoots(FunctionField):
     """Fractions in which every radicand has one root, known by its power alone."""

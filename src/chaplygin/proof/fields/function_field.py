@@ -20,8 +20,6 @@ from .budget import Budget
 from .quotient_ring import Element, Poly, QuotientRing
 from .signs import Sign, Signs
 
-__all__ = ["FunctionField", "power_of_zero"]
-
 #: The meaning of an auxiliary generator: a word, and what sets it apart.
 Key: TypeAlias = tuple[Any, ...]
 

@@ -18,8 +18,6 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from .budget import Budget
 
-__all__ = ["Element", "Poly", "QuotientRing", "coefficient"]
-
 Poly: TypeAlias = fmpq_mpoly
 
 FACTORED_UP_TO = 1500

@@ -14,9 +14,6 @@ from flint import fmpq, fmpq_mpoly_ctx
 
 from .quotient_ring import Poly
 
-__all__ = ["Sign", "Signs", "completed_squares"]
-
-
 MANY = 400
 """Polynomials of more terms are not compared with facts."""
 

@@ -16,8 +16,6 @@ from .formal_roots import FormalRoots
 from .function_field import FunctionField, Key
 from .quotient_ring import Element, Poly
 
-__all__ = ["Meaning", "UnreducedField", "UnreducedFormal"]
-
 T = TypeVar("T")
 
 

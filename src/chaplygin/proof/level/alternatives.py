@@ -17,8 +17,6 @@ from ...core.system import System
 from ...core.vectors import to_components
 from ...formulas.errors import OutOfReachError
 
-__all__ = ["Alternative", "alternatives"]
-
 MOST = 32
 """Alternatives that are followed."""
 

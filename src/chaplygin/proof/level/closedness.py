@@ -22,8 +22,6 @@ from .level_set import LevelSet
 from .named_formulas import quantities_in_order
 from .time_derivatives import without_second_rates
 
-__all__ = ["closing", "up_to_time"]
-
 
 @dataclass(frozen=True)
 class _Rates:

@@ -24,8 +24,6 @@ from ..fields.quotient_ring import coefficient
 from ..fields.signs import Signs
 from .triangular_set import chain
 
-__all__ = ["Component", "Decomposition"]
-
 Poly = Any
 Polys = tuple[Poly, ...]
 

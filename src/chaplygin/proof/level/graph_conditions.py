@@ -26,8 +26,6 @@ from ..fields.signs import Signs
 from .components import Decomposition
 from .triangular_set import numerator
 
-__all__ = ["Graph", "graph"]
-
 #: Laws that speak of functions on the phase space alone, or of its volume.
 KINDS = (Identity, Integral, Isomorphism, Measure, Reduction)
 
@@ -61,7 +59,7 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
     """
     if not isinstance(law, KINDS):
         return None
-    steps = dict(system.steps)
+    steps = dict(system.scalar_definitions)
     gone: dict[sp.Symbol, sp.Expr] = {}
     factors: list[sp.Expr] = []
     left: list[sp.Expr] = []
@@ -86,7 +84,7 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
         relations=tuple(left),
         laws=(),
         observables=(),
-        motion=None,
+        reconstruction=None,
         start=(),
     )
     changed: dict[str, Any] = {"on": (), "as_printed": None}
@@ -123,7 +121,7 @@ def _thin(system: System, conditions: tuple[sp.Expr, ...], factor: sp.Expr, spar
     symbols = (*system.symbols, *(p.symbol for p in system.parameters))
     draft = FunctionField([str(s) for s in symbols], spare)
     seeds = {s: Jet(draft.generator(str(s)), {}) for s in symbols}
-    evaluate = Evaluator(draft, seeds.get, dict(system.steps))
+    evaluate = Evaluator(draft, seeds.get, dict(system.scalar_definitions))
     equations = [numerator(draft, evaluate.value(to_components(c))) for c in conditions]
     lead = numerator(draft, evaluate.value(factor))
     equations += [poly for _, poly, _ in draft.relations]

@@ -18,8 +18,6 @@ from ...formulas.jets import Evaluator, GeneratorSwap, Inversion, Jet
 from ...formulas.number_fields import Balls, Rationals
 from ..fields.field import Field, FieldElement
 
-__all__ = ["EmptyLevelSetError", "LevelFormulas", "assumed_relations", "conditions_text"]
-
 
 class EmptyLevelSetError(InputError):
     """The conditions of a level have no common real point on the domain."""
@@ -60,14 +58,14 @@ class LevelFormulas:
     @cached_property
     def steps(self) -> dict[sp.Symbol, sp.Expr]:
         """The definitions, by symbol; and parameters that the level gives in terms of others."""
-        return {**self._definitions, **self.settled}
+        return {**self._definitions, **self.fixed_parameters}
 
     @cached_property
     def _definitions(self) -> dict[sp.Symbol, sp.Expr]:
-        return dict(self.system.steps)
+        return dict(self.system.scalar_definitions)
 
     @cached_property
-    def settled(self) -> dict[sp.Symbol, sp.Expr]:
+    def fixed_parameters(self) -> dict[sp.Symbol, sp.Expr]:
         """Parameters that conditions on parameters alone settle, such as k = −1."""
         return self._settlement[0]
 
@@ -93,14 +91,14 @@ class LevelFormulas:
         return settled, tuple(remaining)
 
     @cached_property
-    def exchanged(self) -> tuple[GeneratorSwap, ...]:
+    def swapped_generators(self) -> tuple[GeneratorSwap, ...]:
         """Definitions that take the place of a parameter as generators."""
-        parameters = {p.symbol for p in self.system.parameters} - set(self.settled)
+        parameters = {p.symbol for p in self.system.parameters} - set(self.fixed_parameters)
         for condition in self._settlement[1]:
             parameters -= self._reach(condition, set())
         swaps: dict[sp.Symbol, GeneratorSwap] = {}
-        for name, raw in self.system.steps:
-            formula = raw.xreplace(self.settled)
+        for name, raw in self.system.scalar_definitions:
+            formula = raw.xreplace(self.fixed_parameters)
             gone = {e.parameter for e in swaps.values()}
             for parameter in sorted(formula.free_symbols & parameters - gone, key=str):
                 factor = sp.diff(formula, parameter)
@@ -128,7 +126,7 @@ class LevelFormulas:
     @cached_property
     def inverted(self) -> tuple[Inversion, ...]:
         """Inverses of full symmetric tensors whose entries are exchanged."""
-        names = {e.name for e in self.exchanged}
+        names = {e.name for e in self.swapped_generators}
         inversions = []
         for name, formula in self.system.definitions:
             if isinstance(name, Symmetric):
@@ -141,8 +139,8 @@ class LevelFormulas:
     def generators(self) -> tuple[sp.Symbol, ...]:
         """Independent symbols: state and parameters, some of them exchanged."""
         inverse = {j: a for i in self.inverted for a, j in zip(i.name, i.of, strict=True)}
-        instead = {e.parameter: inverse.get(e.name, e.name) for e in self.exchanged}
-        return tuple(instead.get(s, s) for s in self.symbols if s not in self.settled)
+        instead = {e.parameter: inverse.get(e.name, e.name) for e in self.swapped_generators}
+        return tuple(instead.get(s, s) for s in self.symbols if s not in self.fixed_parameters)
 
     @cached_property
     def symbols(self) -> tuple[sp.Symbol, ...]:
@@ -204,7 +202,9 @@ class LevelFormulas:
     def evaluator(self, field: Field) -> Evaluator:
         """Values alone."""
         seed = self._seeds(field, set(self.generators) - set(self.steps))
-        return Evaluator(field, seed, self.steps, self.exchanged, self.zeros, self.inverted)
+        return Evaluator(
+            field, seed, self.steps, self.swapped_generators, self.zeros, self.inverted
+        )
 
     @staticmethod
     def _seeds(field: Field, own: Collection[sp.Symbol]) -> Callable[[sp.Symbol], Jet | None]:
@@ -239,7 +239,7 @@ class LevelFormulas:
                 return known
             return Jet(known.value, slopes(symbol))
 
-        more = (self.steps, self.exchanged, self.zeros, self.inverted, moving)
+        more = (self.steps, self.swapped_generators, self.zeros, self.inverted, moving)
         return Evaluator(plain.field, seed, *more)
 
 

@@ -25,8 +25,6 @@ from ..fields.signs import Sign, Signs
 from .level_formulas import LevelFormulas, assumed_relations
 from .triangular_set import TriangularSet, numerator, triangle
 
-__all__ = ["LevelFractions", "polynomial_of"]
-
 Kind = TypeVar("Kind", bound=FunctionField)
 
 

@@ -22,8 +22,6 @@ from .level_formulas import conditions_text
 from .level_fractions import LevelFractions, polynomial_of
 from .sample_points import near, number_text, on_sphere, real_root
 
-__all__ = ["Draw", "LevelSet"]
-
 DECOMPOSITION = 5_000_000
 """Term operations for the components of a level."""
 
@@ -145,9 +143,11 @@ class LevelSet(LevelFractions):
     ) -> tuple[dict[str, fmpq | arb], bool]:
         """The point with its exchanged definitions, whose parameters stay near their defaults."""
         defaults = {str(p.symbol): p.default for p in self.system.parameters}
-        known = {str(s): s for s in (*self.generators, *(e.parameter for e in self.exchanged))}
+        known = {
+            str(s): s for s in (*self.generators, *(e.parameter for e in self.swapped_generators))
+        }
         known_values = {known[name]: value for name, value in values.items()}
-        for change in self.exchanged:
+        for change in self.swapped_generators:
             if change.name not in known_values:
                 name = str(change.parameter)
                 known_values[change.parameter] = draw(

@@ -12,8 +12,6 @@ from ...errors import InputError
 from .level_set import LevelSet
 from .time_derivatives import without_rates
 
-__all__ = ["components", "quantities_in_order", "scalars"]
-
 
 def scalars(value: object) -> list[sp.Expr]:
     """The scalar formulas of a scalar, vector, matrix or tuple of these."""
@@ -47,7 +45,7 @@ def quantities_in_order(law: Reduction | Identity, level: LevelSet) -> dict[sp.S
     system = level.system
     kinds = {
         "a state variable": set(system.symbols),
-        "a definition": {s for s, _ in system.steps},
+        "a definition": {s for s, _ in system.scalar_definitions},
         "a parameter": {p.symbol for p in system.parameters},
     }
     for symbol in quantities:

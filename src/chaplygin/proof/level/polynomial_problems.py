@@ -13,8 +13,6 @@ from ...formulas.errors import OutOfReachError
 from .graph_conditions import Graph, graph
 from .trigonometric import Circles, circles, formulas_of
 
-__all__ = ["Claim", "polynomial_problems"]
-
 
 @dataclass(frozen=True)
 class Claim:
@@ -80,4 +78,4 @@ def _on_circles(system: System, law: Law, reduced: Graph | None) -> Claim:
 def _expressed_variables(system: System, reduced: Graph) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
     """The variables that a graph takes from the state, with their formulas."""
     gone = set(system.symbols) - set(reduced.system.symbols)
-    return tuple((s, value) for s, value in reduced.system.steps if s in gone)
+    return tuple((s, value) for s, value in reduced.system.scalar_definitions if s in gone)

@@ -19,8 +19,6 @@ from ..fields.field import Field, FieldElement
 from .level_set import LevelSet
 from .time_derivatives import without_rates
 
-__all__ = ["orienting", "positives", "unmet"]
-
 Named = tuple[str, sp.Expr]
 
 

@@ -13,8 +13,6 @@ from ...formulas.errors import NotExactError
 from ...formulas.number_fields import exact_root
 from .triangular_set import Terms
 
-__all__ = ["broad", "far", "near", "number_text", "on_sphere", "real_root"]
-
 
 def near(default: float | None, generator: random.Random, signed: bool = False) -> fmpq:
     """A random rational number, near the default of a parameter; not 1."""

@@ -20,8 +20,6 @@ from ..fields.field import Field, FieldElement
 from .level_set import LevelSet
 from .named_formulas import quantities_in_order
 
-__all__ = ["of_separation", "separated"]
-
 
 @dataclass(frozen=True)
 class _Parts:

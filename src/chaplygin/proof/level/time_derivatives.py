@@ -10,8 +10,6 @@ from ...core.laws import Rate
 from ...core.named_formulas import expand
 from .level_set import LevelSet
 
-__all__ = ["without_rates", "without_second_rates"]
-
 Quantities = Mapping[sp.Symbol, sp.Expr]
 
 

@@ -11,8 +11,6 @@ from ...formulas.errors import EmptyLevelError, OutOfReachError
 from ..fields.function_field import FunctionField
 from ..fields.quotient_ring import Element, Poly, coefficient
 
-__all__ = ["Terms", "TriangularSet", "chain", "numerator", "triangle"]
-
 #: A polynomial as a mapping of named exponents to coefficients, in whatever order of variables.
 Terms = Mapping[tuple[tuple[str, int], ...], fmpq]
 

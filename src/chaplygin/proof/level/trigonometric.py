@@ -22,8 +22,6 @@ from ...core.vectors import real_symbol, to_components
 from ...formulas.errors import OutOfReachError
 from ...formulas.jets import MOST_MULTIPLES
 
-__all__ = ["Circles", "circles", "formulas_of", "without_angles"]
-
 
 @dataclass(frozen=True)
 class Circles:
@@ -145,7 +143,7 @@ def circles(
     OutOfReachError
         If an angle occurs otherwise than in sines and cosines, or beside something else.
     """
-    steps = dict(system.steps)
+    steps = dict(system.scalar_definitions)
     conditions = [expand(to_components(c), steps) for c in (*system.relations, *on)]
     nodes = {n for c in conditions for n in c.atoms(TrigonometricFunction)}
     angles = _angles(system, nodes)
@@ -299,7 +297,7 @@ def _with_circles(
     return replace(
         system,
         field=field,
-        definitions=tuple((s, v.xreplace(dict(table))) for s, v in system.steps),
+        definitions=tuple((s, v.xreplace(dict(table))) for s, v in system.scalar_definitions),
         relations=(
             *(to_components(c).xreplace(dict(table)) for c in system.relations),
             *(s**2 + c**2 - 1 for s, c, _ in lost.values()),
@@ -310,6 +308,6 @@ def _with_circles(
         ),
         laws=(),
         observables=(),
-        motion=None,
+        reconstruction=None,
         start=(),
     )

@@ -19,8 +19,6 @@ from ...explicit.bifurcation import Boundary, Diagram, Region
 from ..drawing.style import COMPONENTS, FAINT, INK, QUIET, STYLE, WIDTH
 from .bifurcation_layout import Grid, Heights, Window, heights, places, window
 
-__all__ = ["draw_bifurcation_diagram"]
-
 #: Pale colours of regions with 1–2, 3–4 and more tori.
 TONES = {2: "#e6eef5", 4: "#f6ecd2", 8: "#f3dfe2"}
 #: Colour of the given motion.

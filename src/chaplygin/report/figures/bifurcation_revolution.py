@@ -11,8 +11,6 @@ from matplotlib.figure import Figure
 from ...explicit.revolution.diagram import Diagram
 from ..drawing.style import ALARM, COMPONENTS, INK, QUIET, STYLE, WIDTH
 
-__all__ = ["diagram_of_revolution"]
-
 #: Shades of the regions by the number of motions with the same integrals.
 SHADES = ("#ffffff", "#e6edf4", "#c3d3e4", "#9db6d1", "#7899bd")
 

@@ -14,8 +14,6 @@ from ...errors import InputError
 from ...explicit.base.solution import ClosedForm
 from ..drawing.style import COMPONENTS, FAINT, INK, QUIET, STYLE, WIDTH
 
-__all__ = ["closed_form"]
-
 #: Points with which half an oval is drawn.
 _POINTS = 300
 

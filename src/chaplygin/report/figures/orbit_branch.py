@@ -10,8 +10,6 @@ from ...analysis.orbits.continuation import Branch
 from ..drawing.dataset_access import typeset
 from ..drawing.style import FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 
-__all__ = ["branch"]
-
 #: Signs of what happens on a branch.
 MARKS = {"fold": "o", "branch": "s", "doubling": "D", "torus": "^"}
 

@@ -21,8 +21,6 @@ from ...errors import InputError
 from ..drawing.dataset_access import readable, title_of, typeset, unit_of, with_unit
 from ..drawing.style import FAINT, QUIET, SERIES, STYLE, WIDTH
 
-__all__ = ["draw_section"]
-
 #: Points drawn at most, unless there are more motions than that.
 MOST = 120_000
 #: Colours of starts, which have no order.

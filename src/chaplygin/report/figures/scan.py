@@ -20,8 +20,6 @@ from ...errors import InputError
 from ..drawing.dataset_access import readable, title_of, typeset, unit_of, with_unit, wrapped_text
 from ..drawing.style import INK, QUIET, STYLE, WIDTH
 
-__all__ = ["chart"]
-
 #: Ends of the axes: left, right, bottom, top.
 Extent: TypeAlias = tuple[float, float, float, float]
 

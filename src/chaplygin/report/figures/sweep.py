@@ -16,8 +16,6 @@ from ..drawing.dataset_access import title_of, typeset, unit_of, with_unit
 from ..drawing.style import FAINT, SERIES, STYLE, WIDTH
 from .time_axis import time_label
 
-__all__ = ["sweep"]
-
 #: So many motions have a colour and a line of the key of their own.
 FEW = 6
 #: Curves drawn at most: evenly chosen ones of more.

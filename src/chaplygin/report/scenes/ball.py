@@ -18,8 +18,6 @@ from ..drawing.view import View
 from .implicit_surface import Crossings, SurfaceGround, crossings, frame_of
 from .rolling_body import Track, across, draw_body, track_of
 
-__all__ = ["ball_scene"]
-
 _COLUMNS = 720
 """Width of the drawn surface in dots."""
 

@@ -16,8 +16,6 @@ from scipy.ndimage import map_coordinates
 from ...core.arrays import BoolArray, FloatArray
 from ..drawing.view import View, unit
 
-__all__ = ["Crossings", "SurfaceGround", "crossings", "frame_of"]
-
 _GRID = 60
 """Points of the grid on which f is known beforehand, along the longest side of the box."""
 

@@ -28,8 +28,6 @@ from ..drawing.dataset_access import (
 from ..drawing.style import FAINT, INK, STYLE, TIME_COLOURS, WIDTH
 from ..drawing.view import View
 
-__all__ = ["plan_view"]
-
 #: Earlier positions that are drawn.
 EARLIER = 5
 #: Length of a drawn wheel or blade: a share of the mechanism's size, and of the picture's at least.

@@ -18,8 +18,6 @@ from ..drawing.mesh import BodyMesh, outline_from_contact
 from ..drawing.shading import Ground, PlaneGround, SphereGround
 from .implicit_surface import SurfaceGround
 
-__all__ = ["BallScene", "Scene", "ball_scene_of", "scene_of"]
-
 
 class Scene(NamedTuple):
     """The drawn body and its ground."""
