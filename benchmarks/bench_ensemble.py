@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from chaplygin import ensemble, from_catalogue
-from chaplygin.flow.ensemble import sampled
+from chaplygin.flow.ensemble import random_starts
 
 SIZES = (1_000, 10_000, 100_000)
 TIMES = np.linspace(0, 10, 101)
@@ -32,7 +32,7 @@ def run(size: int, client: str) -> dict[str, object]:
         began = time.perf_counter()
         data = ensemble(
             system,
-            sampled(size, {"energy": 20.0}, seed=1),
+            random_starts(size, {"energy": 20.0}, seed=1),
             TIMES,
             record=("energy",),
             where=place,

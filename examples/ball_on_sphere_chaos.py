@@ -30,7 +30,7 @@ from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import M, equat
 from chaplygin.core import dot, to_components
 from chaplygin.flow import Section
 from chaplygin.flow.ensemble.compute import compute
-from chaplygin.flow.level_projection import projected
+from chaplygin.flow.level_projection import project_to_level
 from chaplygin.formulas.batch import Formulas
 from chaplygin.report.drawing.style import COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 from chaplygin.report.figures import save
@@ -91,7 +91,7 @@ def starts(count: int) -> Any:
     normals = dice.normal(size=(count, 3))
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     guess = np.concatenate([dice.normal(size=(count, 3)), normals], axis=1)
-    states, met = projected(ON_LEVEL, guess, LEVEL, moved=[True] * 3 + [False] * 3)
+    states, met = project_to_level(ON_LEVEL, guess, LEVEL, moved=[True] * 3 + [False] * 3)
     return states[met]
 
 
@@ -164,7 +164,7 @@ def section_starts(count: int) -> Any:
     width = np.sqrt(1 - height**2)
     normals = np.stack([width * np.cos(turn), width * np.sin(turn), height], axis=1)
     guess = np.concatenate([np.tile([2.0, 0.3, 0.0], (count, 1)), normals], axis=1)
-    states, met = projected(ON_LEVEL, guess, LEVEL, moved=[True, True] + [False] * 4)
+    states, met = project_to_level(ON_LEVEL, guess, LEVEL, moved=[True, True] + [False] * 4)
     return states[met]
 
 

@@ -26,7 +26,7 @@ from chaplygin.catalogue import entry
 from chaplygin.core import to_components
 from chaplygin.experiment.poincare import coordinates_of
 from chaplygin.flow.ensemble.compute import compute
-from chaplygin.flow.level_projection import projected
+from chaplygin.flow.level_projection import project_to_level
 from chaplygin.flow.sections.poincare_dataset import section_task
 from chaplygin.formulas.batch import Formulas
 from chaplygin.report.figures import save
@@ -133,7 +133,7 @@ def departure(point: Any, number: int) -> Any:
     random = np.random.default_rng((SEED, number))
     moved = point + AWAY * random.normal(size=len(point))
     targets = [0.0, *(LEVEL[law.name] for law in SYSTEM.integrals)]
-    (start,), _ = projected(KEPT, moved[None], targets)
+    (start,), _ = project_to_level(KEPT, moved[None], targets)
     return start
 
 

@@ -23,12 +23,12 @@ from chaplygin import Isomorphism, System, from_catalogue, integrate
 from chaplygin.core import to_components
 from chaplygin.core.system import flat_pairs
 from chaplygin.explicit import SeparatedSystem, pull_back, push_forward
-from chaplygin.explicit.genus_two_solution import BITS, GenusTwo, solved
+from chaplygin.explicit.genus_two_solution import BITS, GenusTwo, solve_on_torus
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.separations.clebsch import clebsch_case
 from chaplygin.explicit.separations.neumann import neumann_system
 from chaplygin.explicit.separations.veselova import veselova
-from chaplygin.formulas.balls import ball, evaluated, number
+from chaplygin.formulas.balls import ball, ball_values, number
 
 #: Times at which motions are compared, s.
 SHORT, LONG = np.linspace(0.0, 100.0, 11), np.array([1e3, 1e4, 1e5])
@@ -115,18 +115,18 @@ def image(case: Case) -> tuple[dict[Any, Any], tuple[Any, ...]]:
         known = {symbol: ball(value) for symbol, value in _defaults(system).items()}
         known |= dict(zip(system.symbols, map(ball, case.start), strict=True))
         for symbol, formula in system.scalar_definitions:
-            known[symbol] = evaluated([formula], known)[0]
+            known[symbol] = ball_values([formula], known)[0]
         shared = {p.symbol: known.get(p.symbol) for p in law.target.parameters}
         parameters = {
-            p: evaluated([to_components(formula)], known)[0] for p, formula in law.constants
+            p: ball_values([to_components(formula)], known)[0] for p, formula in law.constants
         }
-        return {**shared, **parameters}, evaluated([f for _, f in flat_pairs(law.map)], known)
+        return {**shared, **parameters}, ball_values([f for _, f in flat_pairs(law.map)], known)
 
 
 def back(case: Case) -> GenusTwo:
     """The motion of the system, from the closed form of the target."""
     carried = pull_back(case.system, case.isomorphism, case.target())
-    return solved(carried, _defaults(case.system), case.start)
+    return solve_on_torus(carried, _defaults(case.system), case.start)
 
 
 def forth(case: Case, own: SeparatedSystem) -> tuple[GenusTwo, GenusTwo]:
@@ -136,8 +136,8 @@ def forth(case: Case, own: SeparatedSystem) -> tuple[GenusTwo, GenusTwo]:
     carried = push_forward(case.system, case.isomorphism, near)
     target = case.target()
     return (
-        solved(carried, {**_defaults(carried.system), **values}, start),
-        solved(replace(target, system=_reduced(target.system)), values, start),
+        solve_on_torus(carried, {**_defaults(carried.system), **values}, start),
+        solve_on_torus(replace(target, system=_reduced(target.system)), values, start),
     )
 
 
@@ -154,7 +154,9 @@ def report(case: Case) -> None:
     miss = apart(carried.states(SHORT), integrated.states)
     print(f"  back, against 34 digits to t = 100         {miss:.1e}")
     if case.own is not None:
-        itself = solved(replace(case.own(), system=case.system), _defaults(case.system), case.start)
+        itself = solve_on_torus(
+            replace(case.own(), system=case.system), _defaults(case.system), case.start
+        )
         for time, one, other in zip(LONG, carried.states(LONG), itself.states(LONG), strict=True):
             print(f"  back, against its own closed form, t = {time:.0e} {apart(one, other):.1e}")
         pushed, target = forth(case, case.own())

@@ -27,7 +27,7 @@ from chaplygin.explicit import SeparatedSystem
 from chaplygin.explicit.genus_two.curve import Curve
 from chaplygin.explicit.genus_two.periods import Lattice, lattice
 from chaplygin.explicit.genus_two.separated_motion import chain
-from chaplygin.explicit.genus_two_solution import GenusTwo, solved
+from chaplygin.explicit.genus_two_solution import GenusTwo, solve_on_torus
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
 from chaplygin.formulas.balls import ball_function, components
 from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
@@ -133,7 +133,7 @@ def measure(count: int = PHASES) -> Story:
     root = resonance()
     separable = reduced_system()
     values = {p.symbol: BALL[str(p.symbol)] for p in separable.system.parameters}
-    solution = solved(separable, values, start(root))
+    solution = solve_on_torus(separable, values, start(root))
     with ctx.workdps(DIGITS):
         turns = solution.prepared.torus.turns
         # after an even number of turns around each oval the signs of γ are back as well

@@ -22,7 +22,7 @@ from matplotlib.figure import Figure
 
 from chaplygin import PoincareMap, lyapunov_spectrum, poincare_section
 from chaplygin.analysis.lyapunov.averages import Average
-from chaplygin.analysis.orbits import NoOrbitError, Orbit, ReturnMap, find
+from chaplygin.analysis.orbits import NoOrbitError, Orbit, ReturnMap, find_periodic
 from chaplygin.analysis.orbits.rotation import average
 from chaplygin.catalogue.ball_on_sphere import rubber_ball_ratio as ball
 from chaplygin.core import to_components
@@ -139,7 +139,7 @@ def closed_orbits(
         for theta in np.linspace(0.05, np.pi - 0.05, sought):
             (start,) = starts(k, np.array([theta]), np.array([np.pi / 2]))
             try:
-                orbit = find(return_map, start, period, {"energy": 0.5})
+                orbit = find_periodic(return_map, start, period, {"energy": 0.5})
             except NoOrbitError:
                 continue
             apart = np.linalg.norm(orbit.points[1:] - orbit.points[0], axis=1).min()

@@ -39,7 +39,7 @@ from chaplygin import (
 from chaplygin.analysis.lyapunov import Spectrum
 from chaplygin.analysis.lyapunov.report import remarks
 from chaplygin.analysis.orbits import Reversor
-from chaplygin.flow.level_projection import projected
+from chaplygin.flow.level_projection import project_to_level
 from chaplygin.formulas.batch import Formulas
 from chaplygin.report.drawing.style import FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 
@@ -92,7 +92,7 @@ def state_on_attractor(system: System, case: Case, pieces: int = 20) -> np.ndarr
     states = sample_level(system, 1, {"energy": case.energy}, seed=1)
     for _ in range(pieces):
         states = flow.propagate(states, [case.settle / pieces]).states[:, -1]
-        states, _ = projected(level, states, [0.0, case.energy])
+        states, _ = project_to_level(level, states, [0.0, case.energy])
     return states[0]
 
 
@@ -107,7 +107,7 @@ def section_points(system: System, state: np.ndarray, count: int, each: int = 20
         if crossed.outcome[0]:
             raise RunError(flow.status_message(int(crossed.outcome[0])), float(crossed.ended[0]))
         points.append(crossed.states[0])
-        states, _ = projected(level, points[-1][-1:], [0.0, energy])
+        states, _ = project_to_level(level, points[-1][-1:], [0.0, energy])
     return np.concatenate(points)
 
 

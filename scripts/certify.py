@@ -22,7 +22,7 @@ from chaplygin.catalogue import CATALOGUE, from_catalogue
 from chaplygin.core.laws import Law
 from chaplygin.core.system import System
 from chaplygin.errors import InputError
-from chaplygin.proof.certificates.certificate import certified
+from chaplygin.proof.certificates.certificate import prove_with_certificate
 from chaplygin.proof.verdict import Verdict
 
 Named = tuple[str, System, Law]
@@ -91,7 +91,7 @@ def _one(system: System, law: Law, seconds: int) -> dict[str, Any]:
     record: dict[str, Any] = {"law": law.name, "kind": type(law).__name__, "bytes": 0}
     signal.alarm(seconds)
     try:
-        verdict = certified(system, law)
+        verdict = prove_with_certificate(system, law)
     except TookTooLongError:
         record |= {"decision": "", "why": f"not done in {seconds} s"}
     except InputError as error:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from chaplygin.flow.kernel.tableaux import explicit
-from chaplygin.formulas.graph import Term, of_system, ordered
+from chaplygin.formulas.graph import Term, of_system, topological_order
 
 from .bodies import Body
 
@@ -32,7 +32,7 @@ def field_text(body: Body) -> str:
     _, rates = of_system(body.system)
     names: dict[int, str] = {}
     lines = []
-    for node in ordered(rates):
+    for node in topological_order(rates):
         written = _write(node, names, body.numbers)
         if not (_number(written) or written.isidentifier()):
             lines.append(f"    v{len(lines)} = {written}")
@@ -104,7 +104,7 @@ def operations(body: Body) -> dict[str, int]:
     What depends on parameters alone is computed once for a motion and not counted.
     """
     _, rates = of_system(body.system)
-    nodes = ordered(rates)
+    nodes = topological_order(rates)
     moving: set[int] = set()
     for node in nodes:
         if node.kind == "state" or any(id(a) in moving for a in node.operands):

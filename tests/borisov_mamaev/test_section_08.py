@@ -127,7 +127,7 @@ def test_the_momenta_are_derivatives_of_the_energy_by_the_rates(seed):
         omega = np.cross(drawn, swing) / (n @ drawn)
         return omega @ tensor(n) @ omega / 2
 
-    made = chart.reduced()
+    made = chart.reduced_system()
     values = dict(zip((*chart.J.symbols, chart.d), (*J, SHIFT), strict=True))
     rates = rng.normal(size=2)
     # T is quadratic, so that differences of any step are its derivatives

@@ -11,7 +11,7 @@ from chaplygin.check import CheckError, check
 from chaplygin.core.laws import Rate, Separation
 from chaplygin.core.system import System
 from chaplygin.core.vectors import real_symbol
-from chaplygin.proof.certificates.certificate import certified
+from chaplygin.proof.certificates.certificate import prove_with_certificate
 
 x, y, c, u, v = (real_symbol(name) for name in ("x", "y", "c", "u", "v"))
 
@@ -35,7 +35,7 @@ def separation() -> Separation:
 
 
 def certificate():
-    verdict = certified(oscillators(), separation())
+    verdict = prove_with_certificate(oscillators(), separation())
     assert verdict.decision == "proven"
     assert verdict.uncertified == ""
     return verdict.certificate
@@ -101,7 +101,7 @@ def test_dependent_quantities_are_rejected():
         {u: x, v: 2 * x},
         (Rate(u) - (x + y) * (1 + u), Rate(v) - (x + y) * (2 + v)),
     )
-    verdict = certified(oscillators(), law)
+    verdict = prove_with_certificate(oscillators(), law)
     assert verdict.decision != "proven"
     changed = copy.deepcopy(certificate())
     changed["claim"]["law"]["quantities"] = [["u", "x"], ["v", "2*x"]]

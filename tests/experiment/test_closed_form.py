@@ -23,10 +23,10 @@ from chaplygin.experiment.closed_form import (
     dataset,
     diagram_if_known,
     equation,
+    known_solution,
     letters,
     number,
     solution_of_study,
-    solved_if_known,
     units,
 )
 from chaplygin.experiment.file.models import loads
@@ -179,7 +179,7 @@ def test_the_report_has_the_section(tmp_path: Path) -> None:
 
 def test_no_closed_form_no_section() -> None:
     study = prepare(loads('[system]\nname = "unbalanced-ball"\n'))
-    assert solved_if_known(study) is None
+    assert known_solution(study) is None
 
 
 def test_a_study_is_solved_as_its_system_is() -> None:

@@ -9,7 +9,7 @@ import mpmath
 import numpy as np
 
 from chaplygin.explicit.genus_two.separation import SeparatedSystem
-from chaplygin.explicit.genus_two_solution import GenusTwo, solved
+from chaplygin.explicit.genus_two_solution import GenusTwo, solve_on_torus
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.rolling.initial_state import initial_state
 
@@ -36,7 +36,7 @@ def solution(
     values = dict(of.system.defaults)
     values |= {s: (parameters or {}).get(str(s), x) for s, x in values.items()}
     start = initial_state(of.system, tuple(map(float, omega)), tuple(map(float, gamma)))
-    return solved(of, values, start)
+    return solve_on_torus(of, values, start)
 
 
 def miss(made: GenusTwo, times: Sequence[float]) -> Any:

@@ -25,7 +25,7 @@ from chaplygin.core.system import System
 from chaplygin.core.vectors import to_components
 from chaplygin.errors import InputError
 from chaplygin.explicit.genus_two.separation import SeparatedSystem
-from chaplygin.explicit.genus_two_solution import GenusTwo, solved
+from chaplygin.explicit.genus_two_solution import GenusTwo, solve_on_torus
 from chaplygin.explicit.recognise import SEPARABLE
 from chaplygin.explicit.rigorous import rigorous_motion
 from chaplygin.flow.integrator import integrate
@@ -132,7 +132,7 @@ def case(separable: SeparatedSystem, seed: str, until: float, bounds: bool) -> O
     """Draw a motion, solve it and compare."""
     generator = random.Random(f"{separable.name} {seed}")
     values = body(separable, generator)
-    solution = solved(separable, values, beginning(separable, values, generator))
+    solution = solve_on_torus(separable, values, beginning(separable, values, generator))
     exact = integrated(solution, values, until)
     scale = max(1.0, *(abs(float(x)) for x in exact))
     found = solution.states(np.array([until]))[0]

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chaplygin.explicit.degenerate import solved_degenerate
+from chaplygin.explicit.degenerate import solve_degenerate
 from chaplygin.explicit.degenerate.solution import DegenerateSolution
 from chaplygin.explicit.degenerate.theta_motion import Asymptotic, Periodic
 from chaplygin.explicit.genus_two.separation import SeparatedSystem
@@ -32,7 +32,7 @@ def solved(
     system = separable.system
     values = dict(zip(system.defaults, parameters, strict=True))
     start = initial_state(system, omega, gamma, parameters=values)
-    found = solved_degenerate(separable, values, start)
+    found = solve_degenerate(separable, values, start)
     assert isinstance(found, DegenerateSolution)
     return found, start, values
 
@@ -114,7 +114,7 @@ def test_rubber_ball_around_a_sphere() -> None:
     system = separable.system
     values = dict(system.defaults)
     start = (0.7, 0.0, 0.0, 0.0, 0.6, 0.8)
-    found = solved_degenerate(separable, values, start)
+    found = solve_degenerate(separable, values, start)
     assert isinstance(found, DegenerateSolution)
     times = [0.0, 1.0, 10.0, 60.0]
     run = integrate(system, start, times, parameters=values, precision="quad")
@@ -124,7 +124,7 @@ def test_rubber_ball_around_a_sphere() -> None:
 def test_other_motions_are_not_degenerate() -> None:
     system = veselova().system
     start = initial_state(system, (0.3, -0.2, 0.0), (0.2, 0.3, 0.9))
-    assert solved_degenerate(veselova(), system.defaults, start) is None
+    assert solve_degenerate(veselova(), system.defaults, start) is None
 
 
 def test_form_tells_curve_and_frequencies() -> None:

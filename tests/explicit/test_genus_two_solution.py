@@ -6,7 +6,7 @@ from flint import arb
 
 from chaplygin.errors import InputError
 from chaplygin.explicit.genus_two.curve import DegenerateError
-from chaplygin.explicit.genus_two_solution import GenusTwo, solved
+from chaplygin.explicit.genus_two_solution import GenusTwo, solve_on_torus
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.separations.veselova import veselova
 from chaplygin.mechanics.rolling.initial_state import initial_state
@@ -60,7 +60,7 @@ def test_later_times_cost_no_accuracy() -> None:
     made = turning_body()
     step = 1.0
     late = made.states(np.array([1e9, 1e9 + step]))
-    motion = solved(made.separable, made.parameters, tuple(late[0]))
+    motion = solve_on_torus(made.separable, made.parameters, tuple(late[0]))
     assert motion.states(np.array([step]))[0] == pytest.approx(late[1], abs=1e-13)
 
 
@@ -79,19 +79,19 @@ def test_a_permanent_rotation_is_degenerate() -> None:
     system = veselova().system
     start = initial_state(system, (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
     with pytest.raises(DegenerateError):
-        solved(veselova(), system.defaults, start)
+        solve_on_torus(veselova(), system.defaults, start)
 
 
 def test_a_start_off_the_level_is_told() -> None:
     of = chaplygin_ball()
     start = initial_state(of.system, (1.0, 0.2, 0.3), (0.0, 0.6, 0.8))
     with pytest.raises(InputError, match="misses the constraints by"):
-        solved(of, of.system.defaults, start)
+        solve_on_torus(of, of.system.defaults, start)
 
 
 def test_a_start_that_is_too_short_is_told() -> None:
     with pytest.raises(InputError, match=r"it has 2 numbers; .* needs 10"):
-        solved(veselova(), veselova().system.defaults, (0.0, 1.0))
+        solve_on_torus(veselova(), veselova().system.defaults, (0.0, 1.0))
 
 
 @pytest.mark.parametrize("time", [1e300, -1e14, float("nan")], ids=str)

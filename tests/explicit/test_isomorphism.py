@@ -15,7 +15,7 @@ from chaplygin.core.system import flat_pairs
 from chaplygin.core.vectors import to_components
 from chaplygin.errors import InputError
 from chaplygin.explicit.genus_two.separation_laws import separation_laws
-from chaplygin.explicit.genus_two_solution import BITS, solved
+from chaplygin.explicit.genus_two_solution import BITS, solve_on_torus
 from chaplygin.explicit.isomorphism import inverse, inverse_identity, pull_back, push_forward
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.separations.clebsch import clebsch_case
@@ -23,7 +23,7 @@ from chaplygin.explicit.separations.fedorov import fedorov
 from chaplygin.explicit.separations.neumann import neumann_system
 from chaplygin.explicit.separations.veselova import veselova
 from chaplygin.flow.integrator import integrate
-from chaplygin.formulas.balls import ball, evaluated
+from chaplygin.formulas.balls import ball, ball_values
 from chaplygin.proof.prover import prove
 
 #: System, isomorphism, the target as it separates, and a start on the level.
@@ -67,10 +67,10 @@ def image(system, law, start):
         known = {symbol: ball(Fraction(str(x))) for symbol, x in system.defaults.items()}
         known |= {s: ball(Fraction(str(x))) for s, x in zip(system.symbols, start, strict=True)}
         for symbol, formula in system.scalar_definitions:
-            known[symbol] = evaluated([formula], known)[0]
-        constants = {p: evaluated([to_components(f)], known)[0] for p, f in law.constants}
+            known[symbol] = ball_values([formula], known)[0]
+        constants = {p: ball_values([to_components(f)], known)[0] for p, f in law.constants}
         shared = {p.symbol: known.get(p.symbol) for p in law.target.parameters}
-        return {**shared, **constants}, evaluated([f for _, f in flat_pairs(law.map)], known)
+        return {**shared, **constants}, ball_values([f for _, f in flat_pairs(law.map)], known)
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -104,7 +104,7 @@ def test_another_clock_is_refuted():
 @pytest.mark.parametrize("case", CASES)
 def test_back_from_the_target(case):
     system, law, target, start = given(case)
-    found = solved(pull_back(system, law, target), system.defaults, start).states(TIMES)
+    found = solve_on_torus(pull_back(system, law, target), system.defaults, start).states(TIMES)
     motion = integrate(system, start, TIMES)
     assert np.abs(found - motion.states).max() < 1e-12
 
@@ -117,16 +117,18 @@ def test_forth_to_the_target(case):
     near = replace(FORTH[case](), system=system)
     parameters, begin = image(system, law, start)
     pushed = push_forward(system, law, near)
-    found = solved(pushed, {**pushed.system.defaults, **parameters}, begin).states(TIMES)
-    own = solved(replace(target, system=bare(target.system)), parameters, begin).states(TIMES)
+    found = solve_on_torus(pushed, {**pushed.system.defaults, **parameters}, begin).states(TIMES)
+    own = solve_on_torus(replace(target, system=bare(target.system)), parameters, begin).states(
+        TIMES
+    )
     assert np.abs(found - own).max() < 1e-12
 
 
 @pytest.mark.parametrize("case", ["Theorem 8", "Theorem 10"])
 def test_both_sides_agree(case):
     system, law, target, start = given(case)
-    near = solved(replace(FORTH[case](), system=system), system.defaults, start)
-    carried = solved(pull_back(system, law, target), system.defaults, start)
+    near = solve_on_torus(replace(FORTH[case](), system=system), system.defaults, start)
+    carried = solve_on_torus(pull_back(system, law, target), system.defaults, start)
     late = np.array([0.0, 1e3, 1e4])
     assert np.abs(near.states(late) - carried.states(late)).max() < 1e-10
 

@@ -17,7 +17,7 @@ from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
 from chaplygin.explicit.genus_two.separated_motion import SeparatedMotion, chain, separate
 from chaplygin.explicit.genus_two.separation import SeparatedSystem, nu, nuprime
-from chaplygin.explicit.genus_two_solution import solved
+from chaplygin.explicit.genus_two_solution import solve_on_torus
 from chaplygin.explicit.rigorous import rigorous_motion
 from chaplygin.explicit.rigorous.affine import Affine
 from chaplygin.explicit.rigorous.branch_formula import Branch, LeavesBranchError, direction
@@ -270,7 +270,7 @@ def test_resonant_motion(motion: SeparatedMotion) -> None:
 @pytest.mark.slow
 def test_states_keep_the_integrals_and_agree_with_doubles() -> None:
     system = replace(VESELOVA.system, reconstruction=None, observables=())
-    solution = solved(replace(VESELOVA, system=system), BODY, START)
+    solution = solve_on_torus(replace(VESELOVA, system=system), BODY, START)
     motion = rigorous_motion(solution, 20, 1e6)
     state = motion.state("1e6")
     with ctx.workprec(200):
@@ -294,7 +294,7 @@ def test_motion_in_space_agrees_with_doubles(make: Callable[[], SeparatedSystem]
     separable = make()
     values = {p.symbol: p.default for p in separable.system.parameters}
     start = initial_state(separable.system, (1.0, 0.5, 0.0), (0.0, 0.0, 1.0))
-    solution = solved(separable, values, start)
+    solution = solve_on_torus(separable, values, start)
     balls = rigorous_motion(solution, 8, 30.0).state(30.0)
     assert max(float(x.rad()) for x in balls) < 1e-8
     rough = solution.states(np.array([30.0]))[0]
@@ -307,7 +307,7 @@ def test_without_fixed_directions_there_are_bounds_of_the_reduced_state_alone() 
     separable = hollow_ball()
     values = {p.symbol: p.default for p in separable.system.parameters}
     start = initial_state(separable.system, (1.0, 0.5, 0.0), (0.0, 0.0, 1.0))
-    solution = solved(separable, values, start)
+    solution = solve_on_torus(separable, values, start)
     with pytest.raises(InputError, match=r"no direction is known.*give a start without attitude"):
         solution.rigorous(30.0, 8)
     balls = solve(separable.system, start[:6]).rigorous(30.0, 8)
@@ -328,6 +328,6 @@ def test_a_place_that_is_left_open_is_said_to_be() -> None:
 @pytest.mark.parametrize("time", ["1e300", "-1e61"])
 def test_times_beyond_all_measure_are_refused(time: str) -> None:
     start = initial_state(VESELOVA.system, (0.8, 0.1, -0.6), (0.6, 0.0, 0.8))
-    motion = solved(VESELOVA, VESELOVA.system.defaults, start)
+    motion = solve_on_torus(VESELOVA, VESELOVA.system.defaults, start)
     with pytest.raises(InputError, match=r"up to \|t\| = [0-9.]+e\+(59|60|61), not"):
         motion.rigorous(time, 20)

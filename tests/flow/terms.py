@@ -8,7 +8,7 @@ from typing import Any
 import flint
 from flint import arb
 
-from chaplygin.formulas.graph import Term, ordered
+from chaplygin.formulas.graph import Term, topological_order
 
 
 def _positive(test: arb, yes: arb, no: arb) -> arb:
@@ -49,7 +49,7 @@ def balls(
     """
     known: dict[int, arb] = {}
     with flint.ctx.workprec(bits):
-        for term in ordered(terms):
+        for term in topological_order(terms):
             if term.kind == "number":
                 value = arb(flint.fmpq(term.args[0].numerator, term.args[0].denominator))
             elif not term.operands:

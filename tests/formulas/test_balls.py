@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from flint import arb, ctx
 
-from chaplygin.formulas.balls import array_function, ball, ball_function, evaluated, needed
+from chaplygin.formulas.balls import array_function, ball, ball_function, ball_values, needed
 
 x, y, z = sp.symbols("x y z")
 
@@ -36,14 +36,14 @@ def test_formulas_agree_in_balls_and_arrays() -> None:
         sp.Float(0.5) * x,
     )
     known = {x: arb("-0.7"), y: arb("1.9")}
-    balls = evaluated(formulas, known)
+    balls = ball_values(formulas, known)
     arrays = array_function((x, y), formulas)(-0.7, 1.9)
     for one, other in zip(balls, arrays, strict=True):
         assert float(one.mid()) == pytest.approx(float(other), rel=1e-15)
 
 
 def test_powers_of_balls_around_zero_are_finite() -> None:
-    (value,) = evaluated([x**2 + x**3], {x: arb(0, 1e-30)})
+    (value,) = ball_values([x**2 + x**3], {x: arb(0, 1e-30)})
     assert value.is_finite()
     assert value.contains(0)
 

@@ -7,7 +7,7 @@ import sympy as sp
 
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import real_symbol
-from chaplygin.formulas.compiled import Compiled, SystemFormulas
+from chaplygin.formulas.compiled import CompiledTerms, SystemFormulas
 
 x, y, a = (real_symbol(name) for name in ["x", "y", "a"])
 SYSTEM = System("trial", "Trial", {x: y, y: -a * x}, (Parameter(a, "stiffness", 2.0),))
@@ -24,7 +24,7 @@ POINTS = np.random.default_rng(2).uniform(-2, 2, (2, 30))
 
 def test_values() -> None:
     sheet = SystemFormulas(SYSTEM)
-    found = Compiled([sheet.read(f) for f in FORMULAS])(POINTS, np.array([1.7]))
+    found = CompiledTerms([sheet.read(f) for f in FORMULAS])(POINTS, np.array([1.7]))
     for row, formula in zip(found, FORMULAS, strict=True):
         wanted = sp.lambdify((x, y, a), formula)(*POINTS, 1.7)
         assert np.allclose(row, wanted, rtol=1e-14)
@@ -33,7 +33,7 @@ def test_values() -> None:
 def test_slopes() -> None:
     sheet = SystemFormulas(SYSTEM)
     slopes = sheet.slopes([sheet.read(FORMULAS[0])])[0]
-    found = Compiled(slopes)(POINTS, np.array([1.7]))
+    found = CompiledTerms(slopes)(POINTS, np.array([1.7]))
     for row, symbol in zip(found, (x, y), strict=True):
         wanted = sp.lambdify((x, y, a), FORMULAS[0].diff(symbol))(*POINTS, 1.7)
         assert np.allclose(row, wanted, rtol=1e-14)
@@ -42,4 +42,6 @@ def test_slopes() -> None:
 
 def test_no_real_value() -> None:
     sheet = SystemFormulas(SYSTEM)
-    assert np.isnan(Compiled([sheet.read(sp.sqrt(x))])(np.array([[-1.0], [0.0]]), np.ones(1))).all()
+    assert np.isnan(
+        CompiledTerms([sheet.read(sp.sqrt(x))])(np.array([[-1.0], [0.0]]), np.ones(1))
+    ).all()

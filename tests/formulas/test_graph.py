@@ -13,7 +13,7 @@ from chaplygin.catalogue import CATALOGUE
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import cross, dot, vectors
 from chaplygin.errors import InputError
-from chaplygin.formulas.graph import Graph, Reader, of_system, ordered
+from chaplygin.formulas.graph import Graph, Reader, of_system, topological_order
 from flow.terms import balls
 
 x, y, z, a, w, v = sp.symbols("x y z a w v", real=True)
@@ -136,20 +136,20 @@ def test_equal_things_are_made_once() -> None:
 def test_named_quantities_are_followed_not_expanded() -> None:
     """v stands in three places and is one term."""
     _, rates = of_system(TRIAL)
-    assert sum(term.kind == "sqrt" for term in ordered(rates)) == 1
+    assert sum(term.kind == "sqrt" for term in topological_order(rates)) == 1
 
 
 def test_vectors_share_their_parts() -> None:
     M, gamma = vectors("M gamma")
     system = System(name="s", title="S", field={M: cross(M, gamma) * dot(M, gamma), gamma: M})
     _, rates = of_system(system)
-    assert len(ordered(rates)) < 30
+    assert len(topological_order(rates)) < 30
 
 
 def test_operands_come_first() -> None:
     _, rates = of_system(TRIAL)
     seen: set[int] = set()
-    for term in ordered(rates):
+    for term in topological_order(rates):
         assert all(id(operand) in seen for operand in term.operands)
         seen.add(id(term))
 

@@ -10,17 +10,24 @@ import sympy as sp
 from flint import arb
 
 from chaplygin.core.vectors import dot, to_components, vectors
-from chaplygin.formulas.relative_zero import RESOLUTION, ROUNDED, Sized, measured, sized, vanishes
+from chaplygin.formulas.relative_zero import (
+    RESOLUTION,
+    ROUNDED,
+    SizedNumber,
+    state_sizes,
+    values_with_sizes,
+    vanishes,
+)
 
 M, gamma = vectors("M gamma")
 x, y, z = sp.symbols("x y z", real=True)
 
 
-def level(momentum: tuple[Fraction, ...], normal: tuple[Fraction, ...]) -> Sized:
+def level(momentum: tuple[Fraction, ...], normal: tuple[Fraction, ...]) -> SizedNumber:
     """(M, γ) with its size."""
     symbols = (*M.symbols, *gamma.symbols)
-    known = measured((M, gamma), symbols, (*momentum, *normal))
-    return sized([to_components(dot(M, gamma))], known)[0]
+    known = state_sizes((M, gamma), symbols, (*momentum, *normal))
+    return values_with_sizes([to_components(dot(M, gamma))], known)[0]
 
 
 @pytest.mark.parametrize("size", [Fraction(1, 10**15), Fraction(1), Fraction(10**15)], ids=float)
@@ -61,21 +68,21 @@ def test_nothing_at_all_vanishes() -> None:
     ids=str,
 )
 def test_sizes_of_formulas(formula: sp.Expr, value: int, size: int) -> None:
-    known = {x: Sized(Fraction(2), Fraction(2)), y: Sized(Fraction(3), Fraction(3))}
-    (found,) = sized([formula], known, [(z, x - y)])
+    known = {x: SizedNumber(Fraction(2), Fraction(2)), y: SizedNumber(Fraction(3), Fraction(3))}
+    (found,) = values_with_sizes([formula], known, [(z, x - y)])
     assert (found.value, found.size) == (value, size)
 
 
 def test_functions_are_evaluated_too() -> None:
-    (found,) = sized([sp.cos(x)], {x: Sized(Fraction(0), Fraction(0))})
+    (found,) = values_with_sizes([sp.cos(x)], {x: SizedNumber(Fraction(0), Fraction(0))})
     assert (found.value, found.size) == (1, 1)
-    (found,) = sized([sp.pi - x], {x: Sized(Fraction(3), Fraction(3))})
+    (found,) = values_with_sizes([sp.pi - x], {x: SizedNumber(Fraction(3), Fraction(3))})
     assert abs(float(found.value) - float(mpmath.pi - 3)) < 1e-15
 
 
 def test_a_symbol_without_value_is_told() -> None:
     with pytest.raises(KeyError):
-        sized([x + y], {x: Sized(Fraction(1), Fraction(1))})
+        values_with_sizes([x + y], {x: SizedNumber(Fraction(1), Fraction(1))})
 
 
 def test_balls() -> None:

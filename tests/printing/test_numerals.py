@@ -2,7 +2,7 @@
 
 import pytest
 
-from chaplygin.printing.numerals import number, signed, unit
+from chaplygin.printing.numerals import number, typographic_signs, unit
 
 
 @pytest.mark.parametrize(
@@ -33,7 +33,7 @@ def test_a_number(value, digits, printed):
     ],
 )
 def test_signs_and_powers_within_words(words, printed):
-    assert signed(words) == (words if printed is None else printed)
+    assert typographic_signs(words) == (words if printed is None else printed)
 
 
 @pytest.mark.parametrize("written", ["kg^2 m^4/s^2", "kg**2*m**4/s**2", "kg^{2} m^{4}/s^{2}"])

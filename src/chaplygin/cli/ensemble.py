@@ -96,12 +96,12 @@ def _members(study: Study, starts: int, level: str | None, seed: int, over: list
 
     from ..analysis.scans.grid import axis
     from ..errors import InputError
-    from ..flow.ensemble.run import grid, sampled, single
+    from ..flow.ensemble.run import grid, random_starts, single
 
     if starts < 1:
         raise InputError(f"--starts {starts}: there must be one at least")
     if level is not None:
-        everyone = sampled(starts, level_of(level), seed)
+        everyone = random_starts(starts, level_of(level), seed)
     elif starts == 1:
         everyone = single(**given_start(study))
     else:

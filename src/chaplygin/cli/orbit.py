@@ -136,8 +136,8 @@ def _orbit_of(
     """The orbit near the start of a study, and its branch if it is to be followed."""
     import numpy as np
 
-    from ..analysis.orbits.continuation import follow
-    from ..analysis.orbits.periodic import find
+    from ..analysis.orbits.continuation import continue_orbit
+    from ..analysis.orbits.periodic import find_periodic
     from ..analysis.orbits.return_map import ReturnMap, parameters_to_state
     from ..errors import InputError, RunError
     from ..experiment.poincare import DIRECTIONS
@@ -177,12 +177,12 @@ def _orbit_of(
         )
     returns = ReturnMap(PoincareMap(system, section, tolerance=tolerance))
     progress(0.25)
-    orbit = find(returns, crossed.states[0, -1], period, keeps)
+    orbit = find_periodic(returns, crossed.states[0, -1], period, keeps)
     progress(1.0 if varied is None else 0.5)
     if varied is None:
         return orbit, None
     held = [name for name in keeps if name != varied[0]]
-    return orbit, follow(returns, orbit, *varied, hold=held)
+    return orbit, continue_orbit(returns, orbit, *varied, hold=held)
 
 
 def _one_period(study: Study, orbit: Orbit) -> Any:

@@ -87,7 +87,7 @@ class _Attempt(NamedTuple):
 
 def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool) -> list[_Attempt]:
     """The verdicts, or those until an interruption."""
-    from ..proof.certificates.certificate import certified
+    from ..proof.certificates.certificate import prove_with_certificate
     from ..proof.prover import prove
 
     done: list[_Attempt] = []
@@ -96,7 +96,7 @@ def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool)
             for count, (system, law) in enumerate(claims):
                 report.say(f"proving {law.name}, {count + 1} of {len(claims)}")
                 if certificates:
-                    verdict = certified(system, law, effort)
+                    verdict = prove_with_certificate(system, law, effort)
                 else:
                     verdict = prove(system, law, effort=effort)
                 wrong = law.as_printed

@@ -18,15 +18,15 @@ from ..core.arrays import FloatArray
 from ..core.vectors import real_symbol
 from ..errors import InputError, RunError
 from ..explicit.base.problem import Problem
-from ..explicit.base.solution import NamedConstant, Solution, checked
+from ..explicit.base.solution import NamedConstant, Solution, times_in_range
 from ..explicit.bifurcation import Diagram
 from ..explicit.bifurcation.diagram_of import diagram_of
 from ..explicit.recognise import solution_of
 from ..flow.trajectory import Statistics, Trajectory, recorded_values
 from ..printing import numerals
 from ..printing.formula import text
-from ..printing.numerals import signed, unit
-from ..printing.system import displayed, latex, mathml
+from ..printing.numerals import typographic_signs, unit
+from ..printing.system import displayed_formula, latex, mathml
 from .study import Study, dataset_of
 
 
@@ -47,7 +47,7 @@ def solution_of_study(study: Study) -> Solution:
     return solution
 
 
-def solved_if_known(study: Study) -> Solution | None:
+def known_solution(study: Study) -> Solution | None:
     """The motion of a study in closed form; None if no closed form can be evaluated."""
     with contextlib.suppress(InputError, RunError, ArithmeticError):
         return solution_of_study(study)
@@ -89,7 +89,7 @@ def closed_form_trajectory(
         In double precision.
     """
     began = clock.perf_counter()
-    moments = checked(np.asarray(times, dtype=float), solution.pace)
+    moments = times_in_range(np.asarray(times, dtype=float), solution.pace)
     states = solution.states(moments)
     seconds = clock.perf_counter() - began
     system = study.system_on_level.lifted() if in_space(study, solution) else study.system_on_level
@@ -190,12 +190,14 @@ def closed_form_section(solution: Solution, trajectory: Trajectory) -> ClosedFor
         title=form.title,
         motion=form.motion,
         source=form.source,
-        equations=tuple(Markup(displayed(equation(left, right))) for left, right in form.equations),
+        equations=tuple(
+            Markup(displayed_formula(equation(left, right))) for left, right in form.equations
+        ),
         rows=tuple(
             (_symbol(figure.symbol), typeset_value(number(figure)), letters(figure.meaning))
             for figure in form.figures
         ),
-        ovals=tuple(signed(f"[{low:.12g}, {high:.12g}]") for low, high in form.ovals),
+        ovals=tuple(typographic_signs(f"[{low:.12g}, {high:.12g}]") for low, high in form.ovals),
         caption=_CAPTION if len(form.ovals) > 1 else _CAPTION_OF_ONE,
         difference=numerals.number(float(distance), 2),
     )
@@ -222,7 +224,7 @@ def equation(left: sp.Expr, right: sp.Expr) -> str:
 
 def typeset_value(value: str) -> str:
     """A value with its error and unit, signs, powers of ten and units as in print."""
-    return unit(signed(value))
+    return unit(typographic_signs(value))
 
 
 def _symbol(written: str) -> str:

@@ -14,7 +14,7 @@ from ..arguments import Numbers, Written, arguments_checked
 from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
-from ..formulas.balls import components, evaluated, number
+from ..formulas.balls import ball_values, components, number
 from .base.solution import ClosedForm, NamedConstant, Solution
 from .genus_two.reconstruction import Lift, lift, on_arrays
 from .genus_two.separated_motion import SeparatedMotion, separate
@@ -179,14 +179,14 @@ def _meaning_and_unit(motion: SeparatedMotion, value: arb) -> tuple[str, str]:
     system = motion.separable.system
     known = {**motion.values, **dict(zip(system.symbols, motion.state, strict=True))}
     for name, formula in system.scalar_definitions:
-        known[name] = evaluated([formula], known)[0]
+        known[name] = ball_values([formula], known)[0]
     for law in system.integrals:
-        if evaluated(components(law.value), known)[0].overlaps(value):
+        if ball_values(components(law.value), known)[0].overlaps(value):
             return law.meaning or law.name, law.unit
     return "constant", ""
 
 
-def solved(
+def solve_on_torus(
     separable: SeparatedSystem, values: Mapping[sp.Symbol, Written], start: Sequence[Written]
 ) -> GenusTwo:
     """Solve one motion of a separable system.

@@ -25,7 +25,7 @@ from ..catalogue.entry import bruns_factor
 from ..core.isomorphism import Isomorphism
 from ..core.system import System, flat_pairs
 from ..core.vectors import real_symbol, to_components
-from ..formulas.balls import ball, evaluated
+from ..formulas.balls import ball, ball_values
 from ..formulas.relative_zero import RESOLUTION, ROUNDED
 from ..mechanics.rolling.equations import Rolling
 from .base.no_closed_form import Condition, degenerate, refusal
@@ -250,10 +250,10 @@ def _agree(
 
 
 def _separable(problem: Problem) -> Solution | None:
-    from .degenerate import solved_degenerate
-    from .degenerate.uniform_motion import resting
+    from .degenerate import solve_degenerate
+    from .degenerate.uniform_motion import equilibrium_solution
     from .genus_two.curve import DegenerateError
-    from .genus_two_solution import solved
+    from .genus_two_solution import solve_on_torus
 
     match = find_match(problem)
     if match is None:
@@ -263,13 +263,13 @@ def _separable(problem: Problem) -> Solution | None:
     if axial is not None or match.level:
         return axial
     # a start has fifty digits: roots that coincide differ by as little, and are found first
-    solution: Solution | None = resting(problem.system, values, problem.start)
+    solution: Solution | None = equilibrium_solution(problem.system, values, problem.start)
     if solution is None:
-        solution = solved_degenerate(match.own, values, problem.start)
+        solution = solve_degenerate(match.own, values, problem.start)
     if solution is not None:
         return solution
     try:
-        return solved(match.own, values, problem.start)
+        return solve_on_torus(match.own, values, problem.start)
     except DegenerateError:
         raise degenerate(problem) from None
 
@@ -286,7 +286,7 @@ def _axisymmetric(
         return None
     with ctx.workprec(PRECISION):
         numbers = {symbol: ball(value) for symbol, value in values.items()}
-        moments = evaluated(own.poles, numbers)
+        moments = ball_values(own.poles, numbers)
         if name in TURNING:
             return veselova_of_revolution(problem.system, values, problem.start, moments)
         m, R = (numbers[real_symbol(s)] for s in ("m", "R"))

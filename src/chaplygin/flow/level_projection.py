@@ -23,7 +23,7 @@ MET = 1e-12
 REDUNDANT = 1e-9
 
 
-def projected(
+def project_to_level(
     formulas: Formulas,
     states: FloatArray,
     targets: npt.ArrayLike = 0.0,

@@ -21,8 +21,8 @@ __all__ = [
     "array_function",
     "ball",
     "ball_function",
+    "ball_values",
     "components",
-    "evaluated",
     "exact",
     "needed",
     "number",
@@ -78,7 +78,7 @@ def components(formula: sp.Expr) -> tuple[sp.Expr, ...]:
     return tuple(value) if isinstance(value, sp.MatrixBase) else (value,)
 
 
-def evaluated(formulas: Iterable[sp.Expr], values: Values) -> tuple[Any, ...]:
+def ball_values(formulas: Iterable[sp.Expr], values: Values) -> tuple[Any, ...]:
     """Scalar formulas in balls.
 
     Parameters

@@ -12,10 +12,10 @@ import numpy as np
 from ..core.arrays import FloatArray
 from ..core.system import System
 from .evaluate import NUMPY
-from .graph import Graph, Reader, Term, ordered
+from .graph import Graph, Reader, Term, topological_order
 
 
-class Compiled:
+class CompiledTerms:
     """Terms as one function of arrays.
 
     Parameters
@@ -26,7 +26,7 @@ class Compiled:
     def __init__(self, terms: Sequence[Term]) -> None:
         names: dict[int, str] = {}
         lines = []
-        for i, node in enumerate(ordered(terms)):
+        for i, node in enumerate(topological_order(terms)):
             if node.kind in ("state", "parameter"):
                 text = f"{node.kind}[{node.args[0]}]"
             elif node.number is not None:
@@ -74,4 +74,4 @@ class SystemFormulas:
 
     def depends(self, terms: Sequence[Term]) -> set[int]:
         """The indices of the state variables that occur in terms."""
-        return {node.args[0] for node in ordered(terms) if node.kind == "state"}
+        return {node.args[0] for node in topological_order(terms) if node.kind == "state"}

@@ -17,7 +17,7 @@ from ..core.vectors import to_components
 from ..errors import InputError
 from ..parsing import parse_formula
 from .digest import canonical
-from .graph import Reader, Term, of_system, ordered
+from .graph import Reader, Term, of_system, topological_order
 
 #: Values of parameters by symbol or name; an array has one for each motion.
 ParameterValues: TypeAlias = Parameters
@@ -211,7 +211,7 @@ def numbers(terms: Sequence[Term], states: FloatArray, parameters: FloatArray) -
     """Terms at states (..., size) with parameters (..., parameters): (..., terms)."""
     known: dict[int, FloatArray | np.float64] = {}
     with np.errstate(all="ignore"):
-        for node in ordered(terms):
+        for node in topological_order(terms):
             if node.kind == "number":
                 known[id(node)] = np.float64(float(node.args[0]))
             elif node.kind == "state":

@@ -203,7 +203,7 @@ class Graph:
         zero, known = self.number(0), {}
         for leaf, rate in direction.items():
             known[id(leaf)] = rate
-        for node in ordered(terms):
+        for node in topological_order(terms):
             if id(node) not in known:
                 changes = [known[id(a)] for a in node.operands]
                 known[id(node)] = self._change(node, changes) if changes else zero
@@ -261,7 +261,9 @@ class Graph:
         return slopes[node.kind]()
 
 
-def ordered(terms: Iterable[Term], wanted: Callable[[Term], bool] = lambda _: True) -> list[Term]:
+def topological_order(
+    terms: Iterable[Term], wanted: Callable[[Term], bool] = lambda _: True
+) -> list[Term]:
     """All terms on which some depend, and these, operands first.
 
     A term that is not `wanted` is left out, with those on which only it depends; each is asked

@@ -52,7 +52,7 @@ Real: TypeAlias = Fraction | mpmath.mpf
 
 
 @dataclass(frozen=True)
-class Sized:
+class SizedNumber:
     """A number and the size of the terms that it was summed up from.
 
     Attributes
@@ -79,14 +79,14 @@ class Sized:
         value, size = _alike(abs(self.value), self.size)
         return float(value / size)
 
-    def __sub__(self, other: Sized) -> Sized:
-        minus = Sized(_times(Fraction(-1), other.value), other.size)
+    def __sub__(self, other: SizedNumber) -> SizedNumber:
+        minus = SizedNumber(_times(Fraction(-1), other.value), other.size)
         return _sum([self, minus])
 
 
-def measured(
+def state_sizes(
     state: Iterable[Quantity], symbols: Sequence[sp.Symbol], numbers: Sequence[Fraction]
-) -> dict[sp.Symbol, Sized]:
+) -> dict[sp.Symbol, SizedNumber]:
     """The numbers of a state with their sizes: a component of a vector is as large as the vector.
 
     So a component that is nothing but the rounding of the others counts as such.
@@ -100,20 +100,20 @@ def measured(
     numbers : sequence of Fraction
     """
     known = dict(zip(symbols, numbers, strict=False))
-    sizes = {symbol: Sized(x, abs(x)) for symbol, x in known.items()}
+    sizes = {symbol: SizedNumber(x, abs(x)) for symbol, x in known.items()}
     for name in state:
         if isinstance(name, Vector):
             parts = [s for s in name.symbols if s in known]
             size = max((abs(known[s]) for s in parts), default=Fraction(0))
-            sizes |= {s: Sized(known[s], size) for s in parts}
+            sizes |= {s: SizedNumber(known[s], size) for s in parts}
     return sizes
 
 
-def sized(
+def values_with_sizes(
     formulas: Sequence[sp.Expr],
-    known: Mapping[sp.Symbol, Sized],
+    known: Mapping[sp.Symbol, SizedNumber],
     steps: Iterable[tuple[sp.Symbol, sp.Expr]] = (),
-) -> list[Sized]:
+) -> list[SizedNumber]:
     """Scalar formulas with their sizes.
 
     Parameters
@@ -157,44 +157,44 @@ def _times(one: Real, other: Real) -> Real:
     return first * second
 
 
-def _sum(terms: Sequence[Sized]) -> Sized:
+def _sum(terms: Sequence[SizedNumber]) -> SizedNumber:
     values = _alike(*(term.value for term in terms))
     sizes = _alike(*(term.size for term in terms))
-    return Sized(sum(values[1:], values[0]), sum(sizes[1:], sizes[0]))
+    return SizedNumber(sum(values[1:], values[0]), sum(sizes[1:], sizes[0]))
 
 
-def _product(factors: Sequence[Sized]) -> Sized:
+def _product(factors: Sequence[SizedNumber]) -> SizedNumber:
     value, size = factors[0].value, factors[0].size
     for factor in factors[1:]:
         value, size = _times(value, factor.value), _times(size, factor.size)
-    return Sized(value, size)
+    return SizedNumber(value, size)
 
 
-def _inverse(number: Sized) -> Sized:
+def _inverse(number: SizedNumber) -> SizedNumber:
     value, size = _alike(number.value, number.size)
-    return Sized(1 / value, size / (value * value))
+    return SizedNumber(1 / value, size / (value * value))
 
 
-def _root(number: Sized) -> Sized:
+def _root(number: SizedNumber) -> SizedNumber:
     value, size = _mpf(number.value), _mpf(number.size)
     root = mpmath.sqrt(value)
-    return Sized(root, size / abs(root) if root else mpmath.sqrt(size))
+    return SizedNumber(root, size / abs(root) if root else mpmath.sqrt(size))
 
 
-class _Sizes(Evaluation[Sized]):
+class _Sizes(Evaluation[SizedNumber]):
     """Numbers with the sizes of their terms."""
 
-    def _constant(self, number: sp.Expr) -> Sized:
+    def _constant(self, number: sp.Expr) -> SizedNumber:
         value = Fraction(str(number))
-        return Sized(value, abs(value))
+        return SizedNumber(value, abs(value))
 
-    def _sum(self, formula: sp.Add) -> Sized:
+    def _sum(self, formula: sp.Add) -> SizedNumber:
         return _sum(self._parts(formula))
 
-    def _product(self, formula: sp.Mul) -> Sized:
+    def _product(self, formula: sp.Mul) -> SizedNumber:
         return _product(self._parts(formula))
 
-    def _power(self, formula: sp.Pow) -> Sized:
+    def _power(self, formula: sp.Pow) -> SizedNumber:
         exponent = formula.exp
         if not (exponent.is_Rational and exponent.q in (1, 2)):
             return self._function(formula)
@@ -203,9 +203,9 @@ class _Sizes(Evaluation[Sized]):
         power = _product([factor] * abs(int(exponent.p)))
         return power if exponent > 0 else _inverse(power)
 
-    def _function(self, formula: sp.Expr) -> Sized:
+    def _function(self, formula: sp.Expr) -> SizedNumber:
         parts = self._parts(formula)
         function = mpmath_function(formula.func, len(parts))
         value = mpmath.mpmathify(function(*(_mpf(part.value) for part in parts)))
         # its arguments have no unit: what they are summed up from is seen in its value
-        return Sized(value, sum((_mpf(part.size) for part in parts), abs(value)))
+        return SizedNumber(value, sum((_mpf(part.size) for part in parts), abs(value)))

@@ -15,10 +15,10 @@ _POWER = re.compile(r"(?<![\w.])(-?\d+(?:\.\d+)?)e([+-]?\d+)\b")
 
 def number(value: float, digits: int = 10) -> str:
     """A number with so many digits: ``0``, ``−2.5``, ``1.8 × 10⁻¹⁵``."""
-    return signed(f"{value + 0.0:.{digits}g}")
+    return typographic_signs(f"{value + 0.0:.{digits}g}")
 
 
-def signed(text: str) -> str:
+def typographic_signs(text: str) -> str:
     """Words with numbers in them, their signs and powers of ten as in print."""
 
     def power(match: re.Match[str]) -> str:

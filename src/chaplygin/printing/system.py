@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "claims_html",
-    "displayed",
+    "displayed_formula",
     "field_text",
     "latex",
     "law_html",
@@ -359,10 +359,10 @@ def _defining_rows(pairs: Pairs) -> list[str]:
 
 
 def _display(rows: Sequence[str]) -> str:
-    return displayed(_aligned_environment(rows))
+    return displayed_formula(_aligned_environment(rows))
 
 
-def displayed(formula: str) -> str:
+def displayed_formula(formula: str) -> str:
     """LaTeX as a displayed formula in HTML, with the width that it needs.
 
     The width in em is there as ``--width``, for style sheets that shrink what would be cut.

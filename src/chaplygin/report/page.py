@@ -22,8 +22,16 @@ from ..experiment.study import Study
 from ..explicit.base.solution import Solution
 from ..flow.integrator import Trajectory
 from ..printing.laws import heading
-from ..printing.numerals import number, signed, unit
-from ..printing.system import claims_html, displayed, latex, mathml, motion_html, system_html, text
+from ..printing.numerals import number, typographic_signs, unit
+from ..printing.system import (
+    claims_html,
+    displayed_formula,
+    latex,
+    mathml,
+    motion_html,
+    system_html,
+    text,
+)
 from ..proof.fields.budget import EFFORT
 from . import figures
 from .summary import drift
@@ -121,7 +129,7 @@ def render(
     stands = classify(study.system, verdicts, patience, study.subject.model)
     drawn = {name: _figure_html(name, figure) for name, figure in pictures.items()}
     return environment.get_template("report.html").render(
-        signed=signed,
+        signed=typographic_signs,
         title=study.system.title,
         lead=study.subject.summary or study.subject.setting,
         setting=study.subject.setting if study.subject.summary else "",
@@ -149,7 +157,7 @@ def render(
             {
                 "name": law.name,
                 "meaning": law.meaning,
-                "formula": Markup(displayed(latex(law.value))),
+                "formula": Markup(displayed_formula(latex(law.value))),
                 "source": law.source,
                 "verdict": verdicts[law.name],
                 "value": number(float(trajectory.recorded[f"law_{law.name}"][0]), 12),
@@ -170,13 +178,13 @@ def render(
         uncounted=stands.uncounted_by_reason,
         linked={law.name for law in study.system.laws},
         undecided=[
-            (name, signed(verdict.reason))
+            (name, typographic_signs(verdict.reason))
             for name, verdict in verdicts.items()
             if verdict.reason and not verdict.untried
         ],
-        events=[signed(str(event)) for event in trajectory.events],
-        remarks=[signed(remark) for remark in study.remarks],
-        failure=signed(str(failure)) if failure else None,
+        events=[typographic_signs(str(event)) for event in trajectory.events],
+        remarks=[typographic_signs(remark) for remark in study.remarks],
+        failure=typographic_signs(str(failure)) if failure else None,
         facts=_facts(study, trajectory),
         experiment=dataset.attrs["experiment"],
         versions=dataset.attrs["versions"],

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from ..analysis.classification.facts import ProofBudget
 from ..errors import InterruptionError, RunError
-from ..experiment.closed_form import diagram_if_known, solved_if_known
+from ..experiment.closed_form import diagram_if_known, known_solution
 from ..experiment.dataset import write
 from ..experiment.files import atomic_file
 from ..experiment.plan import PlanMotion, plan_motion
@@ -83,7 +83,7 @@ def write_study(
     with atomic_file(folder / "experiment.toml") as temporary:
         temporary.write_text(study.complete_toml(), encoding="utf-8")
     report.say("looking for a closed form")
-    solution = solved_if_known(study)
+    solution = known_solution(study)
     report.say("drawing")
     pictures = _figures(study, smooth, plan, solution)
     for name, figure in pictures.items():

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from analysis.known_maps import DELAYED, HENON, STANDARD, TWICE, TWIST
-from chaplygin.analysis.orbits.continuation import follow
-from chaplygin.analysis.orbits.periodic import find
+from chaplygin.analysis.orbits.continuation import continue_orbit
+from chaplygin.analysis.orbits.periodic import find_periodic
 from chaplygin.analysis.orbits.return_map import ReturnMap, parameters_to_state
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
@@ -16,8 +16,8 @@ from chaplygin.flow.sections.poincare_map import PoincareMap
 
 
 def events(made, guess, varied, until, **options):
-    orbit = find(made, np.array(guess), hold=(varied,))
-    branch = follow(made, orbit, varied, until, **options)
+    orbit = find_periodic(made, np.array(guess), hold=(varied,))
+    branch = continue_orbit(made, orbit, varied, until, **options)
     return branch, [(event.kind, event.place) for event in branch.events]
 
 
@@ -53,11 +53,11 @@ def test_areas_kept_are_no_bifurcation():
 
 
 def test_families_of_more_dimensions_are_refused():
-    orbit = find(TWIST, np.array([0.3, 2.1]), 3)
+    orbit = find_periodic(TWIST, np.array([0.3, 2.1]), 3)
     with pytest.raises(InputError, match="cannot be held and varied"):
-        follow(TWIST, orbit, "p", 3.0, ("p",))
+        continue_orbit(TWIST, orbit, "p", 3.0, ("p",))
     with pytest.raises(InputError, match="a family of 2 dimensions"):
-        follow(TWICE, find(TWICE, np.array([0.3, 1.1, 1.0]), 3), "p", 3.0)
+        continue_orbit(TWICE, find_periodic(TWICE, np.array([0.3, 1.1, 1.0]), 3), "p", 3.0)
 
 
 @pytest.mark.slow
@@ -68,8 +68,8 @@ def test_a_limit_cycle_is_followed_in_a_parameter():
     near = np.array([-1.31476800, 0.10200860, -0.24651476, 0.0, -0.92401353, -0.38235977])
     system = parameters_to_state(ball, "kappa_3")
     made = ReturnMap(PoincareMap(system, poincare_section(system, "gamma_1"), tolerance=1e-15))
-    orbit = find(made, np.append(near, 0.15), hold=hold | {"kappa_3": 0.15})
-    branch = follow(made, orbit, "kappa_3", 0.12, hold)
+    orbit = find_periodic(made, np.append(near, 0.15), hold=hold | {"kappa_3": 0.15})
+    branch = continue_orbit(made, orbit, "kappa_3", 0.12, hold)
     last = branch.orbits[-1]
     assert branch.reason == "kappa_3 reached 0.12"
     assert last.kind == "attracting"
@@ -77,6 +77,6 @@ def test_a_limit_cycle_is_followed_in_a_parameter():
     direct = ReturnMap(
         PoincareMap(ball, poincare_section(ball, "gamma_1"), {"kappa_3": 0.12}, 1e-15)
     )
-    same = find(direct, last.points[0, :6], hold=hold)
+    same = find_periodic(direct, last.points[0, :6], hold=hold)
     assert last.points[0, :6] == pytest.approx(same.points[0], abs=1e-12)
     assert last.multipliers.values == pytest.approx(same.multipliers.values, abs=1e-11)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from chaplygin.analysis.orbits.high_precision import refine_orbit
-from chaplygin.analysis.orbits.periodic import find
+from chaplygin.analysis.orbits.periodic import find_periodic
 from chaplygin.analysis.orbits.return_map import ReturnMap
 from chaplygin.catalogue import from_catalogue
 from chaplygin.catalogue.ball_on_sphere import rubber_ball_ratio
@@ -23,7 +23,7 @@ def test_a_period_in_closed_form():
     guess = np.array([1e-3, 0.0, 0.7, 1.0, 0.0, 0.0])
     # the energy of ω = 0.7 about an axis with the moment 3.1, as a double
     energy = 3.1 * 0.7**2 / 2
-    orbit = find(made, guess, hold={"energy": energy})
+    orbit = find_periodic(made, guess, hold={"energy": energy})
     found = refine_orbit(made, orbit, {"energy": energy})
     with mpmath.workdps(40):
         omega = mpmath.sqrt(2 * mpmath.mpf(energy) / mpmath.mpf(3.1))
@@ -37,7 +37,7 @@ def test_limit_cycle_against_the_orbit_in_doubles():
     made = ReturnMap(PoincareMap(ball, poincare_section(ball, "gamma_1"), tolerance=1e-15))
     near = np.array([-1.31476800, 0.10200860, -0.24651476, 0.0, -0.92401353, -0.38235977])
     hold = {"energy": 0.5, "quadratic": 0.95}
-    orbit = find(made, near, hold=hold)
+    orbit = find_periodic(made, near, hold=hold)
     found = refine_orbit(made, orbit, hold)
     assert found.error < 1e-28
     assert [float(x) for x in found.point] == pytest.approx(orbit.points[0].tolist(), abs=1e-12)

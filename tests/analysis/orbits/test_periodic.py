@@ -7,7 +7,7 @@ import pytest
 
 from analysis.known_maps import HENON, STANDARD, TWIST
 from chaplygin.analysis.orbits.floquet import stability
-from chaplygin.analysis.orbits.periodic import NoOrbitError, find
+from chaplygin.analysis.orbits.periodic import NoOrbitError, find_periodic
 from chaplygin.analysis.orbits.return_map import ReturnMap, parameters_to_state
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
@@ -16,7 +16,7 @@ from chaplygin.flow.sections.poincare_map import PoincareMap
 
 
 def test_fixed_point_of_the_henon_map():
-    orbit = find(HENON, np.array([0.6, 0.2, 1.4]), hold=("a",))
+    orbit = find_periodic(HENON, np.array([0.6, 0.2, 1.4]), hold=("a",))
     x = (-0.7 + np.sqrt(0.49 + 5.6)) / 2.8
     trace = -2.8 * x
     roots = np.roots([1, -trace, -0.3])
@@ -27,7 +27,7 @@ def test_fixed_point_of_the_henon_map():
 
 
 def test_orbit_of_two_points_of_the_henon_map():
-    orbit = find(HENON, np.array([0.9, -0.1, 1.4]), 2, {"a": 1.4})
+    orbit = find_periodic(HENON, np.array([0.9, -0.1, 1.4]), 2, {"a": 1.4})
     # x and its image are the roots of a²x² − a(1 − b)x + (1 − b)² − a
     assert sorted(orbit.points[:, 0]) == pytest.approx(
         sorted(np.roots([1.96, -0.98, 0.49 - 1.4])), abs=1e-14
@@ -38,20 +38,20 @@ def test_orbit_of_two_points_of_the_henon_map():
 
 @pytest.mark.parametrize(("place", "kind"), [(0.1, "saddle"), (3.0, "elliptic")])
 def test_fixed_points_of_the_standard_map(place, kind):
-    orbit = find(STANDARD, np.array([place, 0.1, 0.9]), hold=("K",))
+    orbit = find_periodic(STANDARD, np.array([place, 0.1, 0.9]), hold=("K",))
     trace = 2 + 0.9 * np.cos(orbit.points[0, 0])
     assert orbit.kind == kind
     assert orbit.multipliers.values.sum() == pytest.approx(trace, abs=1e-14)
 
 
 def test_turns_of_angles_are_counted():
-    orbit = find(STANDARD, np.array([3.1, 3.1, 0.9]), 2, ("K",))
+    orbit = find_periodic(STANDARD, np.array([3.1, 3.1, 0.9]), 2, ("K",))
     assert orbit.turns.tolist() == [1, 0, 0]
     assert orbit.points[:, 1] == pytest.approx([np.pi, np.pi], abs=1e-14)
 
 
 def test_family_is_reached_where_it_is_next():
-    orbit = find(TWIST, np.array([0.3, 2.1]), 3)
+    orbit = find_periodic(TWIST, np.array([0.3, 2.1]), 3)
     assert orbit.points[:, 1] == pytest.approx([2 * np.pi / 3] * 3, abs=1e-15)
     assert orbit.kind == "neutral"
     assert orbit.multipliers.forced == ("p",)
@@ -84,7 +84,7 @@ def test_closed_orbit_of_a_ball_on_a_sphere():
     system = parameters_to_state(from_catalogue("rubber-ball-of-ratio"), "k")
     made = ReturnMap(PoincareMap(system, poincare_section(system, "n_2")))
     start = np.array([0.0, 0.0, 0.5, -1.0, 0.0, 0.0, 1.0])
-    orbit = find(made, start, hold=("energy", "k"))
+    orbit = find_periodic(made, start, hold=("energy", "k"))
     assert orbit.duration == pytest.approx(4 * np.pi, abs=1e-11)
     assert set(orbit.multipliers.forced) == {"flow", "energy", "k"}
     assert np.prod(orbit.multipliers.values).real == pytest.approx(1, abs=1e-10)
@@ -93,18 +93,18 @@ def test_closed_orbit_of_a_ball_on_a_sphere():
 
 def test_mistakes_are_told():
     with pytest.raises(InputError, match="hold: 'b' is not an integral"):
-        find(HENON, np.zeros(3), hold=("b",))
+        find_periodic(HENON, np.zeros(3), hold=("b",))
     with pytest.raises(InputError, match="period = 0"):
-        find(HENON, np.zeros(3), 0)
+        find_periodic(HENON, np.zeros(3), 0)
     with pytest.raises(InputError, match="guess: its shape"):
-        find(HENON, np.zeros(2))
+        find_periodic(HENON, np.zeros(2))
     with pytest.raises(InputError, match="no parameter q"):
         parameters_to_state(from_catalogue("rubber-ball-of-ratio"), "q")
 
 
 def test_no_orbit_is_said_to_be_found_where_there_is_none():
     with pytest.raises(NoOrbitError, match="no periodic orbit"):
-        find(HENON, np.array([0.6, 0.2, -1.0]), hold=("a",))
+        find_periodic(HENON, np.array([0.6, 0.2, -1.0]), hold=("a",))
 
 
 @pytest.mark.parametrize("scale", [1e-15, 1e5, 1e15])
@@ -119,7 +119,7 @@ def test_orbits_are_the_same_in_all_units(scale):
         numbers = {str(symbol): factor * value for symbol, value in ball.defaults.items()}
         made = ReturnMap(PoincareMap(ball, poincare_section(ball, "gamma_1"), numbers))
         hold = {"energy": 0.5 * factor, "quadratic": 0.95 * factor**2}
-        found.append(find(made, made.section.iterate(near[None], 100)[0], hold=hold))
+        found.append(find_periodic(made, made.section.iterate(near[None], 100)[0], hold=hold))
     plain, scaled = found
     assert scaled.values["energy"] == pytest.approx(0.5 * scale, rel=1e-11)
     assert scaled.values["quadratic"] == pytest.approx(0.95 * scale**2, rel=1e-11)

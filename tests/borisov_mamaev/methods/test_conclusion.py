@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from chaplygin.borisov_mamaev.methods.conclusion import computed_verdict, concluded
+from chaplygin.borisov_mamaev.methods.conclusion import computed_verdict, conclusion_verdict
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.laws import Integral
 from chaplygin.core.vectors import norm_squared, vectors
@@ -16,7 +16,9 @@ PROVEN = Verdict("first", "proven", shown="x", terms=7, seconds=2.0)
 
 def test_a_conclusion_is_proven_when_all_it_rests_on_is():
     ball = from_catalogue("chaplygin-ball")
-    found = concluded("both", "what follows", (PROVEN, (ball, Integral("square", norm_squared(M)))))
+    found = conclusion_verdict(
+        "both", "what follows", (PROVEN, (ball, Integral("square", norm_squared(M))))
+    )
     assert found.decision == "proven"
     assert found.shown == "what follows"
     assert not found.reason
@@ -32,7 +34,7 @@ def test_a_conclusion_is_proven_when_all_it_rests_on_is():
     ],
 )
 def test_a_premiss_that_is_not_proven_leaves_it_undecided(premiss, words):
-    found = concluded("both", "what follows", (PROVEN, premiss))
+    found = conclusion_verdict("both", "what follows", (PROVEN, premiss))
     assert found.decision == "undecided"
     assert found.reason == words
     assert not found.shown

@@ -12,13 +12,13 @@ from flint import arb, ctx
 
 from chaplygin.core.system import flat_pairs
 from chaplygin.explicit.base.problem import exact
-from chaplygin.explicit.degenerate import solved_degenerate
+from chaplygin.explicit.degenerate import solve_degenerate
 from chaplygin.explicit.degenerate.solution import DegenerateSolution
 from chaplygin.explicit.degenerate.theta_motion import Asymptotic, Periodic
 from chaplygin.explicit.genus_two.separation import SeparatedSystem, nu, nuprime
 from chaplygin.explicit.recognise import SEPARABLE
 from chaplygin.flow.integrator import integrate
-from chaplygin.formulas.balls import evaluated
+from chaplygin.formulas.balls import ball_values
 
 TIMES = [0.0, 0.5, 4.0]
 
@@ -50,7 +50,7 @@ PLAIN = [
 def slip(made: SeparatedSystem, start: Any, kind: type) -> float:
     system = made.system
     numbers = {symbol: exact(value) for symbol, value in system.defaults.items()}
-    found = solved_degenerate(made, numbers, start)
+    found = solve_degenerate(made, numbers, start)
     assert isinstance(found, DegenerateSolution)
     assert type(found.motion) is kind
     run = integrate(system, start, TIMES, precision="quad")
@@ -82,7 +82,7 @@ def test_error_bounds_contain_the_integrated_state() -> None:
     numbers = {symbol: exact(value) for symbol, value in made.system.defaults.items()}
     with ctx.workprec(300):
         start = focal(made, (0.3, 0.7, -0.4))
-    found = solved_degenerate(made, numbers, start)
+    found = solve_degenerate(made, numbers, start)
     assert isinstance(found, DegenerateSolution)
     run = integrate(made.system, start, [0.0, 3.0], precision="quad")
     with ctx.workprec(150):
@@ -95,8 +95,8 @@ def focal(made: SeparatedSystem, push: tuple[float, float, float]) -> list[Any]:
     """A state where both variables are at the middle pole: it is on a separatrix whatever ν′ is."""
     system = made.system
     known: dict[Any, Any] = {s: arb(repr(float(x))) for s, x in system.defaults.items()}
-    poles = evaluated(made.poles, known)
-    weights = evaluated(made.weights, known)
+    poles = ball_values(made.poles, known)
+    weights = ball_values(made.weights, known)
     low, middle, high = sorted(range(3), key=lambda i: float(poles[i]))
     n = [arb(0)] * 3
     for i in (low, high):
@@ -109,10 +109,10 @@ def focal(made: SeparatedSystem, push: tuple[float, float, float]) -> list[Any]:
     moving = set(system.symbols)
     for symbol, formula in system.scalar_definitions:
         if not formula.free_symbols & moving:
-            (known[symbol],) = evaluated([formula], known)
+            (known[symbol],) = ball_values([formula], known)
         else:
             moving.add(symbol)
     state = dict(flat_pairs(made.state))
-    found = evaluated([state[s] for s in system.symbols], known)
+    found = ball_values([state[s] for s in system.symbols], known)
     with mpmath.workdps(50):
         return [mpmath.mpf(x.mid().str(48, radius=False)) for x in found]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.explicit.genus_two_solution import solved
+from chaplygin.explicit.genus_two_solution import solve_on_torus
 from chaplygin.explicit.separations.bruns import rubber_ball_in_bruns_field, veselova_in_bruns_field
 from chaplygin.flow.integrator import integrate
 from chaplygin.proof.prover import prove
@@ -67,6 +67,6 @@ def test_closed_form(case):
     reduced = replace(of, system=replace(of.system, reconstruction=None, observables=(), guards=()))
     values = {p.symbol: parameters[str(p.symbol)] for p in of.system.parameters}
     times = np.linspace(0.0, 20.0, 5)
-    found = solved(reduced, values, START).states(times)
+    found = solve_on_torus(reduced, values, START).states(times)
     motion = integrate(reduced.system, [float(x) for x in START], times, parameters=parameters)
     assert np.abs(found - motion.states).max() < 1e-12

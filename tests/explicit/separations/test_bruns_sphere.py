@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from chaplygin.explicit.genus_two_solution import solved
+from chaplygin.explicit.genus_two_solution import solve_on_torus
 from chaplygin.explicit.separations.bruns_sphere import WEIGHT, hollow_ball_in_bruns_field
 from chaplygin.flow.integrator import integrate
 from chaplygin.proof.prover import prove
@@ -56,7 +56,7 @@ def test_closed_form(case):
     reduced = replace(SEPARABLE, system=bare, level=SEPARABLE.level[1:])
     values = {p.symbol: NUMBERS[case][str(p.symbol)] for p in bare.parameters}
     times = np.linspace(0.0, 20.0, 5)
-    found = solved(reduced, values, STARTS[case]).states(times)
+    found = solve_on_torus(reduced, values, STARTS[case]).states(times)
     start = [float(x) for x in STARTS[case]]
     motion = integrate(bare, start, times, parameters=NUMBERS[case])
     assert np.abs(found - motion.states).max() < 1e-12

@@ -10,7 +10,7 @@ import pytest
 from chaplygin.catalogue.e3 import Gamma, I, M
 from chaplygin.catalogue.fixed_point.clebsch import alpha, beta
 from chaplygin.core.vectors import cross
-from chaplygin.explicit.genus_two_solution import solved
+from chaplygin.explicit.genus_two_solution import solve_on_torus
 from chaplygin.explicit.separations.clebsch import clebsch_case
 from chaplygin.flow.integrator import integrate
 from chaplygin.proof.prover import prove
@@ -63,6 +63,6 @@ def test_closed_form(weights):
     numbers = {**MOMENTS, **WEIGHTS[weights]}
     values = {p.symbol: numbers[str(p.symbol)] for p in SEPARABLE.system.parameters}
     times = np.linspace(0.0, 40.0, 9)
-    found = solved(SEPARABLE, values, START).states(times)
+    found = solve_on_torus(SEPARABLE, values, START).states(times)
     motion = integrate(SEPARABLE.system, [float(x) for x in START], times, parameters=numbers)
     assert np.abs(found - motion.states).max() < 1e-12

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from chaplygin.explicit.genus_two_solution import solved
+from chaplygin.explicit.genus_two_solution import solve_on_torus
 from chaplygin.explicit.separations.neumann import neumann_system
 from chaplygin.flow.integrator import integrate
 from chaplygin.proof.prover import prove
@@ -48,7 +48,7 @@ def test_along_a_motion(case):
 def test_closed_form(case):
     values = {p.symbol: CASES[case][str(p.symbol)] for p in SEPARABLE.system.parameters}
     times = np.linspace(0.0, 40.0, 9)
-    found = solved(SEPARABLE, values, START).states(times)
+    found = solve_on_torus(SEPARABLE, values, START).states(times)
     start = [float(x) for x in START]
     motion = integrate(SEPARABLE.system, start, times, parameters=CASES[case])
     assert np.abs(found - motion.states).max() < 1e-12

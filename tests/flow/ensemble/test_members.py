@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from chaplygin.errors import InputError
-from chaplygin.flow.ensemble.members import Members, from_lists, grid, sampled, single
+from chaplygin.flow.ensemble.members import Members, from_lists, grid, random_starts, single
 
 
 def test_a_list_goes_row_by_row() -> None:
@@ -31,7 +31,7 @@ def test_a_product_is_associative_and_its_last_factor_fastest() -> None:
     a, b, c = (
         from_lists(x=[1, 2]),
         from_lists(y=[3, 4], z=[5, 6]),
-        sampled(2, {"energy": 1.0}, seed=7),
+        random_starts(2, {"energy": 1.0}, seed=7),
     )
     for everyone in (a * b * c, a * (b * c)):
         assert everyone.size == 8
@@ -43,7 +43,9 @@ def test_a_product_is_associative_and_its_last_factor_fastest() -> None:
 
 
 def test_rows_are_the_same_in_any_blocks() -> None:
-    everyone = grid(m=np.arange(7.0)) * from_lists(x=np.arange(5.0)) * sampled(3, {"energy": 1.0})
+    everyone = (
+        grid(m=np.arange(7.0)) * from_lists(x=np.arange(5.0)) * random_starts(3, {"energy": 1.0})
+    )
     whole, points = everyone.rows(0, everyone.size)
     for first in range(0, everyone.size, 11):
         last = min(first + 11, everyone.size)
@@ -53,7 +55,7 @@ def test_rows_are_the_same_in_any_blocks() -> None:
 
 
 def test_many_members_need_no_memory() -> None:
-    everyone = sampled(10**9, {"energy": 1.0}) * grid(m=np.arange(1000.0))
+    everyone = random_starts(10**9, {"energy": 1.0}) * grid(m=np.arange(1000.0))
     assert everyone.size == 10**12
     values, points = everyone.rows(10**12 - 2, 10**12)
     assert values["m"].tolist() == [998, 999]
@@ -61,7 +63,7 @@ def test_many_members_need_no_memory() -> None:
 
 
 def test_they_say_what_they_are() -> None:
-    everyone = sampled(5, {"energy": 1.0, "area": 0.5}, seed=3) * grid(m=[1, 2])
+    everyone = random_starts(5, {"energy": 1.0, "area": 0.5}, seed=3) * grid(m=[1, 2])
     assert str(everyone) == "5 drawn on energy = 1.0, area = 0.5 (seed 3) × 2 of m"
 
 
@@ -71,14 +73,14 @@ def test_they_say_what_they_are() -> None:
         (from_lists, "at least one is needed"),
         (grid, "at least one is needed"),
         (lambda: from_lists(m=[]), "at least one is needed"),
-        (lambda: sampled(0, {"energy": 1.0}), "at least one is needed"),
-        (lambda: sampled("few", {}), "few starts cannot be drawn; at least one is needed"),
+        (lambda: random_starts(0, {"energy": 1.0}), "at least one is needed"),
+        (lambda: random_starts("few", {}), "few starts cannot be drawn; at least one is needed"),
         (lambda: from_lists(m="abc"), "m: all must be real numbers"),
         (lambda: single(M=[[1], [1, 2]]), "M: all must be real numbers, in rows of one length"),
         (lambda: from_lists(m=[1, 2], R=[1]), r"different lengths \(m 2, R 1\)"),
         (lambda: single(m=float("nan")), "m must be finite numbers"),
         (lambda: single(m=1) * grid(m=[1, 2]), "m is given twice"),
-        (lambda: sampled(1, {}) * sampled(1, {}), "starts are drawn twice"),
+        (lambda: random_starts(1, {}) * random_starts(1, {}), "starts are drawn twice"),
     ],
     ids=[
         "list",

@@ -16,7 +16,14 @@ from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import Guard
 from chaplygin.errors import InputError
 from chaplygin.flow.batch import batch_integrator
-from chaplygin.flow.ensemble.run import ensemble, ensemble_task, from_lists, grid, sampled, single
+from chaplygin.flow.ensemble.run import (
+    ensemble,
+    ensemble_task,
+    from_lists,
+    grid,
+    random_starts,
+    single,
+)
 from chaplygin.flow.ensemble.task import Divisible
 from chaplygin.flow.integrator import integrate
 from chaplygin.flow.sampling.draw import sample_level
@@ -45,7 +52,9 @@ def test_it_agrees_with_heyoka() -> None:
 
 
 def test_the_conventions_of_datasets() -> None:
-    data = ensemble(BALL, sampled(4, LEVEL, seed=5) * grid(m=[1, 2, 3]), TIMES, record=("omega",))
+    data = ensemble(
+        BALL, random_starts(4, LEVEL, seed=5) * grid(m=[1, 2, 3]), TIMES, record=("omega",)
+    )
     assert data.sizes == {"run": 12, "time": 6, "axis": 3}
     assert set(data.coords) == {"time", "axis", "m", "start"}
     assert data.m.dims == data.start.dims == ("run",)
@@ -76,9 +85,9 @@ def test_motion_in_space() -> None:
 
 
 EVERYONE = {
-    "drawn": sampled(23, LEVEL, seed=1),
-    "drawn by grid": sampled(8, LEVEL, seed=1) * grid(m=[1.0, 2.0, 3.0]),
-    "grid by drawn": grid(m=[1.0, 2.0, 3.0]) * sampled(8, LEVEL, seed=1),
+    "drawn": random_starts(23, LEVEL, seed=1),
+    "drawn by grid": random_starts(8, LEVEL, seed=1) * grid(m=[1.0, 2.0, 3.0]),
+    "grid by drawn": grid(m=[1.0, 2.0, 3.0]) * random_starts(8, LEVEL, seed=1),
     "spun": SPUN * grid(m=np.linspace(1, 2, 5), R=np.linspace(1, 2, 5)),
     "listed": from_lists(
         M=np.linspace(-1, 1, 69).reshape(23, 3), gamma=[[0, 0.6, 0.8]] * 23, m=np.linspace(1, 2, 23)
@@ -100,7 +109,9 @@ def test_bits_do_not_depend_on_blocks(name: str, tmp_path: Path) -> None:
 
 
 def test_starts_are_those_of_the_level_at_their_own_parameters() -> None:
-    data = ensemble(BALL, sampled(3, LEVEL, seed=9) * grid(R=[1.0, 1.5]), [0.0], record=("energy",))
+    data = ensemble(
+        BALL, random_starts(3, LEVEL, seed=9) * grid(R=[1.0, 1.5]), [0.0], record=("energy",)
+    )
     assert np.allclose(data.law_energy, 1.0, rtol=0, atol=1e-13)
     for run in range(6):
         number, radius = divmod(run, 2)
@@ -149,16 +160,16 @@ def test_there_and_back() -> None:
 
 
 def test_a_block_is_bounded_whatever_the_size() -> None:
-    small = ensemble_task(BALL, sampled(10**9, LEVEL), TIMES)
+    small = ensemble_task(BALL, random_starts(10**9, LEVEL), TIMES)
     assert small.size == 10**9
     assert small.block == 4096
-    long = ensemble_task(BALL, sampled(10**9, LEVEL), np.linspace(0, 1, 10**4))
+    long = ensemble_task(BALL, random_starts(10**9, LEVEL), np.linspace(0, 1, 10**4))
     assert long.block * 10**4 * 6 <= 1 << 22
 
 
 @pytest.mark.parametrize(("size", "blocks"), [(100, 7), (10**4, 64), (10**6, 245)])
 def test_workers_find_something_to_do(size: int, blocks: int) -> None:
-    assert ensemble_task(BALL, sampled(size, LEVEL), TIMES, shares=64).blocks == blocks
+    assert ensemble_task(BALL, random_starts(size, LEVEL), TIMES, shares=64).blocks == blocks
 
 
 @pytest.mark.parametrize(
@@ -167,8 +178,12 @@ def test_workers_find_something_to_do(size: int, blocks: int) -> None:
         (single(M=(1, 2, 3)), {}, "the start does not tell gamma_1, gamma_2, gamma_3"),
         (single(M=(1, 2, 3), gamma=(0, 0, 1), mass=1), {}, "there is no mass"),
         (single(M=(1, 2, 3), gamma=(0, 0, 1.1)), {}, "runs 0 to 0: chaplygin-ball: start 0 misses"),
-        (sampled(3, LEVEL) * grid(M_1=[1, 2]), {}, "only parameters can be given besides, not M_1"),
-        (sampled(3, {"anger": 1.0}), {}, "anger"),
+        (
+            random_starts(3, LEVEL) * grid(M_1=[1, 2]),
+            {},
+            "only parameters can be given besides, not M_1",
+        ),
+        (random_starts(3, {"anger": 1.0}), {}, "anger"),
         (SPUN * grid(m=[1, 2]), {"parameters": {"m": 1.0}}, "m is given twice"),
         (SPUN, {"parameters": {"mass": 1.0}}, "no parameter"),
         (SPUN, {"record": ("height",)}, "there is no height to be recorded; there are law_energy"),

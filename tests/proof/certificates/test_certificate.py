@@ -15,7 +15,7 @@ from chaplygin.check import BadInputError, CheckError, check
 from chaplygin.core.laws import Identity, Integral, Law, Measure, Rate, Separation
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import real_symbol
-from chaplygin.proof.certificates.certificate import certified
+from chaplygin.proof.certificates.certificate import prove_with_certificate
 from check.corrupted import corrupted, put
 from proof.test_prover import FAR, RIGHT, TOP, WRONG
 
@@ -41,7 +41,7 @@ def own_cache(tmp_path_factory):
 
 def certificate(system: System, law: Law) -> Certificate:
     """A certificate as another program reads it."""
-    verdict = certified(system, law)
+    verdict = prove_with_certificate(system, law)
     assert verdict.certificate is not None, verdict.uncertified
     made: Certificate = json.loads(json.dumps(verdict.certificate))
     assert made["verdict"] == verdict.decision
@@ -63,7 +63,7 @@ def test_wrong_laws_have_a_witness(name):
 
 @pytest.mark.parametrize("name", sorted(BY_RANK))
 def test_a_dimension_has_no_witness(name):
-    verdict = certified(TOP, WRONG[name])
+    verdict = prove_with_certificate(TOP, WRONG[name])
     assert verdict.decision == "refuted"
     assert verdict.certificate is None
     assert "a dimension on the whole level" in verdict.uncertified
@@ -72,14 +72,14 @@ def test_a_dimension_has_no_witness(name):
 def test_a_separation_has_one():
     system = System("two", "Two", field={x: a * x, y: y}, parameters=POSITIVE)
     law = Separation("law", {}, (Rate(x) - a * x, Rate(y) - y))
-    verdict = certified(system, law)
+    verdict = prove_with_certificate(system, law)
     assert verdict.decision == "proven", verdict
     assert verdict.uncertified == ""
     check(verdict.certificate)
 
 
 def test_what_is_undecided_has_no_certificate():
-    verdict = certified(TOP, FAR["an absolute value"][0])
+    verdict = prove_with_certificate(TOP, FAR["an absolute value"][0])
     assert verdict.decision == "undecided"
     assert verdict.certificate is None
     assert verdict.uncertified == ""
@@ -91,7 +91,7 @@ def test_what_is_undecided_has_no_certificate():
 def test_systems_of_the_catalogue(name):
     system = from_catalogue(name)
     for law in system.laws:
-        verdict = certified(system, law)
+        verdict = prove_with_certificate(system, law)
         if verdict.decision == "proven":
             assert verdict.certificate is not None, verdict.uncertified
 
@@ -171,7 +171,7 @@ def test_proven_where_a_sign_is_as_asked():
         parameters=(Parameter(a, "", 1.0),),
         guards=(),
     )
-    made = certified(system, Identity("law", sp.sqrt(q) - x * sp.sqrt(1 + y**2)))
+    made = prove_with_certificate(system, Identity("law", sp.sqrt(q) - x * sp.sqrt(1 + y**2)))
     assert made.decision == "refuted"
     assert made.certificate is not None
     check(made.certificate)

@@ -10,7 +10,7 @@ from chaplygin.check import CheckError, check
 from chaplygin.core.laws import Integral, Measure
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import real_symbol
-from chaplygin.proof.certificates.certificate import certified
+from chaplygin.proof.certificates.certificate import prove_with_certificate
 
 x, y, z, u, v, w, g = (real_symbol(n) for n in ("x", "y", "z", "u", "v", "w", "g"))
 HEIGHT = sp.Function("f")(x, y)
@@ -47,7 +47,7 @@ def test_energy_on_a_wavy_surface() -> None:
 
 
 def test_certificate_of_a_law_on_every_surface() -> None:
-    verdict = certified(on_a_surface(HEIGHT), ENERGY)
+    verdict = prove_with_certificate(on_a_surface(HEIGHT), ENERGY)
     assert verdict.certificate is not None
     check(verdict.certificate)
     verdict.certificate["proofs"][0]["residuals"][0]["numerator"].append(["1", []])

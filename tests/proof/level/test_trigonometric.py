@@ -20,7 +20,7 @@ from chaplygin.core.laws import (
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import real_symbol
 from chaplygin.formulas.errors import OutOfReachError
-from chaplygin.proof.certificates.certificate import certified
+from chaplygin.proof.certificates.certificate import prove_with_certificate
 from chaplygin.proof.level.trigonometric import circles
 
 phi, u, v, w, a = (real_symbol(n) for n in ("phi", "u", "v", "w", "a"))
@@ -108,7 +108,7 @@ def test_isomorphism_from_angles() -> None:
 
 
 def test_certificate_of_a_proof_with_angles() -> None:
-    verdict = certified(blade(), Integral("square", u**2 + v**2))
+    verdict = prove_with_certificate(blade(), Integral("square", u**2 + v**2))
     assert verdict.decision == "proven"
     check(verdict.certificate)
 

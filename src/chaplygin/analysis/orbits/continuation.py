@@ -128,7 +128,7 @@ class _Follower:
         return self.place(points, error, here.tangent)
 
 
-def follow(
+def continue_orbit(
     made: Map,
     orbit: Orbit,
     varied: str,

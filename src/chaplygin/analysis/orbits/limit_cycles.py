@@ -19,7 +19,7 @@ from flint import arb, ctx
 from ...core.parameters import require_parameters
 from ...core.system import System
 from ...errors import InputError
-from ...formulas.graph import Term, of_system, ordered
+from ...formulas.graph import Term, of_system, topological_order
 
 #: Bits of the numbers: the polygons are much rougher than these.
 _BITS = 64
@@ -109,7 +109,7 @@ def _slope(
     graph = reader.graph
     unit = {graph.state(i): graph.number(int(i == places[0])) for i in range(2)}
     terms = (slope, graph.directional_derivative([slope], unit)[0], rates[places[1]])
-    nodes = ordered(terms)
+    nodes = topological_order(terms)
     for node in nodes:
         if node.kind not in _KNOWN | _FUNCTIONS:
             raise InputError(f"{system.name}: {node.kind} is not known to ball arithmetic")

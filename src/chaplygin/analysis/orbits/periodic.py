@@ -253,7 +253,7 @@ def _damped_step(
     return None
 
 
-def find(
+def find_periodic(
     made: Map,
     guess: FloatArray,
     period: int = 1,

@@ -21,7 +21,7 @@ from ...core.parameters import conditions, satisfies
 from ...core.system import System, flat
 from ...core.vectors import Vector, norm_squared, to_components
 from ...errors import InputError
-from ...flow.level_projection import projected
+from ...flow.level_projection import project_to_level
 from ...formulas.batch import Formulas
 from ...formulas.evaluate import formula
 from ...parsing import nearest, parse
@@ -174,7 +174,7 @@ class ScanGrid:
         met: BoolArray = np.asarray(np.isfinite(starts).all(axis=1))
         fixed = {*self.held, *(symbol for symbol, _ in self.set)}
         if relations:
-            starts, there = projected(
+            starts, there = project_to_level(
                 Formulas(self.given, relations), starts, 0.0, parameters, self._others(fixed)
             )
             met &= there
@@ -184,7 +184,7 @@ class ScanGrid:
             moved = self._others(wider) if any(self._others(wider)) else self._others(fixed)
             wanted = np.stack([*(np.zeros(len(starts)) for _ in relations), *targets], axis=1)
             level = Formulas(self.given, (*relations, *(value for value, _ in self.levels)))
-            starts, there = projected(level, starts, wanted, parameters, moved)
+            starts, there = project_to_level(level, starts, wanted, parameters, moved)
             met &= there
         return starts, met
 

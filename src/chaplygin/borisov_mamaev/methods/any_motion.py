@@ -70,7 +70,7 @@ def tensor(vector: MatrixExpr) -> MatrixExpr:
     return I * vector + m * norm_squared(r) * vector - m * dot(r, vector) * r
 
 
-def reduced() -> MatrixExpr:
+def reduced_equation() -> MatrixExpr:
     """The first equation (1.18), left less right side."""
     gyroscopic = cross(tensor(omega), omega) - m * cross(r, cross(omega, rate(r)))
     return tensor(rate(omega)) - gyroscopic - TORQUE - lambda_0 * gamma

@@ -25,7 +25,9 @@ def computed_verdict(
     return Verdict(name, result, shown=shown, reason="" if holds else otherwise, **details)
 
 
-def concluded(name: str, shown: str, rests_on: Iterable[Verdict | tuple[System, Law]]) -> Verdict:
+def conclusion_verdict(
+    name: str, shown: str, rests_on: Iterable[Verdict | tuple[System, Law]]
+) -> Verdict:
     """Proven when everything that the conclusion rests on is.
 
     Parameters

@@ -10,7 +10,7 @@ from ...core.laws import ConformallyHamiltonian, Identity, Law, PoissonStructure
 from ...core.system import System
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
-from .unspecified import of, system
+from .unspecified import system, unspecified_functions
 
 theta_1, theta_2, theta_3, F_1, F_2 = sp.symbols("theta_1:4 F_1:3", real=True)
 
@@ -49,7 +49,10 @@ def of_rank_two() -> tuple[tuple[System, Law], ...]:
     the rotation number r has a differential that is not zero, with F₂ = r, and where it is
     constant.
     """
-    (speed,), (rotation,) = of("f", theta_1, theta_2, F_1, F_2), of("r", F_2)
+    (speed,), (rotation,) = (
+        unspecified_functions("f", theta_1, theta_2, F_1, F_2),
+        unspecified_functions("r", F_2),
+    )
     rates = (speed, rotation * speed)
     still = dict.fromkeys((F_1, F_2), sp.S.Zero)
     dynamics = system(
@@ -78,7 +81,10 @@ def not_hamiltonian() -> Verdict:
         Proven, or undecided when the identity is.
     """
     state = (theta_1, theta_2, F_1)
-    (lambda_1, lambda_2), (mu, a) = of("lambda1 lambda2", F_1), of("mu a", *state)
+    (lambda_1, lambda_2), (mu, a) = (
+        unspecified_functions("lambda1 lambda2", F_1),
+        unspecified_functions("mu a", *state),
+    )
     entries = {(0, 1): mu * a, (0, 2): mu * lambda_1, (1, 2): mu * lambda_2}
     matrix = sp.zeros(3)
     for (i, j), value in entries.items():

@@ -32,7 +32,7 @@ from ...core.vectors import real_symbol
 from ...explicit.separations.chaplygin_ball import chaplygin_ball
 from ...explicit.separations.fedorov import fedorov
 from ...proof.verdict import Verdict
-from .conclusion import computed_verdict, concluded
+from .conclusion import computed_verdict, conclusion_verdict
 
 h, f, w = real_symbol("h"), real_symbol("f"), real_symbol("w")
 
@@ -85,7 +85,7 @@ def _separations() -> tuple[tuple[System, Law], ...]:
 
 def alike() -> Verdict:
     """Both problems are separated on curves of genus two."""
-    return concluded(
+    return conclusion_verdict(
         "alike",
         "both are separated, with polynomials of degree six",
         _separations(),

@@ -11,7 +11,7 @@ from ...arguments import Declared
 from ...core.system import System
 
 
-def of(names: str, *variables: sp.Symbol) -> tuple[sp.Expr, ...]:
+def unspecified_functions(names: str, *variables: sp.Symbol) -> tuple[sp.Expr, ...]:
     """Unspecified functions of the given variables, by their names."""
     return tuple(sp.Function(name)(*variables) for name in names.split())
 
@@ -34,7 +34,7 @@ def skew(variables: Sequence[sp.Symbol], name: str = "J") -> sp.Matrix:
 
 def fields(names: str, variables: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
     """A vector field with unspecified components, one name for each variable."""
-    return dict(zip(variables, of(names, *variables), strict=True))
+    return dict(zip(variables, unspecified_functions(names, *variables), strict=True))
 
 
 def system(name: str, title: str, field: Declared, **more: Any) -> System:

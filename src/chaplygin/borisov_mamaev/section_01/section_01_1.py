@@ -40,7 +40,9 @@ NORMALS = (a_1, a_2)
 
 def _unspecified_vector(name: str, *variables: sp.Symbol) -> sp.ImmutableDenseMatrix:
     """A vector with unspecified components."""
-    return constant(unspecified.of(" ".join(f"{name}{i}" for i in (1, 2, 3)), *variables))
+    return constant(
+        unspecified.unspecified_functions(" ".join(f"{name}{i}" for i in (1, 2, 3)), *variables)
+    )
 
 
 def _matrix(variables: Iterable[sp.Symbol]) -> sp.ImmutableDenseMatrix:
@@ -62,7 +64,7 @@ SPEED = to_components(v)
 DRIFT = constant(MATRIX.applyfunc(_rate_along_velocity) * SPEED)
 SLOPE = constant([HALF * (SPEED.T * sp.diff(MATRIX, s) * SPEED)[0] for s in q])
 ROWS = (_unspecified_vector("a_s1", *q), _unspecified_vector("a_s2", *q))
-RESTS = unspecified.of("b_s1 b_s2", *q)
+RESTS = unspecified.unspecified_functions("b_s1 b_s2", *q)
 
 
 @cache

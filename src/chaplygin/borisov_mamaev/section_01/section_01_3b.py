@@ -27,7 +27,14 @@ from ...core.vectors import (
 )
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified
-from ..methods.any_motion import any_motion, driven, newton_euler, reaction, reduced, tensor
+from ..methods.any_motion import (
+    any_motion,
+    driven,
+    newton_euler,
+    reaction,
+    reduced_equation,
+    tensor,
+)
 from ..methods.growth_vector import lie_derivative
 from ..methods.rigid_body_in_space import POTENTIAL, constrained, shift, turn
 
@@ -124,7 +131,7 @@ def multiplier() -> Case:
 
 def reduction() -> Case:
     """(1.18) is the second equation (1.17) with λ from the first, for all ω̇, ṙ and λ₀."""
-    return touching(), Identity("reduction", newton_euler() - reduced())
+    return touching(), Identity("reduction", newton_euler() - reduced_equation())
 
 
 def contact_tensor() -> Case:

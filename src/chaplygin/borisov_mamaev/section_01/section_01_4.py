@@ -29,7 +29,7 @@ from ...mechanics.rolling.equations import Forces, roll
 from ...mechanics.rolling.shapes import Ball, Ellipsoid
 from ...mechanics.rolling.surfaces import Sphere
 from ..claim import Case, Claim, Remark
-from ..methods.any_motion import any_motion, driven, newton_euler, reduced
+from ..methods.any_motion import any_motion, driven, newton_euler, reduced_equation
 from ..methods.rigid_body_in_space import POTENTIAL
 
 M, omega, gamma, r, gammatilde, X = vectors("M omega gamma r gammatilde X")
@@ -171,7 +171,7 @@ def from_unreduced() -> Case:
 
 def same_balance() -> Case:
     """Eliminating λ from (1.17) gives the form (1.18) on a sphere as well."""
-    return over_sphere(), Identity("balance", newton_euler() - reduced())
+    return over_sphere(), Identity("balance", newton_euler() - reduced_equation())
 
 
 def kinematics() -> Case:

@@ -7,7 +7,7 @@ from functools import cache
 import sympy as sp
 
 from ...catalogue.chaplygin_ball import chaplygin_suslov_ball
-from ...catalogue.chaplygin_ball.rubber_chaplygin_ball import unspecified
+from ...catalogue.chaplygin_ball.rubber_chaplygin_ball import general_system
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Rate
 from ...core.system import System
@@ -27,7 +27,7 @@ POINT = -R * gamma
 @cache
 def ball() -> System:
     """The rubber Chaplygin ball in an unspecified potential, derived from mechanics."""
-    return unspecified()
+    return general_system()
 
 
 def _about_contact(vector: sp.MatrixExpr) -> sp.MatrixExpr:

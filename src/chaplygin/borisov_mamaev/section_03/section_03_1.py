@@ -14,7 +14,7 @@ from ...mechanics.rolling.shapes import Ellipsoid
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import law_named
 from ..methods.growth_vector import lie_derivative
-from ..methods.unspecified import fields, gradient, of, system
+from ..methods.unspecified import fields, gradient, system, unspecified_functions
 
 q = sp.symbols("q_1:4", real=True)
 w = sp.symbols("w_1:4", real=True)
@@ -25,14 +25,14 @@ x = sp.symbols("x_1:4", real=True)
 
 def rate_of_a_function() -> Case:
     """Ḟ = (∇F, v) for any F and v."""
-    (F,) = of("F", *x)
+    (F,) = unspecified_functions("F", *x)
     field = fields("v1 v2 v3", x)
     return system("field", "ẋ = v(x)", field), Identity("rate", Rate(F) - lie_derivative(field, F))
 
 
 def symmetry_of_integrals() -> Case:
     """[u, v] = 0 in components: u takes the rate of any F into the rate of u(F)."""
-    (F,) = of("F", *x)
+    (F,) = unspecified_functions("F", *x)
     v, u = fields("v1 v2 v3", x), fields("u1 u2 u3", x)
 
     lie = sp.Add(*((lie_derivative(u, v[s]) - lie_derivative(v, u[s])) * sp.diff(F, s) for s in x))
@@ -44,9 +44,9 @@ def symmetry_of_integrals() -> Case:
 
 # --- energy of (1.9) -----------------------------------------------------------------------
 
-FRAME = sp.Matrix(3, 3, lambda i, j: of(f"G{i + 1}{j + 1}", *q)[0])
+FRAME = sp.Matrix(3, 3, lambda i, j: unspecified_functions(f"G{i + 1}{j + 1}", *q)[0])
 VELOCITY = FRAME * sp.Matrix(w)
-(LAGRANGIAN,) = of("L", *q, *w)
+(LAGRANGIAN,) = unspecified_functions("L", *q, *w)
 ENERGY = sp.Add(*(s * sp.diff(LAGRANGIAN, s) for s in w)) - LAGRANGIAN
 
 
@@ -55,13 +55,15 @@ def _structure(i: int, j: int, k: int) -> sp.Expr:
     if i == j:
         return sp.S.Zero
     first, second = min(i, j), max(i, j)
-    (value,) = of(f"c{first + 1}{second + 1}{k + 1}", *q)
+    (value,) = unspecified_functions(f"c{first + 1}{second + 1}{k + 1}", *q)
     return value if i < j else -value
 
 
 def _any_motion() -> System:
     """q̇ = G w with unspecified ẇ."""
-    field = dict(zip(q, VELOCITY, strict=True)) | dict(zip(w, of("a1 a2 a3", *q, *w), strict=True))
+    field = dict(zip(q, VELOCITY, strict=True)) | dict(
+        zip(w, unspecified_functions("a1 a2 a3", *q, *w), strict=True)
+    )
     return system("motion", "q̇ = G(q) w", field)
 
 
@@ -83,7 +85,7 @@ def euler(degree: int) -> tuple[System, Identity]:
     """Euler's theorem for an unspecified homogeneous polynomial in w of the given degree."""
     monomials = sp.itermonomials(w, degree, degree)
     ordered = sorted(monomials, key=sp.default_sort_key)
-    f = sp.Add(*(of(f"a{i}", *q)[0] * term for i, term in enumerate(ordered)))
+    f = sp.Add(*(unspecified_functions(f"a{i}", *q)[0] * term for i, term in enumerate(ordered)))
     residual = sp.Add(*(sp.diff(f, s) * s for s in w)) - degree * f
     return _any_motion(), Identity(f"degree {degree}", residual)
 
@@ -106,7 +108,9 @@ def eulers_theorem() -> Case:
 def energy_in_coordinates() -> Case:
     """(1.6): the frame is that of the coordinates."""
     momenta = gradient(LAGRANGIAN, w)
-    field = dict(zip(q, w, strict=True)) | dict(zip(w, of("a1 a2 a3", *q, *w), strict=True))
+    field = dict(zip(q, w, strict=True)) | dict(
+        zip(w, unspecified_functions("a1 a2 a3", *q, *w), strict=True)
+    )
     power = sp.Add(*(s * (Rate(momenta[i]) - sp.diff(LAGRANGIAN, q[i])) for i, s in enumerate(w)))
     moving = system("motion", "q̇ = w", field)
     return moving, Identity("power", Rate(ENERGY) - power)
@@ -114,7 +118,7 @@ def energy_in_coordinates() -> Case:
 
 def homogeneous_constraints() -> Case:
     """Σ q̇ ∂f/∂q̇ − f = −b for f = Σ a_k q̇_k + b, so that f is homogeneous just when b = 0."""
-    a, (b,) = of("a1 a2 a3", *q), of("b", *q)
+    a, (b,) = unspecified_functions("a1 a2 a3", *q), unspecified_functions("b", *q)
     f = sp.Add(*(s * rate for s, rate in zip(a, w, strict=True))) + b
     residual = sp.Add(*(sp.diff(f, s) * s for s in w)) - f + b
     return _any_motion(), Identity("degree", residual)

@@ -15,7 +15,7 @@ from ...parsing.exact_decimals import exact_number
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.divergence_at_equilibria import excludes_measure
-from ..methods.unspecified import fields, of, system
+from ..methods.unspecified import fields, system, unspecified_functions
 
 x = sp.symbols("x_1:4", real=True)
 y = sp.symbols("y_1:4(1:4)", real=True)
@@ -28,7 +28,7 @@ def volume() -> Case:
 
     The volume of Γ_t is the integral of ρ det y over Γ_0, for any v and ρ.
     """
-    v, (rho,) = fields("v1 v2 v3", x), of("rho", *x)
+    v, (rho,) = fields("v1 v2 v3", x), unspecified_functions("rho", *x)
     matrix = sp.Matrix(3, 3, y)
     moved = sp.Matrix(3, 3, lambda i, j: sp.diff(v[x[i]], x[j])) * matrix
     flow = system("flow", "ẋ = v(x) with displacements", {**v, **dict(zip(y, moved, strict=True))})

@@ -15,12 +15,19 @@ from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.contrary import contrary
 from ..methods.divergence_at_equilibria import excludes_measure
-from ..methods.unspecified import bracket, gradient, hamiltonian, of, skew, system
+from ..methods.unspecified import (
+    bracket,
+    gradient,
+    hamiltonian,
+    skew,
+    system,
+    unspecified_functions,
+)
 
 x = sp.symbols("x_1:4", real=True)
 z = sp.symbols("z_1:5", real=True)
 J = skew(x)
-f, g, h, H, N = of("f g h H N", *x)
+f, g, h, H, N = unspecified_functions("f g h H N", *x)
 
 
 def _jacobiator(matrix: sp.Matrix, i: int, j: int, k: int) -> sp.Expr:
@@ -106,7 +113,7 @@ def _symplectic(multiplier: sp.Expr = sp.S.One) -> tuple[System, PoissonStructur
 
     Its density is the Pfaffian Pf Ω = (det J)^(−1/2).
     """
-    form = of("A1 A2 A3 A4", *z)
+    form = unspecified_functions("A1 A2 A3 A4", *z)
     omega = sp.Matrix(4, 4, lambda i, j: sp.diff(form[j], z[i]) - sp.diff(form[i], z[j]))
     entries = sp.symbols("Omega_12 Omega_13 Omega_14 Omega_23 Omega_24 Omega_34", real=True)
     w12, w13, w14, w23, w24, w34 = entries
@@ -115,7 +122,7 @@ def _symplectic(multiplier: sp.Expr = sp.S.One) -> tuple[System, PoissonStructur
     matrix = sp.zeros(4)
     for (i, j), value in upper.items():
         matrix[i, j], matrix[j, i] = value / PF, -value / PF
-    (energy_function,) = of("H", *z)
+    (energy_function,) = unspecified_functions("H", *z)
     rates = multiplier * (matrix * gradient(energy_function, z))
     pairs = combinations(range(4), 2)
     definitions = {s: omega[i, j] for s, (i, j) in zip(entries, pairs, strict=True)}
@@ -134,7 +141,7 @@ PF = sp.Symbol("Pf", real=True)
 def measure_corrected() -> Case:
     """Pf Ω for a non-degenerate structure; for any J, Σ_i ∂(ρJ_ij)/∂x_i = 0 is what is needed."""
     dynamics, structure = _symplectic()
-    (rho,) = of("rho", *x)
+    (rho,) = unspecified_functions("rho", *x)
     modular = [sp.Add(*(sp.diff(rho * J[i, j], x[i]) for i in range(3))) for j in range(3)]
     flow = hamiltonian(J, H, x)
     spread = sp.Add(*(sp.diff(rho * rate, s) for s, rate in flow.field))
@@ -155,7 +162,7 @@ def conformal_measure_printed() -> Verdict:
 
 def conformal_measure_corrected() -> Case:
     """Pf Ω/N for a non-degenerate structure."""
-    (multiplier,) = of("N", *z)
+    (multiplier,) = unspecified_functions("N", *z)
     dynamics, structure = _symplectic(multiplier)
     return (
         (dynamics, structure),

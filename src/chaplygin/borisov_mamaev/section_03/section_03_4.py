@@ -12,11 +12,11 @@ from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import laws_named
 from ..methods.conclusion import computed_verdict
-from ..methods.unspecified import gradient, hamiltonian, of, skew, system
+from ..methods.unspecified import gradient, hamiltonian, skew, system, unspecified_functions
 
 x = sp.symbols("x_1:4", real=True)
 J = skew(x)
-Phi, H, N, f = of("Phi H N f", *x)
+Phi, H, N, f = unspecified_functions("Phi H N f", *x)
 
 # --- Casimir functions ---------------------------------------------------------------------
 
@@ -48,7 +48,7 @@ def _darboux(pairs: sp.Matrix, among_z: int) -> tuple[System, PoissonStructure]:
     turn = among_z * sp.Matrix([[0, 1], [-1, 0]])
     matrix = sp.diag(sp.zeros(4), turn)
     matrix[0:2, 2:4], matrix[2:4, 0:2] = pairs, -pairs.T
-    dynamics = hamiltonian(matrix, of("H", *DARBOUX)[0], DARBOUX)
+    dynamics = hamiltonian(matrix, unspecified_functions("H", *DARBOUX)[0], DARBOUX)
     law = PoissonStructure("darboux", matrix, casimirs=DARBOUX[4:], rank=4)
     return dynamics, law
 
@@ -78,7 +78,7 @@ def canonical_form() -> Case:
     state = DARBOUX[:4]
     one, nothing = sp.eye(2), sp.zeros(2)
     matrix = nothing.row_join(one).col_join((-one).row_join(nothing))
-    energy, multiplier = of("H N", *state)
+    energy, multiplier = unspecified_functions("H N", *state)
     q_1, q_2, p1, p2 = state
     field = {
         q_1: multiplier * sp.diff(energy, p1),

@@ -18,7 +18,7 @@ from ..methods.conclusion import computed_verdict
 from ..methods.contrary import contrary
 from ..methods.divergence_at_equilibria import excludes_measure
 from ..methods.tori import F_1, F_2, canonical_in, not_hamiltonian, theta_1, theta_2, theta_3
-from ..methods.unspecified import of, system
+from ..methods.unspecified import system, unspecified_functions
 
 # --- Lie -----------------------------------------------------------------------------------
 
@@ -27,7 +27,11 @@ def _triangular() -> System:
     """ẏ₁ = v₁(y₁), ẏ₂ = v₂(y₁), ẏ₃ = v₃(y₁, y₂), with one integral F."""
     y = sp.symbols("y_1:4", real=True)
     F = sp.Symbol("F", real=True)
-    rates = (*of("v1 v2", y[0], F), *of("v3", y[0], y[1], F), sp.S.Zero)
+    rates = (
+        *unspecified_functions("v1 v2", y[0], F),
+        *unspecified_functions("v3", y[0], y[1], F),
+        sp.S.Zero,
+    )
     return system("triangular", "triangular form", dict(zip((*y, F), rates, strict=True)))
 
 
@@ -90,7 +94,7 @@ def momenta_of_the_top() -> Case:
 
 def _uniform() -> System:
     """(4.2) for three angles and two integrals."""
-    frequencies = of("omega1 omega2 omega3", F_1, F_2)
+    frequencies = unspecified_functions("omega1 omega2 omega3", F_1, F_2)
     field = dict(zip((theta_1, theta_2, theta_3), frequencies, strict=True))
     return system("uniform", "(4.2)", {**field, F_1: sp.S.Zero, F_2: sp.S.Zero})
 
@@ -134,7 +138,7 @@ def theorem_4_printed() -> Verdict:
 
 def theorem_4_corrected() -> Case:
     """Z_i(θ₁, F), the periodic primitive of (ζ_i − ω_i)/ω₁, unspecified."""
-    first, second = of("Z2 Z3", theta_1, F_1, F_2)
+    first, second = unspecified_functions("Z2 Z3", theta_1, F_1, F_2)
     return _with_uniform_angles((first, second))
 
 
@@ -145,7 +149,7 @@ def fourier() -> Case:
     def shift(name: str) -> sp.Expr:
         terms = []
         for n in (1, 2, 3):
-            a, b = of(f"{name}a{n} {name}b{n}", F_1, F_2)
+            a, b = unspecified_functions(f"{name}a{n} {name}b{n}", F_1, F_2)
             terms.append((a * sp.sin(n * theta_1) - b * sp.cos(n * theta_1)) / n)
         return sp.Add(*terms) / omega_1
 
@@ -169,8 +173,8 @@ def frequencies() -> Verdict:
 
 def corollary_1_corrected() -> Case:
     """Two angles, two integrals, independent frequencies, ω₁ ≠ 0: two structures for (4.1)."""
-    omega_1, omega_2 = of("omega1 omega2", F_1, F_2)
-    (Z,) = of("Z", theta_1, F_1, F_2)
+    omega_1, omega_2 = unspecified_functions("omega1 omega2", F_1, F_2)
+    (Z,) = unspecified_functions("Z", theta_1, F_1, F_2)
     field = {
         theta_1: omega_1,
         theta_2: omega_2 + omega_1 * sp.diff(Z, theta_1),

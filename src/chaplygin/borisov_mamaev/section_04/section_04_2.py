@@ -17,10 +17,10 @@ from ...core.laws import (
 from ...core.system import System
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.conclusion import concluded
+from ..methods.conclusion import conclusion_verdict
 from ..methods.contrary import contrary
 from ..methods.tori import F_1, F_2, canonical_in, not_hamiltonian, of_rank_two, theta_1, theta_2
-from ..methods.unspecified import of, system
+from ..methods.unspecified import system, unspecified_functions
 
 ANGLES = (theta_1, theta_2)
 STATE = (theta_1, theta_2, F_1, F_2)
@@ -34,8 +34,8 @@ def _kolmogorov() -> System:
     return system("kolmogorov", "(4.3)", {**field, F_1: sp.S.Zero, F_2: sp.S.Zero})
 
 
-LAMBDA = of("lambda1 lambda2", F_1, F_2)
-(PHI,) = of("Phi", *STATE)
+LAMBDA = unspecified_functions("lambda1 lambda2", F_1, F_2)
+(PHI,) = unspecified_functions("Phi", *STATE)
 
 
 def quadratures() -> Case:
@@ -44,7 +44,7 @@ def quadratures() -> Case:
     div(ρv) = 0 says just that there is such a ψ locally; the time is a quadrature along ψ = const.
     """
     x = sp.symbols("x_1:3", real=True)
-    psi, rho = of("psi rho", *x)
+    psi, rho = unspecified_functions("psi rho", *x)
     rates = (sp.diff(psi, x[1]) / rho, -sp.diff(psi, x[0]) / rho)
     dynamics = system("surface", "the level surface", dict(zip(x, rates, strict=True)))
     return (dynamics, Measure("measure", {rho: sp.S.One})), (
@@ -75,7 +75,10 @@ def corollary_2_corrected() -> Case:
 
 def _constant_ratio() -> tuple[tuple[System, Law], ...]:
     """n = 3 with a constant rotation number: {θ_i, F} = c_i, H = F, N = Λ/Φ."""
-    (speed,), (spread,) = of("Lambda", F_1), of("Phi", *ANGLES, F_1)
+    (speed,), (spread,) = (
+        unspecified_functions("Lambda", F_1),
+        unspecified_functions("Phi", *ANGLES, F_1),
+    )
     ratio = (sp.S(2), sp.S(3))
     rates = [c * speed / spread for c in ratio]
     dynamics = system(
@@ -92,7 +95,7 @@ def _constant_ratio() -> tuple[tuple[System, Law], ...]:
 def never_hamiltonian() -> Verdict:
     """n = 3 with a varying rotation number has no Hamiltonian form, n = 4 has one of rank two."""
     none = not_hamiltonian()
-    return concluded("reduction", none.shown, (none, *of_rank_two()))
+    return conclusion_verdict("reduction", none.shown, (none, *of_rank_two()))
 
 
 def different_periods() -> Case:
@@ -111,7 +114,7 @@ def equal_periods() -> tuple[tuple[System, Law], ...]:
 
     They take any trajectory of a torus into any other one, with its period.
     """
-    (energy,) = of("H", F_1, F_2)
+    (energy,) = unspecified_functions("H", F_1, F_2)
     field = dict(zip(ANGLES, (sp.diff(energy, F) for F in (F_1, F_2)), strict=True))
     dynamics = system(
         "actions", "angle–action variables", {**field, F_1: sp.S.Zero, F_2: sp.S.Zero}

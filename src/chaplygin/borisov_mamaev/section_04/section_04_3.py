@@ -11,13 +11,13 @@ from ...core.laws import Identity, Rate
 from ...core.system import System
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import law_named, laws_named
-from ..methods.unspecified import of, system
+from ..methods.unspecified import system, unspecified_functions
 
 q = q_1, q_2 = chaplygin.q_1, chaplygin.q_2
 #: Velocities q̇, and q′ = dq/dτ.
 v = sp.symbols("v_1:4", real=True)
 u = sp.symbols("u_1:3", real=True)
-(N,) = of("N", *q)
+(N,) = unspecified_functions("N", *q)
 
 
 def _velocity_slopes(name: str, places: tuple[sp.Expr, ...]) -> tuple[sp.Expr, tuple[sp.Expr, ...]]:
@@ -48,7 +48,7 @@ def ordinary() -> Case:
     The equations with multipliers, d/dt ∂L/∂q̇_i − ∂L/∂q_i + c_i d/dt ∂L/∂q̇₃ = 0, are (4.4) for the
     Lagrangian L* on the constraint, with S = (∂L/∂q̇₃)* (∂c₁/∂q₂ − ∂c₂/∂q₁), for any L.
     """
-    c = of("c1 c2", *q)
+    c = unspecified_functions("c1 c2", *q)
     places = (v[0], v[1], c[0] * v[0] + c[1] * v[1])
     constrained, momenta = _velocity_slopes("L", places)
     forces = _coordinate_slopes("L", places)
@@ -63,7 +63,9 @@ def ordinary() -> Case:
 
 def _any_motion() -> System:
     """q̇ = v with unspecified v̇."""
-    field = dict(zip((*q, *v[:2]), (*v[:2], *of("a1 a2", *q, *v[:2])), strict=True))
+    field = dict(
+        zip((*q, *v[:2]), (*v[:2], *unspecified_functions("a1 a2", *q, *v[:2])), strict=True)
+    )
     return system("motion", "q̇ = v", field)
 
 
@@ -95,7 +97,7 @@ def sleigh_multiplier_corrected() -> Case:
 
 def new_time_motion() -> System:
     """q′ = u in the time τ, with unspecified u′."""
-    field = dict(zip((*q, *u), (*u, *of("a1 a2", *q, *u)), strict=True))
+    field = dict(zip((*q, *u), (*u, *unspecified_functions("a1 a2", *q, *u)), strict=True))
     return system("new_time", "q′ = u, in the time τ", field)
 
 

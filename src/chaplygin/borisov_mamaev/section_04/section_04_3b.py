@@ -13,14 +13,14 @@ from ...core.laws import Identity, PoissonStructure, Rate, Reduction
 from ...core.system import Guard, System
 from ..claim import Case, Claim
 from ..methods.catalogue_laws import laws_named
-from ..methods.unspecified import hamiltonian, of, system
+from ..methods.unspecified import hamiltonian, system, unspecified_functions
 
 q, P = (q_1, q_2), (P_1, P_2)
 v = sp.symbols("v_1:3", real=True)
 p = sp.symbols("p_1:3", real=True)
 HALF = sp.Rational(1, 2)
-A = of("A1 A2", *q)
-B, N, rho = of("B N rho", *q)
+A = unspecified_functions("A1 A2", *q)
+B, N, rho = unspecified_functions("B N rho", *q)
 LINEAR = A[0] * P_1 + A[1] * P_2 + B
 
 
@@ -43,7 +43,7 @@ def _lagrangian() -> tuple[System, dict[sp.Symbol, sp.Expr], sp.Expr]:
     The inverse of m, l, U, a and b are unspecified.  Also the momenta and S.
     """
     names = ("m11", "m12", "m22", "l1", "l2", "U", "a1", "a2", "b")
-    part = dict(zip(names, of(" ".join(names), *q), strict=True))
+    part = dict(zip(names, unspecified_functions(" ".join(names), *q), strict=True))
     inverse = sp.Matrix([[part["m11"], part["m12"]], [part["m12"], part["m22"]]])
     mass = inverse.adjugate() / inverse.det()
     velocity = sp.Matrix(v)
@@ -79,7 +79,7 @@ def legendre() -> Case:
 def linear() -> Case:
     """A_i = Σ_j a_j (m⁻¹)_ji, B = b − (A, l)."""
     dynamics, momenta, turning = _lagrangian()
-    a_1, a_2, m11, m12, m22, l1, l2, b = of("a1 a2 m11 m12 m22 l1 l2 b", *q)
+    a_1, a_2, m11, m12, m22, l1, l2, b = unspecified_functions("a1 a2 m11 m12 m22 l1 l2 b", *q)
     first, second = a_1 * m11 + a_2 * m12, a_1 * m12 + a_2 * m22
     remainder = b - first * l1 - second * l2
     value = turning - first * P_1 - second * P_2 - remainder
@@ -117,7 +117,7 @@ def brackets_vanish() -> Case:
     """
     dynamics = _any_linear()
     by_P1, by_P2 = (sp.diff(_divergence(dynamics), s) for s in P)
-    m11, m12, m22 = of("m11 m12 m22", *q)
+    m11, m12, m22 = unspecified_functions("m11 m12 m22", *q)
     determinant = m11 * m22 - m12**2
     first, second = _brackets()
     return dynamics, Identity(
@@ -197,8 +197,8 @@ def theorem_6() -> Case:
 
 def bracket_4_6() -> Case:
     """(4.6) with any S̄(q)."""
-    (turn,) = of("Sbar", *q)
-    dynamics = hamiltonian(_magnetic(turn), of("H", *q, *p)[0], (*q, *p))
+    (turn,) = unspecified_functions("Sbar", *q)
+    dynamics = hamiltonian(_magnetic(turn), unspecified_functions("H", *q, *p)[0], (*q, *p))
     return dynamics, PoissonStructure("bracket", _magnetic(turn), rank=4)
 
 
@@ -210,7 +210,7 @@ def in_the_old_time() -> Case:
 def ordinary() -> Case:
     """Without linear terms in L and without b, S̄ = 0 for N = ρ."""
     flat = (sp.diff(rho, q_1) * P_2 - sp.diff(rho, q_2) * P_1) / rho
-    m11, m12, m22, U = of("m11 m12 m22 U", *q)
+    m11, m12, m22, U = unspecified_functions("m11 m12 m22 U", *q)
     H = HALF * (m11 * P_1**2 + m22 * P_2**2) + m12 * P_1 * P_2 + U
     dynamics = chaplygin.form("ordinary", "an ordinary Chaplygin system", H, flat)
     return dynamics, Identity("S_bar", _bar(rho, S))

@@ -7,10 +7,10 @@ import sympy as sp
 from ...core.laws import Identity, Rate
 from ...core.system import System
 from ..claim import Case, Claim, Remark
-from ..methods.unspecified import of, system
+from ..methods.unspecified import system, unspecified_functions
 from .section_04_3 import new_time_motion, q, u
 
-W = of("W1 W2", *q)
+W = unspecified_functions("W1 W2", *q)
 TURN = sp.diff(W[1], q[0]) - sp.diff(W[0], q[1])
 
 
@@ -45,7 +45,7 @@ def canonical_momenta() -> Case:
 
 # --- exactness -----------------------------------------------------------------------------
 
-(psi,) = of("Psi", *q)
+(psi,) = unspecified_functions("Psi", *q)
 
 
 def on_torus() -> tuple[System, Identity]:
@@ -54,7 +54,7 @@ def on_torus() -> tuple[System, Identity]:
     g′ is the mean of S̄ over q₁, and ∂Ψ/∂q₁ the rest, whose mean vanishes, so that there is a
     periodic Ψ.  A periodic g exists if and only if the mean of g′, the integral of Ω, vanishes.
     """
-    (mean,) = of("g", q[1])
+    (mean,) = unspecified_functions("g", q[1])
     spread = sp.diff(mean, q[1]) + sp.diff(psi, q[0])
     return _closedness("torus", (-mean, psi), spread)
 
@@ -67,7 +67,7 @@ def on_sphere() -> tuple[System, Identity]:
     g = ∫g′ dθ from the one pole vanishes there like θ², and at the other one, as g dφ needs, if and
     only if the integral of Ω does.
     """
-    (mean,) = of("g", q[0])
+    (mean,) = unspecified_functions("g", q[0])
     spread = sp.diff(mean, q[0]) + sp.sin(q[0]) * sp.diff(psi, q[1])
     return _closedness("sphere", (-psi * sp.sin(q[0]), mean), spread)
 

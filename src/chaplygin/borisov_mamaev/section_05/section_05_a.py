@@ -59,7 +59,7 @@ LEAN = 1 - g_3**2
 @cache
 def body() -> System:
     """Any profile, any potential."""
-    return catalogue.unspecified()
+    return catalogue.general_system()
 
 
 @cache
@@ -93,7 +93,7 @@ def equations() -> Case:
 
 def contact_vector() -> Case:
     """r of the mechanics, in which r is the point with the normal −γ."""
-    dynamics = catalogue.rolled()
+    dynamics = catalogue.rolling_equations()
     first, second = from_support(HEIGHT)
     return dynamics, Identity("contact", r - constant([first * g_1, first * g_2, second]))
 
@@ -108,7 +108,7 @@ def tie() -> Case:
 
 def potential() -> Case:
     """The share of the weight in the energy of the mechanics."""
-    dynamics = catalogue.rolled(gravity=9.81)
+    dynamics = catalogue.rolling_equations(gravity=9.81)
     first, second = from_support(HEIGHT)
     (energy,) = (item.value for item in dynamics.integrals)
     weight = energy - HALF * dot(M, omega) - POTENTIAL
@@ -117,7 +117,7 @@ def potential() -> Case:
 
 def geometric() -> Case:
     """γ² and (ω, γ)."""
-    dynamics = catalogue.rolled()
+    dynamics = catalogue.rolling_equations()
     return (
         (dynamics, Integral("geometric", norm_squared(gamma))),
         (dynamics, Integral("constraint", dot(omega, gamma))),

@@ -7,7 +7,7 @@ from functools import cache
 import sympy as sp
 
 from ...catalogue import CATALOGUE
-from ...catalogue.chaplygin_ball.chaplygin_ball import unspecified
+from ...catalogue.chaplygin_ball.chaplygin_ball import general_system
 from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_J, D
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Integral, Measure
@@ -29,7 +29,7 @@ from ...mechanics.rolling.shapes import Ball
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.conclusion import concluded
+from ..methods.conclusion import conclusion_verdict
 from ..methods.contrary import contrary
 from ..methods.independence import independent, rational_point
 from ..methods.tori import of_rank_two
@@ -48,7 +48,7 @@ BOTH = "true of (6.1), with J for I, and of (7.1), which is meant"
 @cache
 def ball() -> System:
     """The rolling ball in an unspecified potential, derived from mechanics."""
-    return unspecified()
+    return general_system()
 
 
 @cache
@@ -175,14 +175,16 @@ def gyrostat() -> Case:
 def periods_exclude_printed() -> Verdict:
     """A bracket of rank two near the very torus on which periods differ."""
     shown = "v∧∂/∂F₁ is a bracket of rank two near the torus with different periods"
-    return contrary(concluded("no form", shown, (unequal_periods(), *of_rank_two())))
+    return contrary(conclusion_verdict("no form", shown, (unequal_periods(), *of_rank_two())))
 
 
 def periods_exclude() -> Verdict:
     """Proposition 4 against the periods, and the bracket of rank two."""
     shown = f"{unequal_periods().shown}; Proposition 4 would make them equal"
     shifts = tuple(prove(system, law) for system, law in equal_periods())
-    return concluded("no form of rank four", shown, (unequal_periods(), *shifts, *of_rank_two()))
+    return conclusion_verdict(
+        "no form of rank four", shown, (unequal_periods(), *shifts, *of_rank_two())
+    )
 
 
 CLAIMS = (

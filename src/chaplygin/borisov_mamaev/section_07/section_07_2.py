@@ -8,7 +8,7 @@ from functools import cache
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...catalogue.chaplygin_ball.chaplygin_ball import DENSITY, unspecified
+from ...catalogue.chaplygin_ball.chaplygin_ball import DENSITY, general_system
 from ...catalogue.chaplygin_ball.chaplygin_ball_unreduced import orientation
 from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_J, A, D, J, L, gamma, hamiltonian_form
 from ...catalogue.e3 import lie_poisson
@@ -52,7 +52,7 @@ def hamilton(value: sp.Basic) -> Components:
 @cache
 def ball() -> System:
     """The rolling ball in an unspecified potential, with L = ρM."""
-    system = unspecified()
+    system = general_system()
     return replace(system, definitions=(*system.definitions, (L, DENSITY * M)), laws=())
 
 

@@ -17,7 +17,7 @@ from ...core.vectors import cross, dot, identity, norm_squared
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import laws_named
-from ..methods.conclusion import concluded
+from ..methods.conclusion import conclusion_verdict
 from ..methods.contrary import contrary
 from ..methods.two_quadratures import alike, not_the_same
 
@@ -54,7 +54,7 @@ def coordinates() -> Case:
         ),
         "sphero-conical coordinates",
     )
-    return chart.reduced(), law
+    return chart.reduced_system(), law
 
 
 def as_printed() -> Case:
@@ -67,12 +67,12 @@ def as_printed() -> Case:
 
 def equations() -> Case:
     """(8.6) with Φ from the reducing multiplier is the ball."""
-    return laws_named(chart.reduced(), "energy", "second", "ball")
+    return laws_named(chart.reduced_system(), "energy", "second", "ball")
 
 
 def measure() -> Case:
     """The right 𝒩 as a density."""
-    return chart.reduced(), chart.density(chart.numerator())
+    return chart.reduced_system(), chart.density(chart.numerator())
 
 
 def lagrangian() -> Case:
@@ -80,14 +80,14 @@ def lagrangian() -> Case:
     top = chart.numerator()
     density = top / chart.form() / sp.sqrt(chart.area())
     bent = sp.diff(density, v) * chart.P_u - sp.diff(density, u) * chart.P_v
-    system = chart.reduced()
+    system = chart.reduced_system()
     law = Identity("S", density * chart.force(top) + bent, "gyroscopic term in the time τ")
     return (system, law), *laws_named(system, "energy", "ball")
 
 
 def multiplier(sign: int) -> Case:
     """The formula of 𝒩, up to the common factor −1."""
-    return chart.reduced(), chart.sums(chart.numerator(sign))
+    return chart.reduced_system(), chart.sums(chart.numerator(sign))
 
 
 def reduced() -> System:
@@ -150,8 +150,8 @@ def as_chaplygins_problem() -> Verdict:
 
 def like_chaplygins_problem() -> Verdict:
     """A Chaplygin system with b = 0, Hamiltonian on e(3), separated on a curve of genus two."""
-    reducing = laws_named(chart.reduced(), "energy", "ball")
-    return concluded(
+    reducing = laws_named(chart.reduced_system(), "energy", "ball")
+    return conclusion_verdict(
         "alike",
         "(8.6) with the right Φ is linear in the velocities; reduced to e(3) and separated",
         (*reducing, (reduced(), e3.to_ball()), alike()),

@@ -192,7 +192,7 @@ def separable() -> Case:
     """The separated equations, in the canonical variables and on (9.2) itself."""
     system = separated.canonical_form()
     return (
-        (system, separated.separated()),
+        (system, separated.separation_law()),
         (system, separated.momenta()),
         (system, separated.CONSTANT),
         (ratio.rolling(), separated.separation()),

@@ -17,7 +17,7 @@ from ...core.vectors import Diagonal, Vector, cross, dot, norm_squared, zero
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.conclusion import concluded
+from ..methods.conclusion import conclusion_verdict
 from ..methods.independence import independent, rational_point
 from ..methods.limit_cycle import CASE, limit_cycle
 from ..methods.measure_of_rubber_ball import only_symmetric_balls
@@ -141,7 +141,7 @@ def tori() -> Verdict:
     two tori.  For λ > J₂ the same with ξ and η, J₁ and J₃ exchanged.
     """
     system = centred.centred()
-    return concluded(
+    return conclusion_verdict(
         "tori",
         "for 2mR|a| < J₁ every level with J₁ < F₂/2H < J₃, F₂/2H ≠ J₂ consists of two tori, with "
         "angles on which the rates have no zero",

@@ -36,7 +36,7 @@ from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import law_named, laws_named
-from ..methods.conclusion import concluded
+from ..methods.conclusion import conclusion_verdict
 from ..methods.contrary import contrary
 from ..methods.tori import not_hamiltonian, of_rank_two
 from ..section_07.section_07_3a import PRECESSION, SPIN, SPREAD
@@ -105,7 +105,7 @@ def linear_terms() -> Verdict:
     """Both integrals have linear parts, which no multiple of the energy takes away."""
     parts = [contrary(prove(*linear_part(rotors))) for rotors in (zero, k)]
     integrals = (law for case in (with_rotors(), in_bruns_field()) for law in case)
-    return concluded(
+    return conclusion_verdict(
         "linear terms",
         "the linear part of the integral is not zero at a point, that of the energy is zero",
         (*parts, *in_velocities(zero), *in_velocities(k), *integrals),
@@ -143,7 +143,7 @@ def around_sphere_linear() -> Verdict:
     present = [
         contrary(prove(system, Identity("linear part", part, on=(sphere.k + 1,)))) for part in parts
     ]
-    return concluded(
+    return conclusion_verdict(
         "linear terms",
         "the parts of H and F₁ linear in ṅ have the factor F₂ and are not zero at a point",
         ((system, split), *present),
@@ -179,7 +179,7 @@ def therefore_conformally_hamiltonian() -> Verdict:
 
 def hamiltonian_near_tori() -> Verdict:
     """With two integrals or more (4.3) has a bracket of rank two."""
-    return concluded(
+    return conclusion_verdict(
         "near tori",
         "both systems have more than two integrals and a measure, and v∧∂/∂F₁ is a bracket",
         (*fedorov(), *straight_line(), *of_rank_two()),

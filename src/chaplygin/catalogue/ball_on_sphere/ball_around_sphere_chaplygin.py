@@ -199,7 +199,7 @@ def density(top: sp.Expr) -> Measure:
     )
 
 
-def reduced() -> System:
+def reduced_system() -> System:
     """(8.6) with the right multiplier."""
     top = numerator()
     push = force(top)

@@ -93,7 +93,7 @@ def parameters(p: Numbers) -> tuple[Parameter, ...]:
     return (*moments, Parameter(d, meaning, p["d"], "kg m^2", (d >= 0,)))
 
 
-def reduced(hamiltonian: sp.Expr, integral: sp.Expr, p: Numbers) -> System:
+def reduced_system(hamiltonian: sp.Expr, integral: sp.Expr, p: Numbers) -> System:
     """The flow of H on e(3) at Γ² = 1, (M, Γ) = 0, with a further integral."""
     return e3_system(
         NAME,
@@ -159,7 +159,7 @@ def to_ball() -> Isomorphism:
 
 def build(p: Numbers) -> System:
     """(8.7), with F₂ = M²."""
-    system = reduced(energy(delta()), sp.Mul(*J.symbols) * second(delta()), p)
+    system = reduced_system(energy(delta()), sp.Mul(*J.symbols) * second(delta()), p)
     forward = Guard("time", slowness(), "the time of the ball stands still")
     return replace(system, guards=(forward,)).with_laws(to_ball())
 
@@ -175,7 +175,7 @@ ENTRIES = (
         defaults=_DEFAULTS,
         build=build,
         start=Start(state={"M": (0.9, -0.5, -0.55), "Gamma": (2 / 7, -3 / 7, 6 / 7)}, until=20.0),
-        general=chaplygin.reduced,
+        general=chaplygin.reduced_system,
         variables={
             "M": ("angular momentum of the point on the sphere, with sign −", "1"),
             "Gamma": ("normal of the sphere at the contact, body axes", "1"),

@@ -35,7 +35,7 @@ def with_rotors(p: Numbers) -> Rolling:
     )
 
 
-def around(p: Numbers) -> Rolling:
+def ball_around_sphere(p: Numbers) -> Rolling:
     """The hollow ball around a sphere, in Bruns' field."""
     return replace(
         ball_on_sphere.build_around(p), field=Forces(potential=BRUNS, values=((K, p["K"]),))
@@ -100,7 +100,7 @@ ENTRIES = (
         ),
         source=SOURCE,
         defaults={**_INERTIA, "R": 2.0, "a": 1.0, "K": 0.5},
-        build=around,
+        build=ball_around_sphere,
         start=Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=60.0),
         laws=laws,
     ),

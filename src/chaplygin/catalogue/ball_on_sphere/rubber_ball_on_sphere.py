@@ -79,7 +79,7 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     )
 
 
-def unspecified() -> System:
+def general_system() -> System:
     """The ball on the outside, with rotors, in an arbitrary potential U(γ)."""
     potential = sp.Function("U")(*gamma.symbols)
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0), gyrostat=(0.3, -0.2, 0.5))
@@ -102,7 +102,7 @@ ENTRIES = (
         build=build,
         start=_START,
         laws=laws,
-        general=unspecified,
+        general=general_system,
     ),
     Entry(
         name="rubber-ball-around-sphere",

@@ -165,7 +165,7 @@ CONSTANT = Integral(
 )
 
 
-def separated() -> Separation:
+def separation_law() -> Separation:
     """Q² z′² = 2 det J A(z) (h z(tr J − z) − C) for z = u, v, with the values h of 𝓗 and C."""
     return Separation(
         "separated",
@@ -206,7 +206,7 @@ def laws() -> tuple[Law, ...]:
         ConformallyHamiltonian(
             "hamiltonian", sp.S.One, CANONICAL, H, "canonical form", source="§9.5"
         ),
-        separated(),
+        separation_law(),
         momenta(),
         to_ball(),
     )

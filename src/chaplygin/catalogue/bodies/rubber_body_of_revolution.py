@@ -168,7 +168,7 @@ def measure(reach: MatrixExpr, height: sp.Expr, level: tuple[sp.Expr, ...] = ())
 # --- every profile -------------------------------------------------------------------------
 
 
-def unspecified(potential: sp.Expr = POTENTIAL) -> System:
+def general_system(potential: sp.Expr = POTENTIAL) -> System:
     """Any profile, in any potential U(γ₃) such as its weight, with all laws of §5."""
     return _with_all_laws(from_support(HEIGHT), potential)
 
@@ -184,7 +184,7 @@ def _with_all_laws(chi: tuple[sp.Expr, sp.Expr], potential: sp.Expr = POTENTIAL)
     )
 
 
-def rolled(gravity: float = 0.0) -> System:
+def rolling_equations(gravity: float = 0.0) -> System:
     """The body from the equations of any rolling body, with I_2 as a symbol."""
     body = Body(1.0, (0.3, 0.3, 0.2), Revolution(1 + g_3**2 / 4))
     field = Forces(gravity, POTENTIAL)
@@ -204,7 +204,7 @@ def onto_rolled() -> Isomorphism:
     """The equations of `unspecified` are those of `rolled`."""
     return Isomorphism(
         "rolling",
-        rolled(),
+        rolling_equations(),
         {omega: omega, gamma: gamma},
         constants={I_2: I_1},
         meaning="the equations of any rubber body on a plane",
@@ -214,7 +214,7 @@ def onto_rolled() -> Isomorphism:
 
 def general() -> System:
     """Any profile, with the proof that its equations are the general ones."""
-    return unspecified().with_laws(onto_rolled())
+    return general_system().with_laws(onto_rolled())
 
 
 # --- catalogue -----------------------------------------------------------------------------

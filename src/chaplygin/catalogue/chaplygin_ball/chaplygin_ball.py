@@ -137,7 +137,7 @@ def _general(rolling: Rolling, rotors: sp.MatrixExpr, name: str) -> System:
     return system.with_laws(area, *forms, _onto_bracket(potential, rotors))
 
 
-def unspecified() -> System:
+def general_system() -> System:
     """The ball in an arbitrary potential U(γ)."""
     return _general(build(NUMBERS), zero, "chaplygin-ball")
 
@@ -162,7 +162,7 @@ ENTRIES = (
         build=build,
         start=START,
         laws=laws,
-        general=unspecified,
+        general=general_system,
     ),
     Entry(
         name="chaplygin-ball-gyrostat",

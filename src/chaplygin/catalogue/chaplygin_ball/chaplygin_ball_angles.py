@@ -202,7 +202,7 @@ def gyroscopic_matrix(twist: sp.Expr) -> Components:
     return Components([[0, 0, 1, 0], [0, 0, 0, 1], [-1, 0, 0, -twist], [0, -1, twist, 0]])
 
 
-def reduced(rotors: MatrixExpr, twist: sp.Expr) -> System:
+def reduced_system(rotors: MatrixExpr, twist: sp.Expr) -> System:
     """θ, φ and their momenta in the time τ, at a given area constant; Theorem 9.
 
     Parameters
@@ -263,7 +263,7 @@ def reduction(rotors: MatrixExpr = zero) -> Isomorphism:
     first, second, third = to_components(total)
     law = Isomorphism(
         "reduced",
-        reduced(rotors, gyroscopic(rotors)),
+        reduced_system(rotors, gyroscopic(rotors)),
         {
             theta: theta,
             phi: phi,
@@ -279,7 +279,7 @@ def reduction(rotors: MatrixExpr = zero) -> Isomorphism:
         return law
     return replace(
         law,
-        as_printed=replace(law, target=reduced(rotors, gyroscopic(-rotors))),
+        as_printed=replace(law, target=reduced_system(rotors, gyroscopic(-rotors))),
         misprint="sign of the term with k in S̄",
     )
 
@@ -294,7 +294,7 @@ def build(p: Numbers) -> System:
 
 def build_reduced(p: Numbers) -> System:
     """Its Hamiltonian form."""
-    return with_numbers(reduced(zero, gyroscopic(zero)), p)
+    return with_numbers(reduced_system(zero, gyroscopic(zero)), p)
 
 
 def general_with_rotors() -> System:

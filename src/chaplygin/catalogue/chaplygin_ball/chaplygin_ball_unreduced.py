@@ -70,7 +70,7 @@ def build(p: Numbers) -> System:
     return with_numbers(orientation(sp.S.Zero), p)
 
 
-def unspecified() -> System:
+def general_system() -> System:
     """The ball in an arbitrary potential U(γ)."""
     return orientation(sp.Function("U")(*gamma.symbols))
 
@@ -92,6 +92,6 @@ ENTRIES = (
             },
             until=20.0,
         ),
-        general=unspecified,
+        general=general_system,
     ),
 )

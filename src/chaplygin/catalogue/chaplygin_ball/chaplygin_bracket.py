@@ -81,7 +81,7 @@ def energy(rotors: MatrixExpr) -> sp.Expr:
     return (dot(total, A * total) + share) / 2
 
 
-def twisted(rotors: MatrixExpr) -> MatrixExpr:
+def twisted_bracket(rotors: MatrixExpr) -> MatrixExpr:
     """u with {L_i, L_j} = ε_ijk u_k."""
     bend = rho**2 * dot(L, gamma) * (A * gamma)
     if rotors == zero:
@@ -141,7 +141,7 @@ def hamiltonian_form(potential: sp.Expr, rotors: MatrixExpr = zero) -> System:
         definitions={
             **TENSORS,
             rho: 1 / sp.sqrt(DET_IQ),
-            u: twisted(rotors),
+            u: twisted_bracket(rotors),
         },
         field={
             L: cross(u, slope_L) + cross(gamma, slope_gamma),
@@ -184,7 +184,7 @@ def build_with_rotors(p: Numbers) -> System:
     return _without_field(k, p)
 
 
-def unspecified() -> System:
+def general_system() -> System:
     """The ball in an arbitrary potential U(γ)."""
     return hamiltonian_form(sp.Function("U")(*gamma.symbols))
 
@@ -209,7 +209,7 @@ ENTRIES = (
         defaults=NUMBERS,
         build=build,
         start=START,
-        general=unspecified,
+        general=general_system,
     ),
     Entry(
         name="chaplygin-bracket-gyrostat",

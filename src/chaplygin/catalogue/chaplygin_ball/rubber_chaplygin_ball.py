@@ -76,7 +76,7 @@ def _onto(target: System) -> Isomorphism:
     )
 
 
-def unspecified() -> System:
+def general_system() -> System:
     """The ball in an arbitrary potential U(γ)."""
     potential = sp.Function("U")(*gamma.symbols)
     rolling = replace(build(chaplygin_ball.NUMBERS), field=Forces(potential=potential))
@@ -95,6 +95,6 @@ ENTRIES = (
         build=build,
         start=Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=60.0),
         laws=laws,
-        general=unspecified,
+        general=general_system,
     ),
 )

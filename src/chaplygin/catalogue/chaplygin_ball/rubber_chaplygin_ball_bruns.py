@@ -25,7 +25,7 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     if not known or bruns_factor(rolling.field.potential) != veselova.K:
         return known
     target = veselova.in_bruns_field({**veselova.NUMBERS, "K": 2.0})
-    general = rubber_chaplygin_ball.unspecified()
+    general = rubber_chaplygin_ball.general_system()
     forms = (law for law in general.laws if isinstance(law, Isomorphism))
     return (*known, *(replace(law, target=target) for law in forms))
 

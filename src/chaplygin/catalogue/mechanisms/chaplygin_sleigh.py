@@ -134,7 +134,7 @@ REDUCED_SUMMARY = (
 )
 
 
-def reduced(p: Numbers) -> System:
+def reduced_system(p: Numbers) -> System:
     """u̇ = aΩ², Ω̇ = −(m a/J) uΩ."""
     energy = HALF * (m * u**2 + J * Omega**2)
     structure = PoissonStructure(
@@ -259,7 +259,7 @@ ENTRIES = (
         summary=REDUCED_SUMMARY,
         source=SOURCE,
         defaults={name: value for name, value in DEFAULTS.items() if name != "b"},
-        build=reduced,
+        build=reduced_system,
         start=Start(state={"u": -1.0, "Omega": 0.05}, until=30.0),
     ),
 )

@@ -13,7 +13,7 @@ from ...arguments import Written
 from ...core.system import System
 from ...errors import InputError
 from ...formulas.balls import ball, ball_function, exact
-from ...formulas.relative_zero import GIVEN, Sized, measured, sized
+from ...formulas.relative_zero import GIVEN, SizedNumber, state_sizes, values_with_sizes
 
 
 def on_phase_space(
@@ -48,7 +48,7 @@ def on_phase_space(
     state = [ball(x) for x in start]
     if count == 0:
         return tuple(state)
-    numbers = measured(system.state, system.symbols, [exact(x) for x in state])
+    numbers = state_sizes(system.state, system.symbols, [exact(x) for x in state])
     _check(system, level, numbers, values)
     fixed = list(values.values())
     size = len(state)
@@ -68,14 +68,14 @@ def on_phase_space(
 def _check(
     system: System,
     level: Sequence[sp.Expr],
-    state: Mapping[sp.Symbol, Sized],
+    state: Mapping[sp.Symbol, SizedNumber],
     values: Mapping[sp.Symbol, arb],
 ) -> None:
     """Refuse a start that misses a condition by more than rounding."""
     conditions, _ = _moving(system, tuple(level))
     numbers = {s: exact(x) for s, x in values.items()}
-    known = {**{s: Sized(x, abs(x)) for s, x in numbers.items()}, **state}
-    misses = sized(conditions, known)
+    known = {**{s: SizedNumber(x, abs(x)) for s, x in numbers.items()}, **state}
+    misses = values_with_sizes(conditions, known)
     worst = max((value.share for value in misses), default=0.0)
     if not all(value.vanishes(GIVEN) for value in misses):
         raise InputError(

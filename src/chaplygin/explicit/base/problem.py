@@ -22,7 +22,7 @@ from ...formulas.balls import exact
 from ...formulas.errors import NotExactError, OutOfReachError, UnknownSymbolError
 from ...formulas.jets import Evaluator, Jet
 from ...formulas.number_fields import Rationals
-from ...formulas.relative_zero import RESOLUTION, Sized, measured, sized
+from ...formulas.relative_zero import RESOLUTION, SizedNumber, state_sizes, values_with_sizes
 from ...mechanics.rolling.equations import Rolling
 
 __all__ = ["Problem", "exact", "rational", "same_field"]
@@ -94,15 +94,15 @@ class Problem:
         """Scalar formulas of the system at the start, as fractions or to 60 digits."""
         return [value.value for value in self.sized_values(formulas)]
 
-    def sized_values(self, formulas: Sequence[sp.Expr]) -> list[Sized]:
+    def sized_values(self, formulas: Sequence[sp.Expr]) -> list[SizedNumber]:
         """Values of scalar formulas at the start, with the sizes of their terms."""
         lifted = self.system.lifted() if self.system.reconstruction else self.system
         known = {s: exact(value) for s, value in self.parameters.items()}
-        start = measured(lifted.state, lifted.symbols, [exact(x) for x in self.start])
+        start = state_sizes(lifted.state, lifted.symbols, [exact(x) for x in self.start])
         wanted = [to_components(formula) for formula in formulas]
-        return sized(
+        return values_with_sizes(
             wanted,
-            {**{s: Sized(x, abs(x)) for s, x in known.items()}, **start},
+            {**{s: SizedNumber(x, abs(x)) for s, x in known.items()}, **start},
             lifted.required_definitions(wanted),
         )
 

@@ -95,7 +95,7 @@ class States:
         return values
 
 
-def checked(times: FloatArray, pace: float) -> FloatArray:
+def times_in_range(times: FloatArray, pace: float) -> FloatArray:
     """Times (n,) at which states in double precision have a meaning.
 
     Parameters
@@ -198,5 +198,5 @@ class Solution(WithOverview):
         InputError
             If a time is not finite, or so large that doubles lose the phase.
         """
-        moments = checked(np.atleast_1d(np.asarray(times, dtype=float)), self.pace)
+        moments = times_in_range(np.atleast_1d(np.asarray(times, dtype=float)), self.pace)
         return States(self.system, moments, self.states(moments))

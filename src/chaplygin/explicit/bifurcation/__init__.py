@@ -18,7 +18,7 @@ from flint import fmpq, fmpq_mpoly
 from ...arguments import Written
 from ...core.vectors import to_components
 from ...errors import InputError
-from ...formulas.relative_zero import ROUNDED, Sized, measured, sized
+from ...formulas.relative_zero import ROUNDED, SizedNumber, state_sizes, values_with_sizes
 from ...mechanics.rolling.body import check_inertia
 from ...printing.formula import text
 from ..base.problem import exact
@@ -101,11 +101,11 @@ def locate(diagram: Diagram, state: Mapping[sp.Symbol | str, Written]) -> tuple[
     if missing:
         raise InputError(f"{plane.name}: the state gives no value for {', '.join(missing)}")
     numbers = [exact(values[str(s)]) for s in system.symbols]
-    known = measured(system.state, system.symbols, numbers)
-    known |= {s: Sized(exact(x), abs(exact(x))) for s, x in diagram.parameters.items()}
+    known = state_sizes(system.state, system.symbols, numbers)
+    known |= {s: SizedNumber(exact(x), abs(exact(x))) for s, x in diagram.parameters.items()}
     conditions = [*system.relations, *plane.level]
     formulas = [to_components(f) for f in (*conditions, *(axis.value for axis in plane.axes))]
-    *level, x, y = sized(formulas, known, system.required_definitions(formulas))
+    *level, x, y = values_with_sizes(formulas, known, system.required_definitions(formulas))
     for condition, value in zip(conditions, level, strict=True):
         if not value.vanishes(ROUNDED):
             raise InputError(

@@ -29,10 +29,10 @@ from .collisions import double_roots, motion_at_double_root
 from .exact_start import PRECISION, exact_start
 from .solution import DegenerateSolution
 
-__all__ = ["solved_degenerate"]
+__all__ = ["solve_degenerate"]
 
 
-def solved_degenerate(
+def solve_degenerate(
     separable: SeparatedSystem, values: Mapping[sp.Symbol, Written], start: Sequence[Written]
 ) -> Solution | None:
     """Solve a motion whose curve is degenerate.

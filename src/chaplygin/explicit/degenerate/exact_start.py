@@ -15,7 +15,7 @@ from flint import arb
 
 from ...arguments import Written
 from ...core.system import System
-from ...formulas.balls import ball, components, evaluated
+from ...formulas.balls import ball, ball_values, components
 from ..base.exact_start import on_phase_space
 from ..genus_two.separation import SeparatedSystem
 
@@ -74,7 +74,7 @@ def with_definitions(
     """Parameters, state and definitions of a system by their symbols."""
     known = {**values, **dict(zip(system.symbols, state, strict=False))}
     for symbol, formula in system.scalar_definitions:
-        (known[symbol],) = evaluated([formula], known)
+        (known[symbol],) = ball_values([formula], known)
     return known
 
 
@@ -98,14 +98,14 @@ def exact_start(
     state = on_phase_space(system, separable.level, reduced, exact)
     known = with_definitions(system, exact, state)
     for symbol, formula in separable.constants:
-        (known[symbol],) = evaluated(components(formula), known)
+        (known[symbol],) = ball_values(components(formula), known)
 
     def numbers(formulas: Sequence[sp.Expr]) -> Balls:
-        return tuple(evaluated(components(sp.Matrix(list(formulas))), known))
+        return tuple(ball_values(components(sp.Matrix(list(formulas))), known))
 
     poles, weights = numbers(separable.poles), numbers(separable.weights)
-    nu = tuple(evaluated(components(separable.direction), known))
-    nuprime = tuple(evaluated(components(separable.turning), known))
+    nu = tuple(ball_values(components(separable.direction), known))
+    nuprime = tuple(ball_values(components(separable.turning), known))
     total, product = _symmetric(poles, weights, nu, nuprime)
     (leading,) = numbers([separable.leading])
     names = {*values, *(symbol for symbol, _ in separable.constants)}

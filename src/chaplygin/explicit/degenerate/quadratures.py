@@ -16,7 +16,7 @@ import numpy as np
 from flint import arb
 
 from ...core.arrays import BoolArray, FloatArray
-from ..genus_two.phases import halves, turned
+from ..genus_two.phases import halves, phase_at
 from ..one_degree.angles import ComplexArray
 from .theta_motion import Asymptotic, Periodic, direction_array
 
@@ -103,7 +103,7 @@ class PeriodicQuadratures:
 
     def moment(self, times: FloatArray, offset: float = 0.0) -> Moment:
         """The motion at `times` + `offset`."""
-        part = turned(self.frequency, times, 1.0)
+        part = phase_at(self.frequency, times, 1.0)
         turns = np.rint(times * self.frequency[0] - part)
         clock = part * self.turn + offset
         more = np.floor(clock / self.turn)

@@ -17,8 +17,8 @@ from flint import arb, ctx
 from ...arguments import Written
 from ...core.system import System, flat_pairs
 from ...core.vectors import Vector, to_components
-from ...formulas.balls import ball, evaluated, exact
-from ...formulas.relative_zero import Sized, measured, sized, vanishes
+from ...formulas.balls import ball, ball_values, exact
+from ...formulas.relative_zero import SizedNumber, state_sizes, values_with_sizes, vanishes
 from ...mechanics.rolling.attitude import attitude
 from ..base.exact_start import on_phase_space
 from ..base.solution import ClosedForm, NamedConstant
@@ -56,7 +56,7 @@ def uniform_solution(
     """
     size = len(system.symbols)
     known = with_definitions(system, values, start)
-    rates = evaluated(system.rates, known)
+    rates = ball_values(system.rates, known)
     vectors = [start[k : k + 3] for k in range(0, size, 3)]
     changes = [rates[k : k + 3] for k in range(0, size, 3)]
     omega = [known[symbol] for symbol in _OMEGA]
@@ -72,7 +72,7 @@ def uniform_solution(
     return None
 
 
-def resting(
+def equilibrium_solution(
     system: System, values: Mapping[sp.Symbol, Written], start: Sequence[Written]
 ) -> UniformSolution | None:
     """The motion on which the reduced state rests, if the start is an equilibrium of it.
@@ -96,11 +96,12 @@ def resting(
         size = len(system.symbols)
         lifted = [ball(x) for x in start]
         state = on_phase_space(system, (), lifted[:size], known)
-        numbers = measured(system.state, system.symbols, [exact(x) for x in state])
-        fixed = {s: Sized(exact(x), abs(exact(x))) for s, x in known.items()}
+        numbers = state_sizes(system.state, system.symbols, [exact(x) for x in state])
+        fixed = {s: SizedNumber(exact(x), abs(exact(x))) for s, x in known.items()}
         rates = [to_components(rate) for rate in system.rates]
         if not all(
-            x.vanishes() for x in sized(rates, {**fixed, **numbers}, system.scalar_definitions)
+            x.vanishes()
+            for x in values_with_sizes(rates, {**fixed, **numbers}, system.scalar_definitions)
         ):
             return None
         definitions = with_definitions(system, known, state)
@@ -129,7 +130,7 @@ def _turns_rigidly(
 ) -> bool:
     """Whether the rates of all vectors x are −Ω×x at a state, relative to |ω||x|."""
     known = with_definitions(system, values, _flat(vectors))
-    rates = evaluated(system.rates, known)
+    rates = ball_values(system.rates, known)
     sides = [cross(turning, vector) for vector in vectors]
     return all(
         vanishes((x + y).mid(), speed * _length(vector))
@@ -219,6 +220,6 @@ def _velocity(system: System, values: Values, start: Balls) -> Balls:
     upright = dict(zip(attitude.symbols, (arb(1), arb(0), arb(0), arb(0)), strict=True))
     # this attitude takes the third body axis to the first one of space
     rotated = dict.fromkeys(attitude.symbols, half)
-    first, second = evaluated(rates, {**known, **upright})
-    third, _ = evaluated(rates, {**known, **rotated})
+    first, second = ball_values(rates, {**known, **upright})
+    third, _ = ball_values(rates, {**known, **rotated})
     return (first, second, third)

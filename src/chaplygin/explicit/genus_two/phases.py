@@ -37,7 +37,7 @@ def halves(value: arb) -> tuple[float, float]:
     return high, float((value - arb(high)).mid())
 
 
-def turned(rate: tuple[float, float], times: FloatArray, modulus: float) -> FloatArray:
+def phase_at(rate: tuple[float, float], times: FloatArray, modulus: float) -> FloatArray:
     """rate · times modulo `modulus`, in absolute value at most `modulus`.
 
     Parameters

@@ -10,7 +10,7 @@ from flint import arb
 
 from ...arguments import Written
 from ...core.system import flat_pairs
-from ...formulas.balls import Steps, Values, ball, components, evaluated, needed
+from ...formulas.balls import Steps, Values, ball, ball_values, components, needed
 from ..base.exact_start import on_phase_space
 from .curve import Curve
 from .separation import SeparatedSystem, nu, nuprime
@@ -61,12 +61,12 @@ def separate(
     state = on_phase_space(system, separable.level, start, values)
     known = {**values, **dict(zip(system.symbols, state, strict=True))}
     for name, formula in system.scalar_definitions:
-        known[name] = evaluated([formula], known)[0]
+        known[name] = ball_values([formula], known)[0]
     for name, formula in separable.constants:
-        known[name] = values[name] = evaluated(components(formula), known)[0]
+        known[name] = values[name] = ball_values(components(formula), known)[0]
 
     def start_values(*formulas: sp.Expr) -> tuple[arb, ...]:
-        return evaluated([part for formula in formulas for part in components(formula)], known)
+        return ball_values([part for formula in formulas for part in components(formula)], known)
 
     curve = Curve.of(start_values(separable.leading)[0], start_values(*separable.roots))
     motion = torus(

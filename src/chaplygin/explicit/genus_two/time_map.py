@@ -9,7 +9,7 @@ from flint import arb, ctx
 
 from ...core.arrays import FloatArray
 from ...formulas.balls import array_function, ball_function, components, number
-from .phases import halves, turned
+from .phases import halves, phase_at
 from .quadrature import Quadrature, quadrature, series
 from .separated_motion import SeparatedMotion, chain
 from .torus_average import mean
@@ -58,7 +58,7 @@ class TimeMap:
     def torus_point(self, times: FloatArray) -> TorusPoint:
         """Phases and τ at the times (n,)."""
         mean_clock = self.flow.mean
-        ideal = np.stack([turned(rate, times, 4.0) for rate in self.Omega], axis=1) + self.v_0
+        ideal = np.stack([phase_at(rate, times, 4.0) for rate in self.Omega], axis=1) + self.v_0
         tau = times / mean_clock
         # in which the faster phase grows by one
         period = 1 / np.max(np.abs(self.V))

@@ -169,7 +169,7 @@ def grid(**values: npt.ArrayLike) -> Members:
     )
 
 
-def sampled(count: int, level: Mapping[str, float], seed: int = 0) -> Members:
+def random_starts(count: int, level: Mapping[str, float], seed: int = 0) -> Members:
     """Starts drawn on a level of the integrals; see :func:`chaplygin.sample_level`.
 
     Start k depends on seed and k alone; where parameters vary, each start lies on the level at its

@@ -23,7 +23,7 @@ from ..kernel.outcomes import STATUS_MESSAGES
 from ..validation import moments
 from ..variable_metadata import FRAMES, LABELS, cf_attributes, system_attributes, variable_metadata
 from .compute import compute
-from .members import Members, from_lists, grid, sampled, single
+from .members import Members, from_lists, grid, random_starts, single
 from .task import Coordinate, Progress, Task, Variable
 from .work import EnsembleWork, quantities_by_name
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from distributed import Client
 
-__all__ = ["ensemble", "ensemble_task", "from_lists", "grid", "sampled", "single"]
+__all__ = ["ensemble", "ensemble_task", "from_lists", "grid", "random_starts", "single"]
 
 #: A block holds no more members than this, nor more numbers.
 _MEMBERS, _NUMBERS = 4096, 1 << 22
@@ -64,8 +64,8 @@ def ensemble(
         Starts and parameters, by :func:`~chaplygin.flow.ensemble.members.from_lists`,
         :func:`~chaplygin.flow.ensemble.members.grid`,
         :func:`~chaplygin.flow.ensemble.members.single`,
-        :func:`~chaplygin.flow.ensemble.members.sampled` and products of them with ``*``; or starts
-        alone, in flat order.
+        :func:`~chaplygin.flow.ensemble.members.random_starts` and products of them with ``*``; or
+        starts alone, in flat order.
     times : array (k,)
         In s, increasing from 0 or later, or decreasing from 0 or before; motions begin at 0.
     parameters : mapping of Symbol or name to float, optional

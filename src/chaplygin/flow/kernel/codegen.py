@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 
-from ...formulas.graph import Term, ordered
+from ...formulas.graph import Term, topological_order
 from . import elementary as special
 from .arithmetic import Arithmetic, Value
 from .ir_writer import IRWriter
@@ -36,7 +36,7 @@ def evaluate(
             known[id(node)] = value
         return value is None
 
-    nodes = ordered(terms, is_unknown)
+    nodes = topological_order(terms, is_unknown)
     uses = Counter(id(a) for node in nodes for a in node.operands)
     uses.update(id(term) for term in terms)
 
@@ -99,7 +99,7 @@ def parameter_only_terms(terms: Sequence[Term]) -> list[Term]:
 
     They are computed once for a trajectory; numbers are not among them.
     """
-    nodes = ordered(terms)
+    nodes = topological_order(terms)
     moving: set[int] = set()
     for node in nodes:
         if node.kind == "state" or any(id(a) in moving for a in node.operands):

@@ -11,7 +11,7 @@ from ...arguments import Quantity, arguments_checked
 from ...core.system import System
 from ...errors import InputError
 from ...formulas.evaluate import formula, read_formulas
-from ...formulas.graph import Graph, Term, ordered
+from ...formulas.graph import Graph, Term, topological_order
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ def poincare_section(
         raise InputError(f"direction = {direction}: it must be 1 (rising), -1 (falling) or 0")
     difference = formula(system, quantity) - sp.sympify(value)
     reader, _ = read_formulas(system)
-    if not any(term.kind == "state" for term in ordered([reader(difference)])):
+    if not any(term.kind == "state" for term in topological_order([reader(difference)])):
         raise InputError(f"{system.name}: the section {quantity} = {value} contains no state")
     if angle:
         return Section(sp.sin(difference), direction, sp.cos(difference))
@@ -115,7 +115,7 @@ class Equations:
     def acting(self) -> tuple[int, ...]:
         """State variables on which some rate depends; a place on a plane is none."""
         controlled = {i for group in self.groups for i in group}
-        used = {term.args[0] for term in ordered(self.rates) if term.kind == "state"}
+        used = {term.args[0] for term in topological_order(self.rates) if term.kind == "state"}
         return tuple(sorted(controlled & used))
 
     @property
@@ -198,7 +198,7 @@ def serial(equations: Equations) -> str:
 
 def serial_terms(terms: Sequence[Term]) -> str:
     """Terms as a text, in which each is written once."""
-    nodes = ordered(terms)
+    nodes = topological_order(terms)
     place = {id(node): i for i, node in enumerate(nodes)}
     lines = [
         f"{node.kind} {' '.join(str(place.get(id(a), a)) for a in node.args)}" for node in nodes

@@ -22,7 +22,7 @@ from ...core.laws import Measure
 from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
-from ...formulas.compiled import Compiled, SystemFormulas
+from ...formulas.compiled import CompiledTerms, SystemFormulas
 from ...formulas.evaluate import parameter_rows
 from ..cost import require_room
 from .counter_rng import counter_normals
@@ -113,10 +113,10 @@ class LevelSampler:
     measure: str
     invariant: bool
     _proposal: Proposal
-    _held: Compiled
+    _held: CompiledTerms
     _targets: FloatArray
-    _slopes: Compiled
-    _density: Compiled | None
+    _slopes: CompiledTerms
+    _density: CompiledTerms | None
     _bound: float
     _tries: int
 
@@ -239,9 +239,9 @@ def level_sampler(
         measure=measure_label(law),
         invariant=law is not None,
         _proposal=proposal,
-        _held=Compiled(conditions),
+        _held=CompiledTerms(conditions),
         _targets=np.array([0.0] * len(system.relations) + [float(v) for v in level.values()]),
-        _slopes=Compiled([term for row in sheet.slopes(conditions) for term in row]),
+        _slopes=CompiledTerms([term for row in sheet.slopes(conditions) for term in row]),
         _density=density,
         _bound=np.inf,
         _tries=1,
@@ -255,13 +255,13 @@ def _density(
     level: Mapping[str, float],
     proposal: Proposal,
     values: FloatArray,
-) -> tuple[Measure | None, Compiled | None]:
+) -> tuple[Measure | None, CompiledTerms | None]:
     """The invariant measure that has one sign on the level, and its density."""
     states = proposal.weighted_points(
         counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
     ).states
     for law in measures(system, level, values):
-        density = Compiled([sheet.read(law.value)])
+        density = CompiledTerms([sheet.read(law.value)])
         signs = np.sign(density(states, values))
         if signs.size and (np.isfinite(signs) & (signs == signs[0, 0])).all() and signs.all():
             return law, density

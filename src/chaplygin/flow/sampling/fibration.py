@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...core.arrays import FloatArray
-from ...formulas.compiled import Compiled
+from ...formulas.compiled import CompiledTerms
 from ...formulas.graph import Term
 from ..batched_linalg import batched_matvec, batched_solve, norm_squared_columns, row_dots
 
@@ -71,7 +71,7 @@ class Fibration:
     quadratic: LevelCondition
     linear: tuple[LevelCondition, ...]
     further: tuple[LevelCondition, ...]
-    coefficients: Compiled
+    coefficients: CompiledTerms
 
     @property
     def rays(self) -> int:

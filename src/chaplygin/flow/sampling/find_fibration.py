@@ -12,7 +12,7 @@ from ...core.arrays import FloatArray
 from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
-from ...formulas.compiled import Compiled, SystemFormulas
+from ...formulas.compiled import CompiledTerms, SystemFormulas
 from ...formulas.graph import Term
 from .counter_rng import counter_normals
 from .fibration import Fibration, LevelCondition
@@ -116,7 +116,7 @@ def _with_bound(
         quadratic=bound,
         linear=tuple(linear),
         further=tuple(further),
-        coefficients=Compiled(coefficients),
+        coefficients=CompiledTerms(coefficients),
     )
 
 

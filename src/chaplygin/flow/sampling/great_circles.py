@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from ...core.arrays import BoolArray, FloatArray, IntArray
-from ...formulas.compiled import Compiled, SystemFormulas
+from ...formulas.compiled import CompiledTerms, SystemFormulas
 from ..batched_linalg import batched_matvec, batched_solve, norm_squared_columns, row_dots
 from .fibration import Fibration, FibrePoints
 from .proposals import WeightedPoints
@@ -55,8 +55,8 @@ class GreatCircleProposal:
     fibration: Fibration
     parameters: FloatArray
     target: float | FloatArray
-    terms: Compiled
-    central: Compiled
+    terms: CompiledTerms
+    central: CompiledTerms
 
     @staticmethod
     def from_fibration(
@@ -74,8 +74,10 @@ class GreatCircleProposal:
             for j in fibration.base
             for term in (row[j], *(line[j] for line in second))
         ]
-        terms = Compiled([further.term, *own, *outer])
-        return GreatCircleProposal(fibration, parameters, further.target, terms, Compiled(central))
+        terms = CompiledTerms([further.term, *own, *outer])
+        return GreatCircleProposal(
+            fibration, parameters, further.target, terms, CompiledTerms(central)
+        )
 
     # --- values and slopes ---------------------------------------------------------------------
 

@@ -36,7 +36,7 @@ from .identities import Excluded, proof_text
 from .proof_setting import ProofSetting
 
 
-def certified(system: System, law: Law, effort: int = EFFORT) -> Verdict:
+def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Verdict:
     """Prove or refute a law, with a certificate that checks.
 
     Parameters
