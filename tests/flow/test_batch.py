@@ -21,7 +21,7 @@ from chaplygin.flow.batch import (
     poincare_section,
 )
 from chaplygin.flow.integrator import integrate
-from chaplygin.flow.kernel.double_double import from_pairs
+from chaplygin.flow.kernel.double_double_conversion import from_pairs
 from chaplygin.flow.threads import THREADS, available_threads
 from chaplygin.formulas.evaluate import values
 from flow.small import (

@@ -29,7 +29,7 @@ from chaplygin.formulas.number_fields import ball_precision
 from chaplygin.proof.fields.budget import Budget
 from chaplygin.proof.fields.function_field import FunctionField
 from chaplygin.proof.level.level_set import LevelSet
-from chaplygin.proof.level.positivity import orienting, positives, unmet
+from chaplygin.proof.level.positivity_conditions import orienting, positives, unmet
 from chaplygin.proof.prover import prove
 from chaplygin.proof.rank import rank_defect
 from chaplygin.proof.remarks import remark

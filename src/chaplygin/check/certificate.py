@@ -6,6 +6,7 @@ import json
 from collections.abc import Mapping, Sequence
 from functools import partial
 
+from .certificate_points import check_sample, check_witness
 from .claim.claim import Claim, read_claim
 from .claim.errors import BadInputError, CheckError, UndefinedError
 from .claim.formulas import names_in, parse, parse_condition
@@ -18,7 +19,6 @@ from .identities.proof import Condition, check_left, check_proof, read_region, s
 from .identities.read_generators import FIELDS, read_generators
 from .identities.signs import covers
 from .identities.substitution import CONSISTENCY, LAW, expressed_variables, statements
-from .witness import check_sample, check_witness
 
 FORMAT = "chaplygin certificate 2"
 

@@ -9,7 +9,7 @@ import typer
 
 from ..interruption import CODE, concluding, say
 from .common import Force, Json, console, inform, print_json
-from .output import STANDARD_OUTPUT, beside, check_output, name_of, written
+from .output_destination import STANDARD_OUTPUT, beside, check_output, name_of, written
 from .progress import progress, waiting
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ def _print(judgements: Sequence[Judgement]) -> None:
     for section, section_judgements in groupby(judgements, key=lambda j: j.section):
         shown.print(f"\n[bold]§{section} {TITLES[section]}[/]\n")
         for judgement in section_judgements:
-            shown.print(_claim(judgement, shown.is_terminal))
+            shown.print(_claim_block(judgement, shown.is_terminal))
     numbers = counts(judgements)
     shown.print(f"\n{len(judgements)} claims")
     for form, label in (("printed", "as printed"), ("corrected", "corrected")):
@@ -89,7 +89,7 @@ def _print(judgements: Sequence[Judgement]) -> None:
         shown.print(f"{label}: {listed}")
 
 
-def _claim(judgement: Judgement, wide: bool) -> RenderableType:
+def _claim_block(judgement: Judgement, wide: bool) -> RenderableType:
     """The place of a claim, its judgement, and remarks below it.
 
     With `wide`, verdicts stand at the right edge of the terminal.
@@ -115,12 +115,12 @@ def _claim(judgement: Judgement, wide: bool) -> RenderableType:
     text = Table.grid(padding=(0, 2, 0, 0))
     text.add_column(no_wrap=True, style="dim", min_width=11)
     text.add_column()
-    for label, words in _lines(judgement):
+    for label, words in _remarks(judgement):
         text.add_row(f"  {label}", escape(words))
     return Group(head, text) if text.rows else head
 
 
-def _lines(judgement: Judgement) -> Iterator[tuple[str, str]]:
+def _remarks(judgement: Judgement) -> Iterator[tuple[str, str]]:
     """Remarks on a claim with their labels; both forms if the printed one fails."""
     from ..printing.plain_text import plain_words
 

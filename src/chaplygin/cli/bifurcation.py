@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from .common import Force, Json, Override, inform, print_json, study_of
-from .output import check_figure, check_output
+from .output_destination import check_figure, check_output
 from .progress import waiting
 
 if TYPE_CHECKING:

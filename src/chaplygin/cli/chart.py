@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from .common import Force, Json, Override, What, console, inform, print_json, study_of
-from .output import check_figure
+from .output_destination import check_figure
 from .progress import progress
 from .stores import Workers, check_picture, check_store, check_workers, outcomes, resumable, vacate
 

@@ -9,7 +9,7 @@ import typer
 
 from ..interruption import CODE, NOTHING, ending, say
 from .common import Force, Json, Override, What, console, inform, print_json, study_of
-from .output import STANDARD_OUTPUT, beside, check_output, deliver, name_of
+from .output_destination import STANDARD_OUTPUT, beside, check_output, deliver, name_of
 from .progress import progress
 from .stores import level_of
 

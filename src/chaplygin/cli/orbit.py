@@ -10,7 +10,7 @@ import typer
 
 from ..interruption import NOTHING, ending
 from .common import Force, Json, Override, What, inform, print_json, study_of
-from .output import check_figure, check_output, deliver
+from .output_destination import check_figure, check_output, deliver
 from .progress import progress
 
 if TYPE_CHECKING:

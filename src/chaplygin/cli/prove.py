@@ -20,7 +20,7 @@ from .common import (
     print_json,
     study_of,
 )
-from .output import beside, check_output, name_of, written
+from .output_destination import beside, check_output, name_of, written
 from .progress import progress
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ import typer
 
 from ..interruption import CODE, NOTHING, ending, say
 from .common import Force, Json, Override, Precision, What, inform, print_json, study_of
-from .output import beside, check_output, deliver, name_of
+from .output_destination import beside, check_output, deliver, name_of
 from .progress import progress
 
 

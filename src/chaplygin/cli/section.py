@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from .common import Force, Json, Override, What, console, inform, print_json, study_of
-from .output import STANDARD_OUTPUT
+from .output_destination import STANDARD_OUTPUT
 from .progress import progress
 from .stores import (
     Workers,

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from .common import Force, Json, Override, What, complain, console, inform, print_json, study_of
-from .output import beside, check_figure, check_output, deliver, name_of
+from .output_destination import beside, check_figure, check_output, deliver, name_of
 from .progress import waiting
 
 if TYPE_CHECKING:

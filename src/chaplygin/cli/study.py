@@ -9,7 +9,7 @@ import typer
 
 from ..interruption import NOTHING, ending
 from .common import Force, Json, Override, Precision, What, operations, print_json, study_of
-from .output import STANDARD_OUTPUT
+from .output_destination import STANDARD_OUTPUT
 from .progress import progress
 
 

@@ -9,7 +9,7 @@ import typer
 
 from .common import Force, Json, Override, What, inform, print_json, study_of
 from .ensemble import given_start
-from .output import check_figure
+from .output_destination import check_figure
 from .progress import progress
 from .stores import Workers, check_picture, check_store, check_workers, outcomes, resumable, vacate
 

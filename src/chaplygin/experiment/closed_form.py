@@ -21,7 +21,7 @@ from ..explicit.base.problem import Problem
 from ..explicit.base.solution import NamedConstant, Solution, times_in_range
 from ..explicit.bifurcation import Diagram
 from ..explicit.bifurcation.diagram_of import diagram_of
-from ..explicit.recognise import solution_of
+from ..explicit.solvable_cases import solution_of
 from ..flow.trajectory import Statistics, Trajectory, recorded_values
 from ..printing import numerals
 from ..printing.formula import text

@@ -66,13 +66,13 @@ def initial_state_from_values(system: System, values: StartValues) -> tuple[mpma
         has another value at this state.
     """
     lifted = system.lifted() if system.reconstruction else system
-    values, claims = _state_and_claims(lifted, values)
+    values, claims = _state_and_given_definitions(lifted, values)
     with mpmath.workdps(DIGITS):
-        known = _read(system, values)
+        known = _checked_values(system, values)
         _complete(lifted, known)
         state = [x for name in lifted.state for x in known[str(name)]]
         point = _on_relations(lifted, state)
-        _check_claims(lifted, point, claims)
+        _check_given_definitions(lifted, point, claims)
         return tuple(point)
 
 
@@ -111,11 +111,11 @@ def on_level(system: System, level: Sequence[sp.Expr], state: Sequence[mpmath.mp
     """Whether all expressions of a level vanish at a state, but for rounding."""
     with mpmath.workdps(DIGITS):
         size = 1 + max((abs(x) for x in state), default=0)
-        defects = _function(system, [to_components(e) for e in level])(state)
+        defects = _numerical_function(system, [to_components(e) for e in level])(state)
         return all(abs(x) <= SLACK * size**2 for x in defects)
 
 
-def _state_and_claims(
+def _state_and_given_definitions(
     lifted: System, values: StartValues
 ) -> tuple[StartValues, dict[sp.Symbol, float]]:
     """Values of the state by its names, and of definitions by their symbols."""
@@ -124,7 +124,7 @@ def _state_and_claims(
     words: dict[str, float | Sequence[float]] = {}
     claims: dict[sp.Symbol, float] = {}
     for name, whole in values.items():
-        for part, value in _parts(name, whole, state, {*map(str, lifted.symbols), *defined}):
+        for part, value in _split_vector(name, whole, state, {*map(str, lifted.symbols), *defined}):
             if part in defined and not isinstance(value, Sequence):
                 claims[defined[part]] = value
             else:
@@ -132,7 +132,7 @@ def _state_and_claims(
     return words, claims
 
 
-def _parts(
+def _split_vector(
     name: str, value: float | Sequence[float], state: Collection[str], scalars: Collection[str]
 ) -> list[tuple[str, float | Sequence[float]]]:
     """A vector that is no whole one in the system, by its components."""
@@ -144,11 +144,11 @@ def _parts(
     return list(zip(symbols, value, strict=True))
 
 
-def _check_claims(
+def _check_given_definitions(
     lifted: System, state: list[mpmath.mpf], claims: Mapping[sp.Symbol, float]
 ) -> None:
     """Refuse values of definitions that the state does not give them."""
-    values = _function(lifted, list(claims))(state) if claims else []
+    values = _numerical_function(lifted, list(claims))(state) if claims else []
     for symbol, value in zip(claims, values, strict=True):
         claim = claims[symbol]
         if abs(value - claim) > SLACK * (1 + abs(claim)):
@@ -158,7 +158,7 @@ def _check_claims(
             )
 
 
-def _read(system: System, values: StartValues) -> dict[str, list[mpmath.mpf]]:
+def _checked_values(system: System, values: StartValues) -> dict[str, list[mpmath.mpf]]:
     """The given values as numbers, names and shapes checked, unit vectors normalised."""
     lifted = system.lifted() if system.reconstruction else system
     sizes = {str(name): _size(name) for name in lifted.state}
@@ -219,7 +219,7 @@ def _complete(lifted: System, known: dict[str, list[mpmath.mpf]]) -> None:
         known[str(attitude)] = upright(known.get("gamma", [zero, zero, mpmath.mpf(1)]))
 
 
-def _function(
+def _numerical_function(
     system: System, formulas: Sequence[sp.Expr]
 ) -> Callable[[Sequence[mpmath.mpf]], list[mpmath.mpf]]:
     """Scalar formulas of a system as a function of its flat state, in mpmath."""
@@ -244,7 +244,9 @@ def _on_relations(lifted: System, state: list[mpmath.mpf]) -> list[mpmath.mpf]:
     """The nearest state on the relations; an InputError if it is far away."""
     if not lifted.relations:
         return state
-    residual = _function(lifted, [to_components(relation) for relation in lifted.relations])
+    residual = _numerical_function(
+        lifted, [to_components(relation) for relation in lifted.relations]
+    )
     near = _newton(residual, state)
     defects = residual(state)
     if near is not None and _distance(near, state) <= SLACK * (1 + max(map(abs, state))):

@@ -19,7 +19,7 @@ from ..flow.cost import TooMuchError
 from ..flow.integrator import Trajectory, integrate
 from ..flow.trajectory import require_pieces
 from ..mechanics.rolling.equations import Rolling
-from .ball import ball_subject
+from .ball_subject import ball_subject
 from .catalogue_system import body_of_catalogue, system_of_catalogue
 from .dataset import to_dataset
 from .described_system import equations_subject, mechanism_subject

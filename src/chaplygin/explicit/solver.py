@@ -12,7 +12,7 @@ from ..errors import InputError
 from ..flow.initial_states import whole_start
 from .base.problem import Problem
 from .base.solution import Solution
-from .recognise import solution_of
+from .solvable_cases import solution_of
 
 
 @arguments_checked

@@ -26,7 +26,7 @@ from .cost import FEW_STEPS, MOST_STEPS, require_steps
 from .initial_states import reduced_rows
 from .kernel import jit as native
 from .kernel.arithmetic import Double, Pair
-from .kernel.double_double import as_pairs, parameter_pairs
+from .kernel.double_double_conversion import as_pairs, parameter_pairs
 from .kernel.equations import Equations, Section, equations_of, poincare_section, serial
 from .kernel.outcomes import outcome_message
 from .kernel.runge_kutta import runge_kutta_loop
@@ -311,8 +311,8 @@ def batch_integrator(
     Returns
     -------
     BatchIntegrator
-        ``until(starts, times)`` gives states (motions, times, size) at given times, and
-        ``returns(starts, count)`` states (motions, count, size) on the section, both for starts
+        ``propagate(starts, times)`` gives states (motions, times, size) at given times, and
+        ``crossings(starts, count)`` states (motions, count, size) on the section, both for starts
         (motions, size) in flat order.
 
     Raises

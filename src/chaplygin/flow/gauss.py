@@ -29,7 +29,7 @@ from ..formulas.graph import Term
 from .cost import FEW_STEPS, MOST_STEPS, require_steps
 from .initial_states import reduced_rows
 from .kernel import jit as native
-from .kernel.double_double import as_pairs, parameter_pairs
+from .kernel.double_double_conversion import as_pairs, parameter_pairs
 from .kernel.equations import equations_of, serial, serial_terms
 from .kernel.gauss_legendre import gauss_loop
 from .kernel.outcomes import outcome_message
@@ -199,7 +199,7 @@ def gauss_integrator(
     Returns
     -------
     GaussIntegrator
-        ``until(starts, times)`` gives states (motions, times, size) for starts (motions, size)
+        ``propagate(starts, times)`` gives states (motions, times, size) for starts (motions, size)
         in flat order.
 
     Raises
@@ -240,7 +240,7 @@ def _compiled_integrator(
 ) -> GaussIntegrator:
     equations = equations_of(system, 0, None, backward)
     reader, _ = read_formulas(system)
-    terms = dict(_candidates(system))
+    terms = dict(_integrals_and_relations(system))
     projection = None
     if names:
         projection = projection_terms(
@@ -263,7 +263,7 @@ def _compiled_integrator(
     )
 
 
-def _candidates(system: System) -> list[tuple[str, Term]]:
+def _integrals_and_relations(system: System) -> list[tuple[str, Term]]:
     """Integrals and relations by name."""
     reader, _ = read_formulas(system)
     integrals = [(law.name, reader(law.value)) for law in system.integrals]
@@ -288,7 +288,7 @@ def _conserved_names(
     off_level = on_level * (1 + 0.01 * generator.normal(size=(4, size)))
     relations = {f"relation {k + 1}" for k in range(len(system.relations))}
     names = []
-    for name, term in _candidates(system):
+    for name, term in _integrals_and_relations(system):
         summands: list[Term] = []
         for i in range(size):
             unit = {graph.state(k): graph.number(int(k == i)) for k in range(size)}

@@ -17,7 +17,7 @@ from ..core.system import System
 from ..errors import InputError, RunError
 from .gauss import GaussIntegrator, GaussTrajectories, gauss_integrator
 from .heyoka_expressions import WorkingArray, WorkingNumber
-from .kernel.double_double import from_pairs
+from .kernel.double_double_conversion import from_pairs
 from .kernel.outcomes import STATUS_MESSAGES
 from .trajectory import Event, Statistics, Trajectory, recorded_values
 

@@ -31,7 +31,7 @@ from ..errors import InputError
 from ..flow.heyoka_expressions import WorkingNumber
 from ..formulas.multiprecision import number, slopes
 from .initial_states import reduced_start
-from .multiprecision_linalg import complement, shortest, without
+from .multiprecision_subspaces import minimum_norm_solution, null_space_basis, orthogonal_part
 
 NEWTON_STEPS = 60
 
@@ -150,11 +150,11 @@ def linear_stability(
         point = _LinearisedSystem(system, state, parameters, digits)
         matrix, drift = point.moving()
         relations = point.slopes_of_relations()
-        tangent = complement(relations, len(point.variables))
+        tangent = null_space_basis(relations, len(point.variables))
         family = [point.vector(direction, "along") for direction in along]
         for direction in family:
             _require_family(system, (matrix, relations), direction, point.tolerance)
-        basis = without(tangent, family)
+        basis = orthogonal_part(tangent, family)
         return Linearisation(
             system=system,
             state=point.point,
@@ -209,7 +209,7 @@ def relative_equilibrium(
             if mpmath.norm(values, mpmath.inf) < mpmath.mpf(10) ** (-digits - 8):
                 return point
             free = mpmath.matrix([[rows[i, j] for j in loose] for i in range(rows.rows)])
-            move = shortest(free, values)
+            move = minimum_norm_solution(free, values)
             for j, change in zip(loose, move, strict=True):
                 point[variables[j]] -= change
     raise InputError(
@@ -271,7 +271,7 @@ class _LinearisedSystem:
         if symmetries and mpmath.norm(value, mpmath.inf) > self.tolerance:
             fields = [self._field(components(law, self.variables)) for law in symmetries]
             columns = mpmath.matrix([[u[i] for u, _ in fields] for i in range(len(value))])
-            speeds = shortest(columns, value)
+            speeds = minimum_norm_solution(columns, value)
             for law, speed, (u, slope) in zip(symmetries, speeds, fields, strict=True):
                 drift[law.name] = speed
                 value, matrix = value - speed * u, matrix - speed * slope

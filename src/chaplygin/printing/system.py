@@ -99,7 +99,7 @@ def _law_blocks(system: System) -> list[list[str]]:
     if system.integrals:
         laws = [row for law in system.integrals for row in _law_rows(law, system)]
         blocks.append(["Constant along the motion", *_table(laws)])
-    blocks += [_law_lines(law, system) for law in _others(system)]
+    blocks += [_law_lines(law, system) for law in _other_laws(system)]
     if further := layout(system).further:
         blocks.append(["In the laws", *_equations(_text_pairs(further))])
     return blocks
@@ -140,7 +140,7 @@ def _law_rows(law: Integral, system: System) -> list[tuple[str, str]]:
     return [(law.name, text(law.value)), ("", caption(law, system, text))]
 
 
-def _others(system: System) -> list[Law]:
+def _other_laws(system: System) -> list[Law]:
     """The laws besides the integrals."""
     return [law for law in system.laws if law not in system.integrals]
 
@@ -232,13 +232,13 @@ def _aligned_environment(rows: Sequence[str]) -> str:
 def _aligned_rows(sides: Iterable[tuple[str, sp.Basic]]) -> list[str]:
     rows = []
     for left, formula in sides:
-        first, *others = _lines(formula, LATEX)
+        first, *others = _sum_lines(formula, LATEX)
         rows.append(f"{left} &= {first}")
         rows += [rf"&\quad {{}} {line}" for line in others]
     return rows
 
 
-def _lines(formula: sp.Basic, notation: Notation) -> list[str]:
+def _sum_lines(formula: sp.Basic, notation: Notation) -> list[str]:
     """A sum as lines of about `LINE` columns each."""
     lines: list[str] = []
     used = 0
@@ -292,7 +292,7 @@ def system_html(system: System) -> str:
         parts += ["<h4>Parameters</h4>", _parameter_table(system)]
     if system.integrals:
         parts += ["<h4>Constant along the motion</h4>", _law_table(system)]
-    parts += [law_html(law, system) for law in _others(system)]
+    parts += [law_html(law, system) for law in _other_laws(system)]
     if page.further:
         parts += ["<h4>In the laws</h4>", _display(_defining_rows(page.further))]
     if system.source:

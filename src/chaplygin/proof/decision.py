@@ -17,9 +17,9 @@ from functools import cached_property
 import sympy as sp
 
 from ..check import CheckError
+from ..check.certificate_points import located
 from ..check.claim.claim import Claim as CheckedClaim, read_claim
 from ..check.claim.errors import UndefinedError
-from ..check.witness import located
 from ..core.isomorphism import Isomorphism
 from ..core.laws import Law, Measure, PoissonStructure, Separation
 from ..core.system import System
@@ -35,7 +35,7 @@ from .level.alternatives import Alternative, alternatives
 from .level.level_formulas import EmptyLevelSetError
 from .level.level_set import LevelSet
 from .level.polynomial_problems import Claim, polynomial_problems
-from .level.positivity import orienting, positives
+from .level.positivity_conditions import orienting, positives
 from .level.sample_points import far, near
 from .random_test import Trial, backwards, trials
 from .rank import DIMENSION

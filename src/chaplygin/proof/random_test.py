@@ -15,7 +15,7 @@ from ..formulas.errors import NotExactError, OutOfReachError
 from ..formulas.number_fields import Balls, Rationals
 from .fields.field import Field, FieldElement
 from .level.level_set import Draw, LevelSet
-from .level.positivity import unmet
+from .level.positivity_conditions import unmet
 from .level.sample_points import broad, far, near
 from .rank import rank_defect
 from .residuals import Residuals, condition_rates, residuals

@@ -10,8 +10,8 @@ import sympy as sp
 from flint import arb, fmpq
 
 from ..check import CheckError
+from ..check.certificate_points import failing
 from ..check.claim.claim import Claim as CheckedClaim
-from ..check.witness import failing
 from ..formulas.errors import NotExactError
 from ..formulas.number_fields import Rationals
 from .level.level_set import LevelSet

@@ -11,7 +11,7 @@ from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.study import prepare
 from chaplygin.explicit.base.no_closed_form import NoClosedFormError
 from chaplygin.explicit.base.problem import Problem
-from chaplygin.explicit.recognise import solution_of
+from chaplygin.explicit.solvable_cases import solution_of
 
 
 def refused(text: str, *overrides: str) -> str:

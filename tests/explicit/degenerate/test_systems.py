@@ -16,7 +16,7 @@ from chaplygin.explicit.degenerate import solve_degenerate
 from chaplygin.explicit.degenerate.solution import DegenerateSolution
 from chaplygin.explicit.degenerate.theta_motion import Asymptotic, Periodic
 from chaplygin.explicit.genus_two.separation import SeparatedSystem, nu, nuprime
-from chaplygin.explicit.recognise import SEPARABLE
+from chaplygin.explicit.solvable_cases import SEPARABLE
 from chaplygin.flow.integrator import integrate
 from chaplygin.formulas.balls import ball_values
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from chaplygin.catalogue import from_catalogue
-from chaplygin.flow.sampling.find_fibration import find_fibration
+from chaplygin.flow.sampling.level_set_fibration import find_fibration
 from chaplygin.flow.sampling.proposals import RayProposal, maximise
 from chaplygin.formulas.compiled import SystemFormulas
 from chaplygin.formulas.evaluate import parameter_rows

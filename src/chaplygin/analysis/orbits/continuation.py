@@ -85,7 +85,7 @@ class Branch:
 
 
 @dataclass(frozen=True)
-class _Place:
+class _BranchPoint:
     """An orbit of the branch with its unit tangent."""
 
     orbit: Orbit
@@ -94,11 +94,11 @@ class _Place:
 
 
 @dataclass(frozen=True)
-class _Follower:
+class _BranchTracer:
     equations: Equations
     varied: str
 
-    def place(self, points: FloatArray, error: float, ahead: FloatArray | None) -> _Place:
+    def place(self, points: FloatArray, error: float, ahead: FloatArray | None) -> _BranchPoint:
         """The place of an orbit, with the tangent in the direction of `ahead`."""
         _, slopes, _ = self.equations(points)
         _, sizes, other = np.linalg.svd(slopes)
@@ -116,9 +116,9 @@ class _Follower:
         turned = speed < 0 if ahead is None else float(ahead @ tangent) < 0
         if turned:
             tangent, speed = -tangent, -speed
-        return _Place(orbit_from_points(map, points, error), tangent, speed)
+        return _BranchPoint(orbit_from_points(map, points, error), tangent, speed)
 
-    def step(self, here: _Place, length: float) -> _Place:
+    def step(self, here: _BranchPoint, length: float) -> _BranchPoint:
         """The place at a distance along the tangent."""
         sizes = self.equations.sizes
         way = length * here.tangent.reshape(here.orbit.points.shape)
@@ -167,10 +167,10 @@ def continue_orbit(
     start = held_values(made, orbit.points[0], [varied])[varied]
     if varied in values:
         raise InputError(f"hold: {varied} cannot be held and varied")
-    follower = _Follower(Equations(made, values, made.sizes(orbit.points)), varied)
+    follower = _BranchTracer(Equations(made, values, made.sizes(orbit.points)), varied)
     here = follower.place(orbit.points, orbit.error, None)
     if (until - start) * here.speed < 0:
-        here = _Place(here.orbit, -here.tangent, -here.speed)
+        here = _BranchPoint(here.orbit, -here.tangent, -here.speed)
     places, events, length, reason = [here], [], step, f"after {most} orbits"
     while len(places) < most:
         advanced = _advance(follower, here, min(length, longest))
@@ -180,11 +180,13 @@ def continue_orbit(
         there, length_taken = advanced
         turn = _turn(here, there)
         events.extend(_events(follower, here, there, length_taken))
-        end = _location(
+        end = _locate_event(
             follower, here, there, length_taken, lambda p: p.orbit.values[varied] - until, "passed"
         )
         if end is not None:
-            places.append(there if end.orbit is there.orbit else _Place(end.orbit, here.tangent, 0))
+            places.append(
+                there if end.orbit is there.orbit else _BranchPoint(end.orbit, here.tangent, 0)
+            )
             events.append(end)
             reason = f"{varied} reached {until:g}"
             break
@@ -198,7 +200,9 @@ def continue_orbit(
     return Branch(varied, orbits, tuple(e for e in events if e.kind != "passed"), reason)
 
 
-def _advance(follower: _Follower, here: _Place, length: float) -> tuple[_Place, float] | None:
+def _advance(
+    follower: _BranchTracer, here: _BranchPoint, length: float
+) -> tuple[_BranchPoint, float] | None:
     """The next place and its distance; None if there is none."""
     for _ in range(SHORTENED):
         try:
@@ -212,12 +216,14 @@ def _advance(follower: _Follower, here: _Place, length: float) -> tuple[_Place, 
     return None
 
 
-def _turn(here: _Place, there: _Place) -> float:
+def _turn(here: _BranchPoint, there: _BranchPoint) -> float:
     """The angle between two tangents."""
     return float(np.arccos(np.clip(here.tangent @ there.tangent, -1.0, 1.0)))
 
 
-def _passes(here: _Place, there: _Place, first: _Place, sizes: FloatArray) -> bool:
+def _passes(
+    here: _BranchPoint, there: _BranchPoint, first: _BranchPoint, sizes: FloatArray
+) -> bool:
     """Whether a step goes by the orbit with which the branch began, in its direction."""
     begin, step = here.orbit.points / sizes, (there.orbit.points - here.orbit.points) / sizes
     length = float(np.linalg.norm(step))
@@ -231,65 +237,69 @@ def _passes(here: _Place, there: _Place, first: _Place, sizes: FloatArray) -> bo
     return False
 
 
-def _at_one(multipliers: Multipliers, sign: float) -> tuple[float, float]:
+def _unit_multiplier_test(multipliers: Multipliers, sign: float) -> tuple[float, float]:
     """∏(μ − sign), whose sign changes if a multiplier passes ±1, and its error."""
     factors = multipliers.values - sign
     value = float(np.prod(factors).real)
-    return value, _spread(factors, multipliers.errors)
+    return value, _product_error(factors, multipliers.errors)
 
 
-def _on_circle(multipliers: Multipliers) -> tuple[float, float]:
+def _torus_test(multipliers: Multipliers) -> tuple[float, float]:
     """∏(μ_i μ_j − 1) over complex pairs, and its error; 1 if there are none."""
     pairs = multipliers.values[multipliers.values.imag > 0]
     errors = multipliers.errors[multipliers.values.imag > 0]
     factors = np.abs(pairs) ** 2 - 1
-    return float(np.prod(factors)), _spread(factors, 2 * np.abs(pairs) * errors)
+    return float(np.prod(factors)), _product_error(factors, 2 * np.abs(pairs) * errors)
 
 
-def _spread(factors: FloatArray, errors: FloatArray) -> float:
+def _product_error(factors: FloatArray, errors: FloatArray) -> float:
     """The error of a product from those of its factors."""
     sizes = np.abs(factors)
     return float(np.prod(sizes + errors) - np.prod(sizes))
 
 
-def _events(follower: _Follower, here: _Place, there: _Place, length: float) -> list[Event]:
+def _events(
+    follower: _BranchTracer, here: _BranchPoint, there: _BranchPoint, length: float
+) -> list[Event]:
     events = []
-    fold = _location(follower, here, there, length, lambda p: p.speed, "fold")
+    fold = _locate_event(follower, here, there, length, lambda p: p.speed, "fold")
     tests: dict[str, Callable[[Multipliers], tuple[float, float]]] = {
-        "doubling": lambda m: _at_one(m, -1.0),
-        "torus": _on_circle,
+        "doubling": lambda m: _unit_multiplier_test(m, -1.0),
+        "torus": _torus_test,
     }
     if fold is not None:
         events.append(fold)
     else:
-        tests["branch"] = lambda m: _at_one(m, 1.0)
+        tests["branch"] = lambda m: _unit_multiplier_test(m, 1.0)
     for kind, test in tests.items():
         ends = [test(place.orbit.multipliers) for place in (here, there)]
         if all(abs(value) > CLEAR * error for value, error in ends) and _same_pairs(
             kind, here, there
         ):
 
-            def value(place: _Place, test: Callable[..., tuple[float, float]] = test) -> float:
+            def value(
+                place: _BranchPoint, test: Callable[..., tuple[float, float]] = test
+            ) -> float:
                 return test(place.orbit.multipliers)[0]
 
-            event = _location(follower, here, there, length, value, kind)
+            event = _locate_event(follower, here, there, length, value, kind)
             if event is not None:
                 events.append(event)
     return events
 
 
-def _same_pairs(kind: str, here: _Place, there: _Place) -> bool:
+def _same_pairs(kind: str, here: _BranchPoint, there: _BranchPoint) -> bool:
     """Whether as many multipliers are complex at both ends."""
     counts = [int((p.orbit.multipliers.values.imag > 0).sum()) for p in (here, there)]
     return kind != "torus" or counts[0] == counts[1] > 0
 
 
-def _location(
-    follower: _Follower,
-    here: _Place,
-    there: _Place,
+def _locate_event(
+    follower: _BranchTracer,
+    here: _BranchPoint,
+    there: _BranchPoint,
     length: float,
-    test: Callable[[_Place], float],
+    test: Callable[[_BranchPoint], float],
     kind: str,
 ) -> Event | None:
     """The zero of a function between two places, by the Illinois method."""

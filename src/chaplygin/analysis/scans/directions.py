@@ -18,7 +18,7 @@ from ...core.arrays import FloatArray, IntArray
 from ...core.system import System
 from ...errors import InputError
 from ...flow.batched_linalg import row_dots
-from ...flow.sampling.find_fibration import find_fibration
+from ...flow.sampling.level_set_fibration import find_fibration
 from ...formulas.compiled import SystemFormulas
 from ...formulas.evaluate import parameter_rows
 

@@ -55,7 +55,7 @@ def _parameters(p: Numbers) -> tuple[Parameter, ...]:
     )
 
 
-def _across(p: Numbers) -> Parameter:
+def _lateral_offset(p: Numbers) -> Parameter:
     return Parameter(b, "distance of the centre of mass to the left of the blade", p["b"], "m")
 
 
@@ -77,7 +77,7 @@ def sleigh(p: Numbers) -> System:
         title=TITLE,
         summary=SUMMARY,
         source=SOURCE,
-        parameters=(*_parameters(p), _across(p)),
+        parameters=(*_parameters(p), _lateral_offset(p)),
         definitions={J: I + m * a**2, u: along},
         field={
             x: v * sp.cos(phi),
@@ -110,7 +110,7 @@ def sleigh(p: Numbers) -> System:
                 "the velocities move by themselves",
                 source=SOURCE,
             ),
-            _chaplygin_law(),
+            _chaplygin_form_identity(),
         ),
         observables=(Observable("u", u, ALONG, "m/s"),),
     )
@@ -168,18 +168,18 @@ def reduced_system(p: Numbers) -> System:
 
 
 def _momenta_to_velocities() -> tuple[sp.Expr, sp.Expr]:
-    """U and Ω by q₁ = φ, q₂ = x and the momenta P₁, P₂."""
+    """u and Ω by q₁ = φ, q₂ = x and the momenta P₁, P₂."""
     along = sp.cos(chaplygin.q_1) * chaplygin.P_2 / m
     return along, (chaplygin.P_1 + m * b * along) / (I + m * a**2)
 
 
-def _gyroscopic(along: sp.Expr, turning: sp.Expr, angle: sp.Expr) -> sp.Expr:
+def _gyroscopic_coefficient(along: sp.Expr, turning: sp.Expr, angle: sp.Expr) -> sp.Expr:
     """S by the velocities: −∂T/∂ẏ · ∂(tan φ)/∂φ."""
     sine, cosine = sp.sin(angle), sp.cos(angle)
     return -m * (along * sine + a * turning * cosine) / cosine**2
 
 
-def _chaplygin_law() -> Identity:
+def _chaplygin_form_identity() -> Identity:
     """The equations (4.7) for q₁ = φ, q₂ = x; y follows from ẏ = ẋ tan φ."""
     P_1, P_2 = chaplygin.P_1, chaplygin.P_2
     S = chaplygin.S
@@ -196,7 +196,7 @@ def _chaplygin_law() -> Identity:
         {
             P_1: J * Omega - m * b * u,
             P_2: m * u / sp.cos(phi),
-            S: _gyroscopic(u, Omega, phi),
+            S: _gyroscopic_coefficient(u, Omega, phi),
         },
         source="§4.3, after (4.4)",
     )
@@ -213,8 +213,8 @@ def sleigh_in_chaplygin_form() -> System:
         "chaplygin-sleigh-form",
         TITLE,
         HALF * m * along**2 + HALF * (I + m * a**2) * turning**2,
-        _gyroscopic(along, turning, chaplygin.q_1),
-        (*_parameters(DEFAULTS), _across(DEFAULTS)),
+        _gyroscopic_coefficient(along, turning, chaplygin.q_1),
+        (*_parameters(DEFAULTS), _lateral_offset(DEFAULTS)),
         multiplier=sp.cos(chaplygin.q_1),
         on=(a,),
         source=SOURCE,

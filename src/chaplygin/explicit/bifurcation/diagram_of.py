@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from ..base.problem import Problem
-from ..recognise import find_match
+from ..solvable_cases import find_match
 from . import Diagram, bifurcation_diagram, locate
 
 

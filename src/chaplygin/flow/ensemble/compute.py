@@ -1,4 +1,4 @@
-"""Tasks computed: in memory or streamed to a store, here or on a cluster."""
+"""Execution of a task block by block: in memory or into a Zarr store, here or with Dask."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def compute(
     IncompleteError
         If the disk is full, or a block brings down the workers; what was written stays.
     """
-    text = progress if progress is not None else _silent
+    text = progress if progress is not None else _no_progress
     _require_room(task, where)
     return _in_memory(task, client, text) if where is None else _in_store(task, where, client, text)
 
@@ -73,7 +73,7 @@ def _require_room(task: Task, where: str | Path | None) -> None:
         require_room(sum(count * size for count, size in sizes), folder, what)
 
 
-def _silent(done: float) -> None:
+def _no_progress(done: float) -> None:
     """Ignore progress."""
 
 

@@ -1,4 +1,4 @@
-"""One motion to the last digit: Gauss–Legendre collocation with a lane for each stage.
+"""LLVM code of the Gauss–Legendre integrator: one motion, a SIMD lane for each stage.
 
 The state is carried as an unevaluated sum of two doubles.  The stages are found by iteration from
 the polynomial of the step before; with 30 digits wanted they are first found to 16, and every
@@ -37,7 +37,7 @@ SETTLING = 8
 CALM, PATIENCE = 0.1, 32
 
 
-class _Loop:
+class _LoopGenerator:
     """The writing of the loop."""
 
     def __init__(
@@ -196,7 +196,7 @@ class _Loop:
         )
 
     def _first_step(self) -> None:
-        """A hundredth of the time in which the state changes by its own size."""
+        """A tenth of the time in which the state changes by its own size."""
         w = self.w
         for i in range(self.size):
             self.d.store(self._y(i), self.address("stage"), i)
@@ -556,7 +556,7 @@ class _Convergence:
     It has when its squared change is below a level, or below a second one and no longer falling.
     """
 
-    def __init__(self, loop: _Loop, h: str, small: float, low: float) -> None:
+    def __init__(self, loop: _LoopGenerator, h: str, small: float, low: float) -> None:
         self.loop, self.h, self.small, self.low = loop, h, small, low
         w = loop.w
         self.last = w.variable("double", literal(1e300))
@@ -601,5 +601,5 @@ def gauss_loop(
     refine : bool
         Whether the stages are found to 32 digits.
     """
-    loop = _Loop(method, equations, projection, refine)
+    loop = _LoopGenerator(method, equations, projection, refine)
     return loop.write(), loop.space.size

@@ -13,9 +13,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from ...check import FORMAT, BadInputError, CheckError, check
+from ...check.certificate_points import located
 from ...check.claim.claim import Claim as CheckedClaim, read_claim
 from ...check.claim.formulas import name, parse_condition
-from ...check.witness import located
 from ...core.laws import Law
 from ...core.system import System
 from ...formulas.errors import NoRealValueError, OutOfReachError

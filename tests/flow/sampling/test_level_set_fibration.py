@@ -16,7 +16,7 @@ from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
 from chaplygin.flow.sampling.counter_rng import counter_normals
 from chaplygin.flow.sampling.fibration import Fibration
-from chaplygin.flow.sampling.find_fibration import find_fibration
+from chaplygin.flow.sampling.level_set_fibration import find_fibration
 from chaplygin.formulas.compiled import SystemFormulas
 from chaplygin.formulas.evaluate import parameter_rows
 

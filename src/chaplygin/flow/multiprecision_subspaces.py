@@ -1,4 +1,4 @@
-"""Linear algebra of small matrices with many digits: complements, bases, shortest solutions."""
+"""Subspaces in many digits: null spaces, bases, least-squares solutions of minimal norm."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import mpmath
 
 
-def shortest(matrix: mpmath.matrix, right: mpmath.matrix) -> mpmath.matrix:
+def minimum_norm_solution(matrix: mpmath.matrix, right: mpmath.matrix) -> mpmath.matrix:
     """The shortest of the least-squares solutions of a x = b, whatever the rank."""
     left, sizes, other = mpmath.svd_r(matrix)
     floor = sizes[0] * mpmath.mpf(10) ** (-mpmath.mp.dps // 4)
@@ -17,15 +17,15 @@ def shortest(matrix: mpmath.matrix, right: mpmath.matrix) -> mpmath.matrix:
     return other.T * share
 
 
-def complement(rows: mpmath.matrix, size: int) -> mpmath.matrix:
+def null_space_basis(rows: mpmath.matrix, size: int) -> mpmath.matrix:
     """An orthonormal basis, in columns, of the vectors that all rows annul."""
     span = _orthonormal([rows[i, :].T for i in range(rows.rows)])
     units = [mpmath.matrix([int(i == j) for j in range(size)]) for i in range(size)]
     return _columns(_orthonormal(units, span), size)
 
 
-def without(basis: mpmath.matrix, family: Sequence[mpmath.matrix]) -> mpmath.matrix:
-    """A basis of the part of a space that is orthogonal to given vectors."""
+def orthogonal_part(basis: mpmath.matrix, family: Sequence[mpmath.matrix]) -> mpmath.matrix:
+    """Orthonormal basis of the part of a span orthogonal to the given vectors."""
     span = _orthonormal(family)
     columns = [basis[:, j] for j in range(basis.cols)]
     return _columns(_orthonormal(columns, span), basis.rows) if span else basis

@@ -42,8 +42,8 @@ Recogniser: TypeAlias = Callable[[Problem], Solution | None]
 Formulas: TypeAlias = Mapping[sp.Symbol, sp.Expr]
 
 #: Systems by the name of their separation whose bodies may have two equal moments.
-TURNING = ("veselova", "rubber-chaplygin-ball")
-ROLLING = ("chaplygin-ball", "chaplygin-ball-area")
+VESELOVA_LIKE = ("veselova", "rubber-chaplygin-ball")
+CHAPLYGIN_BALL_LIKE = ("chaplygin-ball", "chaplygin-ball-area")
 
 #: Parameters that are tried in every order, at most.
 FEW = 5
@@ -75,7 +75,7 @@ def solution_of(problem: Problem) -> Solution:
 
 @dataclass(frozen=True)
 class SeparationEntry:
-    """The home of a system that separates on a curve of genus two.
+    """A separable system of genus two: where its code is, and the names of its state.
 
     Attributes
     ----------
@@ -169,20 +169,22 @@ def find_match(problem: Problem) -> Match | None:
         known = _separated_system(place)
         if len(known.system.symbols) != len(problem.system.symbols):
             continue
-        for formulas in _matches(problem, known.system):
-            if _agree(problem.system, numbers, known.system, formulas):
-                match = _match(problem, known, formulas, RESOLUTION)
+        for formulas in _parameter_identifications(problem, known.system):
+            if _same_vector_field(problem.system, numbers, known.system, formulas):
+                match = _match_with_defects(problem, known, formulas, RESOLUTION)
                 if not match.level:
                     return match
-                near = _match(problem, known, formulas, ROUNDED)
+                near = _match_with_defects(problem, known, formulas, ROUNDED)
                 rounded = rounded or (None if near.level else near)
                 missed = missed or near
                 break
     return rounded or missed
 
 
-def _match(problem: Problem, known: SeparatedSystem, formulas: Formulas, part: fmpq) -> Match:
-    """The likeness of a system, whose level may be missed by a part of the terms."""
+def _match_with_defects(
+    problem: Problem, known: SeparatedSystem, formulas: Formulas, part: fmpq
+) -> Match:
+    """The known system in the symbols of the problem, with the level conditions that fail."""
     own = in_symbols_of(known, problem.system, formulas)
     names = translation(known.system, problem.system, formulas)
     numbers = {s: sp.Rational(str(exact(x))) for s, x in problem.parameters.items()}
@@ -210,11 +212,11 @@ def _match(problem: Problem, known: SeparatedSystem, formulas: Formulas, part: f
     return Match(known, replace(own, level=tuple(moving)), tuple(missed))
 
 
-def _matches(problem: Problem, target: System) -> Iterator[Formulas]:
+def _parameter_identifications(problem: Problem, target: System) -> Iterator[Formulas]:
     """Ways to read the parameters of a known system in those of a problem."""
     own = {str(symbol): symbol for symbol in problem.parameters}
     wanted = [parameter.symbol for parameter in target.parameters]
-    readings = {s: own[str(s)] for s in wanted if str(s) in own} | _field(problem.rolling)
+    readings = {s: own[str(s)] for s in wanted if str(s) in own} | _bruns_strength(problem.rolling)
     if len(readings) >= len(wanted) and all(s in readings for s in wanted):
         yield {s: readings[s] for s in wanted}
     for law in problem.system.laws:
@@ -227,7 +229,7 @@ def _matches(problem: Problem, target: System) -> Iterator[Formulas]:
             yield dict(zip(wanted, chosen, strict=True))
 
 
-def _field(rolling: Rolling | None) -> dict[sp.Symbol, sp.Expr]:
+def _bruns_strength(rolling: Rolling | None) -> dict[sp.Symbol, sp.Expr]:
     """The strength of a Bruns field that is given as a potential."""
     if rolling is None or not rolling.body.principal:
         return {}
@@ -235,7 +237,7 @@ def _field(rolling: Rolling | None) -> dict[sp.Symbol, sp.Expr]:
     return {} if factor is None else {real_symbol("K"): factor}
 
 
-def _agree(
+def _same_vector_field(
     system: System, values: Mapping[sp.Symbol, Fraction], target: System, formulas: Formulas
 ) -> bool:
     """Whether a known system with these parameters has the field of the problem's."""
@@ -249,7 +251,7 @@ def _agree(
     return same_field(system, values, target, there)
 
 
-def _separable(problem: Problem) -> Solution | None:
+def _solve_separable(problem: Problem) -> Solution | None:
     from .degenerate import solve_degenerate
     from .degenerate.uniform_motion import equilibrium_solution
     from .genus_two.curve import DegenerateError
@@ -282,19 +284,19 @@ def _axisymmetric(
     from .degenerate.recognise_axisymmetric import chaplygin_of_revolution, veselova_of_revolution
 
     own, name = match.own, match.known.name
-    if problem.system.reconstruction is None or name not in (*TURNING, *ROLLING):
+    if problem.system.reconstruction is None or name not in (*VESELOVA_LIKE, *CHAPLYGIN_BALL_LIKE):
         return None
     with ctx.workprec(PRECISION):
         numbers = {symbol: ball(value) for symbol, value in values.items()}
         moments = ball_values(own.poles, numbers)
-        if name in TURNING:
+        if name in VESELOVA_LIKE:
             return veselova_of_revolution(problem.system, values, problem.start, moments)
         m, R = (numbers[real_symbol(s)] for s in ("m", "R"))
         D = m * R * R
         return chaplygin_of_revolution(problem.system, values, problem.start, moments, D, R)
 
 
-def _principal(problem: Problem) -> Solution | None:
+def _solve_in_principal_axes(problem: Problem) -> Solution | None:
     principal = in_principal_axes(problem)
     return (
         None
@@ -303,7 +305,7 @@ def _principal(problem: Problem) -> Solution | None:
     )
 
 
-def _revolution(problem: Problem) -> Solution | None:
+def _solve_body_of_revolution(problem: Problem) -> Solution | None:
     from .revolution import solve_rolling
 
     if problem.rolling is None:
@@ -311,7 +313,7 @@ def _revolution(problem: Problem) -> Solution | None:
     return solve_rolling(problem.rolling, problem.system, problem.start, problem.parameters)
 
 
-def _top(problem: Problem) -> Solution | None:
+def _solve_lagrange_top(problem: Problem) -> Solution | None:
     from .lagrange.solution import solve_top
 
     top = entry("lagrange-top").system()
@@ -320,4 +322,9 @@ def _top(problem: Problem) -> Solution | None:
     return solve_top(problem.system, problem.start, problem.parameters)
 
 
-RECOGNISERS: tuple[Recogniser, ...] = (_top, _revolution, _principal, _separable)
+RECOGNISERS: tuple[Recogniser, ...] = (
+    _solve_lagrange_top,
+    _solve_body_of_revolution,
+    _solve_in_principal_axes,
+    _solve_separable,
+)

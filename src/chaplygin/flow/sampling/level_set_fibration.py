@@ -1,4 +1,4 @@
-"""The fibration of a level of the integrals of a System, found from its formulas."""
+"""Level sets as ellipsoids over a product of spheres and angles, for sampling."""
 
 from __future__ import annotations
 
@@ -55,18 +55,18 @@ def find_fibration(
     ]
     for bound in sorted(conditions, key=lambda condition: condition.name not in _BOUNDING):
         further = [condition for condition in conditions if condition is not bound]
-        fibration = _with_bound(system, sheet, spheres, relations, bound, further)
+        fibration = _fibration_bounded_by(system, sheet, spheres, relations, bound, further)
         if fibration is not None and _is_bounded(fibration, values):
             return fibration
     text = " and ".join(f"{name} = {value:.6g}" for name, value in level.items())
     raise InputError(
         f"{system.name}: the level {text or 'of no integral'} is not bounded in a way that can "
         "be seen: among what is held there must be an integral, such as the energy, that is "
-        f"quadratic and definite in {_names(system, _loose(system, spheres))}"
+        f"quadratic and definite in {_names(system, _variables_off_ellipsoids(system, spheres))}"
     )
 
 
-def _loose(system: System, spheres: Iterable[Sequence[int]]) -> list[int]:
+def _variables_off_ellipsoids(system: System, spheres: Iterable[Sequence[int]]) -> list[int]:
     inside = {place for places in spheres for place in places}
     return [i for i in range(len(system.symbols)) if i not in inside]
 
@@ -75,7 +75,7 @@ def _names(system: System, places: Sequence[int]) -> str:
     return ", ".join(str(system.symbols[i]) for i in places)
 
 
-def _with_bound(
+def _fibration_bounded_by(
     system: System,
     sheet: SystemFormulas,
     spheres: Mapping[tuple[int, ...], tuple[float, ...]],
@@ -84,9 +84,9 @@ def _with_bound(
     others: list[LevelCondition],
 ) -> Fibration | None:
     """The fibration with `bound` as its quadratic condition, if there is one."""
-    fibre, angles = _loose(system, spheres), list[int]()
+    fibre, angles = _variables_off_ellipsoids(system, spheres), list[int]()
     terms = [bound.term, *(relation.term for relation in relations)]
-    while curved := sheet.depends(_second(sheet, terms, fibre)) & set(fibre):
+    while curved := sheet.depends(_second_derivatives(sheet, terms, fibre)) & set(fibre):
         angles += sorted(curved)
         fibre = [i for i in fibre if i not in curved]
     degree = {id(c): _degree(sheet, c.term, fibre) for c in (*relations, bound, *others)}
@@ -99,7 +99,7 @@ def _with_bound(
     if len(fibre) - len(linear) < 2:
         return None
     slopes = sheet.slopes([c.term for c in (*linear, bound)])
-    second = _second(sheet, [bound.term], fibre)
+    second = _second_derivatives(sheet, [bound.term], fibre)
     coefficients = [
         *(row[i] for row in slopes[:-1] for i in fibre),
         *(c.term for c in linear),
@@ -120,7 +120,9 @@ def _with_bound(
     )
 
 
-def _second(sheet: SystemFormulas, terms: Sequence[Term], places: Sequence[int]) -> list[Term]:
+def _second_derivatives(
+    sheet: SystemFormulas, terms: Sequence[Term], places: Sequence[int]
+) -> list[Term]:
     """All second derivatives of terms in some variables."""
     first = [row[i] for row in sheet.slopes(terms) for i in places]
     return [row[i] for row in sheet.slopes(first) for i in places]
@@ -133,10 +135,10 @@ def _degree(sheet: SystemFormulas, term: Term, places: Sequence[int]) -> int:
         return 0
     if not sheet.depends([sheet.slopes([term])[0][i] for i in places]) & inside:
         return 1
-    return 3 if sheet.depends(_second(sheet, [term], places)) & inside else 2
+    return 3 if sheet.depends(_second_derivatives(sheet, [term], places)) & inside else 2
 
 
-def _at_random(fibration: Fibration) -> FloatArray:
+def _random_base_states(fibration: Fibration) -> FloatArray:
     """States over random points of the base, their fibre zero."""
     gauss = counter_normals(0, np.arange(_SAMPLE), np.zeros(_SAMPLE), fibration.numbers)
     states = np.zeros((fibration.size, _SAMPLE))
@@ -154,7 +156,7 @@ def _periodic(fibration: Fibration, states: FloatArray, values: FloatArray) -> b
 
 def _is_bounded(fibration: Fibration, values: FloatArray) -> bool:
     """Whether the quadratic condition is definite over a sample of base points."""
-    states = _at_random(fibration)
+    states = _random_base_states(fibration)
     if not _periodic(fibration, states, values):
         return False
     n, _, A, _, _ = fibration.parts(states, values)
@@ -179,7 +181,7 @@ def _ellipsoids(
     for relation in system.relations:
         formula = to_components(relation)
         free = sorted(formula.free_symbols & set(places), key=places.__getitem__)
-        axes = _axes(formula, free, numbers)
+        axes = _half_axes(formula, free, numbers)
         if axes is None or {places[s] for s in free} & {i for own in ellipsoids for i in own}:
             others.append(formula)
         else:
@@ -187,7 +189,7 @@ def _ellipsoids(
     return ellipsoids, others
 
 
-def _axes(
+def _half_axes(
     formula: sp.Expr, free: Sequence[sp.Symbol], numbers: Mapping[sp.Symbol, float]
 ) -> tuple[float, ...] | None:
     """The half axes of an ellipsoid in principal axes; None for any other formula."""

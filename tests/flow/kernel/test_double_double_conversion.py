@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from chaplygin.errors import InputError
-from chaplygin.flow.kernel.double_double import as_pairs, from_pairs, parameter_pairs
+from chaplygin.flow.kernel.double_double_conversion import as_pairs, from_pairs, parameter_pairs
 from flow.small import OSCILLATOR
 
 DOUBLES = st.floats(-1e150, 1e150, allow_subnormal=False)

@@ -1,4 +1,4 @@
-"""Quantities that must be positive for a law to make sense.
+"""Conditions of positivity under which a law is defined.
 
 A formula is positive on a whole level, or the law makes sense only where it is.  What is positive
 by its form wherever it is real is left out: roots, exponentials, positive numbers, and squares in
@@ -38,11 +38,11 @@ def positives(law: Law, level: LevelSet) -> tuple[Named, ...]:
     bases: list[Named] = []
     match law:
         case Isomorphism():
-            bases = [("dτ/dt", _plain(law.time, level))]
+            bases = [("dτ/dt", _without_rates(law.time, level))]
         case Measure():
             bases = [
                 (f"the base {text(base)} of the density", formula)
-                for base, formula, power in _bases(law, level)
+                for base, formula, power in _density_bases(law, level)
                 if not power.is_Integer
             ]
     settled = ((what, _factors_of_open_sign(formula, level)) for what, formula in bases)
@@ -59,7 +59,7 @@ def orienting(law: Law, level: LevelSet) -> tuple[Named, ...]:
         return ()
     bases = (
         (f"the base {text(base)} of the density", _factors_of_open_sign(formula, level))
-        for base, formula, power in _bases(law, level)
+        for base, formula, power in _density_bases(law, level)
         if power.is_Integer and power % 2
     )
     return tuple((what, formula) for what, formula in bases if not formula.is_number)
@@ -87,15 +87,15 @@ def unmet(law: Law, level: LevelSet, field: Field) -> tuple[tuple[str, FieldElem
     return tuple(failures)
 
 
-def _bases(law: Measure, level: LevelSet) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:
+def _density_bases(law: Measure, level: LevelSet) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:
     """Base as given, base without rates, and exponent on the level; none of exponent zero."""
     for base, exponent in law.density:
         power = level.expanded(sp.sympify(exponent))
         if power != 0:
-            yield base, _plain(base, level), power
+            yield base, _without_rates(base, level), power
 
 
-def _plain(formula: sp.Expr, level: LevelSet) -> sp.Expr:
+def _without_rates(formula: sp.Expr, level: LevelSet) -> sp.Expr:
     return without_rates(to_components(sp.sympify(formula)), level)
 
 

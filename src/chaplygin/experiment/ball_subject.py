@@ -1,4 +1,4 @@
-"""From the tables of an experiment to the homogeneous ball that they describe."""
+"""The homogeneous ball that an experiment file describes."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def ball_subject(experiment: BallExperiment) -> PlacedBallSubject:
         start_values=experiment.start.model_dump(exclude_none=True),
         until=experiment.run.until,
         variables=ball_variables,
-        setting=_setting(experiment, ball),
+        setting=_description(experiment, ball),
         ball=ball,
     )
 
@@ -95,7 +95,7 @@ def _title(experiment: BallExperiment, ball: RollingBall) -> str:
     return f"Homogeneous ball {_support(experiment, ball)}{manner}"
 
 
-def _setting(experiment: BallExperiment, ball: RollingBall) -> str:
+def _description(experiment: BallExperiment, ball: RollingBall) -> str:
     """The ball, its support, the contact and the forces in one line."""
     manner = "without slipping"
     if ball.contact == "rubber":

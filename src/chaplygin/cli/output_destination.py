@@ -91,18 +91,18 @@ def deliver(dataset: xr.Dataset, output: Path, force: bool) -> None:
 
 
 def name_of(output: Path) -> str:
-    """An output for the reader."""
+    """The name of an output as messages show it."""
     return "standard output" if output == STANDARD_OUTPUT else str(output)
 
 
 def beside(output: Path | None) -> AbstractContextManager[object]:
-    """Print on standard error, while it lasts, where the output is standard output."""
+    """Print to standard error while the output itself goes to standard output."""
     return redirect_stdout(sys.stderr) if output == STANDARD_OUTPUT else nullcontext()
 
 
 @contextmanager
 def written(output: Path) -> Iterator[Path]:
-    """A file to be filled, which becomes the output when the block ends well."""
+    """A temporary path, whose content becomes the output when all has gone well."""
     from tempfile import TemporaryDirectory
 
     from ..experiment.files import atomic_file

@@ -1,4 +1,4 @@
-"""Numbers of 32 digits as two doubles each."""
+"""Conversion of numbers to and from pairs of doubles (32 digits)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Points of refutations, with a residual that is not zero, and of proofs.
+"""Checks of the points in certificates: counterexamples and sample points.
 
 Coordinates are rational numbers, roots of triangular polynomials that change their sign, or values
 of formulas.  That a condition holds at a point is shown exactly where it is a rational function of
@@ -42,7 +42,7 @@ def check_witness(claim: Claim, data: object) -> None:
     data = mapping(data, what)
     only(data, what, "point", "what", "index", "residual", "functions")
     with ctx.workprec(PRECISION):
-        point = _Point(claim, field(data, "point", what))
+        point = _StatedPoint(claim, field(data, "point", what))
         point.check()
         values = residuals(claim, point.evaluate)
         index = integer(field(data, "index", what), f"the index of {what}", 0, len(values) - 1)
@@ -56,7 +56,7 @@ def check_witness(claim: Claim, data: object) -> None:
 def located(claim: Claim, data: object) -> Point:
     """A point of the level in the domain of the law; CheckError where it is none."""
     with ctx.workprec(PRECISION):
-        point = _Point(claim, data)
+        point = _StatedPoint(claim, data)
         point.check()
         return point.evaluate
 
@@ -70,7 +70,7 @@ def failing(claim: Claim, data: object) -> tuple[int, str]:
         If there is none, or the point is none of the level.
     """
     with ctx.workprec(PRECISION):
-        point = _Point(claim, data)
+        point = _StatedPoint(claim, data)
         point.check()
         for index, value in enumerate(each_residual(claim, point.evaluate)):
             if not value.contains(0):
@@ -81,7 +81,7 @@ def failing(claim: Claim, data: object) -> tuple[int, str]:
 def check_sample(claim: Claim, data: object, conditions: Sequence[Condition]) -> None:
     """Check that the law is defined at a point of its level, with the rank that it says."""
     with ctx.workprec(PRECISION):
-        point = _Point(claim, data)
+        point = _StatedPoint(claim, data)
         point.check()
         for condition in conditions:
             value = point.evaluate(condition.formula)
@@ -112,7 +112,7 @@ def _decimal(data: object, what: str) -> Fraction:
     return Fraction(words)
 
 
-class _Point:
+class _StatedPoint:
     """Values of state and parameters, exact where they can be."""
 
     def __init__(self, claim: Claim, data: object) -> None:
@@ -128,12 +128,12 @@ class _Point:
         for word, value in mapping(data, "the point").items():
             if word not in self.system.symbols:
                 raise CheckError(f"the point gives {word}, which is neither state nor parameter")
-            self._settle_zeros(zeros)
+            self._set_vanishing_functions(zeros)
             self._read(word, value)
         for word in self.system.symbols:
             if word not in self.balls:
                 raise CheckError(f"the point does not give {word}")
-        self._settle_zeros(zeros)
+        self._set_vanishing_functions(zeros)
         settled = {word: number(value) for word, value in self.rationals.items()}
         self.evaluate = self.system.point(self.balls, self.functions, settled)
 
@@ -141,7 +141,7 @@ class _Point:
         settled = {word: number(value) for word, value in self.rationals.items()}
         return Point(self.balls, self.system.definitions, {}, self.functions, settled)
 
-    def _settle_zeros(self, zeros: list[Formula]) -> None:
+    def _set_vanishing_functions(self, zeros: list[Formula]) -> None:
         """Values of unspecified functions that a condition says are zero."""
         for zero in list(zeros):
             if self.system.reach(zero.parts) <= {*self.balls, *self.system.definitions}:
