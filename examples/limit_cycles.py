@@ -28,9 +28,9 @@ from chaplygin.analysis.orbits import (
     Orbit,
     ReturnMap,
     Rotation,
+    continue_orbit,
     enclose_limit_cycle,
-    find,
-    follow,
+    find_periodic,
     locked_interval,
     staircase,
 )
@@ -185,13 +185,13 @@ def cycles(ball: Ball, level: float = LEVEL, settle: int = 200) -> tuple[Orbit, 
     """The attracting limit cycle of a torus, and its branch over all tori of the same energy."""
     returns = ball.returns
     near = returns.section.iterate(ball.start(level, 2.0)[None], settle)[0]
-    orbit = find(returns, near, hold={"energy": 0.5, "quadratic": level})
-    return orbit, follow(returns, orbit, "quadratic", 2.0, {"energy": 0.5}, longest=0.3)
+    orbit = find_periodic(returns, near, hold={"energy": 0.5, "quadratic": level})
+    return orbit, continue_orbit(returns, orbit, "quadratic", 2.0, {"energy": 0.5}, longest=0.3)
 
 
 def control(ball: Ball, level: float, period: int) -> Orbit:
     """A closed orbit next to a torus; F is free, so that the step goes to the resonant torus."""
-    return find(ball.returns, ball.start(level, 2.0), period, {"energy": 0.5})
+    return find_periodic(ball.returns, ball.start(level, 2.0), period, {"energy": 0.5})
 
 
 def resonance(circle: Circle, fraction: Fraction, stairs: DevilsStaircase) -> float:

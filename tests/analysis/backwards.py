@@ -8,13 +8,12 @@ import sympy as sp
 
 from chaplygin.core.laws import Identity, Rate
 from chaplygin.core.system import System
-from chaplygin.explicit.isomorphism import written_out
 
 
 def runs_backwards(system: System, signs: Mapping[sp.Symbol, int]) -> Identity:
     """v(Rx) = −R v(x) for the state x, and parameters with their signs changed as well."""
     turned = {symbol: sign * symbol for symbol, sign in signs.items()}
-    rates = (written_out(system, rate).xreplace(turned) for rate in system.rates)
+    rates = (system.expand(rate).xreplace(turned) for rate in system.rates)
     return Identity(
         "reversal",
         tuple(

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Callable
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from chaplygin.cli import main, study as command
+from chaplygin.flow.taylor_run import TaylorRun
 from chaplygin.report import write as folders
 
 Ask = Callable[..., tuple[int, str, str]]
@@ -116,15 +116,14 @@ def test_an_interrupted_study_goes_on(
 def test_an_interrupted_integration_is_no_finished_study(
     ask: Ask, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    run = import_module("chaplygin.flow.integrator")._Run
-    pressed = run._pressed
+    is_pressed = TaylorRun._is_pressed
 
-    def interrupted(self: Any, now: Any, log: Any, wish: str) -> None:
-        pressed(self, now, log, wish)
+    def interrupted(self: Any, now: Any, log: Any, on_liftoff: str) -> bool:
+        is_pressed(self, now, log, on_liftoff)
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patched:
-        patched.setattr(run, "_pressed", interrupted)
+        patched.setattr(TaylorRun, "_is_pressed", interrupted)
         code, out, err = ask(*SHORT, "--quick")
         assert (code, out) == (130, "")
         assert err.count("interrupted: ") == 1

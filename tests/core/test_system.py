@@ -115,7 +115,7 @@ def test_unknown_symbols_are_refused(change: dict[str, object], message: str) ->
 
 
 @pytest.mark.parametrize("other", [sp.Symbol("s"), sp.Symbol("s", positive=True)])
-@pytest.mark.parametrize("role", ["field", "definitions", "parameters", "motion"])
+@pytest.mark.parametrize("role", ["field", "definitions", "parameters", "reconstruction"])
 def test_names_that_are_written_alike_are_refused(other: sp.Symbol, role: str) -> None:
     """`s` of the system is a real symbol; the other one is another symbol for SymPy."""
     system = top()
@@ -123,7 +123,7 @@ def test_names_that_are_written_alike_are_refused(other: sp.Symbol, role: str) -
         "field": (*system.field, (other, sp.S.Zero)),
         "definitions": (*system.definitions, (other, sp.S.One)),
         "parameters": (*system.parameters, Parameter(other, "other", 1.0)),
-        "motion": Reconstruction({other: sp.S.One}, (), ()),
+        "reconstruction": Reconstruction({other: sp.S.One}, (), ()),
     }
     with pytest.raises(InputError, match="top: s stands for two things; each state variable"):
         replace(system, **{role: more[role]})

@@ -25,7 +25,7 @@ from .isomorphism import inverse
 
 #: Times (n,) ↦ states (n, size).
 Motion: TypeAlias = Callable[[FloatArray], FloatArray]
-Rate: TypeAlias = Callable[[FloatArray], FloatArray]
+RateAlongMotion: TypeAlias = Callable[[FloatArray], FloatArray]
 
 #: Nodes on a panel of time; what the last coefficients may be beside the largest.
 _NODES, _TAIL = 24, 1e-13
@@ -107,7 +107,7 @@ class IsomorphismMap:
         return self.preimage(motion(moments))
 
 
-def _moments(rate: Rate, wanted: Numbers) -> FloatArray:
+def _moments(rate: RateAlongMotion, wanted: Numbers) -> FloatArray:
     """The s ≥ 0 at which ∫₀ˢ rate ds has the wanted values, none negative."""
     goals = np.atleast_1d(np.asarray(wanted, dtype=float))
     if np.any(goals < 0):
@@ -127,7 +127,7 @@ def _moments(rate: Rate, wanted: Numbers) -> FloatArray:
     return moments
 
 
-def _panel(rate: Rate, left: float, width: float) -> tuple[FloatArray, float]:
+def _panel(rate: RateAlongMotion, left: float, width: float) -> tuple[FloatArray, float]:
     """Coefficients of the rate on a panel narrow enough to be resolved, and its width."""
     nodes = chebyshev.chebpts1(_NODES)
     for _ in range(_HALVINGS):

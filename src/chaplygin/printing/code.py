@@ -2,7 +2,7 @@
 
 In every target the state is a flat array `x` in the order of ``system.symbols`` and the
 parameters are a flat array `p` in the order of ``system.parameters``; definitions are computed
-once, in order, under the names that the formulas on paper have.
+once, in order, under their own names.
 """
 
 from __future__ import annotations
@@ -389,13 +389,9 @@ class _Julia(_Language):
         return f"{place} = {value}"
 
     def wrap(self, identifier: str, body: Sequence[str]) -> list[str]:
-        return [
-            f"function {identifier}!(dx, x, p, t)",
-            *(f"    {line}" for line in body),
-            "    return nothing",
-            "end",
-        ]
+        lines = (f"    {line}" for line in (*body, "return nothing"))
+        return [f"function {identifier}!(dx, x, p, t)", *lines, "end"]
 
 
+#: The languages of :func:`source_code`.
 LANGUAGES: Mapping[str, _Language] = {"c": _C(), "julia": _Julia()}
-"""The languages of :func:`source_code`."""

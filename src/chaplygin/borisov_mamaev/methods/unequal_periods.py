@@ -37,9 +37,9 @@ from .conclusion import computed_verdict
 
 T = TypeVar("T", arb, arb_series)
 #: I and D = mR², as decimal fractions.
-Ball: TypeAlias = tuple[tuple[str, str, str], str]
+BallNumbers: TypeAlias = tuple[tuple[str, str, str], str]
 #: A slender ball: one of 5 kg and radius 1 m can have these moments.
-BALL: Ball = (("0.2", "2", "2.1"), "5")
+BALL: BallNumbers = (("0.2", "2", "2.1"), "5")
 #: Two values of e; the resonant torus lies between them.
 BETWEEN = ("1.20074", "1.20075")
 STEPS, ORDER = 64, 12
@@ -50,12 +50,12 @@ PRECISION = 128
 z_1, z_2 = real_symbol("z_1"), real_symbol("z_2")
 
 
-def _moments_and_lever(ball: Ball) -> tuple[arb, arb, arb, arb]:
+def _moments_and_lever(ball: BallNumbers) -> tuple[arb, arb, arb, arb]:
     (first, second, third), lever = ball
     return arb(first), arb(second), arb(third), arb(lever)
 
 
-def _rates(alpha: T, beta: T, level: arb, ball: Ball) -> tuple[T, T]:
+def _rates(alpha: T, beta: T, level: arb, ball: BallNumbers) -> tuple[T, T]:
     """dβ/dα and dt/dα, for numbers or power series."""
     i_1, i_2, i_3, lever = _moments_and_lever(ball)
     low, high = alpha.sin(), beta.sin()
@@ -68,7 +68,7 @@ def _rates(alpha: T, beta: T, level: arb, ball: Ball) -> tuple[T, T]:
     return steep, (second - first) * slow
 
 
-def _series(alpha: arb, beta: arb, level: arb, ball: Ball) -> tuple[list[arb], list[arb]]:
+def _series(alpha: arb, beta: arb, level: arb, ball: BallNumbers) -> tuple[list[arb], list[arb]]:
     """Taylor coefficients of β and t by α, up to `ORDER`, at a point or on a box."""
     place = arb_series([alpha, arb(1)])
     moved = arb_series([beta])
@@ -78,7 +78,7 @@ def _series(alpha: arb, beta: arb, level: arb, ball: Ball) -> tuple[list[arb], l
     return moved.coeffs(), _rates(place, moved, level, ball)[1].integral().coeffs()
 
 
-def _step(alpha: arb, beta: arb, step: arb, level: arb, ball: Ball) -> tuple[arb, arb]:
+def _step(alpha: arb, beta: arb, step: arb, level: arb, ball: BallNumbers) -> tuple[arb, arb]:
     """Bounds of β at α + `step`, and of the growth of t.
 
     Taylor's formula, with the last coefficient on a box that contains the motion.
@@ -97,7 +97,9 @@ def _step(alpha: arb, beta: arb, step: arb, level: arb, ball: Ball) -> tuple[arb
     return sums[0], sums[1]
 
 
-def half_period(start: arb, ball: Ball = BALL, between: Sequence[str] = BETWEEN) -> tuple[arb, arb]:
+def half_period(
+    start: arb, ball: BallNumbers = BALL, between: Sequence[str] = BETWEEN
+) -> tuple[arb, arb]:
     """The growth of t and of β while α grows from 0 to π, for every e between two values.
 
     Parameters
@@ -131,7 +133,7 @@ def half_period(start: arb, ball: Ball = BALL, between: Sequence[str] = BETWEEN)
         ctx.prec, ctx.cap = precision
 
 
-def resonance(level: arb, ball: Ball = BALL) -> tuple[arb, arb]:
+def resonance(level: arb, ball: BallNumbers = BALL) -> tuple[arb, arb]:
     """A − 2B and its derivative by e, at one value or on an interval of them."""
     i_1, i_2, i_3, lever = (acb(x) for x in _moments_and_lever(ball))
     e = acb(level)

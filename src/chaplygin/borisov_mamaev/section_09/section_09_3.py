@@ -63,14 +63,14 @@ def squares() -> Case:
 
 def kinetic(sign: int) -> Case:
     """(9.7) against ½(ω, Jω), for arbitrary ξ̇, η̇."""
-    system = conical.chaplygin_form(conical.kinetic(), conical.GYROSCOPIC)
+    system = conical.in_chaplygin_form(conical.kinetic(), conical.GYROSCOPIC)
     excess = conical.kinetic(sign) - dot(omega, J * omega) / 2
     return system, Identity("kinetic", excess, "kinetic energy")
 
 
 def chaplygin_form() -> Case:
     """(9.8) with T = ½(ω, Jω): carried onto (9.2)."""
-    return conical.chaplygin_form(conical.kinetic(), conical.GYROSCOPIC), conical.to_ball()
+    return conical.in_chaplygin_form(conical.kinetic(), conical.GYROSCOPIC), conical.to_ball()
 
 
 def momentum_measure() -> Case:

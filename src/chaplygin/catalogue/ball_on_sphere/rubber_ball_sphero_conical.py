@@ -113,7 +113,7 @@ def _system(
     )
 
 
-def chaplygin_form(kinetic_energy: sp.Expr, gyroscopic: sp.Expr) -> System:
+def in_chaplygin_form(kinetic_energy: sp.Expr, gyroscopic: sp.Expr) -> System:
     """(9.8) for a kinetic energy T and a function S, solved for ξ̈, η̈.
 
     Parameters

@@ -50,7 +50,7 @@ SUMMARY = (
 SOURCE = "§2.5"
 
 
-def equations(numbers: Numbers, potential: sp.Expr = sp.S.Zero) -> System:
+def suslov_ball(numbers: Numbers, potential: sp.Expr = sp.S.Zero) -> System:
     """The equations with both multipliers eliminated, in ω and γ (body axes)."""
     check_mass(numbers["m"])
     check_inertia((numbers["I_1"], numbers["I_2"], numbers["I_3"]))
@@ -164,7 +164,7 @@ def build(numbers: Numbers) -> System:
 
     Which laws are claimed depends on whether the axis is a principal axis of inertia.
     """
-    system = equations(numbers).with_laws(*_always())
+    system = suslov_ball(numbers).with_laws(*_always())
     axis = [numbers[f"e_{i}"] for i in (1, 2, 3)]
     if axis == [0, 0, 1]:
         return system.with_laws(_volume(), *_uniform())
@@ -174,7 +174,7 @@ def build(numbers: Numbers) -> System:
 
 def general() -> System:
     """In any potential U(γ), with any axis."""
-    return equations(_DEFAULTS, POTENTIAL).with_laws(*_always(POTENTIAL), _volume())
+    return suslov_ball(_DEFAULTS, POTENTIAL).with_laws(*_always(POTENTIAL), _volume())
 
 
 _DEFAULTS = {
