@@ -217,7 +217,7 @@ def build(p: Numbers) -> System:
         title=TITLE,
         summary=SUMMARY,
         guards=(flat(), lift_off(N)),
-        motion=_upright(),
+        reconstruction=_upright(),
     )
 
 
