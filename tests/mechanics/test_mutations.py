@@ -31,6 +31,7 @@ import chaplygin.core.parameters
 import chaplygin.core.system
 import chaplygin.core.vectors
 import chaplygin.errors
+import chaplygin.formulas.multiprecision
 from chaplygin.core.vectors import to_components
 from mechanics.compare import (
     GAMMA,
@@ -72,6 +73,7 @@ SHARED = (
     "core.named_formulas",
     "core.system",
     "core.vectors",
+    "formulas.multiprecision",
 )
 
 #: Changes are tried in so many parts, of which one is no slow test.
@@ -279,7 +281,13 @@ def package(change: Change | None, used: set[tuple[str, str]]) -> Package:
     """The mechanics rebuilt, with one change or none; notes in `used` what is called."""
     for name in [name for name in sys.modules if name.split(".")[0] == "mutant"]:
         del sys.modules[name]
-    for name in ("mutant", "mutant.core", "mutant.mechanics", "mutant.mechanics.rolling"):
+    for name in (
+        "mutant",
+        "mutant.core",
+        "mutant.formulas",
+        "mutant.mechanics",
+        "mutant.mechanics.rolling",
+    ):
         module = types.ModuleType(name)
         module.__path__ = []
         sys.modules[name] = module

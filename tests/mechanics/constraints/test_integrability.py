@@ -77,7 +77,7 @@ def proven_by_the_prover(given: Distribution, function: sp.Expr) -> bool:
         own = given.fixed.fields
         return all(sp.simplify(lie_derivative(field, function)) == 0 for field in own)
     speeds = [real_symbol(f"speed_{i}") for i, _ in enumerate(given.fields)]
-    table = {s: sp.Rational(repr(value)) for s, value in given.default_values}
+    table = {s: sp.Rational(repr(value)) for s, value in given.constants}
     rates = {
         q: sum(
             (s * f.get(q, sp.S.Zero) for s, f in zip(speeds, given.fields, strict=True)),
@@ -85,7 +85,7 @@ def proven_by_the_prover(given: Distribution, function: sp.Expr) -> bool:
         )
         for q in given.coordinates
     }
-    steps = {s: value.xreplace(table) for s, value in given.scalar_definitions}
+    steps = {s: value.xreplace(table) for s, value in given.steps}
     kept, waiting = set(), set(function.free_symbols)
     while waiting:
         symbol = waiting.pop()

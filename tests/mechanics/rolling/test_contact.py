@@ -45,7 +45,7 @@ def test_contact_point_wanders_as_fast_over_the_body_as_over_the_surface(
     one = portrait(shape, surface, "marble")
     state = state_of(one, omega, gamma, zeta)
     here, rates = one.at(state), one.along(state)
-    curvature = 0 if surface == "plane" else 1 / SURFACES[surface].radius
+    curvature = 0 if surface == "plane" else 1 / SURFACES[surface].signed_radius
     normal, gammadot, rdot = here["gamma"], here["touch gammadot"], here["touch rdot"]
     size = np.abs(rdot).max()
     assert close(gammadot + np.cross(here["omega"], normal), curvature * rdot, size)
@@ -178,4 +178,4 @@ def test_edge_in_a_bowl_fits_where_it_stands_steeply(shape, lean, fits):
 def test_radius_of_the_sphere_is_a_parameter(shape, surface):
     touch = contact(SHAPES[shape], SURFACES[surface])
     radii = [p.default for p in touch.parameters if str(p.symbol) == "a"]
-    assert radii == ([] if surface == "plane" else [SURFACES[surface].radius])
+    assert radii == ([] if surface == "plane" else [SURFACES[surface].signed_radius])
