@@ -9,7 +9,6 @@ import pytest
 
 from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.study import Study, prepare
-from chaplygin.report import stored_trajectory
 from chaplygin.report.stored_trajectory import read_trajectory, store_trajectory, trajectory_digest
 
 FALL = """
@@ -59,7 +58,7 @@ def test_another_study_has_another_digest(monkeypatch: pytest.MonkeyPatch) -> No
     assert key != trajectory_digest(fall(), 2)
     for change in ("start.z=2.0", "run.tolerance=1e-12", "parameters.g.value=9.8", "run.samples=5"):
         assert key != trajectory_digest(fall(change), 1)
-    monkeypatch.setattr(stored_trajectory, "core", lambda: "another program")
+    monkeypatch.setattr("chaplygin.core.cache.computation_digest", lambda: "another program")
     assert key != trajectory_digest(fall(), 1)
 
 

@@ -287,7 +287,7 @@ def find_periodic(
     ...     ("x", "y"),
     ...     lambda z: np.stack([1 - 1.4 * z[:, 0] ** 2 + z[:, 1], 0.3 * z[:, 0]], axis=1),
     ... )
-    >>> orbit = find(henon, np.array([0.6, 0.2]))
+    >>> orbit = find_periodic(henon, np.array([0.6, 0.2]))
     >>> print(orbit.kind, orbit.points[0, 0].round(12))
     saddle 0.63135447709
     """

@@ -1,6 +1,6 @@
 """Members of an ensemble: lists and products of starts and parameters, and random starts.
 
->>> everyone = sampled(100, {"energy": 1.0}, seed=7) * grid(a=[0.1, 0.2])
+>>> everyone = random_starts(100, {"energy": 1.0}, seed=7) * grid(a=[0.1, 0.2])
 >>> everyone.size
 200
 """
