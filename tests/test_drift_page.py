@@ -34,7 +34,7 @@ def test_what_the_page_counts_is_in_its_table() -> None:
         "chaplygin-ball-angles",
         "chaplygin-ball-reduced",
     ]
-    assert sorted(name for name in ROWS if ROWS[name][1] > 1.3e-12) == sorted(more)
+    assert sorted(name for name in ROWS if ROWS[name][1] > 4.1e-12) == sorted(more)
 
 
 @pytest.mark.parametrize("name", ["chaplygin-sleigh", "marble-ball", "suslov"])
