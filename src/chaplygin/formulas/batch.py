@@ -11,10 +11,11 @@ import numpy.typing as npt
 import sympy as sp
 
 from ..core.arrays import FloatArray
+from ..core.parameters import Parameters
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
-from .evaluate import ParameterValues, numbers, parameter_rows
+from .evaluate import numbers, parameter_rows
 from .graph import Graph, Reader, Term
 
 
@@ -38,9 +39,7 @@ class Formulas:
     system: System
     formulas: Sequence[sp.Expr]
 
-    def __call__(
-        self, states: npt.ArrayLike, parameters: ParameterValues | None = None
-    ) -> FloatArray:
+    def __call__(self, states: npt.ArrayLike, parameters: Parameters | None = None) -> FloatArray:
         """The formulas at states.
 
         Parameters
@@ -58,9 +57,7 @@ class Formulas:
         """
         return self._values(self._terms, states, parameters)
 
-    def slopes(
-        self, states: npt.ArrayLike, parameters: ParameterValues | None = None
-    ) -> FloatArray:
+    def slopes(self, states: npt.ArrayLike, parameters: Parameters | None = None) -> FloatArray:
         """Their derivatives with respect to the state.
 
         Returns
@@ -93,7 +90,7 @@ class Formulas:
         return [slope for row in graph.jacobian(self._terms, states) for slope in row]
 
     def _values(
-        self, terms: Sequence[Term], states: npt.ArrayLike, parameters: ParameterValues | None
+        self, terms: Sequence[Term], states: npt.ArrayLike, parameters: Parameters | None
     ) -> FloatArray:
         points = np.asarray(states, dtype=float)
         count = len(points) if points.ndim > 1 else 1

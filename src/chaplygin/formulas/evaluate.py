@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
-from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -18,9 +17,6 @@ from ..errors import InputError
 from ..parsing import parse_formula
 from .digest import canonical
 from .graph import Reader, Term, of_system, topological_order
-
-#: Values of parameters by symbol or name; an array has one for each motion.
-ParameterValues: TypeAlias = Parameters
 
 
 def _positive(test: FloatArray, yes: FloatArray, no: FloatArray) -> FloatArray:
@@ -128,7 +124,7 @@ def _names(system: System) -> dict[str, Quantity]:
     return {str(q): q for q in quantities}
 
 
-def parameter_rows(system: System, parameters: ParameterValues | None, count: int) -> FloatArray:
+def parameter_rows(system: System, parameters: Parameters | None, count: int) -> FloatArray:
     """Values of the parameters in order, (1, parameters), or (count, parameters) if some vary.
 
     Parameters
@@ -170,7 +166,7 @@ def values(
     system: System,
     formulas: Sequence[sp.Expr | float | str],
     states: npt.ArrayLike,
-    parameters: ParameterValues | None = None,
+    parameters: Parameters | None = None,
 ) -> FloatArray:
     """Scalar formulas at many states.
 

@@ -174,10 +174,7 @@ class ImplicitSurfaceTable(_SurfaceTable):
     @field_validator("equation")
     @classmethod
     def _readable(cls, text: str, info: ValidationInfo) -> str:
-        formula = cls._formula(text, info)
-        if formula is not None and not {s.name for s in formula.free_symbols} & set(cls.variables):
-            raise ValueError("the equation of a surface must contain x, y or z")
-        return text
+        return cls._formula_in_space(text, info, "the equation of a surface")
 
     def surface(self) -> SmoothSurface:
         """The surface, its equation read."""

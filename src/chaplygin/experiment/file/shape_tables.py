@@ -157,10 +157,7 @@ class ImplicitTable(_ShapeTable):
     @field_validator("surface")
     @classmethod
     def _readable(cls, text: str, info: ValidationInfo) -> str:
-        formula = cls._formula(text, info)
-        if formula is not None and not {s.name for s in formula.free_symbols} & set(cls.variables):
-            raise ValueError("the formula of a surface must contain x, y or z")
-        return text
+        return cls._formula_in_space(text, info, "the formula of a surface")
 
     def shape(self) -> Shape:
         """The body, its equation read."""

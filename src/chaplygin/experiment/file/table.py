@@ -102,6 +102,14 @@ class FormulaTable(Table):
             return None
         return _expression(text, (*cls.variables, *info.data["parameters"]))
 
+    @classmethod
+    def _formula_in_space(cls, text: str, info: ValidationInfo, subject: str) -> str:
+        """The text of a formula, which must depend on x, y or z."""
+        formula = cls._formula(text, info)
+        if formula is not None and not {s.name for s in formula.free_symbols} & {"x", "y", "z"}:
+            raise ValueError(f"{subject} must contain x, y or z")
+        return text
+
 
 _MEANT = frozenset(
     ["m", "g", "x", "y", "z", *(f"{letter}_{i}" for letter in ("gamma", "I") for i in (1, 2, 3))]

@@ -99,7 +99,10 @@ class BodyFrame(ABC):
         """φ, or φ and ψ, at time 0."""
 
     def path_speed(self, x: acb) -> acb:
-        """(ẋ + iẏ) e^{−iψ} of the path in the tail of an asymptotic motion."""
+        """(ẋ + iẏ) e^{−iψ} of the path in the tail of an asymptotic motion.
+
+        To be defined by a frame whose motions may have a path and be asymptotic.
+        """
         raise NotImplementedError
 
 
