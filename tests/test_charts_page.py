@@ -17,6 +17,7 @@ DOCS = Path(__file__).parents[1] / "docs"
 PAGE = (DOCS / "charts.md").read_text()
 
 
+@pytest.mark.slow
 def test_the_steps_run(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.chdir(tmp_path)
     names: dict[str, Any] = {}
@@ -29,6 +30,7 @@ def test_the_steps_run(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     assert (tmp_path / "ball.png").stat().st_size > 10_000
 
 
+@pytest.mark.slow
 def test_the_command_runs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.chdir(tmp_path)
     (command,) = re.findall(r"    chaplygin (chart ball-on-sphere .*?)\n\n", PAGE, re.DOTALL)

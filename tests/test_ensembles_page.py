@@ -11,6 +11,7 @@ import pytest
 PAGE = (Path(__file__).parents[1] / "docs" / "ensembles.md").read_text()
 
 
+@pytest.mark.slow
 def test_the_steps_run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -141,6 +141,7 @@ with contextlib.redirect_stdout(io.StringIO()):
     assert (code, err) == (0, "")
 
 
+@pytest.mark.slow
 def test_a_second_interruption_ends_at_once() -> None:
     script = block(f"""
 with concluding("the results are about to be printed"):

@@ -112,6 +112,7 @@ def test_the_slowest_stable_roll_seen_in_motions():
 # --- the rattleback turns back ----------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_the_rattleback_has_a_direction_of_its_own():
     entry = CATALOGUE["rattleback"]
     system = entry.system()

@@ -22,6 +22,7 @@ def block(language: str, containing: str) -> str:
     return next(text for text in blocks if containing in text)
 
 
+@pytest.mark.slow
 def test_the_python_lines_run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -65,6 +66,7 @@ def test_the_sleigh_is_derived(capsys: pytest.CaptureFixture[str]) -> None:
     assert "completely nonholonomic" in sentence
 
 
+@pytest.mark.slow
 def test_the_equations_are_the_ones_that_show_prints(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -101,6 +101,7 @@ def test_motion_at_ten_does_not_depend_on_tolerance(shape, support, contact):
         np.testing.assert_allclose(finer[key], normal[key], rtol=0, atol=1e-11)
 
 
+@pytest.mark.slow
 def test_reversed_motion_returns():
     case = random_case(np.random.default_rng(5), "implicit", "outside", "marble")
     forth = case.run([5.0])
@@ -191,6 +192,7 @@ def test_homogeneous_marble_ball_on_sphere_keeps_its_spin(signed_radius, hollow)
     np.testing.assert_allclose(to_centre, distance, rtol=0, atol=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("contact", "kept"), [("marble", 3), ("rubber", 2)])
 def test_chaplygin_ball_keeps_its_momentum_about_the_contact(contact, kept):
     mass, radius, gyrostat = 1.4, 0.8, np.array([0.2, -0.4, 0.3])

@@ -11,6 +11,7 @@ import pytest
 PAGE = (Path(__file__).parents[1] / "docs" / "sampling.md").read_text()
 
 
+@pytest.mark.slow
 def test_the_steps_run_and_print_what_the_page_says(capsys: pytest.CaptureFixture[str]) -> None:
     names: dict[str, Any] = {}
     for step in re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL):

@@ -46,6 +46,7 @@ def _spectrum(name: str, scale: float) -> Spectrum:
     return lyapunov_spectrum(system, start, parameters, until=100.0, intervals=100)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scale", SCALES)
 @pytest.mark.parametrize("name", FORCED)
 def test_spectra_are_the_same(name: str, scale: float) -> None:
@@ -72,6 +73,7 @@ def test_numbers_of_charts_are_the_same(rule: Any, scale: float) -> None:
         assert found[1][name] == pytest.approx(found[0][name], rel=1e-6)
 
 
+@pytest.mark.slow
 def test_a_batch_has_a_size_for_each_motion() -> None:
     system, start, parameters = _ball("unbalanced-ball", 1.0)
     _, other, changed = _ball("unbalanced-ball", 1e-2)

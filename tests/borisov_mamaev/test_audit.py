@@ -30,6 +30,7 @@ def test_every_claim_is_judged_in_reading_order(judged):
     assert all(j.section == SECTION for j in judged)
 
 
+@pytest.mark.slow
 def test_a_second_audit_computes_nothing(judged, monkeypatch):
     def refused(*_, **__):
         raise AssertionError("computed again")
@@ -59,6 +60,7 @@ def test_an_interrupted_audit_keeps_what_is_done(monkeypatch, tmp_path):
     assert all(j.printed.decision in DECISIONS for j in done)
 
 
+@pytest.mark.slow
 def test_a_case_of_several_laws_holds_when_all_hold():
     ball = from_catalogue("chaplygin-ball")
     right = Integral("square", norm_squared(M))

@@ -89,6 +89,7 @@ def test_a_claim_is_judged_and_put_right(number):
         assert claim.note, "a refuted claim without a correction says why"
 
 
+@pytest.mark.slow
 def test_counts_are_those_of_the_judgements():
     section = min(TITLES, key=lambda n: len(claims(n)))
     judgements, left = audit(section, workers=1)

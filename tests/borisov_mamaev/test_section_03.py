@@ -33,6 +33,7 @@ def follow(name, values, times, **parameters):
 # --- rest points ---------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_divergence_of_a_celtic_stone_by_differences():
     verdict = section_03_2.celtic_stone()
     body = section_03_2.Body(

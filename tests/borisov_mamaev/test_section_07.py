@@ -101,6 +101,7 @@ def _flat(formula: object) -> list[sp.Expr]:
     return list(value) if isinstance(value, sp.MatrixBase) else [value]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_the_motion_is_carried_to_the_target(case):
     make, start = CASES[case]

@@ -126,6 +126,7 @@ FOUND = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "asked"), FOUND.items(), ids=list(FOUND))
 def test_the_search_finds_the_integrals_and_no_others(name, asked):
     options, expected = asked

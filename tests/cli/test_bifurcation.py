@@ -12,6 +12,7 @@ from asking import Ask, ask
 __all__ = ["ask"]
 
 
+@pytest.mark.slow
 def test_a_system_with_its_motion(ask: Ask) -> None:
     code, out, err = ask("bifurcation", "veselova", "-o", "diagram.png")
     assert code == 0, err

@@ -94,6 +94,7 @@ def test_show_json(ask: Ask) -> None:
     assert all(law["heading"] and law["value"] for law in facts["laws"])
 
 
+@pytest.mark.slow
 def test_run_writes_a_trajectory(ask: Ask) -> None:
     code, out, err = ask("run", "chaplygin-ball", "-o", "ball.nc", "--set", "run.until=5")
     # a slow machine is told what it is waiting for
@@ -106,6 +107,7 @@ def test_run_writes_a_trajectory(ask: Ask) -> None:
     assert "chaplygin-ball" in dataset.attrs["experiment"]
 
 
+@pytest.mark.slow
 def test_run_json_in_quad_has_thirty_digits(ask: Ask) -> None:
     arguments = ["run", "veselova", "-o", "v.nc", "--precision", "quad", "--json"]
     code, out, _ = ask(*arguments, "--set", "run.until=2", "--set", "run.samples=3")
@@ -160,6 +162,7 @@ def test_reports_are_reproducible(ask: Ask, tmp_path: Path) -> None:
     assert pages[0] == pages[1]
 
 
+@pytest.mark.slow
 def test_lift_off_is_reported(ask: Ask) -> None:
     bowl = [EXAMPLES / "ball_in_a_bowl.toml", "--set", "surface.side=outside"]
     code, out, _ = ask("run", *bowl, "-o", "stop.nc", "--json")

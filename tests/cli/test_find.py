@@ -38,6 +38,7 @@ def find(
     return run
 
 
+@pytest.mark.slow
 def test_integrals_are_printed_as_on_paper(find: Ask) -> None:
     code, out, _ = find("integrals", "chaplygin-ball")
     assert code == 0
@@ -46,6 +47,7 @@ def test_integrals_are_printed_as_on_paper(find: Ask) -> None:
     assert "F₃ = (M, ω)\n      proven; repeats energy" in out
 
 
+@pytest.mark.slow
 def test_a_condition_on_the_parameters(find: Ask) -> None:
     code, out, _ = find(
         "integrals", "ball-around-sphere", "--at", "k=-1", "--degree", "1", "--gamma-degree", "1"
@@ -58,6 +60,7 @@ def test_a_condition_on_the_parameters(find: Ask) -> None:
     assert "none" in out
 
 
+@pytest.mark.slow
 def test_a_measure_with_an_exponent_in_the_parameters(find: Ask) -> None:
     code, out, _ = find("measure", "rubber-ball-on-sphere")
     assert code == 0
@@ -84,6 +87,7 @@ def test_json(find: Ask, kind: str) -> None:
     assert {law["verdict"] for law in made["found"]} == {"proven"}
 
 
+@pytest.mark.slow
 def test_a_file_of_the_user(find: Ask, tmp_path: Path) -> None:
     (tmp_path / "body.toml").write_text(
         "[body]\nmass = 1.0\ninertia = [1.0, 1.5, 2.1]\n"
@@ -117,6 +121,7 @@ def test_mistakes_end_with_2(find: Ask, arguments: tuple[str, ...], words: str) 
     assert not out
 
 
+@pytest.mark.slow
 def test_ctrl_c_keeps_what_is_found(find: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
     original = search.integrals
 
@@ -134,12 +139,14 @@ def test_ctrl_c_keeps_what_is_found(find: Ask, monkeypatch: pytest.MonkeyPatch) 
     assert json.loads(out)["complete"] is False
 
 
+@pytest.mark.slow
 def test_a_proof_out_of_reach_is_said_so(find: Ask) -> None:
     code, out, _ = find("integrals", "rubber-chaplygin-ball", "--effort", "1e-9")
     assert code == 0
     assert "only observed, undecided" in out
 
 
+@pytest.mark.slow
 def test_conditions_of_a_proof_are_told(find: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
     original = search.integrals
 

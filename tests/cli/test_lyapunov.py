@@ -49,6 +49,7 @@ def test_the_table(ask: Ask) -> None:
     assert "-0.000 " not in out
 
 
+@pytest.mark.slow
 def test_nothing_left(ask: Ask) -> None:
     code, out, _ = ask("lagrange-top", "--until", 20)
     assert code == 0
@@ -56,6 +57,7 @@ def test_nothing_left(ask: Ask) -> None:
     assert "make all exponents trivial" in out
 
 
+@pytest.mark.slow
 def test_motions_that_come_to_rest(ask: Ask) -> None:
     code, out, _ = ask("chaplygin-sleigh")
     assert code == 0
@@ -100,6 +102,7 @@ def test_starts_on_a_level(ask: Ask) -> None:
     assert start(1) == start(1) != start(2)
 
 
+@pytest.mark.slow
 def test_a_motion_that_ends_early(ask: Ask) -> None:
     fallen = ("--set", "start.gamma=[1,0,1e-9]", "--set", "start.omega=[0,0.1,0]")
     code, _, err = ask("heavy-disk", *fallen)
@@ -117,6 +120,7 @@ def test_errors_as_large_as_the_rates_decide_nothing(ask: Ask) -> None:
     assert "come in pairs" not in out
 
 
+@pytest.mark.slow
 def test_a_density_without_bounds_forbids_nothing(ask: Ask) -> None:
     code, out, _ = ask(Path(__file__).parents[2] / "examples" / "sleigh.toml")
     assert code == 0

@@ -110,6 +110,7 @@ def test_a_store_behind_a_link_is_not_removed(ask: Ask, tmp_path: Path) -> None:
     assert (tmp_path / "own.zarr" / "zarr.json").exists()
 
 
+@pytest.mark.slow
 def test_a_picture_that_was_named_is_not_replaced_unasked(ask: Ask, tmp_path: Path) -> None:
     asked = (
         *("chart", "chaplygin-sleigh", "--of", "mean:energy", "--until", "0.1"),
@@ -207,6 +208,7 @@ until = 0.2
 """
 
 
+@pytest.mark.slow
 def test_a_start_that_the_surface_cannot_hold_is_refused(ask: Ask, tmp_path: Path) -> None:
     (tmp_path / "top.toml").write_text(TOP_HEAVY)
     code, out, err = ask("run", "top.toml", "-o", "top.nc")
@@ -219,6 +221,7 @@ def test_a_start_that_the_surface_cannot_hold_is_refused(ask: Ask, tmp_path: Pat
     assert len(read("top.nc").time) > 1
 
 
+@pytest.mark.slow
 def test_a_file_gives_its_system_a_name(ask: Ask, tmp_path: Path) -> None:
     egg = Path(__file__).parents[2] / "examples" / "egg.toml"
     code, out, _ = ask("run", egg, "-o", "egg.nc", "--set", "run.until=0.1", "--json")

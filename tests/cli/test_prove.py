@@ -27,6 +27,7 @@ def test_prove_prints_a_verdict_for_every_law(ask):
     assert "(6.4)" in out
 
 
+@pytest.mark.slow
 def test_prove_as_json_has_the_fields_of_the_audit(ask):
     code, out, _ = ask("prove", "veselova", "--json")
     assert code == 0

@@ -37,6 +37,7 @@ def ask(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp
     return run
 
 
+@pytest.mark.slow
 def test_the_points_of_one_motion(ask: Ask) -> None:
     code, out, err = ask(*BALL, "-o", "ball.zarr")
     assert code == 0
@@ -90,6 +91,7 @@ def test_many_motions_on_a_level(ask: Ask) -> None:
     assert not np.array_equal(changed["M"].values, found["M"].values)
 
 
+@pytest.mark.slow
 def test_a_section_in_a_plane(ask: Ask) -> None:
     code, out, _ = ask(
         *("veselova", "--on", "gamma_3", "--points", "30"),
@@ -100,6 +102,7 @@ def test_a_section_in_a_plane(ask: Ask) -> None:
     assert read_store(Path("veselova.zarr"))["phi"].units == "rad"
 
 
+@pytest.mark.slow
 def test_a_section_of_the_section(ask: Ask) -> None:
     arguments = [*BALL, "--within", "M_1 < 0.8", "--within", "M_3**2<9", "-o", "ball.zarr"]
     arguments[arguments.index("20")] = "5"
@@ -113,6 +116,7 @@ def test_a_section_of_the_section(ask: Ask) -> None:
     assert (momenta[:, 2] ** 2 < 9).all()
 
 
+@pytest.mark.slow
 def test_a_surface_that_is_never_met_is_an_answer(ask: Ask) -> None:
     code, out, err = ask(*BALL, "--value", "2", "--until", "10", "-o", "ball.zarr")
     assert (code, out) == (1, "")

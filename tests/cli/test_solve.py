@@ -48,6 +48,7 @@ def ask(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp
     return run
 
 
+@pytest.mark.slow
 def test_the_table(ask: Ask) -> None:
     code, out, err = ask("veselova", "--at", "0,1,1e6")
     assert (code, err) == (0, "")
@@ -59,6 +60,7 @@ def test_the_table(ask: Ask) -> None:
     assert len({value for row in energies for value in row}) == 1
 
 
+@pytest.mark.slow
 def test_the_record_agrees_with_the_integration(ask: Ask) -> None:
     code, out, _ = ask("veselova", "--at", "0,60", "--json")
     assert code == 0
@@ -113,6 +115,7 @@ def test_digits_come_with_error_bars(ask: Ask) -> None:
     assert f"{ball['value']} ± {ball['error']}" in row
 
 
+@pytest.mark.slow
 def test_without_times_those_of_the_run_are_taken(ask: Ask) -> None:
     code, out, err = ask("neumann", "--set", "run.until=8")
     assert code == 0
@@ -122,6 +125,7 @@ def test_without_times_those_of_the_run_are_taken(ask: Ask) -> None:
     assert len(json.loads(out)["states"]) == 21
 
 
+@pytest.mark.slow
 def test_a_motion_without_closed_form_is_refused_in_one_line(ask: Ask) -> None:
     code, out, err = ask("ball-on-sphere", "--at", "0,1")
     assert (code, out) == (1, "")

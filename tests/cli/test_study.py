@@ -113,6 +113,7 @@ def test_an_interrupted_study_goes_on(
     assert "veselova holds report.html" in err
 
 
+@pytest.mark.slow
 def test_an_interrupted_integration_is_no_finished_study(
     ask: Ask, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

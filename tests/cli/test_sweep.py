@@ -41,6 +41,7 @@ def test_a_list_of_values(ask: Ask) -> None:
     assert "holds another experiment" in err
 
 
+@pytest.mark.slow
 def test_every_combination_for_a_program(ask: Ask) -> None:
     code, out, _ = ask(*SWEEP, "--over", "I_1=1:1.4:5", "--over", "m=1,2", "--json")
     assert code == 0

@@ -121,6 +121,7 @@ def test_a_centre_of_mass_outside_is_told(ask: Ask) -> None:
     assert ask("show", "ball.toml", "--as", "toml", "--set", "body.shape.radius=4")[2] == ""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ending", ["nc", "csv", "zarr"])
 def test_a_run_is_written_as_its_name_ends(ending: str, ask: Ask) -> None:
     options = ("--set", "run.until=1", "--set", "run.samples=3")

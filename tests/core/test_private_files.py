@@ -311,6 +311,7 @@ print(made, found, memory.load_verdict("name"))
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("home", ["read-only", "missing", "a file"])
 def test_on_a_read_only_home_nothing_is_kept_and_nothing_said(tmp_path: Path, home: str) -> None:
     place = tmp_path / "home"

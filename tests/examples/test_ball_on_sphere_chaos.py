@@ -22,6 +22,7 @@ def example():
         sys.path.remove(str(EXAMPLES))
 
 
+@pytest.mark.slow
 def test_what_holds(example) -> None:
     always = ["Dot(M, M) (proven)", "Dot(M, omega) (proven)"]
     assert example.proven_integrals("", 2) == always

@@ -32,6 +32,7 @@ def test_pictures_and_tables(example, tmp_path, capsys):
     assert "region 3: 4 tori, z_1 in [r, r], z_2 in [e2, e3]; ν_1 keeps its sign" in said
 
 
+@pytest.mark.slow
 def test_marked_motions_lie_among_tori(example):
     for name, state in example.SHOWN.values():
         diagram = bifurcation_diagram(name)

@@ -51,6 +51,7 @@ def test_printed_as_a_table(
     assert head in PAGE
 
 
+@pytest.mark.slow
 def test_the_lines_of_python_run(capsys: pytest.CaptureFixture[str]) -> None:
     code = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)[0]
     exec(compile(code, "hierarchy.md", "exec"), {})

@@ -35,6 +35,7 @@ def test_back(example: ModuleType):
         assert example.apart(example.back(case).states(times), motion.states) < 1e-12
 
 
+@pytest.mark.slow
 def test_forth(example: ModuleType):
     case = example.CASES[0]
     pushed, target = example.forth(case, case.own())

@@ -144,6 +144,7 @@ samples = 11
 """
 
 
+@pytest.mark.slow
 def test_the_loaded_ball_moves_as_the_body_of_the_package() -> None:
     options = ("run.until=1", "run.samples=11", "parameters.I_2=0.005", "start.omega=[1, 2, 20]")
     mine, theirs = study(BALL, *options), prepare(loads(ROLLING))

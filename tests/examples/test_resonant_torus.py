@@ -42,6 +42,7 @@ def test_periods_differ_in_the_physical_time(story):
     assert float(max(periods, key=float) - min(periods, key=float)) > 0.02
 
 
+@pytest.mark.slow
 def test_orbits_close_after_their_own_period_alone(example, story):
     first, second = story.orbits[:2]
     assert example.miss(story, first, first.period) < 1e-28

@@ -41,6 +41,7 @@ def test_sympy_with_multipliers_gives_the_equations_of_the_disc(disc: ModuleType
     assert disc.same(disc.with_multipliers(), itself, {}).decision == "proven"
 
 
+@pytest.mark.slow
 def test_kanes_method_gives_the_equations_of_the_disc(disc: ModuleType, itself: System):
     speeds = {f"q{i}dot": real_symbol(f"u{i}") for i in (1, 2, 3)}
     assert disc.same(disc.by_kane(), itself, speeds).decision == "proven"

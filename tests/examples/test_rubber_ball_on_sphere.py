@@ -40,6 +40,7 @@ def test_resonant_curves_are_neutral_where_there_is_an_integral(example):
     assert max(abs(example.residue(orbit)) for orbit in orbits) < 1e-10
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("k", [0.5, -0.5])
 def test_resonances_are_broken_for_one_half(example, k):
     orbits = example.closed_orbits(k, (3,), 12)

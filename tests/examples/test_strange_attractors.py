@@ -45,6 +45,7 @@ def test_reversal_of_velocities(found):
         assert turned == ["M_1 M_2 M_3", "M_3 gamma_1 gamma_2"]
 
 
+@pytest.mark.slow
 def test_sections_keep_to_their_level(found):
     for each in found:
         M, gamma = each.points[:, :3], each.points[:, 3:]

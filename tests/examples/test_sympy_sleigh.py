@@ -27,6 +27,7 @@ def test_its_energy_is_proven(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Ca
     assert "proven" in line
 
 
+@pytest.mark.slow
 def test_it_runs_and_keeps_to_its_blade(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ):

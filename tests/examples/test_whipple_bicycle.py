@@ -75,6 +75,7 @@ def test_a_stable_bicycle_rights_itself_and_keeps_its_energy(bicycle: ModuleType
     assert abs(np.degrees(run.recorded["lean"][-1])) < 1.5
 
 
+@pytest.mark.slow
 def test_a_push_to_the_right_turns_it_to_the_right(bicycle: ModuleType):
     run = bicycle.pushed_motion(seconds=1.0)
     assert run.recorded["lean"][20] > 0

@@ -177,11 +177,13 @@ def test_the_report_has_the_section(tmp_path: Path) -> None:
     assert (tmp_path / "figures" / "closed_form.png").exists()
 
 
+@pytest.mark.slow
 def test_no_closed_form_no_section() -> None:
     study = prepare(loads('[system]\nname = "unbalanced-ball"\n'))
     assert known_solution(study) is None
 
 
+@pytest.mark.slow
 def test_a_study_is_solved_as_its_system_is() -> None:
     study = prepare(loads('[system]\nname = "neumann"\n'))
     solution = solution_of_study(study)
@@ -189,6 +191,7 @@ def test_a_study_is_solved_as_its_system_is() -> None:
     assert solution.states([3.0]).tolist() == direct.states([3.0]).tolist()
 
 
+@pytest.mark.slow
 def test_the_diagram_of_a_ball_and_none_of_a_symmetric_one():
     ball_ = prepare(loads('[system]\nname = "chaplygin-ball"\n'))
     placed = diagram_if_known(ball_)

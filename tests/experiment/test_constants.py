@@ -139,6 +139,7 @@ def test_values_are_finite_decimals(key, written, message):
     assert message in str(error.value)
 
 
+@pytest.mark.slow
 def test_names_that_sines_need_are_refused_where_they_matter():
     with pytest.raises(InputError, match="the name sin_phi is needed for a sine or cosine"):
         chaplygin_form(knife("sin_phi", "sin_phi"))

@@ -279,6 +279,7 @@ def read_stores(whole: Path, seed: int, count: int) -> None:
     assert refused > count / 4
 
 
+@pytest.mark.slow
 def test_damaged_stores(blocks: Path) -> None:
     read_stores(blocks, 0, 15)
 

@@ -206,6 +206,7 @@ words = st.sampled_from(["ellipsoid", "disk", "torus", "revolution", "implicit",
 options = st.tuples(places, st.one_of(values, words)).map("=".join)
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=300)
 @given(st.sampled_from([BALL, SYSTEM]), st.lists(options, min_size=1, max_size=3))
 def test_any_value_is_taken_or_refused_politely(text: str, overrides: list[str]) -> None:

@@ -93,6 +93,7 @@ def test_a_python_file_names_its_plan(tmp_path):
         load_python(path)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", spread(IN_CATALOGUE))
 def test_the_picture_shows_the_mechanism_at_the_end(name):
     made = prepare(catalogue_experiment(name))

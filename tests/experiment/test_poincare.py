@@ -66,6 +66,7 @@ def test_many_start_on_the_level_of_the_experiment() -> None:
     assert "(seed 2)" in task.attributes["starts"]
 
 
+@pytest.mark.slow
 def test_a_body_under_gravity_is_followed_beyond_lift_off_only_when_that_is_wished() -> None:
     options = ("start.omega=[0, 12, 1]", "start.gamma=[0, 0, 1]")
     names = {}

@@ -387,6 +387,7 @@ def test_a_mistake_that_only_mechanics_sees_has_its_place(source, place, message
     assert "\n" not in said
 
 
+@pytest.mark.slow
 def test_one_word_chooses_the_method():
     taylor = prepare(loads(text())).trajectory()
     gauss = prepare(loads(text().replace("[run]", '[run]\nmethod = "gauss"'))).trajectory()

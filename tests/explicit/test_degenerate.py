@@ -47,6 +47,7 @@ def slips(
     return distance
 
 
+@pytest.mark.slow
 def test_separatrix_of_veselova() -> None:
     found, _, _ = solved(veselova(), MOMENTS, SPIN, ACROSS)
     assert isinstance(found.motion, Asymptotic)
@@ -59,6 +60,7 @@ def test_separatrix_backwards() -> None:
     assert np.all(slips(veselova(), MOMENTS, SPIN, ACROSS, times) < 1e-12)
 
 
+@pytest.mark.slow
 def test_separatrix_of_the_chaplygin_ball_with_its_path() -> None:
     # the 34 digits of the integration are used up at t = 60: it leaves the separatrix as e^{0.55t}
     times = [0.0, 3.0, 20.0, 60.0]
@@ -101,6 +103,7 @@ def test_permanent_rotations(omega: Any, gamma: Any) -> None:
     assert np.all(slips(chaplygin_area(), ball, omega, gamma, times) < 1e-12)
 
 
+@pytest.mark.slow
 def test_moments_in_any_order() -> None:
     times = [0.0, 3.0, 20.0]
     turned = ([2, 0, 1], [1, 2, 0])

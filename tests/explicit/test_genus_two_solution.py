@@ -18,10 +18,12 @@ def turning_body() -> GenusTwo:
     return solution(veselova(), without(OMEGA, GAMMA), GAMMA)
 
 
+@pytest.mark.slow
 def test_states_agree_with_thirty_four_digits() -> None:
     assert np.max(miss(turning_body(), [1.0, 10.0, 100.0])) < 2e-14
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_random_bodies_in_any_order_of_the_moments(seed: int) -> None:
     rng = np.random.default_rng(seed)
@@ -39,6 +41,7 @@ def test_a_path_in_space() -> None:
     assert np.max(miss(made, [1.0, 40.0])) < 5e-14
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("gamma", [(1, 0, 0), (0.6, 0, 0.8), (0, 0, -1)], ids=str)
 def test_components_that_vanish_at_the_start(gamma: tuple[float, ...]) -> None:
     vertical = np.array(gamma)

@@ -101,6 +101,7 @@ def test_another_clock_is_refuted():
     assert prove(VESELOVA.system, law).decision == "refuted"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_back_from_the_target(case):
     system, law, target, start = given(case)
@@ -124,6 +125,7 @@ def test_forth_to_the_target(case):
     assert np.abs(found - own).max() < 1e-12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", ["Theorem 8", "Theorem 10"])
 def test_both_sides_agree(case):
     system, law, target, start = given(case)

@@ -119,6 +119,7 @@ def rate_error(solution: Solution, time: float, step: float = 5e-4) -> float:
     return float(np.abs(slope - field(time, states[2], parameters)).max())
 
 
+@pytest.mark.slow
 def test_words_of_kinds() -> None:
     names = ("nods and precesses", "rests at the pole", "upright, unstable", "upright, stable")
     motions = [begun(*CASES[name]).form.motion for name in names]

@@ -187,6 +187,7 @@ def test_boxes_contain_the_numerators(motion: SeparatedMotion) -> None:
 # --- the strip -----------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_strip_bound_holds_inside(motion: SeparatedMotion) -> None:
     torus, branch = motion.torus, clock(motion)
     with ctx.workprec(64):
@@ -225,6 +226,7 @@ def test_quadrature_agrees_with_gauss(quadrature: RigorousQuadrature) -> None:
     assert abs(quadrature.integral(3) - summed(quadrature, 3)) < 1e-21
 
 
+@pytest.mark.slow
 def test_bounds_of_a_coarse_quadrature_hold(
     motion: SeparatedMotion, quadrature: RigorousQuadrature
 ) -> None:
@@ -317,6 +319,7 @@ def test_without_fixed_directions_there_are_bounds_of_the_reduced_state_alone() 
         assert abs(ball - arb(float(number))) < 1e-12
 
 
+@pytest.mark.slow
 def test_a_place_that_is_left_open_is_said_to_be() -> None:
     system = from_catalogue("rubber-chaplygin-ball-bruns")
     start = initial_state(system, (1.0, 0.5, 0.0), (0.0, 0.0, 1.0))
@@ -325,6 +328,7 @@ def test_a_place_that_is_left_open_is_said_to_be() -> None:
     assert solve(from_catalogue("veselova"), start[:10]).left_open == ""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("time", ["1e300", "-1e61"])
 def test_times_beyond_all_measure_are_refused(time: str) -> None:
     start = initial_state(VESELOVA.system, (0.8, 0.1, -0.6), (0.6, 0.0, 0.8))

@@ -70,6 +70,7 @@ def half_turn(near, sign):
     return center, dyad[:, largest] / np.sqrt(dyad[largest, largest])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("sign", "coplanar"), [(1, False), (-1, True)], ids=["k=-1", "k=1"])
 def test_axes_of_half_turns(sign, coplanar):
     poles, axes = zip(*(half_turn(near, sign) for near in NEAR), strict=True)

@@ -94,6 +94,7 @@ def test_systems_of_the_catalogue(name: str, parameters: dict[str, float], separ
     assert (found.known.name, found.level) == (separation, ())
 
 
+@pytest.mark.slow
 def test_a_relation_of_the_known_system_is_a_condition_on_the_start() -> None:
     system = from_catalogue("veselova-spinning")
     start = initial_state(system, NO_SPIN, GAMMA)
@@ -152,6 +153,7 @@ def own_system() -> System:
     )
 
 
+@pytest.mark.slow
 def test_a_system_in_other_letters() -> None:
     system = own_system()
     start = (0.8, -0.4, -0.6, *GAMMA)
@@ -164,6 +166,7 @@ def test_a_system_in_other_letters() -> None:
     assert np.abs(solution.states(trajectory.times) - trajectory.states).max() < 1e-12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "ball",
     [

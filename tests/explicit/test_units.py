@@ -114,6 +114,7 @@ def test_random_motions_in_three_systems_of_units(kind: str) -> None:
     assert count["compared"] >= 0.9 * count.total()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("omega", [(1.0, -1.0, 0.5), (0.5, -0.5, 1.0), (-1.0, 1.0, 0.25)], ids=str)
 def test_a_component_that_vanishes_at_the_far_end_of_its_oval(
     omega: tuple[float, float, float],

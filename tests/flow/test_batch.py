@@ -143,6 +143,7 @@ def test_deviations_of_a_linear_system_are_its_motions() -> None:
         np.testing.assert_allclose(found.deviations[:, k], [turned] * 5, atol=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BODIES)
 def test_deviations_are_derivatives(name: str) -> None:
     """Central differences, whose error falls with the square of the distance."""

@@ -154,6 +154,7 @@ def test_relations_are_held() -> None:
 # --- the same to the bit ----------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @settings(max_examples=6, deadline=None, derandomize=True)
 @given(
     chosen=st.lists(st.integers(0, 29), min_size=1, max_size=130),

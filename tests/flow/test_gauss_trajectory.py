@@ -22,6 +22,7 @@ BODIES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BODIES)
 def test_what_is_recorded_is_what_taylor_series_give(name: str) -> None:
     system = from_catalogue(name)
@@ -53,6 +54,7 @@ def test_thirty_digits_are_those_of_the_reference() -> None:
     assert max(errors) < 1e-28
 
 
+@pytest.mark.slow
 def test_backward_leads_back() -> None:
     system = from_catalogue("chaplygin-ball")
     start = initial_state(system, (0.7, 0.4, 1.1), (0.2, -0.3, 0.93))
@@ -62,6 +64,7 @@ def test_backward_leads_back() -> None:
     assert np.abs(back.states[-1] - np.array([float(x) for x in start])).max() < 1e-13
 
 
+@pytest.mark.slow
 def test_lift_off_ends_a_run_where_taylor_series_end_it() -> None:
     system = from_catalogue("marble-body")
     start = initial_state(system, (8.0, 3.0, 1.0), (0.3, 0.2, 0.93))

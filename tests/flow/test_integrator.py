@@ -45,6 +45,7 @@ def far(one, other):
 # --- accuracy --------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "until"),
     [

@@ -132,6 +132,7 @@ def _collocated(stages: int) -> Callable[[Any, Any], Any]:
     return advance
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("stages", "counts"), [(1, (16, 24, 32)), (2, (8, 12, 16)), (4, (6, 9, 12)), (8, (3, 4, 6))]
 )

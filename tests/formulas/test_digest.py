@@ -81,6 +81,7 @@ def test_equal_values_have_equal_names() -> None:
     assert digest(x + y) == digest(y + x)
 
 
+@pytest.mark.slow
 def test_a_system_is_its_equations() -> None:
     system = from_catalogue("chaplygin-ball")
     other = replace(system, summary="in other words").with_laws(Identity("same", sp.Integer(0)))
@@ -112,6 +113,7 @@ def test_systems_keep_their_names_on_the_way_to_a_worker(name: str) -> None:
     assert digest(pickle.loads(pickle.dumps(system))) == digest(system)
 
 
+@pytest.mark.slow
 def test_formulas_that_sympy_rewrites_are_settled() -> None:
     system = from_catalogue("trailers")
     assert digest(canonical(system)) != digest(system)
@@ -128,6 +130,7 @@ def test_all_systems_keep_their_names_on_the_way_to_a_worker() -> None:
     assert len(set(names.values())) == len(names)
 
 
+@pytest.mark.slow
 def test_names_are_the_same_in_another_process() -> None:
     script = (
         "from chaplygin.formulas.digest import digest\n"

@@ -31,6 +31,7 @@ def test_symbols_are_none_of_the_constants_of_mpmath() -> None:
         values(eta + 1)
 
 
+@pytest.mark.slow
 def test_steps_are_defined_in_order() -> None:
     names = sp.symbols("s:2000")
     values = Multiprecision({x: mpmath.mpf(0)})

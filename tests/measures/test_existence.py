@@ -71,11 +71,13 @@ def parameter(name, value, *, positive=False):
 @pytest.mark.parametrize("surface", [PLANE, SPHERE])
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 class TestBall:
+    @pytest.mark.slow
     def test_balanced(self, contact, surface):
         found = measure_exists(rolling(Ball(1.0), surface=surface, contact=contact))
         assert found
         assert found.density.on == ()
 
+    @pytest.mark.slow
     def test_on_its_axis(self, contact, surface):
         ball = Ball(1.0, centre=(0.0, 0.0, 0.3))
         body = rolling(ball, (1.0, 1.0, 1.5), surface, contact)
@@ -139,6 +141,7 @@ def test_equal_moments_are_not_enough_for_rubber_on_a_sphere():
     assert not measure_exists(rolling(shape, (1.0, 1.0, 1.0), SPHERE))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 @pytest.mark.parametrize("shape", [Disk(1.0), Torus(1.0, 0.3, centre=(0.0, 0.0, 0.1))])
 def test_bodies_of_revolution(contact, shape):
@@ -201,6 +204,7 @@ class TestEllipsoid:
         assert kept(rolling(Ellipsoid(self.AXES), moments, surface, "marble"))
 
 
+@pytest.mark.slow
 def test_shape_given_by_an_equation():
     x, y, z = Implicit.coordinates
     shape = Implicit(x**2 + 2 * y**2 + 3 * z**2 + x**4 - 1)

@@ -38,6 +38,7 @@ def test_a_parameter_whose_number_is_exceptional():
         assert prove(system, law).conditions == where
 
 
+@pytest.mark.slow
 def test_a_general_parameter_has_an_obstruction_and_says_where_not():
     found = chaplygin_form(sleigh())
     assert found.on == ()
@@ -71,6 +72,7 @@ def test_the_normal_does_not_move_for_the_number_of_a_parameter():
         chaplygin_form(with_default(on_sphere(ratio, rubber=True), ratio, 0.0))
 
 
+@pytest.mark.slow
 def test_special_values_are_to_be_put_in():
     with pytest.raises(InputError, match="general values of its parameters"):
         chaplygin_form(on_sphere(ratio, rubber=False))

@@ -319,6 +319,7 @@ RAW = re.compile(
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES, ids="-".join)
 def test_every_page_is_plain_and_fits(case: tuple[str, str, str]) -> None:
     for system in (bare(*case), laden(*case), laden(*case).lifted()):

@@ -79,6 +79,7 @@ def test_a_number_in_place_of_the_parameter(ahead, written):
     assert "none for any values of the parameters" in found.reason
 
 
+@pytest.mark.slow
 def test_values_that_were_not_decided_are_told():
     """At a = b = 0 the constraint is none at all."""
     parameters = tuple(Parameter(s, str(s), 1.0) for s in (a, b))

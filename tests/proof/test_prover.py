@@ -206,6 +206,7 @@ def test_an_effort_that_is_too_small_leaves_a_law_undecided():
     assert prove(TOP, law).decision == "proven"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", MISTAKES)
 def test_mistakes_are_told_in_one_sentence(name):
     law, message = MISTAKES[name]
@@ -231,12 +232,14 @@ COMBINATIONS = st.lists(
 ).map(combination)
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None, derandomize=True)
 @given(COMBINATIONS)
 def test_combinations_of_integrals_are_integrals(formula):
     assert prove(TOP, Integral("law", formula)).decision == "proven"
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None, derandomize=True)
 @given(COMBINATIONS, MONOMIALS, NUMBERS)
 def test_one_term_more_is_refuted(formula, powers, factor):

@@ -33,6 +33,7 @@ def test_a_part_on_which_a_root_vanishes_is_not_passed_over(law):
     assert verdict.formulas == ("w != 0",)
 
 
+@pytest.mark.slow
 def test_a_target_with_a_root_that_vanishes():
     free = System(name="free", title="Free", field={x: 0, w: 0, y: 1, z: 0})
     bound = System(

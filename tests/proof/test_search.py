@@ -172,12 +172,14 @@ def test_more_products_than_points_are_owned_up_to(monkeypatch: pytest.MonkeyPat
     assert "too many to tell" in found[-1].remark
 
 
+@pytest.mark.slow
 def test_what_is_known_is_named() -> None:
     found = found_in(from_catalogue("chaplygin-ball"))
     assert {finding.known.partition(",")[0] for finding in found} == {"area", "momentum", "energy"}
     assert [finding.known for finding in found_in(bare("chaplygin-ball"))] == ["", "", ""]
 
 
+@pytest.mark.slow
 def test_energy_over_a_denominator() -> None:
     """In M alone the energy is a fraction; ω does not occur in the ansatz."""
     system = replace(
@@ -195,6 +197,7 @@ def test_energy_over_a_denominator() -> None:
     assert expresses(system, [], found, dot(M, omega))
 
 
+@pytest.mark.slow
 def test_the_square_of_an_integral_with_a_root() -> None:
     """K² of (5.1), K = ω₃ √(I₁γ₃² + I₃(1 − γ₃²) + m(r, γ)²), for a heavy rubber disk."""
     system = bare("rubber-disk")
@@ -278,6 +281,7 @@ def test_measures_of_the_paper_from_the_field_alone(source: str) -> None:
     assert sp.expand(to_components(found_base - base)) == 0
 
 
+@pytest.mark.slow
 def test_measures_that_are_singular_or_have_several_factors() -> None:
     (sleigh,) = measures(search_request(bare("chaplygin-sleigh")))
     assert sleigh.proven
@@ -414,6 +418,7 @@ def test_a_field_with_an_arc_tangent_is_refused() -> None:
         list(integrals(search_request(system)))
 
 
+@pytest.mark.slow
 def test_an_integral_on_a_level() -> None:
     """On (M, γ) = 0 the area is no integral worth mentioning."""
     found = found_in(bare("chaplygin-ball"), on=["M·γ = 0"])

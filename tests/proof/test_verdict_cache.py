@@ -113,6 +113,7 @@ def test_what_is_kept_changes_no_verdict(tmp_path: Path, monkeypatch: pytest.Mon
             assert outcome(prove(DISK, "spin", effort=allowed[number])) == alone[number]
 
 
+@pytest.mark.slow
 def test_effort_is_the_same_whatever_was_proven_before(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

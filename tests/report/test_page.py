@@ -61,6 +61,7 @@ def test_the_start_is_a_table(page: Callable[[str], str]) -> None:
     ]
 
 
+@pytest.mark.slow
 def test_a_mechanism_is_drawn(page: Callable[[str], str]) -> None:
     assert 'id="plan_view"' in page("sleigh.toml")
 

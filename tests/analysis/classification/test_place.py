@@ -99,6 +99,7 @@ def test_surfaces_without_a_measure_have_limit_cycles_but_no_chaos() -> None:
     assert "limit cycles are not excluded" in sentence
 
 
+@pytest.mark.slow
 def test_with_a_measure_chaos_preserves_volume() -> None:
     sentence = motions(of("ball-on-sphere"))
     assert "volume-preserving" in sentence
@@ -111,6 +112,7 @@ def test_a_density_with_zeros_excludes_no_asymptotic_motion() -> None:
     assert "motions may tend to that set" in motions(standing)
 
 
+@pytest.mark.slow
 def test_a_density_is_shown_to_be_positive_or_to_change_sign() -> None:
     ball = entry("chaplygin-ball").system()
     (measure,) = (law for law in ball.laws if isinstance(law, Measure))
@@ -136,6 +138,7 @@ def test_what_is_undecided_or_unknown_does_not_count() -> None:
     assert classify(entry("rattleback").system(), {}).uncounted[0].why == "without a verdict"
 
 
+@pytest.mark.slow
 def test_what_is_refuted_does_not_count() -> None:
     ball = entry("chaplygin-ball").system()
     standing = found(ball.with_laws(Integral("wrong", ball.symbols[0])))
@@ -144,6 +147,7 @@ def test_what_is_refuted_does_not_count() -> None:
     assert standing.uncounted[0].why.startswith("refuted")
 
 
+@pytest.mark.slow
 def test_functions_of_known_integrals_do_not_count() -> None:
     system = entry("rattleback").system()
     (energy,) = system.integrals
@@ -152,6 +156,7 @@ def test_functions_of_known_integrals_do_not_count() -> None:
     assert [fact.law for fact in standing.dependent] == ["square"]
 
 
+@pytest.mark.slow
 def test_relations_do_not_count_as_integrals() -> None:
     ball = entry("chaplygin-ball").system()
     gamma = ball.state[1]
@@ -175,6 +180,7 @@ def test_the_case_of_one_ratio_counts_at_this_ratio_alone() -> None:
     assert "proven for k = −1, not at the present parameters" in str(general)
 
 
+@pytest.mark.slow
 def test_a_level_has_a_place_of_its_own() -> None:
     (level,) = of("chaplygin-ball").levels
     assert level.level == "on (M, γ) = 0"
@@ -217,6 +223,7 @@ def test_isomorphisms_carry_laws_over() -> None:
     assert in_angles.brackets[0].rank == 4
 
 
+@pytest.mark.slow
 def test_volume_and_rotations_are_tried_where_nothing_is_stated() -> None:
     standing = of("marble-ball")
     assert [m.law.source for m in standing.measures] == ["found here"]
@@ -286,6 +293,7 @@ def test_integrals_must_be_in_involution() -> None:
 # --- telling -------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_text_names_its_laws_and_fits_a_page() -> None:
     text = str(of("chaplygin-ball"))
     assert max(map(len, text.splitlines())) <= 100
@@ -315,6 +323,7 @@ def test_a_fast_answer_says_what_it_leaves_out(
     assert "was spent" in str(classify(named, verdicts, patience))
 
 
+@pytest.mark.slow
 def test_what_is_proven_where_a_condition_holds_does_not_count() -> None:
     system = entry("heavy-disk").system()
     name = next(law.name for law in system.laws if isinstance(law, Measure))
@@ -356,6 +365,7 @@ def with_what_moves(name: str) -> Classification:
     return classify(system, patience.verdicts(system), patience, item.rolling())
 
 
+@pytest.mark.slow
 def test_a_question_that_was_not_tried_is_told() -> None:
     item = entry("rattleback")
     system = item.system()

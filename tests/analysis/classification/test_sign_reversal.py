@@ -44,6 +44,7 @@ def test_parities_follow_through_definitions() -> None:
     assert reversal(mixed) == ()
 
 
+@pytest.mark.slow
 def test_what_it_means_is_told() -> None:
     patience = ProofBudget(EFFORT // 10)
     system = entry("rattleback").system()

@@ -51,6 +51,7 @@ def test_lorenz(butterfly: Spectrum) -> None:
     assert _removed(butterfly) == ["flow"]
 
 
+@pytest.mark.slow
 def test_volumes_of_lorenz_shrink_evenly(butterfly: Spectrum) -> None:
     even = -(10 + 1 + 8 / 3)
     assert butterfly.volume.divergence.value == pytest.approx(even, rel=1e-12)
@@ -64,6 +65,7 @@ def test_dimension_of_lorenz(butterfly: Spectrum) -> None:
     assert abs(value - 2.0622) < 4 * error
 
 
+@pytest.mark.slow
 def test_henon_heiles() -> None:
     start = henon_heiles_start(1 / 8, -0.25, 1e-3)
     found = lyapunov_spectrum(henon_heiles(), start, until=3000.0)
@@ -92,6 +94,7 @@ def test_integrable_systems_have_only_zeros(name: str) -> None:
     assert "flow" in _removed(found)
 
 
+@pytest.mark.slow
 def test_limit_cycle() -> None:
     found = lyapunov_spectrum(carousel(), [0.3, 0.1, 0.0], until=60.0)
     # u and v are measured by sizes of their own, equal but for where the cycle was looked at
@@ -112,6 +115,7 @@ def test_steady_turns_of_a_top(axis: int, growth: float) -> None:
     assert found.values[0] == pytest.approx(growth, abs=0.02)
 
 
+@pytest.mark.slow
 def test_separatrix_of_a_top() -> None:
     # M² = 2 E I₂: the motion tends to the turn about the middle axis, where the flow vanishes and
     # both integrals have parallel gradients, like 1/cosh(t/√12)
@@ -209,6 +213,7 @@ def test_combinations_of_symmetries_within_a_level() -> None:
 # --- errors and words ------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_a_short_motion_is_said_not_to_have_settled() -> None:
     # the first part of the motion leaves a saddle, the rest falls onto a cycle
     found = lyapunov_spectrum(carousel(), [1e-30, 0.0, 0.0], until=110.0)

@@ -45,6 +45,7 @@ def test_the_sum_of_exponents() -> None:
     assert np.all(np.abs(found["value"] - (RATES[s] - RATES[r])) <= 1e-9)
 
 
+@pytest.mark.slow
 def test_indicators_of_an_exponential() -> None:
     growth = RATES[s] * 100.0
     assert np.all(
@@ -85,6 +86,7 @@ def test_too_few_intervals() -> None:
         MaximalExponent(SADDLE, 10.0, intervals=10)
 
 
+@pytest.mark.slow
 def test_intervals_are_parted_where_neighbours_part_fast() -> None:
     # within an interval of 1, one deviation shrinks by exp(−100) beside the other
     found = ExponentSum(SADDLE, 32.0, intervals=32)(ORIGIN[:1], {s: 0.5, r: 100.0})

@@ -73,6 +73,7 @@ def test_points_without_a_state() -> None:
     made.require(points[many > 0])
 
 
+@pytest.mark.slow
 def test_branches_on_a_torus() -> None:
     made = chart(VESELOVA, "directions").fixed({"energy": 1.0}).solved("psi", "momentum", 2.6)
     assert made.names == ("theta", "phi")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 import sympy as sp
 
 from chaplygin.borisov_mamaev.methods.measure_of_rubber_ball import curl, only_symmetric_balls
@@ -30,6 +31,7 @@ def test_the_curl_does_not_vanish_for_others():
     assert at((3, 3, 4), (1, 0, 1)) != 0
 
 
+@pytest.mark.slow
 def test_the_curl_is_that_of_the_inertia_about_the_contact():
     moments, radius = (3, 4, 5), sp.Rational(1, 2)
     # m = 1 and 2mR = 1, so that κ = c

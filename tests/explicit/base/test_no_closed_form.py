@@ -65,6 +65,7 @@ omega = [0.8, -0.4, -0.6]
 """
 
 
+@pytest.mark.slow
 def test_bodies_from_a_file() -> None:
     sentence = refused(HEAVY)
     assert sentence.startswith("the unbalanced ball on a plane under gravity, marble contact, is")

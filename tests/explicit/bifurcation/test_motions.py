@@ -32,6 +32,7 @@ def _agrees(separable, diagram):
         assert counted(separable, diagram, region, 30.0) == [f.tori for f in region.families]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", QUICK)
 def test_tori_followed(name):
     separable = SEPARATED[name]()

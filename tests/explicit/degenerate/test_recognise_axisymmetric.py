@@ -102,6 +102,7 @@ def test_veselova_with_its_axis_passing_the_vertical() -> None:
     agrees("veselova", (1.0, 1.0, 1.7), (0.5, 0.0, 0.0), (0.0, 0.6, 0.8), UniformSolution)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BALL)
 def test_chaplygin_ball(name: str) -> None:
     agrees("chaplygin-ball", *BALL[name], QuadratureSolution)

@@ -95,6 +95,7 @@ def test_an_angular_velocity_that_is_not_smooth_is_refused():
         )
 
 
+@pytest.mark.slow
 def test_the_rubber_ball_around_a_sphere():
     """No vector that stays in space is a formula in its state; here is one by its series."""
     separable = of_ratio()

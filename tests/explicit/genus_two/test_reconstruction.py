@@ -8,6 +8,7 @@ from chaplygin.mechanics.rolling.initial_state import initial_state
 from explicit.followed_states import GAMMA, OMEGA, miss, solution, without
 
 
+@pytest.mark.slow
 def test_one_fixed_direction() -> None:
     made = solution(bruns.veselova_in_bruns_field(), without(OMEGA, GAMMA), GAMMA)
     assert np.max(miss(made, [1.0, 40.0])) < 2e-14

@@ -67,6 +67,7 @@ def test_both_evaluators_and_the_equations_agree(name: str) -> None:
     assert np.abs(slope - field).max() < 1e-7
 
 
+@pytest.mark.slow
 def test_against_integration() -> None:
     rng = random.Random(3)
     for _ in range(3):

@@ -110,6 +110,7 @@ def test_slow_passage_over_a_barrier(height: str) -> None:
     assert abs(motion.advances(DIGITS)[0] - 4 * quarter / root.sqrt()) < 1e-30
 
 
+@pytest.mark.slow
 def test_there_and_back_from_a_double_root() -> None:
     # x′² = x² − x⁴: x = sech t
     begin = arb("0.8")
@@ -124,6 +125,7 @@ def test_there_and_back_from_a_double_root() -> None:
     assert late.tail > 900
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sign", [1, -1])
 def test_from_one_double_root_to_another(sign: int) -> None:
     motion = motion_through(lambda x: (1 - x * x) * (1 - x * x), "0.25", sign=sign)

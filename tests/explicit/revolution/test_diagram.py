@@ -50,6 +50,7 @@ def test_numbers_of_motions(diagram: Diagram) -> None:
     assert motions_at(column, upright + 0.1) == 1
 
 
+@pytest.mark.slow
 def test_a_motion_lies_where_its_integrals_say(diagram: Diagram) -> None:
     state = initial_state(DISK.system(), (0.3, 1.0, 1.0), (1.0, -0.3, 0.0))
     solution = solve_rolling(DISK, DISK.system(), state)

@@ -49,6 +49,7 @@ def test_along_a_motion(case):
     follow(SEPARABLE, STARTS[case], NUMBERS[case])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", NUMBERS)
 def test_closed_form(case):
     bare = replace(SEPARABLE.system, reconstruction=None, observables=(), guards=())

@@ -140,6 +140,7 @@ def test_workers_without_the_package(
         compute(replace(task(), work=vars(unknown)["work"]), client=client)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("address", ["nonsense", "tcp://127.0.0.1:1"])
 def test_no_scheduler(address: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("chaplygin.flow.ensemble.dask.PATIENCE", "0.2s")

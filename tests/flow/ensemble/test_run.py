@@ -108,6 +108,7 @@ def test_bits_do_not_depend_on_blocks(name: str, tmp_path: Path) -> None:
     assert whole == made(5) == made(7, tmp_path / "a.zarr")
 
 
+@pytest.mark.slow
 def test_starts_are_those_of_the_level_at_their_own_parameters() -> None:
     data = ensemble(
         BALL, random_starts(3, LEVEL, seed=9) * grid(R=[1.0, 1.5]), [0.0], record=("energy",)

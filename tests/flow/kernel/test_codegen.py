@@ -103,6 +103,7 @@ def test_choices(arithmetic: Any) -> None:
 # --- bits -------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @ARITHMETICS
 @pytest.mark.parametrize("name", ["chaplygin-ball", "unbalanced-rubber-ball", "rattleback"])
 def test_bits_do_not_depend_on_the_number_of_lanes(name: str, arithmetic: Any) -> None:

@@ -181,6 +181,7 @@ def test_every_change_of_the_formulas_is_other_code(name: str) -> None:
     assert len(keys) == 2
 
 
+@pytest.mark.slow
 def test_every_option_is_other_code(folder: Path) -> None:
     """Deviations, sections, their direction, what time does, digits; not the tolerance."""
     system = System(**BASE)

@@ -152,6 +152,7 @@ def test_the_motion_keeps_the_distribution(name: str) -> None:
     assert mixed(made, end, later) > LEAST
 
 
+@pytest.mark.slow
 def test_a_wrong_measure_is_not_kept() -> None:
     level = {"energy": 1.0, "area": 0.3}
     made = from_catalogue("lagrange-top")
@@ -196,6 +197,7 @@ def test_a_point_depends_on_its_number_alone(name: str) -> None:
     assert not (chosen.draw(40, seed=9) == whole).all(axis=1).any()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", LEVELS)
 def test_points_lie_on_the_level(name: str) -> None:
     made, level = known(name).system, known(name).values

@@ -197,6 +197,7 @@ def test_a_section_of_the_section() -> None:
         slab(back.section, first, 0.0)
 
 
+@pytest.mark.slow
 def test_what_does_not_return_is_told() -> None:
     back = map_of("unbalanced-ball", until=1e-3)
     image = back(starts("unbalanced-ball"))

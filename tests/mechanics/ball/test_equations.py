@@ -34,6 +34,7 @@ def motion(ball, place, omega):
     return integrate(system, state, TIMES, on_liftoff="warn").recorded
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", spread(CONTACTS))
 def test_the_equations_follow_from_the_lagrangian(contact):
     # neither a sphere nor a quadric; with three fourth powers the proof costs more than its effort

@@ -47,6 +47,7 @@ MECHANISMS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_equations_on_the_distribution_are_those_of_the_mechanism(name: str) -> None:
     """Ṗ_s = C^t_rs P_t y_r with P = g y, against the closed equations, at a point, 40 digits."""

@@ -105,6 +105,7 @@ def test_sleigh_has_no_multiplier_unless_its_centre_is_beside_the_blade() -> Non
     assert proven(form) == ["energy", "energy", "motion"]
 
 
+@pytest.mark.slow
 def test_sleigh_with_its_centre_beside_the_blade() -> None:
     form = chaplygin_form(sleigh(sp.S.Zero))
     assert form.multiplier is not None
@@ -115,6 +116,7 @@ def test_sleigh_with_its_centre_beside_the_blade() -> None:
     assert {"measure", "bracket", "form", "motion", "canonical", "hamiltonian"} <= set(names)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("potential", [sp.S.Zero, U], ids=["free", "potential"])
 def test_veselova(potential: sp.Expr) -> None:
     form = chaplygin_form(veselova(potential))
@@ -324,6 +326,7 @@ def test_a_multiplier_that_is_no_product() -> None:
     assert proven(form)[-1] == "motion"
 
 
+@pytest.mark.slow
 def test_the_page_tells_all() -> None:
     page = str(of_ball())
     assert "N = 1 / √(" in page
@@ -368,10 +371,12 @@ def test_three_coordinates() -> None:
     assert "need x, y, z" in refused(mechanism)
 
 
+@pytest.mark.slow
 def test_no_linear_integral() -> None:
     assert "no integral linear in the momenta" in refused(on_sphere(sp.Rational(1, 3), False))
 
 
+@pytest.mark.slow
 def test_a_level_on_which_no_integral_serves() -> None:
     mechanism = ball()
     moved = motion(mechanism)

@@ -51,6 +51,7 @@ def test_division_by_zero() -> None:
         _ = ONE / (NAMES[x] - NAMES[x])
 
 
+@pytest.mark.slow
 @given(st.lists(NUMBERS, min_size=9, max_size=9))
 def test_inverse_and_determinant(entries: list[Fraction]) -> None:
     rows = [[exact(n) for n in entries[i : i + 3]] for i in (0, 3, 6)]
@@ -65,6 +66,7 @@ def test_inverse_and_determinant(entries: list[Fraction]) -> None:
             assert entry == int(i == j)
 
 
+@pytest.mark.slow
 @given(st.lists(NUMBERS, min_size=8, max_size=8))
 def test_kernel(entries: list[Fraction]) -> None:
     rows = [[exact(n) for n in entries[i : i + 4]] for i in (0, 4)]

@@ -102,6 +102,7 @@ def pulled(shape, surface):
 # A plane is a sphere of infinite radius
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contact_model", ["marble", "rubber"])
 @pytest.mark.parametrize("shape", [name for name in SHAPES if name != "hollow ball"])
 @given(omega=coordinates, gamma=directions)

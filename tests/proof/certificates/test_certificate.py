@@ -85,6 +85,7 @@ def test_what_is_undecided_has_no_certificate():
     assert verdict.uncertified == ""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", ["chaplygin-sleigh", "rubber-ball-of-ratio", "veselova-spinning", "marble-ball-on-cone"]
 )

@@ -209,6 +209,7 @@ def test_figures_that_lack_variables_are_left_out(data, outline):
     assert list(figures.all_figures(data[["omega"]])) == ["angular_velocity"]
 
 
+@pytest.mark.slow
 def test_without_a_ground_there_is_neither_scene_nor_path(data):
     assert not {"scene", "contact_path"} & set(figures.all_figures(data))
 
@@ -254,12 +255,14 @@ def test_one_sample_and_a_body_at_rest_are_drawn(outline, ground):
             assert figures.svg_text(figure).startswith("<svg")
 
 
+@pytest.mark.slow
 def test_samples_that_are_missing_at_the_end_are_left_out(data, outline):
     ended = data.where(data.time < 2.0)
     figure = figures.scene(ended, outline, PlaneGround())
     assert "1.99 s" in [text.get_text() for text in figure.findobj(Text)]
 
 
+@pytest.mark.slow
 def test_global_settings_stay_as_they_were(data, outline):
     before = dict(mpl.rcParams)
     figures.svg_text(figures.scene(data, outline, PlaneGround()))
@@ -378,6 +381,7 @@ def test_on_a_telephone_letters_can_be_read(data, outline, name):
 # Scene
 
 
+@pytest.mark.slow
 def test_scene_is_drawn_at_the_wanted_instant(data, outline):
     figure = figures.scene(data, outline, PlaneGround(), until=1.504)
     assert "1.5 s" in [text.get_text() for text in figure.findobj(Text)]
@@ -385,6 +389,7 @@ def test_scene_is_drawn_at_the_wanted_instant(data, outline):
         figures.scene(data, outline, PlaneGround(), until=-1.0)
 
 
+@pytest.mark.slow
 def test_long_way_is_cut_to_its_last_part(outline):
     """The whole way is too long for the body to be seen beside it."""
     far = trajectory(until=30.0, samples=3001)
@@ -397,6 +402,7 @@ def test_long_way_is_cut_to_its_last_part(outline):
     assert box.width < 12 * outline.diameter
 
 
+@pytest.mark.slow
 def test_body_stands_at_the_end_of_its_path(data, outline):
     """The border of the drawn ball touches the picture of the plane where the path ends."""
     figure = figures.scene(data, outline, PlaneGround())
@@ -409,6 +415,7 @@ def test_body_stands_at_the_end_of_its_path(data, outline):
     np.testing.assert_allclose(path[-1] - middle, [0.0, -0.5 * np.cos(0.5)], atol=0.01)
 
 
+@pytest.mark.slow
 def test_scene_is_scaled_alike_in_both_directions(data, outline):
     axes = figures.scene(data, outline, PlaneGround()).axes[0]
     assert axes.get_aspect() == 1.0
@@ -589,6 +596,7 @@ def test_svg_is_the_same_every_time(data, outline):
     assert once == again == anew
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("suffix", "start"), [(".png", b"\x89PNG"), (".svg", b"<?xml"), (".pdf", b"%PDF")]
 )
@@ -599,6 +607,7 @@ def test_files_are_the_same_every_time(data, tmp_path, suffix, start):
     assert first.read_bytes().startswith(start)
 
 
+@pytest.mark.slow
 def test_svg_file_stands_alone(data, tmp_path):
     path = figures.save(figures.drift(data), tmp_path / "drift.svg")
     assert ElementTree.parse(path).getroot().tag == "{http://www.w3.org/2000/svg}svg"
