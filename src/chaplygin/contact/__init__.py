@@ -1,0 +1,1 @@
+"""Contact with friction: its laws, its transitions, flight and impact."""
