@@ -9,8 +9,8 @@ which does not slide (from its centre, along its axes).  The power lost is μ N 
 
     ψ(d) = (1/N) ∫ p |ρ − d| dA,        p = (3N/2πab) √(1 − ρ₁²/a² − ρ₂²/b²).
 
-In polar coordinates about d the integral along a chord is elementary.  With D = (d₁/a, d₂/b), chords
-in the direction (a cos φ, b sin φ), and
+In polar coordinates about d the integral along a chord is elementary.  With D = (d₁/a, d₂/b),
+chords in the direction (a cos φ, b sin φ), and
 
     β = a² cos²φ + b² sin²φ,    s = D₁ cos φ + D₂ sin φ,    x = D₁ sin φ − D₂ cos φ,    T² = 1 − x²,
 

@@ -99,7 +99,7 @@ def zhuravlev_second_order(
     """
     beta, b = sp.sympify(force_constant), sp.sympify(couple_constant)
     for name, value in (("force", beta), ("couple", b)):
-        if value.is_positive is False or value.is_finite is False:
+        if not value.is_positive or value.is_finite is False:
             raise InputError(f"{name} constant {value}: it must be a positive finite number")
     linear, b_1 = SLOPE * beta * k, b * COUPLE_FAR / COUPLE
     numerator = 1 + b_1 * k
@@ -139,17 +139,24 @@ def _greatest_difference(
 ) -> float:
     """The greatest |f − g| on 0 ≤ k ≤ ∞, both smooth in ln k."""
 
-    def difference(logarithm: float | FloatArray) -> FloatArray:
+    def difference(logarithm: npt.ArrayLike) -> FloatArray:
         at = np.exp(np.asarray(logarithm))
         return np.abs(f(at) - g(at))
 
     grid = np.linspace(-12, 12, 961)
     values = difference(grid)
-    best = int(values.argmax())
-    low, high = grid[max(best - 1, 0)], grid[min(best + 1, len(grid) - 1)]
-    peak = minimize_scalar(lambda x: -float(difference(x)), bounds=(low, high), method="bounded")
-    ends = np.array([0.0, np.inf])
-    return max(-float(peak.fun), float(values[best]), float(np.abs(f(ends) - g(ends)).max()))
+    greatest = max(float(values.max()), float(difference([-np.inf, np.inf]).max()))
+    # several peaks may be equally high
+    higher = (values[1:-1] >= values[:-2]) & (values[1:-1] >= values[2:])
+    for i in np.flatnonzero(higher & (values[1:-1] > 0.99 * greatest)):
+        peak = minimize_scalar(
+            lambda x: -float(difference(x)),
+            bounds=(grid[i], grid[i + 2]),
+            method="bounded",
+            options={"xatol": 1e-9},
+        )
+        greatest = max(greatest, -float(peak.fun))
+    return greatest
 
 
 @cache
@@ -159,8 +166,8 @@ def best_constants() -> tuple[float, float]:
     Examples
     --------
     >>> from chaplygin.contact.pressure_approximations import best_constants
-    >>> [round(constant, 3) for constant in best_constants()]
-    [0.281, 2.294]
+    >>> [round(constant, 4) for constant in best_constants()]
+    [0.2812, 2.2939]
     """
 
     def error(part: int, constant: float) -> float:
@@ -171,7 +178,7 @@ def best_constants() -> tuple[float, float]:
             lambda x, part=part: error(part, float(x)),
             bounds=(0.1, 5.0),
             method="bounded",
-            options={"xatol": 1e-7},
+            options={"xatol": 1e-8},
         ).x
         for part in (0, 1)
     )
