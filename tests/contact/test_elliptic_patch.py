@@ -116,7 +116,8 @@ def test_couple_gradient_and_potential_are_tied(a, b):
     d = points(a, b, np.array([0.2, 0.7, 0.99, 1.01, 1.5, 4.0]))
     virial = patch.potential(d) - (d * patch.gradient(d)).sum(axis=-1)
     np.testing.assert_allclose(patch.couple(d), virial, atol=1e-14 * patch.potential(d).max())
-    step = 1e-3 * min(a, b)
+    # differences of sixth order, away from the edge, where ψ is not smooth
+    d, step = d[[0, 1, 4, 5]], 1e-3 * min(a, b)
     for i in (0, 1):
         shift = step * np.eye(2)[i]
         one, two, three = (
@@ -124,12 +125,8 @@ def test_couple_gradient_and_potential_are_tied(a, b):
             for n in (1, 2, 3)
         )
         slope = 1.5 * one - 0.6 * two + 0.1 * three
-        np.testing.assert_allclose(patch.gradient(d)[:, i], slope, atol=1e-10 * max(a, b) / step)
-        np.testing.assert_allclose(
-            patch.gradient(d)[[0, 1, 4, 5], i],
-            slope[[0, 1, 4, 5]],
-            atol=2e-11 * max(1, a / b, b / a),
-        )
+        tolerance = 4e-13 * patch.potential(d).max() / min(a, b)
+        np.testing.assert_allclose(patch.gradient(d)[:, i], slope, atol=tolerance)
 
 
 @patches

@@ -171,7 +171,7 @@ class Uniform(CoupledFriction):
     --------
     >>> from chaplygin.contact.pressure import Uniform
     >>> Uniform().couple([0.0, 0.6530017892, 1.0])
-    array([0.66666667, 0.44982786, 0.28294212])
+    array([0.66666667, 0.47169351, 0.28294212])
     """
 
     def force(self, k: npt.ArrayLike) -> FloatArray:

@@ -43,7 +43,7 @@ class ApproximateFriction(CoupledFriction):
     >>> zhuravlev_first_order().force_formula
     k/(k + 8/(3*pi))
     >>> zhuravlev_first_order().force([0.0, 1.0, float("inf")])
-    array([0.        , 0.54088561, 1.        ])
+    array([0.        , 0.54088368, 1.        ])
     """
 
     name: str

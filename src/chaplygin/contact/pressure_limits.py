@@ -58,8 +58,8 @@ def slip_ratio(friction: CoupledFriction, x: npt.ArrayLike, z: npt.ArrayLike) ->
     >>> from chaplygin.contact.pressure import Hertz
     >>> from chaplygin.contact.pressure_limits import slip_ratio
     >>> hertz = Hertz()
-    >>> slip_ratio(hertz, 0.5 * hertz.force(2.0), 0.5 * hertz.couple(2.0)).round(14)
-    array(2.)
+    >>> float(slip_ratio(hertz, 0.5 * hertz.force(2.0), 0.5 * hertz.couple(2.0)).round(14))
+    2.0
     """
     force, couple = _checked_load(x, z)
     if np.any((force == 0) & (couple == 0)):
@@ -110,7 +110,7 @@ def load_factor(friction: CoupledFriction, x: npt.ArrayLike, z: npt.ArrayLike) -
     >>> from chaplygin.contact.pressure import Uniform
     >>> from chaplygin.contact.pressure_limits import load_factor
     >>> load_factor(Uniform(), [0.0, 0.5, 0.9], [0.5, 0.3, 0.3]).round(6)
-    array([0.75    , 0.690893, 1.064556])
+    array([0.75    , 0.720011, 1.060288])
     """
     force, couple = _checked_load(x, z)
     empty = (force == 0) & (couple == 0)
