@@ -210,3 +210,23 @@ def test_a_patch_may_be_too_slender():
 def test_points_that_are_none_are_refused(wrong):
     with pytest.raises(InputError, match="shape"):
         EllipticHertz(1.0, 2.0).potential(wrong)
+
+
+@pytest.mark.parametrize("spin", [0.6, -0.6])
+def test_force_and_couple_are_what_coulombs_law_sums_up_to(spin):
+    # sliding fast enough that no point of the patch is at rest
+    a, b, u = 2.0, 1.0, np.array([0.9, -1.4])
+    t, rest, weight = double_exponential()
+    theta = 2 * np.pi * np.arange(400)[:, None] / 400
+    first, second = a * t * np.cos(theta), b * t * np.sin(theta)
+    area = 3 / (2 * np.pi) * np.sqrt(rest * (1 + t)) * t * weight * 2 * np.pi / 400
+    slip = np.stack([u[0] - spin * second, u[1] + spin * first])
+    friction = -area * slip / np.hypot(*slip)
+    patch = EllipticHertz(a, b)
+    d = np.array([-u[1], u[0]]) / spin
+    slope = patch.gradient(d)
+    force = np.sign(spin) * np.array([-slope[1], slope[0]])
+    np.testing.assert_allclose(force, [friction[0].sum(), friction[1].sum()], rtol=1e-13)
+    torque = (first * friction[1] - second * friction[0]).sum()
+    assert -np.sign(spin) * patch.couple(d) == pytest.approx(torque, rel=1e-12)
+    assert abs(force[0] * u[1] - force[1] * u[0]) > 0.01

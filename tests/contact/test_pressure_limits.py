@@ -19,7 +19,10 @@ from chaplygin.contact.pressure_limits import (
     z,
 )
 from chaplygin.contact.pressure_ranges import hertz_ranges, k
+from chaplygin.core.system import System
+from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
+from chaplygin.flow.integrator import integrate
 from contact.patches import exact_factors
 
 LAWS = [Hertz(), Uniform(), Ring(), PowerPressure(0.2), PowerPressure(4), ellipsoid_law()]
@@ -155,3 +158,19 @@ def test_loads_that_are_none_are_refused(pair):
 def test_without_load_there_is_no_ratio():
     with pytest.raises(InputError, match="no ratio"):
         slip_ratio(HERTZ, [0.1, 0.0], [0.1, 0.0])
+
+
+@pytest.mark.slow
+def test_the_engine_integrates_the_outer_part_to_the_last_digit():
+    # ∫F dM along the curve is ∫F F′ k dk = [kF²/2] − ½∫F² dk
+    area = real_symbol("w")
+    system = System("limit", "Limit", {z: sp.Integer(-1), area: LIMIT.greatest_force})
+    start, end = HERTZ.couple([1.001, 50.0])
+    trajectory = integrate(system, [start, 0.0], [0.0, start - end])
+    nodes, weights = np.polynomial.legendre.leggauss(400)
+    low, high = np.log(1.001), np.log(50.0)
+    ratios = np.exp((low + high + (high - low) * nodes) / 2)
+    squares = (HERTZ.force(ratios) ** 2 * ratios) @ weights * (high - low) / 2
+    force = HERTZ.force([1.001, 50.0])
+    exact = (50 * force[1] ** 2 - 1.001 * force[0] ** 2 - squares) / 2
+    assert trajectory.states[-1][1] == pytest.approx(exact, abs=5e-14)

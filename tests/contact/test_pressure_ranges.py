@@ -9,6 +9,9 @@ import sympy as sp
 
 from chaplygin.contact.pressure import Hertz
 from chaplygin.contact.pressure_ranges import INNER_BOUND, OUTER_BOUND, hertz_ranges, k
+from chaplygin.core.system import System
+from chaplygin.core.vectors import real_symbol
+from chaplygin.flow.integrator import integrate
 from contact.patches import exact_factors, relative_error
 
 INNER, MIDDLE, OUTER = hertz_ranges()
@@ -82,3 +85,19 @@ def test_the_formulas_are_the_numbers():
         force, couple = sp.lambdify(k, part.factors(), "numpy")(inside)
         np.testing.assert_allclose(force, Hertz().force(inside), rtol=1e-15)
         np.testing.assert_allclose(couple, Hertz().couple(inside), rtol=4e-15)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("part", "start", "end"),
+    [(INNER, 0.1, 1.0), (MIDDLE, 1 + 1e-6, 2.0), (OUTER, 2.0, 6.0)],
+    ids=["inner", "middle", "outer"],
+)
+def test_the_engine_integrates_them_to_the_last_digit(part, start, end):
+    # ∫F dk = φ, and φ = M + kF
+    impulse = real_symbol("w")
+    force, _ = part.factors()
+    system = System("sliding", "Sliding", {k: sp.Integer(1), impulse: force})
+    trajectory = integrate(system, [start, 0.0], [0.0, end - start])
+    phi = Hertz().couple([start, end]) + [start, end] * Hertz().force([start, end])
+    assert trajectory.states[-1][1] == pytest.approx(phi[1] - phi[0], abs=2e-15)

@@ -1,1 +1,1 @@
-"""Contact with friction: its laws, its transitions, flight and impact."""
+"""A body in unilateral contact: friction, loss of contact, impact."""

@@ -44,12 +44,13 @@ def half_hypergeometric(a: float, c: float, z: FloatArray, complement: FloatArra
     Parameters
     ----------
     a, c : float
-        With c − a > ½, so that the function is finite at z = 1.
+        With c − a ≥ 1; above ½ the function is finite at z = 1.
     z, complement : arrays of one shape
         0 ≤ z ≤ 1, and 1 − z without cancellation.
     """
     log_t, log_tau, weights = _rule(c)
-    near = weights * np.exp(np.maximum(-a, 0.0) * log_tau) + weights
+    # the power lies between 1 and its value at z = 1
+    near = weights * (1 + np.exp(-a * log_tau))
     used = near > 1e-22 * near.max()
     nodes = np.exp(log_t[used]), np.exp(log_tau[used])
     pairs = np.stack([z.ravel(), complement.ravel()], axis=1)
