@@ -52,7 +52,7 @@ def potential(n, k):
 
 def exact_factors(n, k):
     """F and M from the derivative of φ's series, in multiprecision."""
-    n, k = mp.mpf(n), mp.mpf(float(k))
+    n, k = mp.mpf(n), mp.mpf(k)
     if k <= 1:
         at_rest = mp.gamma(3 * HALF) * mp.gamma(n + 2) / mp.gamma(n + 5 * HALF)
         slope = at_rest * (2 * n + 3)
