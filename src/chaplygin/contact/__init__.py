@@ -1,0 +1,1 @@
+"""A body in unilateral contact: friction, loss of contact, impact."""
