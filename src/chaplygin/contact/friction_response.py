@@ -91,7 +91,7 @@ def least_motion_force(A: FloatArray, free: FloatArray, limit: float) -> FloatAr
     limit : float
         May be infinite.
     """
-    held = -np.linalg.solve(A, free)
+    held: FloatArray = -np.linalg.solve(A, free)
     size = float(np.hypot(*held))
     if size <= limit:
         return held

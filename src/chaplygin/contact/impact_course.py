@@ -162,6 +162,8 @@ class Course:
     def _segment(self) -> Segment:
         response, weight = self._response(), self._weight
         beta, A = response.tangential
+        force: FloatArray
+        direction: FloatArray | None
         if self._sticks:
             force, direction = -np.linalg.solve(A, beta), None
         elif self.mu == 0:

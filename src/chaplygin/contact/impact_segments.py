@@ -159,7 +159,7 @@ def turning_rate(
     along = float(rate @ direction)
     across = float(direction[0] * rate[1] - direction[1] * rate[0])
     scale = float(np.hypot(*(weight * beta)) + np.hypot(*friction))
-    return along, across, abs(across) <= ROUNDING * scale
+    return along, across, bool(abs(across) <= ROUNDING * scale)
 
 
 def turning_slip(
