@@ -91,7 +91,7 @@ def least_motion_force(A: FloatArray, free: FloatArray, limit: float) -> FloatAr
     limit : float
         May be infinite.
     """
-    held: FloatArray = -np.linalg.solve(A, free)
+    held = _solution(A, -free)
     size = float(np.hypot(*held))
     if size <= limit:
         return held
@@ -111,6 +111,18 @@ def least_motion_force(A: FloatArray, free: FloatArray, limit: float) -> FloatAr
     force = -components / (moments + shift)
     result: FloatArray = axes @ force * (limit / float(np.hypot(*force)))
     return result
+
+
+def holding_force(response: FrictionResponse) -> FloatArray:
+    """The friction (2,) per normal impulse that keeps the tangential velocity."""
+    beta, A = response.tangential
+    return _solution(A, -beta)
+
+
+def _solution(A: FloatArray, right: FloatArray) -> FloatArray:
+    determinant = A[0, 0] * A[1, 1] - A[0, 1] * A[1, 0]
+    result: FloatArray = np.array([[A[1, 1], -A[0, 1]], [-A[1, 0], A[0, 0]]]) @ right
+    return result / determinant
 
 
 def least_motion(mobility: Mobility, mu: float, spin_arm: float) -> tuple[FloatArray, float]:

@@ -21,8 +21,13 @@ import numpy.typing as npt
 
 from ..core.arrays import FloatArray
 from ..errors import InputError
-from .friction_response import response_while_spinning, response_with_spin_at_rest
+from .friction_response import (
+    least_motion_force,
+    response_while_spinning,
+    response_with_spin_at_rest,
+)
 from .impact_course import Course, ImpactPhase
+from .impact_segments import ROUNDING
 from .mobility import Mobility
 
 ImpactLaw = Literal["stronge", "poisson", "newton"]
@@ -194,8 +199,9 @@ def zeno_closure(
 
     They stand for the bounces to come, whose impulse differs by a term of second order from what
     the lasting contact gives in their time.  A contact that slides is given an impulse along
-    γ + p, one without tangential velocity an impulse that leaves that zero (along A⁻¹γ, but for
-    the spin couple); a spin has the couple −μ_s sgn Ω, or the one that leaves it zero.
+    γ + p, one without tangential velocity (but for rounding) an impulse that leaves that zero,
+    along A⁻¹γ but for the spin couple, or the one nearest to this that friction allows; a spin
+    has the couple −μ_s sgn Ω, or the one that leaves it zero.
 
     Parameters
     ----------
@@ -218,9 +224,9 @@ def zeno_closure(
         response = response_with_spin_at_rest(mobility)
     else:
         response = response_while_spinning(mobility, -spin_arm * float(np.sign(spin)))
-    if not slip.any():
-        # The force per normal force that keeps the tangential velocity zero.
-        force = -np.linalg.solve(response.tangential[1], response.tangential[0])
+    if np.hypot(*slip) <= ROUNDING * np.linalg.norm(u):
+        beta, A = response.tangential
+        force = least_motion_force(A, beta, mu)
     elif np.isinf(mu):
         raise InputError("mu inf: a contact that slides has no finite friction")
     else:

@@ -11,6 +11,7 @@ from ..core.arrays import FloatArray
 from ..errors import RunError
 from .friction_response import (
     FrictionResponse,
+    holding_force,
     least_motion,
     least_motion_force,
     response_while_spinning,
@@ -144,9 +145,9 @@ class Course:
             self._turning = self._start_of_spin()
         if rests:
             self._sticks = True
-            beta, A = self._response().tangential
-            held_force = -np.linalg.solve(A, beta)
-            if np.hypot(*held_force) > self.mu:
+            response = self._response()
+            if np.hypot(*holding_force(response)) > self.mu:
+                beta, A = response.tangential
                 self._sticks = False
                 self._straight = least_motion_force(A, beta, self.mu)
 
@@ -161,11 +162,10 @@ class Course:
 
     def _segment(self) -> Segment:
         response, weight = self._response(), self._weight
-        beta, A = response.tangential
         force: FloatArray
         direction: FloatArray | None
         if self._sticks:
-            force, direction = -np.linalg.solve(A, beta), None
+            force, direction = holding_force(response), None
         elif self.mu == 0:
             force, direction = np.zeros(2), None
         elif self._straight is not None:

@@ -173,11 +173,13 @@ def turning_slip(
     """Sliding that turns, in logarithmic time; the arguments as for constant friction."""
     beta, A = response.tangential
     speed = float(np.hypot(*slip))
-    n, w, h = _direction_and_speed(weight * beta, mu * A, slip / speed)
+    # In θ times the greatest rate the coefficients neither overflow nor vanish.
+    unit = weight * float(np.hypot(*beta)) + mu * float(np.abs(A).max())
+    n, w, h = _direction_and_speed(weight * beta / unit, mu * A / unit, slip / speed)
     speeds = speed * w
     slips = np.array([np.convolve(speeds, part)[: ORDER + 1] for part in (n.real, n.imag)])
-    time = _integral(speeds)
-    friction = -mu * np.array([_integral(part) for part in slips])
+    time = _integral(speeds / unit)
+    friction = -mu * np.array([_integral(part / unit) for part in slips])
     return _segment(
         response,
         weight,
