@@ -121,8 +121,9 @@ def holding_force(response: FrictionResponse) -> FloatArray:
 
 def _solution(A: FloatArray, right: FloatArray) -> FloatArray:
     determinant = A[0, 0] * A[1, 1] - A[0, 1] * A[1, 0]
-    result: FloatArray = np.array([[A[1, 1], -A[0, 1]], [-A[1, 0], A[0, 0]]]) @ right
-    return result / determinant
+    adjugate = np.array([[A[1, 1], -A[0, 1]], [-A[1, 0], A[0, 0]]])
+    result: FloatArray = adjugate @ right / determinant
+    return result
 
 
 def least_motion(mobility: Mobility, mu: float, spin_arm: float) -> tuple[FloatArray, float]:

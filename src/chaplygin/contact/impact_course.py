@@ -76,7 +76,8 @@ class Course:
         self.slip, self.spin, self.normal = slip, spin, normal
         self.restitution, self.law, self.approach = restitution, law, normal
         self.normal_impulse = self.compression_impulse = self.couple_impulse = 0.0
-        self.compression_work = self.restitution_work = 0.0
+        #: Work of the normal force, and its impulse, in compression and in restitution.
+        self._work, self._clock = [0.0, 0.0], [0.0, 0.0]
         self.friction = np.zeros(2)
         self.phases: list[ImpactPhase] = []
         self.compressing = True
@@ -219,11 +220,9 @@ class Course:
         """Becomes positive where the restitution ends."""
         e = self.restitution
         if self.law == "stronge":
-            series, missing = segment.work, e * e * -self.compression_work - self.restitution_work
+            series, missing = segment.work, -e * e * self._work[0] - self._work[1]
         elif self.law == "poisson":
-            compression = self.compression_impulse
-            series = segment.impulse
-            missing = e * compression - (self.normal_impulse - compression)
+            series, missing = segment.clock, e * self._clock[0] - self._clock[1]
         else:
             series, missing = segment.normal, -e * self.approach
         series = series.copy()
@@ -231,13 +230,12 @@ class Course:
         return series
 
     def _advance(self, segment: Segment, x: float) -> None:
-        impulse, work = value(segment.impulse, x), value(segment.work, x)
+        impulse = value(segment.impulse, x)
         self.normal_impulse += impulse
-        if self.compressing:
-            self.compression_impulse += impulse
-            self.compression_work += work
-        else:
-            self.restitution_work += work
+        self.compression_impulse += impulse if self.compressing else 0.0
+        part = 0 if self.compressing else 1
+        self._work[part] += value(segment.work, x)
+        self._clock[part] += value(segment.clock, x)
         self.couple_impulse += value(segment.couple, x)
         self.friction = self.friction + [value(part, x) for part in segment.friction]
         if not self._sticks:
@@ -250,23 +248,23 @@ class Course:
         """Take an event into account; whether the impact ends with it."""
         if event == "compressed":
             self.compressing, self.normal = False, 0.0
-            # Nothing to give back: the contact ends where it stands.
-            if self.law == "newton":
-                done = self.restitution * self.approach == 0
-            elif self.law == "stronge":
-                done = self.restitution**2 * self.compression_work == 0
-            else:
-                done = self.restitution * self.compression_impulse == 0
+            # Is there anything to give back?
+            stored = {"stronge": self._work[0], "poisson": self._clock[0], "newton": self.approach}
+            done = self.restitution * stored[self.law] == 0
         else:
             done = event == "returned"
         if event == "approaching again":
             self.compressing, self.normal = True, 0.0
+        if event == "stopped" and not self._weight:
+            # What infinite friction stored while stopping is nothing beside what follows.
+            done = not self.compressing and self.law != "newton"
+            self._work, self._clock = [0.0, 0.0], [0.0, 0.0]
         if done:
             self._end_of_phase()
         elif event in ("stopped", "spin stopped", "spin starts"):
             self._end_of_phase()
             self._change_mode(event)
-        return done
+        return bool(done)
 
     def _change_mode(self, event: Event) -> None:
         if event == "spin starts":

@@ -31,6 +31,9 @@ class Segment:
     ----------
     length : float
         The stretch ends at this θ, or does not end by itself.
+    clock : (n,) array
+        The normal impulse since the start, or, where friction is infinite and there is none, the
+        length of the path of the friction impulse.
     impulse : (n,) array
         Normal impulse since the start.
     friction : (2, n) array
@@ -46,12 +49,11 @@ class Segment:
     spin, normal : (n,) array
         Spin, and normal velocity.
     work : (n,) array
-        Work of the normal force since the start.
-    torque : (n,) array
-        Spin couple per unit of normal impulse.
+        Work of the normal force since the start, ∫ u_n d(clock).
     """
 
     length: float
+    clock: FloatArray
     impulse: FloatArray
     friction: FloatArray
     couple: FloatArray
@@ -61,7 +63,6 @@ class Segment:
     spin: FloatArray
     normal: FloatArray
     work: FloatArray
-    torque: FloatArray
 
 
 def _padded(first: float, rest: FloatArray) -> FloatArray:
@@ -78,24 +79,25 @@ def _integral(series: FloatArray) -> FloatArray:
 def _segment(
     response: FrictionResponse,
     weight: float,
-    time: FloatArray,
+    clock: FloatArray,
     friction: FloatArray,
     slip: FloatArray,
     start: tuple[float, float],
     sliding: tuple[FloatArray, FloatArray] | tuple[None, None],
     length: float,
 ) -> Segment:
-    """Everything else from the friction impulse; `time` is the normal impulse before weighing."""
-    impulse = weight * time
+    """Everything else from the friction impulse."""
+    impulse = weight * clock
     spin, normal = (
         _padded(first, rate[0] * impulse + rate[1] @ friction)
         for first, rate in zip(start, (response.spin, response.normal), strict=True)
     )
     couple = response.couple[0] * impulse + response.couple[1] @ friction
-    derivative = impulse[1:] * np.arange(1, len(impulse))
+    derivative = clock[1:] * np.arange(1, len(clock))
     work = _integral(np.convolve(normal, derivative))
     return Segment(
         length=length,
+        clock=clock,
         impulse=impulse,
         friction=friction,
         couple=couple,
@@ -105,7 +107,6 @@ def _segment(
         spin=spin,
         normal=normal,
         work=work,
-        torque=couple[1:] * np.arange(1, len(couple)),
     )
 
 
@@ -178,12 +179,12 @@ def turning_slip(
     n, w, h = _direction_and_speed(weight * beta / unit, mu * A / unit, slip / speed)
     speeds = speed * w
     slips = np.array([np.convolve(speeds, part)[: ORDER + 1] for part in (n.real, n.imag)])
-    time = _integral(speeds / unit)
+    clock = _integral(speeds / unit)
     friction = -mu * np.array([_integral(part / unit) for part in slips])
     return _segment(
         response,
         weight,
-        time,
+        clock,
         friction,
         slips,
         (spin, normal),

@@ -14,6 +14,7 @@ import numpy as np
 from ..core.arrays import FloatArray
 from ..errors import InputError
 from .frozen_slip import CoupledSlip, FrozenSlip, PointSlip, growth_and_turning
+from .impact_segments import ROUNDING
 from .painleve import spread_over_sphere
 
 #: Directions from which those of a coupled law are looked for, first and if some are missing.
@@ -240,6 +241,9 @@ def _exits(directions: Sequence[LimitDirection]) -> tuple[LimitDirection, ...]:
 def rest_of_point(slip: PointSlip) -> Rest:
     """What a contact without slip does under Coulomb friction: |f| ≤ μN holds it.
 
+    Where the normal force does not depend on friction, a contact that is held has no exit, since
+    the rate of the slip is then a monotone function of it; elsewhere both may be possible.
+
     Parameters
     ----------
     slip : PointSlip
@@ -251,13 +255,13 @@ def rest_of_point(slip: PointSlip) -> Rest:
     holding = np.array(force)
     holds = bool(pressure > 0 and np.hypot(*holding) <= slip.mu * pressure)
     couple = slip.response.couple[0] * pressure + float(slip.response.couple[1] @ holding)
-    return Rest(
-        float(pressure), holding, float(couple) + slip.couple, holds, _exits(limit_directions(slip))
-    )
+    monotone = slip.mu * np.abs(slope).max() <= ROUNDING * constant
+    exits = () if holds and monotone else _exits(limit_directions(slip))
+    return Rest(float(pressure), holding, float(couple) + slip.couple, holds, exits)
 
 
 def rest_of_patch(slip: CoupledSlip, inside: Callable[[float, float], bool]) -> Rest:
-    """What a contact without slip or spin does under a coupled law.
+    """What a contact without slip or spin does under a coupled law; as for a point.
 
     Parameters
     ----------
@@ -274,5 +278,7 @@ def rest_of_patch(slip: CoupledSlip, inside: Callable[[float, float], bool]) -> 
             abs(couple) / (slip.mu * pressure * slip.patch),
         )
     )
-    exits = _exits(limit_directions_of_coupled_slip(slip))
+    row = np.abs(slip.matrix[2])
+    monotone = slip.mu * (row[:2].max() + slip.patch * row[3]) <= ROUNDING * row[2]
+    exits = () if holds and monotone else _exits(limit_directions_of_coupled_slip(slip))
     return Rest(float(pressure), holding, float(couple), holds, exits)

@@ -17,7 +17,7 @@ def value(series: FloatArray, x: float) -> float:
     result = 0.0
     for coefficient in series[::-1].tolist():
         result = result * x + coefficient
-    return result
+    return float(result)
 
 
 def first_rise(series: FloatArray, length: float) -> float | None:
