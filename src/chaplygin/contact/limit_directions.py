@@ -23,6 +23,8 @@ STARTS = (24, 150, 1000)
 SAME = 1e-7
 #: A direction is one to this accuracy, relative to the greatest rate.
 RESIDUAL = 1e-11
+#: A determinant of the turning's derivative, relative to the rates, that is zero but for rounding.
+DEGENERATE = 1e-8
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,7 +136,8 @@ def limit_directions_of_coupled_slip(slip: CoupledSlip) -> tuple[LimitDirection,
     Raises
     ------
     InputError
-        If directions are missing after all starts, as where they fill a curve.
+        If directions are not isolated, as for a homogeneous ball without tangential forces, or
+        some are missing after all starts.
     """
     found: list[tuple[FloatArray, FloatArray]] = []
     for count in STARTS:
@@ -145,11 +148,14 @@ def limit_directions_of_coupled_slip(slip: CoupledSlip) -> tuple[LimitDirection,
             _, turning = growth_and_turning(slip, n)
             new = all(np.linalg.norm(n - other) > SAME for other, _ in found)
             if new and np.linalg.norm(turning) <= RESIDUAL * scale:
-                found.append((n, _turning_derivative(slip, n)))
+                slope = _turning_derivative(slip, n)
+                if abs(np.linalg.det(slope)) <= DEGENERATE * scale**2:
+                    raise InputError("limit directions: they are not isolated")
+                found.append((n, slope))
         if sum(np.sign(np.linalg.det(slope)) for _, slope in found) == 2:
             break
     else:
-        raise InputError("limit directions: they are not isolated, or too close to each other")
+        raise InputError("limit directions: some are too close to each other to be found")
     directions = []
     for n, slope in found:
         pressure = slip.force(n)[0]
