@@ -177,8 +177,9 @@ def test_an_open_set_stops_and_leaves_at_once() -> None:
     for turn in (-0.3, -0.1, 0.2, 0.3):
         start = np.array([np.cos(angle + turn), np.sin(angle + turn)])
         stop = finish_stop(slip, start, 1.0)
-        # Whatever the start in this range, the slip ends near the entry in a finite time ...
-        assert np.abs(stop.direction - entry.direction).max() < 0.01 * abs(turn)
+        # Whatever the start in this range, the slip nears the entry (slowly, like s^0.1) and
+        # ends in a finite time ...
+        assert np.abs(stop.direction - entry.direction).max() < 0.1 * abs(turn)
 
         def size(_: float, x: FloatArray) -> float:
             return float(np.hypot(*x)) - 1e-6

@@ -31,7 +31,7 @@ from .impact_segments import ROUNDING
 from .mobility import Mobility
 
 ImpactLaw = Literal["stronge", "poisson", "newton"]
-#: Energy that an impact may gain by rounding, relative to the terms of its balance.
+#: Energy that an impact may gain by rounding, relative to impulse times velocity.
 ENERGY_ROUNDING = 1e-13
 
 
@@ -149,7 +149,9 @@ def impact(
     impulse = course.normal_impulse * mobility.gamma + friction
     couple = course.couple_impulse
     after = course.slip @ tangents + course.normal * mobility.gamma
-    terms = np.append(impulse * (u + after), couple * (float(spin) + course.spin)) / 2
+    gain = float(impulse @ (u + after) + couple * (spin + course.spin)) / 2
+    force = float(np.linalg.norm(impulse) * (scale + np.linalg.norm(after)))
+    terms = force + abs(couple) * (abs(spin) + abs(course.spin))
     return Impact(
         impulse=impulse,
         couple_impulse=couple,
@@ -159,8 +161,8 @@ def impact(
         spin=course.spin,
         compression_impulse=course.compression_impulse,
         normal_impulse=course.normal_impulse,
-        energy_lost=float(-terms.sum()),
-        energy_grew=bool(terms.sum() > ENERGY_ROUNDING * np.abs(terms).sum()),
+        energy_lost=-gain,
+        energy_grew=bool(gain > ENERGY_ROUNDING * terms),
         phases=tuple(course.phases),
     )
 

@@ -88,6 +88,7 @@ class Course:
         self._straight: FloatArray | None = None
         self._first_speed = 0.0
         self._at_rest = response_with_spin_at_rest(mobility)
+        self._spinning: dict[float, FrictionResponse] = {}
         self._decide()
 
     def run(self) -> None:
@@ -122,7 +123,10 @@ class Course:
         if self._turning is None and self._weight:
             return self._at_rest
         sign = 0.0 if self._turning is None else self._turning
-        return response_while_spinning(self.mobility, -self.spin_arm * sign * self._weight)
+        couple = -self.spin_arm * sign * self._weight
+        if couple not in self._spinning:
+            self._spinning[couple] = response_while_spinning(self.mobility, couple)
+        return self._spinning[couple]
 
     def _mode(self) -> Mode:
         if self._sticks:

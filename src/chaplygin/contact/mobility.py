@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
@@ -46,7 +47,7 @@ class Mobility:
     inverse_inertia: FloatArray
     r: FloatArray
 
-    @property
+    @cached_property
     def tangents(self) -> FloatArray:
         """Two unit vectors (2, 3) that span the tangent plane, right-handed with the normal."""
         first = np.zeros(3)

@@ -10,14 +10,16 @@ from ..core.arrays import FloatArray
 
 #: Parts in which a stretch is searched for changes of sign.
 PARTS = 8
+PLACES = np.linspace(0.0, 1.0, PARTS + 1)
 
 
 def value(series: FloatArray, x: float) -> float:
     """A polynomial, lowest order first, at one place."""
     result = 0.0
+    place = float(x)
     for coefficient in series[::-1].tolist():
-        result = result * x + coefficient
-    return float(result)
+        result = result * place + coefficient
+    return result
 
 
 def first_rise(series: FloatArray, length: float) -> float | None:
@@ -32,9 +34,14 @@ def first_rise(series: FloatArray, length: float) -> float | None:
     """
     if not series[3:].any():
         return _first_rise_of_a_quadratic(series, length)
-    x = np.linspace(0.0, length, PARTS + 1)
-    derivative = series[1:] * np.arange(1, len(series))
-    g, slope = (np.polynomial.polynomial.polyval(x, p) for p in (series, derivative))
+    order = np.arange(len(series))
+    terms = series * length**order
+    if -terms[0] > np.abs(terms[1:]).sum():
+        return None
+    x = length * PLACES
+    derivative = series[1:] * order[1:]
+    powers = PLACES[:, None] ** order
+    g, slope = powers @ terms, powers[:, :-1] @ (terms[1:] * order[1:])
     g[0] = min(g[0], 0.0)
     noise = 1e-15 * np.abs(g).max()
     for left in range(PARTS):

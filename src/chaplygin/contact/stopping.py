@@ -129,7 +129,7 @@ def _followed(slip: FrozenSlip, n: FloatArray, end: float) -> FloatArray:
         return np.concatenate([turning, [growth], gain]) / unit
 
     def straight(_: float, state: FloatArray) -> float:
-        _, growth, turning = parts(state)
+        growth, turning = parts(state)[1:]
         return float(np.linalg.norm(turning)) - STRAIGHT * abs(growth)
 
     def gone(_: float, state: FloatArray) -> float:
