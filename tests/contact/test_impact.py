@@ -7,6 +7,7 @@ import dataclasses
 import mpmath
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from chaplygin.contact.friction_response import response_with_spin_at_rest
 from chaplygin.contact.impact import impact, normal_response, zeno_closure
@@ -133,6 +134,47 @@ def test_a_stop_that_turns_with_coupling_of_the_normal() -> None:
         stop = y[2] + size / -float(n @ (beta - mu * A @ n))
     result = impact(m, u0 @ t - 3 * m.gamma, mu=mu)
     assert result.phases[0].end == pytest.approx(float(stop), rel=3e-15)
+
+
+def test_a_body_that_is_compressed_twice() -> None:
+    """The sliding turns to where it presses: part e² of both compressions' work is given back."""
+    c = collision(np.random.default_rng(1213))
+    approach = c.gamma @ c.contact_velocity
+    c = dataclasses.replace(c, velocity=c.velocity - 0.8 * approach * c.gamma)
+    m, mu, e = c.mobility, 4.0, 0.9
+    result = impact(m, c.contact_velocity, c.spin, mu=mu, restitution=e)
+    assert [phase.mode for phase in result.phases] == ["sliding", "sticking"]
+
+    stop = result.phases[0].end
+    t, gamma = m.tangents, m.gamma
+
+    def rates(_: float, u: np.ndarray) -> np.ndarray:
+        slip = u - (u @ gamma) * gamma
+        return m.A @ (gamma - mu * slip / np.linalg.norm(slip))
+
+    impulses = np.linspace(0, 0.9999 * stop, 4001)
+    u = solve_ivp(
+        rates,
+        (0, impulses[-1]),
+        c.contact_velocity,
+        t_eval=impulses,
+        rtol=1e-11,
+        atol=1e-13,
+        method="DOP853",
+    ).y
+    assert np.linalg.norm(t @ u[:, -1]) < 1e-3 * np.linalg.norm(t @ u[:, 0])
+    normal = gamma @ u
+    signs = np.sign(normal)
+    assert signs[np.append(0, np.flatnonzero(np.diff(signs)) + 1)].tolist() == [-1, 1, -1]
+
+    def work(sign: int) -> float:
+        return float(np.trapezoid(sign * np.maximum(sign * normal, 0), impulses))
+
+    rate = 1 / (gamma @ np.linalg.solve(m.A, gamma))
+    compression = work(-1) - normal[-1] ** 2 / (2 * rate)
+    after = gamma @ result.contact_velocity
+    assert work(1) + after**2 / (2 * rate) == pytest.approx(-(e**2) * compression, rel=1e-3)
+    assert result.energy_lost > 0
 
 
 # --- closed forms -----------------------------------------------------------------------------
@@ -299,6 +341,19 @@ def test_sliding_in_a_plane_of_symmetry_reverses() -> None:
     total = stop + rest / back + e * np.sqrt(-2 * work / back)
     assert result.normal_impulse == pytest.approx(total, rel=1e-14)
     assert result.impulse @ t == pytest.approx(sign * mu * (total - 2 * stop), rel=1e-14)
+
+
+def test_a_normal_velocity_of_rounding() -> None:
+    """What touches without approaching gets an impulse of that order, whatever the friction."""
+    rng = np.random.default_rng(13)
+    for number in range(60):
+        c = collision(rng)
+        m, mu = c.mobility, (1e-9, 0.2, 0.6)[number % 3]
+        slip = c.contact_velocity - (c.gamma @ c.contact_velocity) * c.gamma
+        if normal_response(m, slip, mu) < 0.1 * (c.gamma @ m.A @ c.gamma):
+            continue
+        result = impact(m, slip - 1e-17 * c.gamma, c.spin, mu=mu, restitution=0.9)
+        assert result.normal_impulse < 1e-14
 
 
 def test_continuity_at_small_slips() -> None:

@@ -55,6 +55,16 @@ def test_first_rise_of_a_quadratic(series: list[float], first: float | None) -> 
     assert found == (None if first is None else pytest.approx(first, rel=1e-15))
 
 
+@pytest.mark.parametrize("root", [1e-5, 1e-17, 1e-30, 1e-200])
+def test_a_root_near_zero_to_its_own_digits(root: float) -> None:
+    series = np.array([-root, 1.0, -1.3, 0.4, 0.1, -0.02])
+    assert first_rise(series, 0.2) == pytest.approx(root, rel=2e-5)
+    # p(x) = 0 to the last digits of its largest terms
+    found = first_rise(series, 0.2)
+    assert found is not None
+    assert abs(value(series, found)) <= 4e-16 * root
+
+
 def test_not_beyond_the_end() -> None:
     assert first_rise(np.array([-1.0, 1.0]), 0.5) is None
     assert value(np.array([1.0, 2.0, 3.0]), 2.0) == 17.0

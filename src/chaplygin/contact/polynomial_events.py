@@ -68,7 +68,9 @@ def _root(function: Callable[[float], float], left: float, right: float) -> floa
         return left
     if function(right) <= 0:
         return right
-    return float(brentq(function, left, right, xtol=1e-300, rtol=4 * np.finfo(float).eps))
+    # A root near zero is wanted to its own digits: many halvings.
+    accuracy = 4 * np.finfo(float).eps
+    return float(brentq(function, left, right, xtol=1e-300, rtol=accuracy, maxiter=10_000))
 
 
 def _first_rise_of_a_quadratic(series: FloatArray, length: float) -> float | None:
