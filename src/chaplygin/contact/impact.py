@@ -109,7 +109,8 @@ def impact(
     law : str
         What the restitution means: the part e² of the normal force's work in compression that is
         given back (`stronge`, never gains energy), the ratio of the normal impulses (`poisson`)
-        or of the normal velocities (`newton`).
+        or of the normal velocities (`newton`).  Where sliding that turns compresses the contact a
+        second time, work and impulse of both compressions count.
 
     Returns
     -------
