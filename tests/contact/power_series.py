@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
+Array = npt.NDArray[np.floating[Any]]
 
 
 class Series:
@@ -25,9 +26,9 @@ class Series:
         self.c = c
 
     @staticmethod
-    def constant(value: float, terms: int) -> Series:
+    def constant(value: Any, terms: int) -> Series:
         """Series of a constant."""
-        c = np.zeros(terms)
+        c = np.zeros(terms, dtype=type(value))
         c[0] = value
         return Series(c)
 
@@ -95,7 +96,7 @@ class Series:
         """Square root; the constant term must be positive."""
         a = self.c
         b = np.zeros_like(a)
-        b[0] = math.sqrt(a[0])
+        b[0] = np.sqrt(a[0])
         for k in range(1, len(a)):
             b[k] = (a[k] - b[1:k] @ b[k - 1 : 0 : -1]) / (2.0 * b[0])
         return Series(b)
@@ -113,30 +114,44 @@ class Series:
         c[:-1] = self.c[1:] * np.arange(1, len(c))
         return Series(c)
 
-    def at(self, t: float) -> float:
+    def at(self, t: float) -> Any:
         """Value at `t`."""
-        return float(np.polynomial.polynomial.polyval(t, self.c))
+        return np.polynomial.polynomial.polyval(t, self.c)
 
 
-Number = float | Series
+Number = float | np.longdouble | Series
 
 
-def root(x: Number) -> Number:
+def root(x: Any) -> Any:
     """Square root."""
-    return x.sqrt() if isinstance(x, Series) else math.sqrt(x)
+    if isinstance(x, Series):
+        return x.sqrt()
+    return np.sqrt(x) if isinstance(x, np.longdouble) else math.sqrt(x)
 
 
-def arcsine(x: Number) -> Number:
+def exponential(x: Any) -> Any:
+    """Exponential function of a number."""
+    return np.exp(x) if isinstance(x, np.longdouble) else math.exp(x)
+
+
+def logarithm(x: Any) -> Any:
+    """Natural logarithm of a number."""
+    return np.log(x) if isinstance(x, np.longdouble) else math.log(x)
+
+
+def arcsine(x: Any) -> Any:
     """Inverse sine, for a value below 1."""
+    if isinstance(x, np.longdouble):
+        return np.arcsin(x)
     if not isinstance(x, Series):
         return math.asin(x)
     return (x.derivative() / root(1.0 - x * x)).integral(math.asin(float(x)))
 
 
-def solution(matrix: Sequence[Sequence[Number]], right: Sequence[Number]) -> list[Number]:
-    """Solution of a square linear system; by elimination with pivots when it has series."""
-    if not any(isinstance(entry, Series) for row in [*matrix, right] for entry in row):
-        solved: list[Number] = np.linalg.solve(np.array(matrix), np.array(right)).tolist()
+def solution(matrix: Sequence[Sequence[Any]], right: Sequence[Any]) -> list[Any]:
+    """Solution of a square linear system; by elimination with pivots unless all are floats."""
+    if type(right[0]) is float:
+        solved: list[Any] = np.linalg.solve(np.array(matrix), np.array(right)).tolist()
         return solved
     rows = [[*row, b] for row, b in zip(matrix, right, strict=True)]
     size = len(rows)
@@ -146,7 +161,7 @@ def solution(matrix: Sequence[Sequence[Number]], right: Sequence[Number]) -> lis
         inverse = 1.0 / rows[i][i]
         rows[i] = [entry * inverse for entry in rows[i]]
         for j in range(size):
-            if j != i and not (isinstance(rows[j][i], float) and rows[j][i] == 0.0):
-                factor = rows[j][i]
+            factor = rows[j][i]
+            if j != i and (isinstance(factor, Series) or factor != 0.0):
                 rows[j] = [a - factor * b for a, b in zip(rows[j], rows[i], strict=True)]
     return [row[-1] for row in rows]
