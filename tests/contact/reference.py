@@ -668,8 +668,10 @@ class Extrapolation:
                 older, newer = newer, older + 2.0 * small * self.rate(t + i * small, newer)
             new = [0.5 * (older + newer + small * self.rate(t + h, newer))]
             for j, previous in enumerate(row, start=1):
-                ratio = (k * k) / (k - j) ** 2 if y.dtype != np.longdouble else (
-                    np.longdouble(k * k) / (k - j) ** 2
+                ratio = (
+                    (k * k) / (k - j) ** 2
+                    if y.dtype != np.longdouble
+                    else (np.longdouble(k * k) / (k - j) ** 2)
                 )
                 new.append(new[-1] + (new[-1] - previous) / (ratio - 1))
             row = new
@@ -972,8 +974,12 @@ class Motion:
                     continue
                 self.mode, self.dying = mode, dying
                 return
-        free = probe if not slide_zero else self.problem.response(
-            self.y, Mode(), Direction((1.0, 0.1, 0.2), 1.0, (1.0, 0.2, 0.1))
+        free = (
+            probe
+            if not slide_zero
+            else self.problem.response(
+                self.y, Mode(), Direction((1.0, 0.1, 0.2), 1.0, (1.0, 0.2, 0.1))
+            )
         )
         if free.normal <= 0.0:
             self.mode, self.dying = Mode(contact=False), None
@@ -990,9 +996,7 @@ class Motion:
         def velocity_rate(w: Array) -> Array:
             e = plus(times(w[0], t1), times(w[1], t2))
             e = [*e, w[2]] if four else e
-            rate = self.vanishing(
-                self.problem.response(self.y, mode, self.given(kind, e)), kind
-            )[1]
+            rate = self.vanishing(self.problem.response(self.y, mode, self.given(kind, e)), kind)[1]
             flat = [dot(rate[:3], t1), dot(rate[:3], t2)]
             return np.array([*flat, rate[3]] if four else flat)
 
@@ -1152,8 +1156,10 @@ class Motion:
             self.mode, self.dying = Mode(contact=False), None
             self.record("lift-off", before)
         elif name == "spin stop":
-            given = Direction() if self.dying is None else self.given(
-                self.dying.kind, self.dying.direction
+            given = (
+                Direction()
+                if self.dying is None
+                else self.given(self.dying.kind, self.dying.direction)
             )
             held = replace(mode, spin_held=True)
             found = self.problem.response(self.y, held, given)
@@ -1219,7 +1225,10 @@ class Motion:
             x = self.vanishing(found, kind)[1]
             grows = sum(a * b for a, b in zip(e, x, strict=True))
             y_rate = [
-                *z[8:11], *quaternion_rate(found.omega, z[4:8]), *found.acceleration, *found.torque
+                *z[8:11],
+                *quaternion_rate(found.omega, z[4:8]),
+                *found.acceleration,
+                *found.torque,
             ]
             return np.array(
                 [size, *(size * r for r in y_rate), grows]
@@ -1353,10 +1362,12 @@ class Motion:
                 *response.acceleration,
                 *response.torque,
             ]
-            rates = np.array([
-                r.c if isinstance(r, Series) else np.eye(1, TERMS, dtype=dtype)[0] * r
-                for r in y_rate
-            ])
+            rates = np.array(
+                [
+                    r.c if isinstance(r, Series) else np.eye(1, TERMS, dtype=dtype)[0] * r
+                    for r in y_rate
+                ]
+            )
             return rates, np.array([f.c for f in flat])
 
         slopes = np.zeros((size - 1, size - 1))
@@ -1364,6 +1375,7 @@ class Motion:
             if k == 0:
                 rates, _ = pass_with(w)
             else:
+
                 def excess(trial: Array, k: int = k) -> tuple[Array, Array]:
                     rates, x = pass_with(trial)
                     along = zero_w[0] @ x
@@ -1487,6 +1499,7 @@ def impact(problem: Problem, y: list[float], rtol: float) -> tuple[bool, bool, b
 
     def leaving(spin_held: bool) -> Array | None:
         """Direction in which sliding starts anew after it has stopped."""
+
         def x_of(angle: float) -> tuple[Array, Array]:
             e = np.array([math.cos(angle), math.sin(angle)])
             g = ratio(e, z * 0.0, False, spin_held)
@@ -1552,8 +1565,9 @@ def impact(problem: Problem, y: list[float], rtol: float) -> tuple[bool, bool, b
                 values[2] = sign * float(state[3])
             return values
 
-        scales = np.array([body.mass, *[max(abs(first_normal), 1e-3)] * 4, 1.0, *[body.mass] * 3,
-                           1.0, 1.0, 1.0])
+        scales = np.array(
+            [body.mass, *[max(abs(first_normal), 1e-3)] * 4, 1.0, *[body.mass] * 3, 1.0, 1.0, 1.0]
+        )
         _, z, which = run(rate, 0.0, z, 1e12, watch, rtol, scales)
         if which == 0:
             z[4] = 0.0 if compressing else z[4]
@@ -1617,7 +1631,11 @@ def simulate(
     motion = moved(body, surface, contact, start, until, gravity, rtol, number)
     events = []
     for event in motion.events:
-        told = {"time": float(event.time), "kind": event.kind, **described(motion.problem, event.after)}
+        told = {
+            "time": float(event.time),
+            "kind": event.kind,
+            **described(motion.problem, event.after),
+        }
         told["before"] = described(motion.problem, event.before)
         events.append(told)
     return events, {"time": float(motion.t), **described(motion.problem, motion.y)}

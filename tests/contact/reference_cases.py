@@ -97,7 +97,75 @@ EGG = homogeneous_ellipsoid(0.06, [0.02, 0.02, 0.03])
 SENSITIVE = ("tippe top", "tippe top, coupled law", "rising egg")
 """Motions that double the error of rounding many times over: computed in long double."""
 
+DRAWN = (0, 2, 5, 6, 8, 10, 12, 15, 18, 19, 21, 23, 24)
+"""Seeds of motions drawn at random, with several changes of mode or with rarer supports."""
+
 ASKEW = [1.0, 0.2, 0.3, -0.4]
+
+
+def drawn(seed: int) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any], dict[str, Any]]:
+    """Body, support, law and start drawn at random."""
+    g = np.random.default_rng(seed)
+    moments = g.uniform(0.3, 1.0, 3)
+    axes = np.linalg.qr(g.normal(size=(3, 3)))[0]
+    inertia = 0.5 * moments.sum() * np.eye(3) - 0.6 * np.diag(moments)
+    inertia = axes @ inertia @ axes.T * g.uniform(0.15, 0.5)
+    shape: dict[str, Any]
+    if g.random() < 0.5:
+        shape = {"kind": "ball", "radius": 1.0, "centre": rounded(g.uniform(-0.35, 0.35, 3))}
+    else:
+        shape = {
+            "kind": "ellipsoid",
+            "axes": rounded(g.uniform(0.6, 1.2, 3)),
+            "turn": rounded(g.uniform(-1.0, 1.0, 1))[0],
+            "centre": rounded(g.uniform(-0.2, 0.2, 3)),
+        }
+    body = {
+        "mass": rounded(g.uniform(0.5, 2.0, 1))[0],
+        "inertia": [rounded(row, 4) for row in 0.5 * (inertia + inertia.T)],
+        "gyrostat": rounded(g.uniform(-0.3, 0.3, 3) * (g.random() < 0.5)),
+        "shape": shape,
+    }
+    which = int(g.integers(4))
+    surface: dict[str, Any] = [
+        {"kind": "plane"},
+        {"kind": "plane", "turntable": rounded(g.uniform(-2.0, 2.0, 1))[0]},
+        {"kind": "sphere", "radius": 4.0, "side": "outside"},
+        {"kind": "sphere", "radius": 4.0, "side": "inside"},
+    ][which]
+    mu = rounded(g.uniform(0.1, 0.6, 1))[0]
+    contact: dict[str, Any] = [
+        {"mu": mu},
+        {"mu": mu, "spin_arm": rounded(g.uniform(0.02, 0.1, 1))[0]},
+        {"mu": mu, "patch": rounded(g.uniform(0.1, 0.3, 1))[0]},
+        {"mu": mu, "rolling_viscous": 0.02, "viscous": 0.1},
+    ][int(g.integers(4))]
+    at = [*rounded(g.uniform(-0.5, 0.5, 2)), -1.0 if which == 3 else 1.0]
+    attitude = rounded(g.normal(size=4))
+    omega = rounded(g.uniform(-3.0, 3.0, 3))
+    slip = [*rounded(g.uniform(-0.6, 0.6, 2)), 0.0]
+    return body, surface, contact, placed(body, surface, attitude, omega, slip, at)
+
+
+def loaded_ball(seed: int) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any], dict[str, Any]]:
+    """Ball with a far centre of mass on the plane, drawn at random, that slides slowly."""
+    g = np.random.default_rng(seed)
+    body = {
+        "mass": 1.0,
+        "inertia": rounded(0.15 + g.uniform(0.1, 0.2, 3), 2),
+        "shape": {"kind": "ball", "radius": 1.0, "centre": rounded(g.uniform(-0.5, 0.5, 3), 2)},
+    }
+    mu = rounded(g.uniform(0.15, 0.6, 1), 2)[0]
+    contact = {"mu": mu} if seed % 3 else {"mu": mu, "patch": 0.2}
+    attitude = rounded(g.normal(size=4), 2)
+    omega = rounded(g.uniform(-4.0, 4.0, 3), 2)
+    slip = [*rounded(g.uniform(-0.3, 0.3, 2), 2), 0.0]
+    return body, PLANE, contact, placed(body, PLANE, attitude, omega, slip)
+
+
+def rounded(values: Any, digits: int = 3) -> list[float]:
+    """Numbers with few digits."""
+    return [round(float(x), digits) for x in values]
 
 
 def case(
@@ -139,9 +207,15 @@ def cases() -> list[dict[str, Any]]:
     fall = math.sqrt(10.0 / 7.0 * 9.81 * 1.1 * (1.0 - math.cos(0.1)))  # from rest at the top
     on_dome = placed(BALL, dome, tilted(0.0), [0.0, fall / 0.1, 0.0], at=beside_top)
     ball_in_bowl = placed(BALL, bowl, ASKEW, [5.0, -3.0, 8.0], [1.0, 1.5, 0.3], [0.5, 0.2, -1.0])
-    pebble_in_bowl = placed(PEBBLE, bowl, ASKEW, [1.0, -2.0, 1.0], [0.7, 0.2, 0.0], [0.2, 0.1, -1.0])
-    pebble_on_hill = placed(PEBBLE, hill, ASKEW, [0.5, -0.7, 1.0], [0.3, 0.2, 0.0], [0.1, 0.05, 1.0])
-    loaded_on_hill = placed(LOADED, hill, ASKEW, [0.5, -0.7, 2.0], [0.3, 0.2, 0.0], [0.1, 0.05, 1.0])
+    pebble_in_bowl = placed(
+        PEBBLE, bowl, ASKEW, [1.0, -2.0, 1.0], [0.7, 0.2, 0.0], [0.2, 0.1, -1.0]
+    )
+    pebble_on_hill = placed(
+        PEBBLE, hill, ASKEW, [0.5, -0.7, 1.0], [0.3, 0.2, 0.0], [0.1, 0.05, 1.0]
+    )
+    loaded_on_hill = placed(
+        LOADED, hill, ASKEW, [0.5, -0.7, 2.0], [0.3, 0.2, 0.0], [0.1, 0.05, 1.0]
+    )
     lying = tilted(math.pi / 2 - 0.05)
     egg = placed(EGG, PLANE, lying, in_body(lying, [0.0, 0.0, 150.0]))
     tip = math.pi / 360
@@ -153,42 +227,113 @@ def cases() -> list[dict[str, Any]]:
         case("ball under the coupled law", BALL, PLANE, {"mu": 0.2, "patch": 0.06}, spinning, 0.5),
         case("ball on a small patch", BALL, PLANE, {"mu": 0.2, "patch": 0.01}, spinning, 0.5),
         case("ball with a spin couple", BALL, PLANE, {"mu": 0.2, "spin_arm": 0.01}, spinning, 1.0),
-        case("ball with rolling resistance", BALL, PLANE, {"mu": 0.2, "rolling": 0.002}, straight, 10.0),
+        case(
+            "ball with rolling resistance",
+            BALL,
+            PLANE,
+            {"mu": 0.2, "rolling": 0.002},
+            straight,
+            10.0,
+        ),
         case("loaded ball", LOADED, PLANE, {"mu": 0.3}, loaded, 3.0),
         case("loaded ball, spin couple", LOADED, PLANE, {"mu": 0.3, "spin_arm": 0.05}, loaded, 3.0),
         case("loaded ball, coupled law", LOADED, PLANE, patch, loaded, 3.0),
-        case("loaded ball, viscous", LOADED, PLANE, {"viscous": 2.0, "spin_viscous": 0.1}, loaded, 2.0),
+        case(
+            "loaded ball, viscous",
+            LOADED,
+            PLANE,
+            {"viscous": 2.0, "spin_viscous": 0.1},
+            loaded,
+            2.0,
+        ),
         case("loaded ball, viscous in N", LOADED, PLANE, {"slip": 0.4}, loaded, 2.0),
-        case("loaded ball, Coulomb and viscous", LOADED, PLANE, {"mu": 0.2, "viscous": 0.5}, gentle, 2.0),
-        case("loaded ball, rolling viscous", LOADED, PLANE, {"mu": 0.4, "rolling_viscous": 0.03}, gentle, 2.0),
-        case("loaded ball, rolling resistance", LOADED, PLANE, {"mu": 0.4, "rolling": 0.03}, gentle, 2.0),
+        case(
+            "loaded ball, Coulomb and viscous",
+            LOADED,
+            PLANE,
+            {"mu": 0.2, "viscous": 0.5},
+            gentle,
+            2.0,
+        ),
+        case(
+            "loaded ball, rolling viscous",
+            LOADED,
+            PLANE,
+            {"mu": 0.4, "rolling_viscous": 0.03},
+            gentle,
+            2.0,
+        ),
+        case(
+            "loaded ball, rolling resistance",
+            LOADED,
+            PLANE,
+            {"mu": 0.4, "rolling": 0.03},
+            gentle,
+            2.0,
+        ),
         case("loaded ball, contour", LOADED, PLANE, {"mu": 0.4, "contour": 0.03}, gentle, 2.0),
         case("pebble", PEBBLE, PLANE, {"mu": 0.4}, pebble, 2.0),
         case("pebble, coupled law", PEBBLE, PLANE, {"mu": 0.4, "patch": 0.1}, pebble, 2.0),
-        case("pebble, spin couple and contour", PEBBLE, PLANE,
-             {"mu": 0.4, "spin_arm": 0.03, "contour": 0.02}, pebble, 2.0),
+        case(
+            "pebble, spin couple and contour",
+            PEBBLE,
+            PLANE,
+            {"mu": 0.4, "spin_arm": 0.03, "contour": 0.02},
+            pebble,
+            2.0,
+        ),
         case("ball on a turntable", BALL, table, {"mu": 0.2}, spinning, 2.0),
         case("pebble on a turntable", PEBBLE, table, {"mu": 0.4}, pebble, 1.2),
-        case("pebble on a turntable, coupled law", PEBBLE, table, {"mu": 0.4, "patch": 0.1}, pebble, 1.2),
+        case(
+            "pebble on a turntable, coupled law",
+            PEBBLE,
+            table,
+            {"mu": 0.4, "patch": 0.1},
+            pebble,
+            1.2,
+        ),
         case("ball leaves a dome", BALL, dome, {"mu": 0.4}, on_dome, 2.0),
         case("ball leaves a smoother dome", BALL, dome, {"mu": 0.1}, on_dome, 2.0),
         case("ball in a bowl", BALL, bowl, {"mu": 0.15}, ball_in_bowl, 2.0),
         case("pebble in a bowl", PEBBLE, bowl, {"mu": 0.4, "spin_arm": 0.05}, pebble_in_bowl, 1.2),
-        case("pebble in a bowl, coupled law", PEBBLE, bowl, {"mu": 0.4, "patch": 0.1}, pebble_in_bowl, 1.2),
+        case(
+            "pebble in a bowl, coupled law",
+            PEBBLE,
+            bowl,
+            {"mu": 0.4, "patch": 0.1},
+            pebble_in_bowl,
+            1.2,
+        ),
         case("pebble on a hill", PEBBLE, hill, {"mu": 0.4}, pebble_on_hill, 1.2),
-        case("loaded ball on a hill, viscous in N", LOADED, hill, {"slip": 0.5}, loaded_on_hill, 1.0),
+        case(
+            "loaded ball on a hill, viscous in N", LOADED, hill, {"slip": 0.5}, loaded_on_hill, 1.0
+        ),
         case("loaded ball on a hill, coupled law", LOADED, hill, patch, loaded_on_hill, 1.2),
         case("bouncing pebble", PEBBLE, PLANE, {"mu": 0.3, "restitution": 0.6}, thrown, 1.2),
-        case("bouncing pebble, Poisson", PEBBLE, PLANE,
-             {"mu": 0.3, "restitution": 0.6, "impact_law": "poisson"}, thrown, 1.2),
-        case("bouncing pebble, Newton", PEBBLE, PLANE,
-             {"mu": 0.3, "restitution": 0.6, "impact_law": "newton"}, thrown, 1.2),
+        case(
+            "bouncing pebble, Poisson",
+            PEBBLE,
+            PLANE,
+            {"mu": 0.3, "restitution": 0.6, "impact_law": "poisson"},
+            thrown,
+            1.2,
+        ),
+        case(
+            "bouncing pebble, Newton",
+            PEBBLE,
+            PLANE,
+            {"mu": 0.3, "restitution": 0.6, "impact_law": "newton"},
+            thrown,
+            1.2,
+        ),
         case("pebble lands without bouncing", PEBBLE, PLANE, {"mu": 0.3}, thrown, 1.2),
         case("tippe top", TIPPE_TOP, PLANE, {"mu": 0.3}, top, 1.15),
         case("tippe top, viscous in N", TIPPE_TOP, PLANE, {"slip": 0.3}, top, 1.0),
         case("tippe top, coupled law", TIPPE_TOP, PLANE, {"mu": 0.3, "patch": 0.0005}, top, 1.0),
         case("rising egg", EGG, PLANE, {"mu": 0.1}, egg, 1.03),
         case("rattleback", RATTLEBACK, PLANE, {"mu": 0.3}, rocking, 0.5),
+        *(case(f"direct restart {seed}", *loaded_ball(seed), 0.6) for seed in (12, 115, 144)),
+        *(case(f"drawn {seed}", *drawn(seed), 2.0) for seed in DRAWN),
     ]
 
 
