@@ -22,9 +22,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-import contact.reference as reference
 import numpy as np
-from contact.reference import Motion, placed, rotation, simulate, transposed
+
+import contact.reference_motion as reference_motion
+from contact.reference import placed, simulate
+from contact.reference_bodies import rotation, transposed
+from contact.reference_motion import Motion
 
 FILE = Path(__file__).with_name("reference_cases.json")
 
@@ -344,7 +347,7 @@ def with_results(data: dict[str, Any]) -> dict[str, Any]:
     number = np.longdouble if sensitive else float
     finer = 1e-3 if sensitive else 1.0
     for rtol, small, terms, reach in ((3e-14, 0.01, 18, 1.0), (1e-13, 0.03, 15, 0.5)):
-        reference.SMALL, reference.TERMS, Motion.reach_factor = small, terms, reach
+        reference_motion.SMALL, reference_motion.TERMS, Motion.reach_factor = small, terms, reach
         results.append(
             simulate(
                 data["body"],

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+
 from contact.power_series import Series, arcsine, root, solution
 
 TERMS = 12

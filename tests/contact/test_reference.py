@@ -6,26 +6,15 @@ import json
 import math
 from typing import Any
 
-import contact.reference as reference
 import numpy as np
 import pytest
-from contact.reference import (
-    Direction,
-    Dying,
-    Mode,
-    Motion,
-    Problem,
-    cross,
-    dot,
-    length,
-    moved,
-    patch_friction,
-    placed,
-    rotation,
-    run,
-    simulate,
-    times,
-)
+from scipy.integrate import quad, solve_ivp
+from scipy.optimize import brentq
+
+import contact.reference_bodies as reference_bodies
+import contact.reference_motion as reference_motion
+from contact.reference import moved, placed, simulate
+from contact.reference_bodies import cross, dot, length, rotation, times
 from contact.reference_cases import (
     BALL,
     FILE,
@@ -39,8 +28,9 @@ from contact.reference_cases import (
     tilted,
     with_results,
 )
-from scipy.integrate import quad, solve_ivp
-from scipy.optimize import brentq
+from contact.reference_forces import Direction, Mode, Problem, patch_friction
+from contact.reference_integration import run
+from contact.reference_motion import Dying, Motion
 
 ASKEW = [1.0, 0.2, 0.3, -0.4]
 TABLE = {case["name"]: case for case in json.loads(FILE.read_text())}
@@ -183,9 +173,9 @@ def test_rolling_keeps_the_energy() -> None:
 def test_a_mistake_in_the_motion_of_the_contact_point_changes_the_energy(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    right = reference.Body.arm_rate
+    right = reference_bodies.Body.arm_rate
     monkeypatch.setattr(
-        reference.Body, "arm_rate", lambda self, g, rate: times(0.99, right(self, g, rate))
+        reference_bodies.Body, "arm_rate", lambda self, g, rate: times(0.99, right(self, g, rate))
     )
     assert held_energy_change() > 1e-4
 
@@ -256,7 +246,7 @@ def before_slip() -> tuple[Problem, list[float], float]:
 def slid(reach: float, terms: int, monkeypatch: pytest.MonkeyPatch) -> np.ndarray[Any, Any]:
     """State a little after sliding has begun by its Taylor series."""
     problem, y, later = before_slip()
-    monkeypatch.setattr(reference, "TERMS", terms)
+    monkeypatch.setattr(reference_motion, "TERMS", terms)
     monkeypatch.setattr(Motion, "reach_factor", reach)
     motion = Motion(problem, y, later, 1e-13)
     motion.mode = Mode(True, True)
