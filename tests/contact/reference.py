@@ -39,6 +39,13 @@ to slide), ``spin stop``, ``spin start``, ``lift-off``, ``landing`` (state after
 ``rest`` (rolling has ended too, nothing moves), ``direct restart`` (sliding has ended and goes on
 at once in another direction).
 
+A spin that passes through zero without being held (independent spin couple) is no event, nor is a
+coupled slip that passes from slower to faster than the rim of its patch. An impact takes a coupled
+patch as a point, with the whole of Coulomb's friction, and knows no rolling resistance. Not
+followed: bounces that accumulate (the end must come before), rolling that ends under ``contour``,
+and states in which no force agrees with the laws (Painleve); each raises ArithmeticError, or is to
+be kept out by the choice of the motion.
+
 Forces, with ``n`` the normal of the support, ``u`` the velocity of the touching particle against
 the support, ``Omega`` the spin against the support, ``w`` the part of omega along the support, and
 ``N`` the normal force:
@@ -82,7 +89,7 @@ from contact.reference_bodies import (
     transposed,
 )
 from contact.reference_forces import IN_BETWEEN, Mode, Problem
-from contact.reference_impact import _normal_velocity
+from contact.reference_impact import normal_velocity
 from contact.reference_motion import Motion
 
 
@@ -141,7 +148,7 @@ def moved(
     _, n, gap, _, _ = problem.geometry(y)
     if gap < -1e-9 * problem.body.size:
         raise ValueError(f"the body starts inside the support: gap {gap}")
-    away = _normal_velocity(problem, y)
+    away = normal_velocity(problem, y)
     if gap > 1e-9 * problem.body.size or away > 1e-9:
         motion.go()
         return motion

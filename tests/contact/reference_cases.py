@@ -97,7 +97,7 @@ RATTLEBACK = {
 }
 EGG = homogeneous_ellipsoid(0.06, [0.02, 0.02, 0.03])
 
-SENSITIVE = ("tippe top", "tippe top, coupled law", "rising egg")
+SENSITIVE = ("tippe top", "tippe top, viscous in N", "tippe top, coupled law", "rising egg")
 """Motions that double the error of rounding many times over: computed in long double."""
 
 DRAWN = (0, 2, 5, 6, 8, 10, 12, 15, 18, 19, 21, 23, 24)
@@ -199,13 +199,19 @@ def cases() -> list[dict[str, Any]]:
     gentle = placed(LOADED, PLANE, ASKEW, [1.0, -1.5, 0.8], [0.4, -0.3, 0.0])
     pebble = placed(PEBBLE, PLANE, ASKEW, [1.0, -2.0, 1.0], [0.7, 0.2, 0.0])
     thrown = placed(PEBBLE, PLANE, ASKEW, [3.0, -2.0, 5.0], [0.7, 0.2, 0.0], height=0.5)
+    table = {"kind": "plane", "turntable": 2.0}
+    hill = {"kind": "sphere", "radius": 3.0, "side": "outside"}
+    bowl = {"kind": "sphere", "radius": 4.0, "side": "inside"}
+    bouncing = {"mu": 0.3, "restitution": 0.5}
+    fast, across = [2.0, -1.0, 3.0], [0.7, 0.4, 0.0]
+    thrown_on_table = placed(PEBBLE, table, ASKEW, fast, across, [0.3, 0.2, 0.0], 0.3)
+    thrown_on_hill = placed(PEBBLE, hill, ASKEW, fast, across, [0.1, 0.2, 1.0], 0.3)
+    thrown_in_bowl = placed(PEBBLE, bowl, ASKEW, fast, across, [0.1, 0.4, -1.0], 0.3)
+    dropped = placed(LOADED, PLANE, ASKEW, [1.0, -1.5, 0.8], [0.4, -0.3, 0.0], height=0.1)
     lean = tilted(0.1)
     top = placed(TIPPE_TOP, PLANE, lean, in_body(lean, [0.0, 0.0, 180.0]))
     top["velocity"] = [0.0, 0.0, top["velocity"][2]]
-    table = {"kind": "plane", "turntable": 2.0}
     dome = {"kind": "sphere", "radius": 1.0, "side": "outside"}
-    hill = {"kind": "sphere", "radius": 3.0, "side": "outside"}
-    bowl = {"kind": "sphere", "radius": 4.0, "side": "inside"}
     beside_top = [math.sin(0.1), 0.0, math.cos(0.1)]
     fall = math.sqrt(10.0 / 7.0 * 9.81 * 1.1 * (1.0 - math.cos(0.1)))  # from rest at the top
     on_dome = placed(BALL, dome, tilted(0.0), [0.0, fall / 0.1, 0.0], at=beside_top)
@@ -330,6 +336,17 @@ def cases() -> list[dict[str, Any]]:
             1.2,
         ),
         case("pebble lands without bouncing", PEBBLE, PLANE, {"mu": 0.3}, thrown, 1.2),
+        case(
+            "pebble lands on a turntable",
+            PEBBLE,
+            table,
+            {"mu": 0.3, "spin_arm": 0.05, "restitution": 0.4},
+            thrown_on_table,
+            0.429,
+        ),
+        case("pebble lands on a hill", PEBBLE, hill, bouncing, thrown_on_hill, 0.72),
+        case("pebble lands in a bowl", PEBBLE, bowl, bouncing, thrown_in_bowl, 0.7),
+        case("loaded ball lands, coupled law", LOADED, PLANE, patch, dropped, 1.0),
         case("tippe top", TIPPE_TOP, PLANE, {"mu": 0.3}, top, 1.15),
         case("tippe top, viscous in N", TIPPE_TOP, PLANE, {"slip": 0.3}, top, 1.0),
         case("tippe top, coupled law", TIPPE_TOP, PLANE, {"mu": 0.3, "patch": 0.0005}, top, 1.0),

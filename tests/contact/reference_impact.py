@@ -198,11 +198,11 @@ def impact(problem: Problem, y: list[float], rtol: float) -> tuple[bool, bool, b
     y[10:13] = plus(y[10:13], cross(arm, impulse), times(z[8].item(), n))
     leaves = law.restitution > 0.0
     if not leaves:  # the normal velocity is exactly zero
-        y[7:10] = minus(y[7:10], times(_normal_velocity(problem, y), n))
+        y[7:10] = minus(y[7:10], times(normal_velocity(problem, y), n))
     return held_slide, held_spin, leaves
 
 
-def _normal_velocity(problem: Problem, y: list[Any]) -> Any:
+def normal_velocity(problem: Problem, y: list[Any]) -> Any:
     """Velocity of the nearest particle of the body away from the support."""
     _, n, _, arm, omega = problem.geometry(y)
     return dot(n, plus(y[7:10], cross(omega, arm)))

@@ -118,6 +118,7 @@ def run(
     watch: Watch,
     rtol: float,
     scales: Array,
+    first_step: float | None = None,
 ) -> tuple[float, Array, int | None]:
     """Integrate until one of the watched values falls from above to zero, or until `end`.
 
@@ -126,7 +127,7 @@ def run(
     tuple
         Time, state and index of the value that fell to zero (None at the end).
     """
-    solver = integration(rate, start, state, end, rtol, scales)
+    solver = integration(rate, start, state, end, rtol, scales, first_step)
     before = np.array(watch(start, state))
     while solver.status == "running":
         t0, z0 = solver.t, solver.y.copy()

@@ -23,7 +23,7 @@ from contact.reference_forces import (
     patch_friction,
     quaternion_rate,
 )
-from contact.reference_impact import impact
+from contact.reference_impact import impact, normal_velocity
 from contact.reference_integration import run
 
 SMALL = 0.01
@@ -239,21 +239,33 @@ class Motion:
         """Free flight to the next landing."""
         problem, mode = self.problem, Mode(contact=False)
         armed = [False]
+        # a hop that is shorter than the first step would go unseen
+        h = 1e-4 * math.sqrt(problem.body.size / problem.gravity)
+        rising = normal_velocity(problem, self.y)
+        later = [a + h * b for a, b in zip(self.y, problem.rate(self.y, mode), strict=True)]
+        falling = (rising - normal_velocity(problem, later)) / h
+        first_step = None
+        if falling > 0.0 and rising > 1e-9 and problem.geometry(self.y)[2] < 1e-9:
+            first_step = min(0.2 * rising / falling, 0.5 * (self.until - self.t))
+        threshold = (1e-9 if first_step is None else 1e-13) * problem.body.size
 
         def rate(t: float, z: Array) -> Array:
             return np.array(problem.rate(z.tolist(), mode))
 
         def watch(t: float, z: Array) -> list[float]:
             gap = problem.geometry(z.tolist())[2]
-            if gap > 1e-9 * problem.body.size:
+            if gap > threshold:
                 armed[0] = True
             return [gap if armed[0] else 0.0]
 
         y = np.array(self.y)
-        t, z, which = run(rate, self.t, y, self.until, watch, self.rtol, self.scales(self.y))
+        scales = self.scales(self.y)
+        t, z, which = run(rate, self.t, y, self.until, watch, self.rtol, scales, first_step)
         self.t, self.y = t, z.tolist()
         if which is not None:
             self.land()
+        elif problem.geometry(self.y)[2] < -1e-9 * problem.body.size:
+            raise ArithmeticError("bounces that accumulate before the end are not followed")
 
     def land(self) -> None:
         """Impact, and what follows it."""
@@ -261,11 +273,11 @@ class Motion:
         stuck, spin_stopped, leaves = impact(self.problem, self.y, self.rtol)
         self.dying = None
         self.mode = Mode(contact=not leaves)
+        _, n, gap, _, _ = self.problem.geometry(self.y)
+        self.y[:3] = minus(self.y[:3], times(gap, n))
         self.record("landing", before)
         if leaves:
             return
-        _, n, gap, _, _ = self.problem.geometry(self.y)
-        self.y[:3] = minus(self.y[:3], times(gap, n))
         if stuck:
             self.without_slip()
         self.settled(stuck, spin_stopped, False)

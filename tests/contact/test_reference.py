@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 
 import contact.reference_bodies as reference_bodies
 import contact.reference_motion as reference_motion
-from contact.reference import moved, placed, simulate
+from contact.reference import described, moved, placed, simulate
 from contact.reference_bodies import cross, dot, length, rotation, times
 from contact.reference_cases import (
     BALL,
@@ -141,6 +141,46 @@ def test_ball_that_lands_aslant(slip: float, law: str) -> None:
     assert abs(events[0]["velocity"][2] - 0.5 * fall) < 1e-13
 
 
+@pytest.mark.parametrize("law", ["stronge", "poisson", "newton"])
+@pytest.mark.parametrize("mu", [0.1, 0.9])
+def test_impact_against_smoothed_friction(law: str, mu: float) -> None:
+    """Impulses added up with friction that is smooth near rest, in which nothing is told apart."""
+    start = placed(PEBBLE, PLANE, ASKEW, [3.0, -2.0, 5.0], [0.7, 0.2, 0.0], height=0.2)
+    contact = {"mu": mu, "restitution": 0.6, "impact_law": law}
+    event = moved(PEBBLE, PLANE, contact, start, 0.15).events[0]
+    assert event.kind == "landing"
+    problem = Problem(PEBBLE, PLANE, contact, G)
+    turn, n, _, arm, omega = (np.array(x) for x in problem.geometry(event.before))
+    mobility = turn @ np.linalg.inv(problem.body.inertia) @ turn.T
+    velocity = np.array(event.before[7:10])
+
+    def particle(v: Any, w: Any) -> Any:
+        return v + np.cross(w, arm)
+
+    def rate(p: float, z: Any) -> Any:
+        u = particle(z[:3], z[3:6])
+        slip = u - (u @ n) * n
+        force = n - mu * slip / math.sqrt(slip @ slip + 1e-14)
+        return [*(force / problem.body.mass), *(mobility @ np.cross(arm, force)), u @ n]
+
+    def through(z: Any, until: Any) -> Any:
+        until.terminal = True
+        return solve_ivp(rate, (0.0, 50.0), z, "LSODA", rtol=1e-10, atol=1e-12, events=until)
+
+    first = through([*velocity, *omega, 0.0], lambda p, z: particle(z[:3], z[3:6]) @ n + 1e-300)
+    middle = first.y_events[0][0]
+    begun = float(particle(velocity, omega) @ n)
+    ends = {
+        "stronge": lambda p, z: z[6] - middle[6] * (1.0 - 0.6**2),
+        "poisson": lambda p, z: p - 0.6 * first.t_events[0][0],
+        "newton": lambda p, z: particle(z[:3], z[3:6]) @ n + 0.6 * begun,
+    }
+    last = through(middle, ends[law]).y_events[0][0]
+    state = described(problem, event.after)
+    assert np.abs(last[:3] - state["velocity"]).max() < 1e-6
+    assert np.abs(turn.T @ last[3:6] - state["omega"]).max() < 1e-6
+
+
 @pytest.mark.parametrize("contact", [{"mu": 0.3}, {"slip": 0.3}, {"mu": 0.3, "patch": 1e-6}])
 def test_jellett_integral_of_a_sliding_top(contact: dict[str, Any]) -> None:
     start = placed(TIPPE_TOP, PLANE, tilted(0.3), [20.0, -10.0, 150.0])
@@ -255,6 +295,7 @@ def slid(reach: float, terms: int, monkeypatch: pytest.MonkeyPatch) -> np.ndarra
     return np.array(motion.y)
 
 
+@pytest.mark.slow
 def test_start_of_sliding_does_not_depend_on_the_length_of_its_series(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -263,6 +304,7 @@ def test_start_of_sliding_does_not_depend_on_the_length_of_its_series(
         assert np.abs(slid(reach, terms, monkeypatch) - first).max() < 1e-13
 
 
+@pytest.mark.slow
 def test_start_of_sliding_against_crude_starts(monkeypatch: pytest.MonkeyPatch) -> None:
     """Starts along the old force, for ever shorter times, converge to the series quadratically."""
     exact = slid(1.0, 18, monkeypatch)
@@ -292,6 +334,7 @@ def test_start_of_sliding_against_crude_starts(monkeypatch: pytest.MonkeyPatch) 
     assert np.abs(extrapolated).max() < 0.05 * sizes[2]
 
 
+@pytest.mark.slow
 def test_direct_restart_is_the_limit_of_smoothed_friction(monkeypatch: pytest.MonkeyPatch) -> None:
     body, surface, contact, start = loaded_ball(115)
     motion = moved(body, surface, contact, start, 0.05)
@@ -362,6 +405,7 @@ def test_table_is_reproduced(name: str) -> None:
     assert max(difference(a, b) for a, b in pairs) <= 4.0 * stored["error"] + 1e-13
 
 
+@pytest.mark.slow
 def test_nineteen_digits_and_extrapolation_agree_with_sixteen() -> None:
     start = placed(LOADED, PLANE, ASKEW, [3.0, -2.0, 5.0], [0.2, 0.1, 0.0])
     one = simulate(LOADED, PLANE, {"mu": 0.3}, start, 0.05)
