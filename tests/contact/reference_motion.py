@@ -280,7 +280,8 @@ class Motion:
             return
         if stuck:
             self.without_slip()
-        self.settled(stuck, spin_stopped, False)
+        # under the coupled law nothing is held while the body spins
+        self.settled(stuck and not self.problem.law.coupled, spin_stopped, False)
         self.events[-1] = replace(self.events[-1], after=list(self.y))
 
     def kink(self) -> Callable[[Response], list[float]]:
