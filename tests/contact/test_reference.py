@@ -388,13 +388,22 @@ def test_table_is_plausible(name: str) -> None:
     assert moments == sorted(moments)
 
 
-QUICK = ["billiard ball", "ball with a spin couple", "bouncing pebble", "bouncing pebble, Newton"]
+QUICK = ["billiard ball", "bouncing pebble", "bouncing pebble, Newton"]
+LONG = [
+    *("pebble, coupled law", "pebble in a bowl, coupled law", "rising egg", "rattleback"),
+    *(name for name in TABLE if "tippe top" in name),
+    *("direct restart 12", "direct restart 144", "drawn 15"),
+]
 
 
-@pytest.mark.parametrize(
-    "name",
-    [*QUICK, *(pytest.param(n, marks=pytest.mark.slow) for n in TABLE if n not in QUICK)],
-)
+def marked(name: str) -> Any:
+    """Case with the mark that its time of computation asks for."""
+    if name in QUICK:
+        return name
+    return pytest.param(name, marks=pytest.mark.campaign if name in LONG else pytest.mark.slow)
+
+
+@pytest.mark.parametrize("name", [marked(name) for name in TABLE])
 def test_table_is_reproduced(name: str) -> None:
     case = next(c for c in cases() if c["name"] == name)
     again, stored = with_results(case), TABLE[name]
