@@ -1,1 +1,5 @@
-"""A body in unilateral contact: friction, loss of contact, impact."""
+"""Friction, loss of contact and impact of a body on a support."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

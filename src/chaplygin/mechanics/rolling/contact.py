@@ -24,6 +24,7 @@ from ...core.vectors import (
     norm_squared,
     real_symbol,
     to_components,
+    zero,
 )
 from ...errors import InputError
 from .implicit import IMPLICIT_GRADIENT, IMPLICIT_HESSIAN, IMPLICIT_POINT
@@ -57,6 +58,8 @@ class Contact:
         (r, r), with γ² = 1 used where it shortens.
     height : sympy.Expr
         −(r, γ), the height of the centre of mass above the tangent plane.
+    spread : callable
+        u ↦ W u for a vector u of the tangent plane; ṙ = −W γ̇.
     pull : callable
         ∂U/∂γ ↦ the vector whose product γ× is the torque of a potential U(γ).
     """
@@ -71,11 +74,25 @@ class Contact:
     gammadot: MatrixExpr
     square: sp.Expr
     height: sp.Expr
+    spread: Callable[[MatrixExpr], MatrixExpr]
     pull: Callable[[MatrixExpr], MatrixExpr]
 
 
-def contact(shape: Shape, surface: Surface) -> Contact:
+def contact(
+    shape: Shape, surface: Surface, slip: MatrixExpr = zero, radius: sp.Expr = a
+) -> Contact:
     """The contact of `shape` with `surface`.
+
+    Parameters
+    ----------
+    shape : Shape
+    surface : Plane or Sphere
+    slip : MatrixExpr
+        Velocity of the touching particle of the body over a surface at rest, body axes; it is
+        tangential, and zero without slip.
+    radius : sympy.Expr
+        Signed radius of the supporting sphere; that of a concentric sphere through the nearest
+        point of the body if this is in flight.
 
     Raises
     ------
@@ -83,11 +100,15 @@ def contact(shape: Shape, surface: Surface) -> Contact:
         If a ball does not fit into the sphere, or a hollow one not around it.  For other
         shapes this depends on the point of contact, and a guard checks it.
     """
+    # γ̇ without the curvature of the body: its rotation, and its way over the surface
+    swing = cross(gamma, omega)
+    if isinstance(surface, Sphere):
+        swing = swing + slip / radius
     if isinstance(shape, Implicit):
-        return _through_surface(shape, surface)
+        return _through_surface(shape, surface, swing, radius)
     if isinstance(shape, Ball):
-        return _of_ball(shape, surface)
-    return _through_gauss_map(shape, shape.gauss(), surface)
+        return _of_ball(shape, surface, swing, radius)
+    return _through_gauss_map(shape, shape.gauss(), surface, swing, radius)
 
 
 def _sphere_parameters(surface: Surface) -> tuple[Parameter, ...]:
@@ -118,13 +139,13 @@ def _check_ball(shape: Ball, surface: Surface) -> None:
         )
 
 
-def _of_ball(shape: Ball, surface: Surface) -> Contact:
+def _of_ball(shape: Ball, surface: Surface, swing: MatrixExpr, a: sp.Expr) -> Contact:
     """A ball: γ̇ = k γ×ω with k = a/(a + R), and ṙ a multiple of it."""
     _check_ball(shape, surface)
     ball = shape.gauss()
     c = shape.offset
     definitions: Pairs = ()
-    rate, pull = cross(gamma, omega), lambda force: force
+    rate, pull = swing, lambda force: force
     if isinstance(surface, Sphere):
         k = real_symbol("k")
         definitions = ((k, a / (a + ball.support)),)
@@ -144,13 +165,15 @@ def _of_ball(shape: Ball, surface: Surface) -> Contact:
         gammadot=rate,
         square=square,
         height=ball.support - dot(c, gamma),
+        spread=ball.spread,
         pull=pull,
     )
 
 
-def _through_gauss_map(shape: Shape, body: GaussMap, surface: Surface) -> Contact:
+def _through_gauss_map(
+    shape: Shape, body: GaussMap, surface: Surface, swing: MatrixExpr, a: sp.Expr
+) -> Contact:
     """A shape with r(γ): γ̇ (E + W/a) = γ×ω on the tangent plane."""
-    swing = cross(gamma, omega)
     definitions = (*body.definitions, (r, shape.offset + body.reach))
     guards = body.guards
     if isinstance(surface, Plane):
@@ -181,11 +204,14 @@ def _through_gauss_map(shape: Shape, body: GaussMap, surface: Surface) -> Contac
         gammadot=rate,
         square=norm_squared(r),
         height=body.support - dot(shape.offset, gamma),
+        spread=body.spread,
         pull=pull,
     )
 
 
-def _through_surface(shape: Implicit, surface: Surface) -> Contact:
+def _through_surface(
+    shape: Implicit, surface: Surface, swing: MatrixExpr, a: sp.Expr
+) -> Contact:
     """A shape f(r − c) = 0 with the state r: (S + E/a) ṙ = −γ×ω, S of f."""
     x = IMPLICIT_POINT
     coordinates = dict(zip(shape.coordinates, x.symbols, strict=True))
@@ -194,7 +220,6 @@ def _through_surface(shape: Implicit, surface: Surface) -> Contact:
     F, G = IMPLICIT_HESSIAN, Symmetric("G")
     hessian = constant(sp.hessian(f, x.symbols))
     mean, gauss = real_symbol("sigma"), real_symbol("kappa")
-    swing = cross(gamma, omega)
     trace = sp.Add(*(F.entries[i, i] for i in range(3)))
     definitions: Pairs = (
         (x, r - shape.offset),
@@ -239,6 +264,7 @@ def _through_surface(shape: Implicit, surface: Surface) -> Contact:
         gammadot=rate,
         square=norm_squared(r),
         height=-dot(r, gamma),
+        spread=lambda u: (mean * u - shape_operator(u)) / gauss,
         pull=pull,
     )
 

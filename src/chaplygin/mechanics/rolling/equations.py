@@ -179,6 +179,11 @@ def roll(
     """
     if contact not in ("marble", "rubber"):
         raise InputError(f"contact {contact!r}: it must be 'marble' or 'rubber'")
+    if surface.turntable:
+        raise InputError(
+            f"turntable {surface.turntable:g}: a turning support needs a contact with friction; a "
+            f"{contact} contact rolls on a support at rest"
+        )
     balance = _balance(body, surface, field)
     build = _marble if contact == "marble" else _rubber
     return build(balance, surface, name, title)

@@ -10,9 +10,21 @@ from ...arguments import arguments_checked
 from ...errors import InputError
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Plane:
     """The horizontal plane z = 0, with the body above it.
+
+    Parameters
+    ----------
+    turntable : float
+        Angular velocity with which it turns about the z axis (rad/s); only a contact with
+        friction can be on a turning support.
+
+    Raises
+    ------
+    InputError
+        If the angular velocity is not finite.
 
     Examples
     --------
@@ -22,7 +34,11 @@ class Plane:
     (M, gamma)
     """
 
+    turntable: float = 0.0
     words = "a horizontal plane"
+
+    def __post_init__(self) -> None:
+        _require_turn(self.turntable)
 
 
 @arguments_checked
@@ -36,11 +52,13 @@ class Sphere:
         Positive (m).
     side : ``"outside"`` or ``"inside"``
         Whether the body rolls on the outside (a dome) or on the inside (a bowl).
+    turntable : float
+        Angular velocity with which it turns about the z axis (rad/s), as for :class:`Plane`.
 
     Raises
     ------
     InputError
-        If the radius is not a positive finite number.
+        If the radius is not a positive finite number, or the angular velocity not finite.
 
     Examples
     --------
@@ -53,8 +71,10 @@ class Sphere:
 
     radius: float
     side: Literal["outside", "inside"] = "outside"
+    turntable: float = 0.0
 
     def __post_init__(self) -> None:
+        _require_turn(self.turntable)
         if self.side not in ("outside", "inside"):
             raise InputError(f"side {self.side!r}: it must be 'outside' or 'inside'")
         if not (math.isfinite(self.radius) and self.radius > 0):
@@ -80,6 +100,11 @@ class Sphere:
     def words(self) -> str:
         """The surface as a sentence names it."""
         return f"the {self.side} of a fixed sphere"
+
+
+def _require_turn(turntable: float) -> None:
+    if not math.isfinite(turntable):
+        raise InputError(f"turntable {turntable}: it must be a finite angular velocity")
 
 
 Surface = Plane | Sphere

@@ -1,0 +1,325 @@
+"""Compiled modes of a contact, and numbers at a state."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import heyoka as hy
+import numpy as np
+import sympy as sp
+
+from ..core.arrays import FloatArray
+from ..core.system import System
+from ..core.vectors import constant, to_components
+from ..flow.heyoka_expressions import Translator
+from ..flow.kernel import code_cache
+from ..flow.taylor import CompiledSystem, compile_system
+from .equations import equations_of_motion
+from .friction import ContensouErismann, Coulomb, FrictionLaw, Reaction, SpinFriction
+from .mobility import Mobility, mobility
+from .modes import FLIGHT, Mode
+from .situation import FrictionalContact
+from .symbols import (
+    contact_velocity,
+    free_acceleration,
+    free_turn,
+    gamma,
+    gammadot,
+    normal_rate,
+    r,
+    rolling,
+    slip,
+    slip_rate,
+    spin,
+    spin_rate,
+)
+
+#: Columns of the state that all modes share.
+ATTITUDE, POSITION, VELOCITY, OMEGA, NORMAL = (
+    slice(0, 4),
+    slice(4, 7),
+    slice(7, 10),
+    slice(10, 13),
+    slice(13, 16),
+)
+WORK = 16
+
+_VECTORS = (
+    r,
+    gamma,
+    gammadot,
+    slip,
+    rolling,
+    slip_rate,
+    free_acceleration,
+    free_turn,
+    contact_velocity,
+)
+_SCALARS = (spin, normal_rate, spin_rate)
+
+#: Laws with a threshold for slip or spin; the others act alike in all modes.
+_THRESHOLDS = (Coulomb, SpinFriction, ContensouErismann)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """The end of one piece of a motion.
+
+    Attributes
+    ----------
+    time : float
+    state : array (size,)
+    guard : str
+        Name of the guard that ended it; empty at the end of the interval, ``"failure"`` if the
+        state stopped being a number.
+    samples : array (n, size)
+        States at the sample times that were passed.
+    steps : int
+    """
+
+    time: float
+    state: FloatArray
+    guard: str
+    samples: FloatArray
+    steps: int
+
+
+@dataclass(frozen=True)
+class ModeIntegrator:
+    """A mode of a contact, ready to be integrated.
+
+    Attributes
+    ----------
+    system : System
+    code : CompiledSystem
+    stepper : heyoka.taylor_adaptive
+        A copy of its integrator, since stepping changes it and the code is shared.
+    values : array
+        Values of the parameters of `system`.
+    """
+
+    system: System
+    code: CompiledSystem
+    stepper: hy.taylor_adaptive
+    values: FloatArray
+
+    def outputs(self, state: FloatArray) -> dict[str, FloatArray]:
+        """Observables at a state (size,), by name."""
+        function = self.code.outputs
+        columns = np.array(state[: len(self.system.symbols)], dtype=float)
+        numbers = function(columns, pars=self.values[: function.nparams])
+        result: dict[str, FloatArray] = {}
+        first = 0
+        for item in self.system.observables:
+            value = to_components(item.value)
+            size = len(value) if isinstance(value, sp.MatrixBase) else 1
+            block = numbers[first : first + size]
+            result[item.name] = block if size > 1 else block[0]
+            first += size
+        return result
+
+    def project(self, state: FloatArray) -> FloatArray:
+        """The state moved onto the relations of the mode, along the shortest way."""
+        point = np.array(state, dtype=float)
+        for block in self.code.core:
+            for _ in range(3):
+                defect = block.residual(point, pars=self.values[: block.residual.nparams])
+                if np.abs(defect).max() < 1e-16:
+                    break
+                slope = block.slope(point, pars=self.values[: block.slope.nparams])
+                # dependent rows: the normal is tied to the attitude, and both have unit length
+                point -= np.linalg.pinv(slope.reshape(block.count, -1), rcond=1e-9) @ defect
+        return point
+
+    def advance(
+        self,
+        time: float,
+        state: FloatArray,
+        moments: Sequence[float],
+        end: float,
+        most_steps: int = 0,
+    ) -> Outcome:
+        """Integrate from a state to an end, or to the first guard that falls to zero.
+
+        Parameters
+        ----------
+        time : float
+        state : array (size,)
+        moments : sequence of float
+            Sample times, increasing, from `time` to `end`.
+        end : float
+        most_steps : int
+            Number of steps after which to give up with the guard ``"failure"``; 0 for no limit.
+        """
+        stepper = self.stepper
+        # heyoka counts the parameters up to the last one that occurs in the formulas
+        count = min(len(self.values), len(stepper.pars))
+        stepper.pars[:count] = self.values[:count]
+        if self.code.watched:
+            stepper.pars[count:] = self._event_scales(state)
+        stepper.time = time
+        stepper.state[:] = state
+        at_start = sum(t <= time for t in moments)
+        grid = [time, *moments[at_start:]]
+        if grid[-1] < end:
+            grid.append(end)
+        first = np.tile(np.asarray(state, dtype=float), (at_start, 1))
+        if len(grid) == 1:
+            return Outcome(time, np.array(state), "", first, 0)
+        outcome, _, _, steps, _, values = stepper.propagate_grid(
+            np.array(grid), max_steps=most_steps
+        )
+        code = int(outcome)
+        guard = ""
+        if code > _SUCCESS:
+            guard = self.system.guards[self.code.watched[-code - 1]].name
+        elif code != _TIME_LIMIT:
+            guard = "failure"
+        samples = np.concatenate([first, values[1 : len(moments) - at_start + 1]])
+        return Outcome(float(stepper.time), np.array(stepper.state), guard, samples, steps)
+
+    def _event_scales(self, state: FloatArray) -> list[float]:
+        """Powers of two that scale large guards to one."""
+        function = self.code.outputs
+        numbers = function(np.array(state), pars=self.values[: function.nparams])
+        guards = numbers[len(numbers) - 1 - len(self.system.guards) : -1]
+        sizes = np.abs(guards[list(self.code.watched)])
+        exponents = np.maximum(np.frexp(np.where(np.isfinite(sizes), sizes, 1.0))[1], 0)
+        return list(np.ldexp(1.0, -exponents))
+
+
+_TIME_LIMIT, _SUCCESS = -4294967299, -4294967297
+
+
+@dataclass(frozen=True, eq=False)
+class ContactNumbers:
+    """What is known of a contact at a state, without normal force and dry friction; body axes.
+
+    Attributes
+    ----------
+    r, gamma, gammadot, slip, rolling : array (3,)
+    slip_rate, free_acceleration, free_turn : array (3,)
+        Accelerations of the touching particle over the support and of the centre of mass, and ω̇,
+        with the forces that do not depend on the normal force alone.
+    contact_velocity : array (3,)
+        Of the touching particle in space.
+    spin, normal_rate, spin_rate, energy, gap : float
+    q : array (3,)
+        Couple for each unit of normal force of the laws without threshold for slip and spin.
+    rates : array (size,)
+        Of attitude, position and normal, in the columns of the state; the others are no use.
+    mobility : Mobility
+    """
+
+    r: FloatArray
+    gamma: FloatArray
+    gammadot: FloatArray
+    slip: FloatArray
+    rolling: FloatArray
+    slip_rate: FloatArray
+    free_acceleration: FloatArray
+    free_turn: FloatArray
+    contact_velocity: FloatArray
+    spin: float
+    normal_rate: float
+    spin_rate: float
+    energy: float
+    gap: float
+    q: FloatArray
+    rates: FloatArray
+    mobility: Mobility
+
+
+class CompiledContact:
+    """A situation with all its modes, compiled when they are first needed.
+
+    Parameters
+    ----------
+    situation : FrictionalContact
+    tolerance : float
+        Relative error of each step.
+    """
+
+    def __init__(self, situation: FrictionalContact, tolerance: float = 1e-16) -> None:
+        self.situation = situation
+        self.tolerance = tolerance
+        self._modes: dict[tuple[FrictionalContact, Mode], ModeIntegrator] = {}
+        self.size = len(self.mode(FLIGHT).system.symbols)
+        others = tuple(law for law in situation.laws if not isinstance(law, _THRESHOLDS))
+        self._neutral = equations_of_motion(replace(situation, laws=others), Mode())
+        self._function = _neutral_function(self._neutral, others)
+        self._values = np.array([float(x) for x in self._neutral.defaults.values()])
+        self._mass, self._inertia = situation.body.mass, situation.body.tensor
+
+    def mode(self, mode: Mode, situation: FrictionalContact | None = None) -> ModeIntegrator:
+        """The integrator of a mode, of the situation or one like it."""
+        situation = situation or self.situation
+        if (situation, mode) not in self._modes:
+            system = equations_of_motion(situation, mode)
+            code = compile_system(system, self.tolerance)
+            numbers = np.array([float(x) for x in system.defaults.values()])
+            self._modes[situation, mode] = ModeIntegrator(
+                system, code, copy.copy(code.integrator), numbers
+            )
+        return self._modes[situation, mode]
+
+    def numbers(self, state: FloatArray) -> ContactNumbers:
+        """What is known of the contact at a state."""
+        padded = np.zeros(len(self._neutral.symbols))
+        padded[:WORK] = state[:WORK]
+        numbers = self._function(padded, pars=self._values[: self._function.nparams])
+        vectors = [numbers[3 * i : 3 * i + 3] for i in range(len(_VECTORS))]
+        rest = numbers[3 * len(_VECTORS) :]
+        spin_now, normal, turning, energy, gap = map(float, rest[:5])
+        q, couple = rest[5:8], rest[8:11]
+        rates = np.zeros(self.size)
+        rates[:WORK] = rest[11 : 11 + WORK]
+        touch = mobility(self._mass, self._inertia, vectors[0], vectors[1] / _norm(vectors[1]))
+        # a couple that does not depend on the normal force belongs to the free motion
+        turn = touch.inverse_inertia @ couple
+        vectors[5] = vectors[5] + np.cross(turn, touch.r)
+        vectors[7] = vectors[7] + turn
+        turning += float(touch.gamma @ turn)
+        return ContactNumbers(*vectors, spin_now, normal, turning, energy, gap, q, rates, touch)
+
+
+def _norm(u: FloatArray) -> float:
+    return float(np.sqrt(u @ u))
+
+
+def with_values(mode: ModeIntegrator, values: Mapping[str, float]) -> ModeIntegrator:
+    """A mode with other values of parameters, by name."""
+    names = [str(p.symbol) for p in mode.system.parameters]
+    numbers = mode.values.copy()
+    for name, value in values.items():
+        if name in names:
+            numbers[names.index(name)] = value
+    return replace(mode, values=numbers)
+
+
+@lru_cache(maxsize=32)
+def _neutral_function(system: System, laws: tuple[FrictionLaw, ...]) -> hy.cfunc:
+    """The numbers of a contact, compiled; see ContactNumbers."""
+    total = sum((law.reaction(Mode()) for law in laws), Reaction())
+
+    def compute() -> hy.cfunc:
+        translate = Translator(system)
+        values = {item.name: item.value for item in system.observables}
+        formulas = [*_VECTORS, *_SCALARS, values["energy"], values["gap"]]
+        formulas += [constant(list(to_components(x))) for x in (total.q, total.couple)]
+        formulas += system.rates[:WORK]
+        return hy.cfunc(translate.all(formulas), translate.variables)
+
+    parts = [
+        *system.symbols,
+        *(x for pair in system.scalar_definitions for x in pair),
+        *system.rates,
+        *(p.symbol for p in system.parameters),
+        *to_components(total.q),
+        *to_components(total.couple),
+    ]
+    name = code_cache.code_name("contact", sp.srepr(parts))
+    return code_cache.remember(name, compute)[0]
