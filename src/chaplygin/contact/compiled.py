@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import heyoka as hy
 import numpy as np
@@ -17,7 +17,7 @@ from ..core.vectors import constant, to_components
 from ..flow.heyoka_expressions import Translator
 from ..flow.kernel import code_cache
 from ..flow.taylor import CompiledSystem, compile_system
-from .equations import equations_of_motion
+from .equations import equations_of_motion, work_symbol
 from .friction import ContensouErismann, Coulomb, FrictionLaw, Reaction, SpinFriction
 from .mobility import Mobility, mobility
 from .modes import FLIGHT, Mode
@@ -106,19 +106,37 @@ class ModeIntegrator:
     stepper: hy.taylor_adaptive
     values: FloatArray
 
-    def outputs(self, state: FloatArray) -> dict[str, FloatArray]:
-        """Observables at a state (size,), by name."""
-        function = self.code.outputs
-        columns = np.array(state[: len(self.system.symbols)], dtype=float)
-        numbers = function(columns, pars=self.values[: function.nparams])
-        result: dict[str, FloatArray] = {}
+    @cached_property
+    def _columns(self) -> dict[str, tuple[int, int]]:
+        """First column and number of components of each observable, by name."""
+        columns: dict[str, tuple[int, int]] = {}
         first = 0
         for item in self.system.observables:
             value = to_components(item.value)
             size = len(value) if isinstance(value, sp.MatrixBase) else 1
-            block = numbers[first : first + size]
-            result[item.name] = block if size > 1 else block[0]
+            columns[item.name] = (first, size)
             first += size
+        return columns
+
+    def outputs(self, states: FloatArray) -> dict[str, FloatArray]:
+        """Observables at a state (size,) or at states (n, size), by name."""
+        numbers = self._numbers(states)
+        return {
+            name: numbers[..., first : first + size] if size > 1 else numbers[..., first]
+            for name, (first, size) in self._columns.items()
+        }
+
+    def guard_values(self, state: FloatArray) -> FloatArray:
+        """What the guards watch, at a state (size,), in their order."""
+        return self._numbers(state)[-1 - len(self.system.guards) : -1]
+
+    def _numbers(self, states: FloatArray) -> FloatArray:
+        function = self.code.outputs
+        columns = np.ascontiguousarray(states.T[: len(self.system.symbols)], dtype=float)
+        values = self.values[: function.nparams]
+        if columns.ndim == 2:
+            values = np.tile(values[:, None], columns.shape[1])
+        result: FloatArray = function(columns, pars=values).T
         return result
 
     def project(self, state: FloatArray) -> FloatArray:
@@ -183,10 +201,7 @@ class ModeIntegrator:
 
     def _event_scales(self, state: FloatArray) -> list[float]:
         """Powers of two that scale large guards to one."""
-        function = self.code.outputs
-        numbers = function(np.array(state), pars=self.values[: function.nparams])
-        guards = numbers[len(numbers) - 1 - len(self.system.guards) : -1]
-        sizes = np.abs(guards[list(self.code.watched)])
+        sizes = np.abs(self.guard_values(state)[list(self.code.watched)])
         exponents = np.maximum(np.frexp(np.where(np.isfinite(sizes), sizes, 1.0))[1], 0)
         return list(np.ldexp(1.0, -exponents))
 
@@ -247,7 +262,8 @@ class CompiledContact:
         self.situation = situation
         self.tolerance = tolerance
         self._modes: dict[tuple[FrictionalContact, Mode], ModeIntegrator] = {}
-        self.size = len(self.mode(FLIGHT).system.symbols)
+        self._names = [str(name) for name in self.mode(FLIGHT).system.symbols]
+        self.size = len(self._names)
         others = tuple(law for law in situation.laws if not isinstance(law, _THRESHOLDS))
         self._neutral = equations_of_motion(replace(situation, laws=others), Mode())
         self._function = _neutral_function(self._neutral, others)
@@ -265,6 +281,10 @@ class CompiledContact:
                 system, code, copy.copy(code.integrator), numbers
             )
         return self._modes[situation, mode]
+
+    def work_column(self, law: str) -> int:
+        """The column of the state with the work lost to a law."""
+        return self._names.index(str(work_symbol(law)))
 
     def numbers(self, state: FloatArray) -> ContactNumbers:
         """What is known of the contact at a state."""
