@@ -1,6 +1,6 @@
 """Equations of motion of a body that touches a support with friction, and of its flight.
 
-In body axes, with the velocity v of the centre of mass, the force R and the couple K of the support,
+In body axes, with the velocity v of the centre of mass, force R and couple K of the support,
 
     m (v̇ + ω×v) = F + R,      I ω̇ + ω×(Iω + k) = T + r×R + K.
 
@@ -31,7 +31,7 @@ from ..mechanics.rolling.attitude import (
 )
 from ..mechanics.rolling.surfaces import Plane
 from .free_body import FreeBody, a, free_body, m
-from .friction import Reaction
+from .friction_law import Reaction
 from .modes import Mode
 from .reaction import reaction_definitions
 from .situation import FrictionalContact

@@ -28,7 +28,7 @@ from ..core.vectors import (
 from ..mechanics.rolling.attitude import rotation
 from ..mechanics.rolling.body import body_parameters
 from ..mechanics.rolling.contact import Contact, contact
-from ..mechanics.rolling.surfaces import Sphere
+from ..mechanics.rolling.surfaces import Sphere, Surface
 from .situation import FrictionalContact
 from .symbols import (
     contact_velocity,
@@ -93,74 +93,40 @@ class FreeBody:
 
 def free_body(situation: FrictionalContact, touching: bool) -> FreeBody:
     """The formulas of a body that touches its support, or flies above it."""
-    body, surface, field = situation.body, situation.surface, situation.field
+    body, surface = situation.body, situation.surface
     on_sphere = isinstance(surface, Sphere)
     inertia = Diagonal("I") if body.principal else Symmetric("I")
     rotors = k if any(body.gyrostat) else zero
-    tangential: MatrixExpr = contact_velocity
-    radius: sp.Expr = a
-    if not touching:
-        tangential = contact_velocity - dot(gamma, contact_velocity) * gamma
-        radius = a + gap
-    touch = contact(body.shape, surface, tangential, radius)
-    parameters = body_parameters(body, inertia) + touch.parameters
+    inverse, mobility = type(inertia)("Y"), Symmetric("A")
+    vertical: MatrixExpr = zeta if on_sphere else gamma
+    touch = _touch(situation, touching)
+    moving_support = _support(surface, vertical)
+    field = _applied(situation, vertical, touch)
 
     later = (*omega.symbols, *contact_velocity.symbols, gap)
     position_alone, moving = by_dependence(touch.definitions, later)
     names = {name for name, _ in (*touch.definitions, *touch.state)}
-    vertical: MatrixExpr = zeta if on_sphere else gamma
+    # the definitions that not every contact has
     if r not in names:
         position_alone += ((r, touch.r),)
     if on_sphere:
         position_alone += ((zeta, constant(list(rotation().row(2)))),)
+    if gammadot not in names:
+        moving += ((gammadot, touch.gammadot),)
+    if rdot not in names:
+        moving += ((rdot, touch.rdot),)
     seen = constant(to_components(rotation()).T * to_components(position))
-    clearance = dot(reach, gamma) - (a if on_sphere else 0)
-    inverse, mobility = type(inertia)("Y"), Symmetric("A")
-
-    turn: sp.Expr = sp.S.Zero
-    support = support_rate = zero
-    tilt_rate: sp.Expr = sp.S.Zero
-    if surface.turntable:
-        turn = turning
-        meaning = "angular velocity of the support about the vertical"
-        parameters += (Parameter(turning, meaning, surface.turntable, "rad/s"),)
-        support = turn * cross(vertical, reach)
-        over = v - cross(omega, reach - r) + rdot
-        tipped = cross(vertical, omega)
-        support_rate = turn * (cross(tipped, reach) + cross(vertical, over))
-        if on_sphere:
-            tilt_rate = turn * (dot(tipped, gamma) + dot(vertical, gammadot))
-
-    force, torque, potential = zero, zero, sp.S.Zero
-    potential_definition: Pairs = ()
-    if field.gravity:
-        parameters += (Parameter(g, "acceleration of gravity", field.gravity, "m/s^2", (g >= 0,)),)
-        force = -m * g * vertical
-        potential = m * g * position.symbols[2]
-    if field.potential != 0:
-        parameters += tuple(
-            Parameter(s, "parameter of the potential", value, "SI") for s, value in field.values
-        )
-        value = by_name(field.potential, (*gamma.symbols, *(p.symbol for p in parameters)))
-        potential_definition = ((U, value),)
-        potential = potential + U
-        torque = cross(gamma, gradient(value, gamma))
-
-    across = omega - turn * vertical
+    clearance: Pairs = ((gap, dot(reach, gamma) - (a if on_sphere else 0)),)
+    across = omega - moving_support.turn * vertical
     definitions: Pairs = (
         *position_alone,
         (inverse, inertia**-1),
-        (
-            mobility,
-            constant(sp.eye(3) / m - hat(r) * to_components(inverse) * hat(r)),
-        ),
+        (mobility, constant(sp.eye(3) / m - hat(r) * to_components(inverse) * hat(r))),
         (reach, seen + r),
-        *(() if touching else ((gap, clearance),)),
+        *(() if touching else clearance),
         (contact_velocity, v + cross(omega, r)),
         *moving,
-        *(() if gammadot in names else ((gammadot, touch.gammadot),)),
-        *(() if rdot in names else ((rdot, touch.rdot),)),
-        (slip, contact_velocity - support),
+        (slip, contact_velocity - moving_support.velocity),
         (slip_speed, sp.sqrt(norm_squared(slip))),
         (spin, dot(gamma, across)),
         (rolling, across - spin * gamma),
@@ -170,28 +136,118 @@ def free_body(situation: FrictionalContact, touching: bool) -> FreeBody:
             contour_couple,
             cross(gamma, touch.spread(wandering)) / sp.sqrt(norm_squared(wandering)),
         ),
-        *potential_definition,
-        (free_acceleration, force / m - cross(omega, v)),
-        (free_turn, inverse * (torque + cross(inertia * omega + rotors, omega))),
+        *field.definitions,
+        (free_acceleration, field.force / m - cross(omega, v)),
+        (free_turn, inverse * (field.torque + cross(inertia * omega + rotors, omega))),
         (
             slip_rate,
-            free_acceleration + cross(free_turn, r) + cross(omega, rdot) - support_rate,
+            free_acceleration
+            + cross(free_turn, r)
+            + cross(omega, rdot)
+            - moving_support.acceleration,
         ),
         (normal_rate, dot(gammadot, slip)),
-        (spin_rate, dot(gamma, free_turn) + dot(gammadot, omega) - tilt_rate),
+        (
+            spin_rate,
+            dot(gamma, free_turn) + dot(gammadot, omega) - moving_support.turn_along_normal_rate,
+        ),
     )
-    half = sp.Rational(1, 2)
+    kinetic = sp.Rational(1, 2) * (m * norm_squared(v) + dot(inertia * omega, omega))
+    parameters = body_parameters(body, inertia) + touch.parameters
     return FreeBody(
         touch=touch,
         definitions=definitions,
-        parameters=parameters,
+        parameters=parameters + moving_support.parameters + field.parameters,
         inverse_inertia=inverse,
         mobility=mobility,
         vertical=vertical,
-        support_velocity=support,
-        turning=turn,
-        kinetic=half * (m * norm_squared(v) + dot(inertia * omega, omega)),
-        potential=potential,
+        support_velocity=moving_support.velocity,
+        turning=moving_support.turn,
+        kinetic=kinetic,
+        potential=field.potential,
+    )
+
+
+def _touch(situation: FrictionalContact, touching: bool) -> Contact:
+    """The contact, or the point of the body nearest to the support."""
+    shape, surface = situation.body.shape, situation.surface
+    if touching:
+        return contact(shape, surface, contact_velocity)
+    # the support through the nearest point, concentric or parallel to it
+    tangential = contact_velocity - dot(gamma, contact_velocity) * gamma
+    return contact(shape, surface, tangential, a + gap)
+
+
+@dataclass(frozen=True)
+class _Support:
+    """How the support moves: about the vertical with `turn`, where the contact is by `velocity`.
+
+    `acceleration` is the rate of `velocity` along the contact, in body axes;
+    `turn_along_normal_rate` that of the part of `turn` along the normal.
+    """
+
+    turn: sp.Expr = sp.S.Zero
+    velocity: MatrixExpr = zero
+    acceleration: MatrixExpr = zero
+    turn_along_normal_rate: sp.Expr = sp.S.Zero
+    parameters: tuple[Parameter, ...] = ()
+
+
+def _support(surface: Surface, vertical: MatrixExpr) -> _Support:
+    if not surface.turntable:
+        return _Support()
+    meaning = "angular velocity of the support about the vertical"
+    tipping = cross(vertical, omega)
+    # rate of `reach` in body axes: that of the contact point in space, less the rotation
+    passing = v - cross(omega, reach - r) + rdot
+    tilt_rate = sp.S.Zero
+    if isinstance(surface, Sphere):
+        tilt_rate = turning * (dot(tipping, gamma) + dot(vertical, gammadot))
+    return _Support(
+        turning,
+        turning * cross(vertical, reach),
+        turning * (cross(tipping, reach) + cross(vertical, passing)),
+        tilt_rate,
+        (Parameter(turning, meaning, surface.turntable, "rad/s"),),
+    )
+
+
+@dataclass(frozen=True)
+class _Applied:
+    """Force and torque of the field, body axes, with their potential energy."""
+
+    force: MatrixExpr = zero
+    torque: MatrixExpr = zero
+    potential: sp.Expr = sp.S.Zero
+    definitions: Pairs = ()
+    parameters: tuple[Parameter, ...] = ()
+
+
+def _applied(situation: FrictionalContact, vertical: MatrixExpr, touch: Contact) -> _Applied:
+    body, field = situation.body, situation.field
+    applied = _Applied()
+    if field.gravity:
+        applied = _Applied(
+            force=-m * g * vertical,
+            potential=m * g * position.symbols[2],
+            parameters=(
+                Parameter(g, "acceleration of gravity", field.gravity, "m/s^2", (g >= 0,)),
+            ),
+        )
+    if field.potential == 0:
+        return applied
+    parameters = applied.parameters + tuple(
+        Parameter(s, "parameter of the potential", value, "SI") for s, value in field.values
+    )
+    inertia = Diagonal("I") if body.principal else Symmetric("I")
+    known = (*body_parameters(body, inertia), *touch.parameters, *parameters)
+    value = by_name(field.potential, (*gamma.symbols, *(p.symbol for p in known)))
+    return _Applied(
+        force=applied.force,
+        torque=cross(gamma, gradient(value, gamma)),
+        potential=applied.potential + U,
+        definitions=((U, value),),
+        parameters=parameters,
     )
 
 

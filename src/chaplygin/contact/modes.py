@@ -26,6 +26,12 @@ class Mode:
         Whether the body may roll; false at rest, where resistance to rolling holds it.
     range : str
         The range of the coupled law of Contensou and Erismann, empty for other laws.
+
+    Examples
+    --------
+    >>> from chaplygin.contact.modes import Mode
+    >>> Mode(sliding=False).name
+    'rolling'
     """
 
     touching: bool = True

@@ -1,8 +1,8 @@
 """Dry friction whose direction is prescribed as a function of time.
 
-Where a held contact begins to slide, the slip grows like t² and its direction is that of the friction
-force: the equations are smooth in time only if the direction is known.  So it is taken as a
-polynomial of the time, whose coefficients are chosen such that the slip that it causes has it.
+Where a held contact begins to slide, the slip grows like t² and its direction is that of the
+friction force: the equations are smooth in time only if the direction is known.  So it is taken as
+a polynomial of the time, whose coefficients are chosen such that the slip that it causes has it.
 """
 
 from __future__ import annotations
@@ -12,12 +12,13 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..core.named_formulas import Pairs
-from ..core.system import Guard, Parameter
+from ..core.system import Parameter
 from ..core.vectors import Vector, cross, dot, norm_squared, real_symbol
-from .contensou import PURE_SPIN, hypergeometric_series, middle_formulas
-from .friction import FrictionLaw, Reaction, mu, patch
+from .contensou import shares
+from .dry_friction import mu, patch
+from .friction_law import FrictionLaw, Reaction
 from .modes import Mode, Range
-from .symbols import gamma, spin_sign
+from .symbols import gamma
 
 #: Time since sliding began, in units of its length, which is a parameter.
 clock, duration = real_symbol("clock"), real_symbol("duration")
@@ -89,23 +90,6 @@ class PrescribedDirection(FrictionLaw):
         """The force against the direction, and the couple that belongs to it."""
         if not self.range:
             return Reaction(p=-mu * direction)
-        half = sp.Rational(1, 2)
-        k = spin_sign * sp.tan(latitude)
-        match self.range:
-            case "inner":
-                force = 3 * sp.pi / 8 * k * (1 - k**2 / 4)
-                couple = PURE_SPIN * (1 - k**2 + sp.Rational(3, 8) * k**4)
-            case "middle":
-                force, couple = middle_formulas(k)
-            case _:
-                inverse = sp.cos(latitude) / sp.sin(latitude)
-                five, seven = sp.Rational(5, 2), sp.Rational(7, 2)
-                force = hypergeometric_series(-half, half, five, inverse**2)
-                couple = inverse / 5 * hypergeometric_series(half, half, seven, inverse**2)
-        if self.range != "outer":
-            couple = spin_sign * couple
-        return Reaction(p=-mu * force * direction, q=-mu * patch * couple * gamma)
-
-    def guards(self, mode: Mode) -> tuple[Guard, ...]:
-        """None: the beginning of sliding has a fixed duration."""
-        return ()
+        sine = sp.sin(latitude)
+        force, couple = shares(self.range, sine, sine**2, sp.cos(latitude))
+        return Reaction(p=-mu * force * sine * direction, q=-mu * patch * couple * gamma)

@@ -1,18 +1,16 @@
 """The reaction of a support in a mode of the contact: normal force, force and couple.
 
-The acceleration of the touching particle is u̇ = b + A R + (I⁻¹K)×r, and in contact its part along the
-normal is −(γ̇, u).  While the contact slides this is one equation for N; where slip or spin is held,
-u̇ = 0 or Ω̇ = 0 determine what holds it.
+The acceleration of the touching particle is u̇ = b + A R + (I⁻¹K)×r, and in contact its part along
+the normal is −(γ̇, u).  While the contact slides this is one equation for N; where slip or spin is
+held, u̇ = 0 or Ω̇ = 0 determine what holds it.
 """
 
 from __future__ import annotations
 
-import sympy as sp
-
 from ..core.named_formulas import Pairs
 from ..core.vectors import Symmetric, Vector, cross, dot, real_symbol
 from .free_body import FreeBody
-from .friction import Reaction
+from .friction_law import Reaction
 from .modes import Mode
 from .symbols import (
     N,
@@ -27,69 +25,86 @@ from .symbols import (
     spin_rate,
 )
 
+_normal_rate_free = real_symbol("normal_rate_free")
+_spin_rate_free, _spin_response = real_symbol("s_0"), real_symbol("s_1")
+_inverse_mobility = Symmetric("Z")
+#: Without slip the force is h − N h_q − τ h_s: what holds the contact against all else, against
+#: the couple of each unit of N, and of each unit of the couple τ that holds the spin.
+_h, _h_q, _h_s = Vector("h"), Vector("h_q"), Vector("h_s")
+#: Coefficients of 1, N and τ in the two equations for N and τ.
+_n, _w = (tuple(real_symbol(f"{name}_{i}") for i in range(3)) for name in "nw")
+
 
 def reaction_definitions(free: FreeBody, mode: Mode, laws: Reaction) -> Pairs:
-    """Normal force, force and couple of the support, as definitions."""
+    """Normal force, force and couple of the support in a mode, as definitions.
+
+    Parameters
+    ----------
+    free : FreeBody
+    mode : Mode
+        A mode in which the body touches and may roll.
+    laws : Reaction
+        That of all laws together, without what holds the contact.
+    """
+    return _while_sliding(free, mode, laws) if mode.sliding else _without_slip(free, mode, laws)
+
+
+def _while_sliding(free: FreeBody, mode: Mode, laws: Reaction) -> Pairs:
     A, Y = free.mobility, free.inverse_inertia
     turned = cross(Y * gamma, r)
-    sigma = dot(gamma, Y * gamma)
-    p, q, force, torque = laws.p, laws.q, laws.force, laws.couple
-    # accelerations of the contact without normal and holding reaction
-    base = slip_rate + A * force + cross(Y * torque, r)
-    spin_base = spin_rate + dot(turned, force) + dot(gamma, Y * torque)
-    spin_normal = dot(gamma, Y * q)
-    if mode.sliding:
-        n_0, n_1 = real_symbol("normal_rate_free"), normal_response
-        along = A * (gamma + p) + cross(Y * q, r)
-        pairs: Pairs = (
-            (n_0, dot(gamma, base) + normal_rate),
-            (n_1, dot(gamma, along)),
+    # accelerations of the contact without normal force, and for each unit of it
+    base = slip_rate + A * laws.force + cross(Y * laws.couple, r)
+    normal_0 = dot(gamma, base) + normal_rate
+    normal_1 = dot(gamma, A * (gamma + laws.p) + cross(Y * laws.q, r))
+    pairs: Pairs = ()
+    torque = N * laws.q + laws.couple
+    if not mode.spinning:
+        sigma, tilt = dot(gamma, Y * gamma), dot(gamma, turned)
+        pairs = (
+            (_spin_rate_free, spin_rate + dot(turned, laws.force) + dot(gamma, Y * laws.couple)),
+            (_spin_response, dot(turned, gamma + laws.p) + dot(gamma, Y * laws.q)),
         )
-        tau: sp.Expr = sp.S.Zero
-        if mode.spinning:
-            pairs += ((N, -n_0 / n_1),)
-        else:
-            s_0, s_1 = real_symbol("s_0"), real_symbol("s_1")
-            tilt = dot(gamma, turned)
-            pairs += (
-                (s_0, spin_base),
-                (s_1, dot(turned, gamma + p) + spin_normal),
-                (N, -(n_0 - tilt * s_0 / sigma) / (n_1 - tilt * s_1 / sigma)),
-                (holding_couple, -(s_0 + s_1 * N) / sigma),
-            )
-            tau = holding_couple
-        whole = N * (gamma + p) + force
-        return (*pairs, (reaction, whole), (couple, N * q + torque + tau * gamma))
-    inverse = Symmetric("Z")
-    h_0, h_1, h_2 = Vector("h"), Vector("h_q"), Vector("h_s")
-    pairs = (
-        (inverse, A**-1),
-        (h_0, -1 * (inverse * (slip_rate + cross(Y * torque, r)))),
-        (h_1, inverse * cross(Y * q, r)),
+        normal_0 -= tilt * _spin_rate_free / sigma
+        normal_1 -= tilt * _spin_response / sigma
+    pairs += (
+        (_normal_rate_free, normal_0),
+        (normal_response, normal_1),
+        (N, -_normal_rate_free / normal_response),
+    )
+    if not mode.spinning:
+        pairs += ((holding_couple, -(_spin_rate_free + _spin_response * N) / sigma),)
+        torque = torque + holding_couple * gamma
+    return (*pairs, (reaction, N * (gamma + laws.p) + laws.force), (couple, torque))
+
+
+def _without_slip(free: FreeBody, mode: Mode, laws: Reaction) -> Pairs:
+    Y, Z = free.inverse_inertia, _inverse_mobility
+    turned = cross(Y * gamma, r)
+    pairs: Pairs = (
+        (Z, free.mobility**-1),
+        (_h, -1 * (Z * (slip_rate + cross(Y * laws.couple, r)))),
+        (_h_q, Z * cross(Y * laws.q, r)),
     )
     if mode.spinning:
-        pairs += (
-            (N, dot(gamma, h_0) / (1 + dot(gamma, h_1))),
-            (reaction, h_0 - N * h_1),
-            (couple, N * q + torque),
+        return (
+            *pairs,
+            (N, dot(gamma, _h) / (1 + dot(gamma, _h_q))),
+            (reaction, _h - N * _h_q),
+            (couple, N * laws.q + laws.couple),
         )
-        return pairs
-    row = [real_symbol(name) for name in ("w_0", "w_1", "w_2")]
-    column = [real_symbol(name) for name in ("n_0", "n_1", "n_2")]
-    pairs += (
-        (h_2, inverse * turned),
-        (column[0], dot(gamma, h_0)),
-        (column[1], 1 + dot(gamma, h_1)),
-        (column[2], dot(gamma, h_2)),
-        (row[0], spin_rate + dot(gamma, Y * torque) + dot(turned, h_0)),
-        (row[1], spin_normal - dot(turned, h_1)),
-        (row[2], sigma - dot(turned, h_2)),
-        (
-            N,
-            (column[0] * row[2] + column[2] * row[0]) / (column[1] * row[2] - column[2] * row[1]),
-        ),
-        (holding_couple, -(row[0] + row[1] * N) / row[2]),
-        (reaction, h_0 - N * h_1 - holding_couple * h_2),
-        (couple, N * q + torque + holding_couple * gamma),
+    n, w = _n, _w
+    return (
+        *pairs,
+        (_h_s, Z * turned),
+        # n₀ = n₁ N + n₂ τ and w₀ + w₁ N + w₂ τ = 0
+        (n[0], dot(gamma, _h)),
+        (n[1], 1 + dot(gamma, _h_q)),
+        (n[2], dot(gamma, _h_s)),
+        (w[0], spin_rate + dot(gamma, Y * laws.couple) + dot(turned, _h)),
+        (w[1], dot(gamma, Y * laws.q) - dot(turned, _h_q)),
+        (w[2], dot(gamma, Y * gamma) - dot(turned, _h_s)),
+        (N, (n[0] * w[2] + n[2] * w[0]) / (n[1] * w[2] - n[2] * w[1])),
+        (holding_couple, -(w[0] + w[1] * N) / w[2]),
+        (reaction, _h - N * _h_q - holding_couple * _h_s),
+        (couple, N * laws.q + laws.couple + holding_couple * gamma),
     )
-    return pairs

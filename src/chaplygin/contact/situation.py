@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TypeVar
 
 from ..arguments import arguments_checked
 from ..errors import InputError
 from ..mechanics.rolling.body import Body
 from ..mechanics.rolling.equations import Forces
 from ..mechanics.rolling.surfaces import Plane, Sphere, Surface
-from .friction import Coulomb, FrictionLaw, require_compatible
+from .friction import FrictionLaw, require_compatible
+
+Law = TypeVar("Law", bound=FrictionLaw)
 
 
 @arguments_checked
@@ -36,7 +39,8 @@ class FrictionalContact:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> from chaplygin.contact import Coulomb, FrictionalContact
+    >>> from chaplygin.contact.friction import Coulomb
+    >>> from chaplygin.contact.situation import FrictionalContact
     >>> ball = ch.Body(1.0, (0.4, 0.4, 0.4), ch.Ball(1.0))
     >>> billiard = FrictionalContact(ball, laws=(Coulomb(0.2),), field=ch.Forces(gravity=9.81))
     >>> billiard.setting
@@ -62,11 +66,11 @@ class FrictionalContact:
         """The laws of friction in words."""
         return "; ".join(law.words for law in self.laws) or "no friction"
 
-    def law(self, kind: type[FrictionLaw]) -> FrictionLaw | None:
+    def law(self, kind: type[Law]) -> Law | None:
         """The law of a kind, if there is one."""
         return next((law for law in self.laws if isinstance(law, kind)), None)
 
     @property
     def never_slips(self) -> bool:
         """Whether dry friction has no limit."""
-        return any(isinstance(law, Coulomb) and math.isinf(law.mu) for law in self.laws)
+        return any(law.static_mu == math.inf for law in self.laws)

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
+import sympy as sp
 from hypothesis import assume, given, settings
 
-from chaplygin.core.vectors import constant
+from chaplygin.core.system import flat_pairs
+from chaplygin.core.vectors import Vector, constant, dot, real_symbol, to_components
 from chaplygin.errors import InputError
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.contact import contact
@@ -14,7 +18,16 @@ from chaplygin.mechanics.rolling.equations import roll
 from chaplygin.mechanics.rolling.initial_state import initial_state
 from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
 from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
-from mechanics.bodies import COMBINATIONS, FULL, SHAPES, SURFACES, portrait, state_of
+from mechanics.bodies import (
+    CENTRE,
+    COMBINATIONS,
+    FULL,
+    SHAPES,
+    SURFACES,
+    on_quartic,
+    portrait,
+    state_of,
+)
 from mechanics.compare import GAMMA, XYZ
 from mechanics.portrait import Portrait, coordinates, directions
 
@@ -96,6 +109,64 @@ def pulled(shape, surface):
         system = roll(Body(1.3, FULL, SHAPES[shape]), SURFACES[surface], "marble")
         PULLED[shape, surface] = Portrait(system, further)
     return PULLED[shape, surface]
+
+
+# ---------------------------------------------------------------------------------------------
+# With slip, and with a sphere through the nearest point
+
+SLIP, RADIUS = Vector("slip"), real_symbol("radius")
+
+
+@cache
+def slipping(shape, surface):
+    """The contact with slip as a function of position, ω, slip and the radius of the support."""
+    radius = {} if surface == "plane" else {"radius": RADIUS}
+    touch = contact(SHAPES[shape], SURFACES[surface], SLIP, **radius)
+    (place, _), *_ = touch.state
+    other = Vector("other")
+    formulas = [touch.gammadot, touch.rdot, Vector("gamma"), touch.spread(touch.gammadot)]
+    formulas += [constant([dot(other, touch.spread(SLIP)), dot(SLIP, touch.spread(other)), 0])]
+    scalars = [x for f in formulas for x in to_components(constant(list(to_components(f))))]
+    names = [*place.symbols, *Vector("omega").symbols, *SLIP.symbols, *other.symbols, RADIUS]
+    names += [p.symbol for p in touch.parameters]
+    steps = list(flat_pairs(touch.definitions))
+    function = sp.lambdify(names, scalars, "numpy", cse=lambda e: (steps, e))
+    return function, [p.default for p in touch.parameters]
+
+
+def slipping_at(shape, surface, direction, radius, random):
+    function, constants = slipping(shape, surface)
+    place = direction
+    if shape == "implicit":
+        place = np.array(CENTRE) + on_quartic(direction)
+    empty = np.zeros(9)
+    normal = np.reshape(function(*place, *empty, radius, *constants), (5, 3))[2]
+    across = np.eye(3) - np.outer(normal, normal)
+    omega, slip, other = (
+        random.normal(size=3),
+        across @ random.normal(size=3),
+        random.normal(size=3),
+    )
+    found = function(*place, *omega, *slip, *(across @ other), radius, *constants)
+    return omega, slip, np.reshape(found, (5, 3))
+
+
+@pytest.mark.parametrize(("shape", "surface"), COMBINATIONS)
+def test_contact_point_wanders_with_the_slip(shape, surface):
+    """a(γ̇ + ω×γ) = ṙ + u, ṙ = −W γ̇, on a sphere of any radius; on a plane γ is at rest."""
+    random = np.random.default_rng(7)
+    for scale in (1.0, 1.3):
+        direction = np.array([0.5, -0.4, 0.6]) / np.linalg.norm([0.5, -0.4, 0.6])
+        a = 1.0 if surface == "plane" else scale * SURFACES[surface].signed_radius
+        if shape == "hollow ball" and scale > 1:
+            continue
+        omega, slip, found = slipping_at(shape, surface, direction, a, random)
+        gammadot, rdot, normal, spread, symmetric = found
+        over = 0 if surface == "plane" else (rdot + slip) / a
+        size = 1 + np.abs(found).max()
+        np.testing.assert_allclose(gammadot + np.cross(omega, normal), over, atol=1e-13 * size)
+        np.testing.assert_allclose(spread, -rdot, atol=1e-13 * size)
+        assert symmetric[0] == pytest.approx(symmetric[1], rel=1e-12)
 
 
 # ---------------------------------------------------------------------------------------------
