@@ -137,7 +137,7 @@ def beginning(
         return None
     patch = law.patch if isinstance(law, ContensouErismann) else 0.0
     latitude = math.pi / 2
-    values: dict[str, float] = {"mu": law.mu, "spin_sign": spin_sign}  # type: ignore[attr-defined]
+    values: dict[str, float] = {"mu": law.mu, "spin_sign": spin_sign}
     if patch:
         flat = float(np.linalg.norm(direction[:3]))
         latitude = math.atan2(flat, float(direction[3]))

@@ -118,6 +118,11 @@ class ModeIntegrator:
             first += size
         return columns
 
+    def state_of_system(self, state: FloatArray) -> FloatArray:
+        """The state with all variables of its system; those of its own at their ends, 1."""
+        more = len(self.system.symbols) - len(state)
+        return np.append(state, np.ones(max(more, 0)))
+
     def outputs(self, states: FloatArray) -> dict[str, FloatArray]:
         """Observables at a state (size,) or at states (n, size), by name."""
         numbers = self._numbers(states)
@@ -291,23 +296,36 @@ class CompiledContact:
         padded = np.zeros(len(self._neutral.symbols))
         padded[:WORK] = state[:WORK]
         numbers = self._function(padded, pars=self._values[: self._function.nparams])
-        vectors = [numbers[3 * i : 3 * i + 3] for i in range(len(_VECTORS))]
+        vectors = dict(
+            zip(_VECTORS, numbers.reshape(-1)[: 3 * len(_VECTORS)].reshape(-1, 3), strict=True)
+        )
         rest = numbers[3 * len(_VECTORS) :]
-        spin_now, normal, turning, energy, gap = map(float, rest[:5])
-        q, couple = rest[5:8], rest[8:11]
+        spin_now, normal, turning, energy, height = map(float, rest[:5])
         rates = np.zeros(self.size)
         rates[:WORK] = rest[11 : 11 + WORK]
-        touch = mobility(self._mass, self._inertia, vectors[0], vectors[1] / _norm(vectors[1]))
+        unit = vectors[gamma] / float(np.linalg.norm(vectors[gamma]))
+        touch = mobility(self._mass, self._inertia, vectors[r], unit)
         # a couple that does not depend on the normal force belongs to the free motion
-        turn = touch.inverse_inertia @ couple
-        vectors[5] = vectors[5] + np.cross(turn, touch.r)
-        vectors[7] = vectors[7] + turn
-        turning += float(touch.gamma @ turn)
-        return ContactNumbers(*vectors, spin_now, normal, turning, energy, gap, q, rates, touch)
-
-
-def _norm(u: FloatArray) -> float:
-    return float(np.sqrt(u @ u))
+        turn = touch.inverse_inertia @ rest[8:11]
+        return ContactNumbers(
+            r=vectors[r],
+            gamma=vectors[gamma],
+            gammadot=vectors[gammadot],
+            slip=vectors[slip],
+            rolling=vectors[rolling],
+            slip_rate=vectors[slip_rate] + np.cross(turn, touch.r),
+            free_acceleration=vectors[free_acceleration],
+            free_turn=vectors[free_turn] + turn,
+            contact_velocity=vectors[contact_velocity],
+            spin=spin_now,
+            normal_rate=normal,
+            spin_rate=turning + float(touch.gamma @ turn),
+            energy=energy,
+            gap=height,
+            q=rest[5:8],
+            rates=rates,
+            mobility=touch,
+        )
 
 
 def with_values(mode: ModeIntegrator, values: Mapping[str, float]) -> ModeIntegrator:

@@ -125,9 +125,21 @@ class Course:
                     break
                 self._handle(guard)
         except EndError as stop:
-            self.reason = str(stop)
+            self._end(str(stop))
         except RunError as error:
-            self.reason = str(error.args[0])
+            self._end(str(error.args[0]))
+
+    def _end(self, reason: str) -> None:
+        """End before the last moment, with the state there as the last sample."""
+        self.reason = reason
+        if not self.pieces:
+            self._add_piece(self._integrator(self.mode), self.time, self.state[None])
+            return
+        last = self.pieces[-1]
+        if not any(self.time in piece.times for piece in self.pieces[-2:]):
+            columns = last.integrator.state_of_system(self.state)
+            sample = np.array([self.time])
+            self.pieces.append(replace(last, begin=self.time, times=sample, states=columns[None]))
 
     def _integrate(self) -> str:
         """Integrate in the present mode up to the next event; return its guard."""

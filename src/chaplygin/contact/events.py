@@ -9,7 +9,6 @@ import numpy as np
 
 from ..core.arrays import FloatArray
 
-
 EventKind = Literal[
     "stick",
     "slip",

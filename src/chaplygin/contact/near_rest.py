@@ -27,6 +27,14 @@ from .stopping import Stop
 _HERTZ = Hertz()
 
 
+def _force_factor(k: float) -> float:
+    return float(_HERTZ.force(k))
+
+
+def _couple_factor(k: float) -> float:
+    return float(_HERTZ.couple(k))
+
+
 @dataclass(frozen=True)
 class DryFriction:
     """The thresholds of a situation.
@@ -87,8 +95,8 @@ def frozen_slip(known: ContactNumbers, dry: DryFriction, spin_sign: float) -> Fr
             touch,
             dry.mu,
             dry.patch,
-            _HERTZ.force,
-            _HERTZ.couple,
+            _force_factor,
+            _couple_factor,
             acceleration,
             known.spin_rate,
             known.q,
