@@ -3,17 +3,27 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 import sympy as sp
 
+from chaplygin.contact.equations import equations_of_motion
 from chaplygin.contact.friction import Coulomb, NormalViscous, SpinFriction, UserFriction
 from chaplygin.contact.modes import Mode
+from chaplygin.contact.situation import FrictionalContact
+from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
+from chaplygin.flow.integrator import integrate
+from chaplygin.mechanics.rolling.body import Body
+from chaplygin.mechanics.rolling.equations import Forces
+from chaplygin.mechanics.rolling.shapes import Ball
+from contact.dense_motion import Motion, accelerations, random_state, rotation
 from contact.friction_formulas import Touch
 from contact.law_values import law_values, random_touch
 from contact.test_viscous_friction import GRAVITY, slip_of_ball
+from evaluation import numeric
 
 STRIBECK = UserFriction(
     "mu*(1 + 0.3*exp(-slip_speed/v))", mu_static=0.3, values={"mu": 0.2, "v": 0.1}
@@ -127,17 +137,30 @@ def test_it_is_a_value():
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"force": "mu*2"}, "force: unknown name 'mu'; allowed: slip_speed, spin"),
+        ({"force": "mu*2"}, "force: unknown name 'mu'; allowed: slip_speed, spin, normal_force"),
         ({"force": "0.3 +"}, "force: "),
         ({"force": "__import__('os')"}, "force: "),
-        ({"force": sp.Symbol("nu")}, "force: nu is not known; it may use slip_speed, spin"),
-        ({"force": "normal_force"}, "force: "),
+        (
+            {"force": sp.Symbol("nu")},
+            "force: nu is not known; it may use slip_speed, spin, normal_force",
+        ),
+        (
+            {"force": "0.3 + normal_force"},
+            "force: at zero slip it depends on normal_force; there it must be one number",
+        ),
+        (
+            {"force": "0.3", "couple": "0.1*normal_force"},
+            "couple: unknown name 'normal_force'; allowed: slip_speed, spin, acos",
+        ),
         (
             {"force": "-0.3"},
-            "force: at slip_speed = 1e-06 and spin = 1e-06 it is -0.3; it must be a",
+            "force: at slip_speed = 1e-06, spin = 1e-06, normal_force = 1e-06 it is -0.3; it",
         ),
         ({"force": "0.3 - slip_speed"}, "force: at slip_speed = 0.3"),
-        ({"force": "0.3", "couple": "-spin"}, "couple: at slip_speed = 1e-06 and spin = 1e-06 it"),
+        (
+            {"force": "0.3", "couple": "-spin"},
+            "couple: at slip_speed = 1e-06, spin = 1e-06 it is -1e-06; it must be",
+        ),
         ({"force": "sqrt(slip_speed - 1)"}, "force: at slip_speed"),
         ({"force": "1/slip_speed"}, "force: at zero slip it has no finite value; write it so"),
         ({"force": "0.3 + spin"}, "force: at zero slip it depends on spin; there it must be one"),
@@ -156,3 +179,70 @@ def test_what_is_refused(arguments, message):
     with pytest.raises(InputError) as caught:
         UserFriction(**arguments)
     assert str(caught.value).startswith(message)
+
+
+HERSEY = UserFriction("0.2 + 0.3*slip_speed/(slip_speed + 0.1*normal_force)", couple="0.02")
+LOADED = Body(0.7, (1.2, 1.5, 2.1), Ball(0.9, centre=(0.1, -0.2, 0.15)))
+
+
+def pressed_state(contact, system, mode, random):
+    """A state that spins to the left, in the order of the dense equations and of the system."""
+    while True:
+        y, gamma = random_state(contact, mode, random)
+        if not mode.spinning or Motion(contact).spin(y, gamma).real > 0:
+            state = np.zeros(len(system.symbols))
+            state[:16] = [*y[:7], *(rotation(y[:4]).T @ y[7:10]), *y[10:13], *gamma]
+            return y, gamma, state
+
+
+@pytest.mark.parametrize(
+    "mode", [Mode(), pytest.param(Mode(spinning=False), marks=pytest.mark.slow)]
+)
+def test_force_that_depends_on_the_normal_force(mode):
+    contact = FrictionalContact(LOADED, laws=(HERSEY,), field=Forces(gravity=GRAVITY))
+    system = equations_of_motion(contact, mode)
+    (guard,) = (guard.value for guard in system.guards if guard.name == "normal force")
+    found = numeric(system, [*system.rates[10:13], real_symbol("N"), guard])
+    random = np.random.default_rng(8)
+    for _ in range(4):
+        y, gamma, state = pressed_state(contact, system, mode, random)
+        *omega_rate, N, margin = found(state)
+        # dry friction of the coefficient that belongs to this normal force
+        speed = np.linalg.norm(Motion(contact).slip(y, gamma).real)
+        mu = 0.2 + 0.3 * speed / (speed + 0.1 * N)
+        laws = (Coulomb(mu), SpinFriction(0.02))
+        expected = accelerations(replace(contact, laws=laws), mode, y, gamma)
+        assert expected.normal_force == pytest.approx(N, rel=1e-12)
+        np.testing.assert_allclose(omega_rate, expected.omega, atol=1e-11)
+        assert margin > 0
+
+
+@pytest.mark.slow
+def test_the_answer_to_a_unit_of_normal_force_knows_of_the_dependence():
+    contact = FrictionalContact(LOADED, laws=(HERSEY,), field=Forces(gravity=GRAVITY))
+    system = equations_of_motion(contact, Mode())
+    heavier = {real_symbol("g"): GRAVITY + 1e-6}
+    lighter = {real_symbol("g"): GRAVITY - 1e-6}
+    guard = next(g.value for g in system.guards if g.name == "paradox")
+    _, _, state = pressed_state(contact, system, Mode(), np.random.default_rng(3))
+    forces = [numeric(system, [real_symbol("N")], g)(state)[0] for g in (heavier, lighter)]
+    response = float(numeric(system, [guard])(state)[0])
+    assert 2e-6 / (forces[0] - forces[1]) == pytest.approx(response, rel=1e-6)
+
+
+@pytest.mark.slow
+def test_the_integrator_of_the_package_follows_stribeck():
+    contact = FrictionalContact(
+        Body(0.7, (0.4 * 0.7 * 0.81,) * 3, Ball(0.9)),
+        laws=(STRIBECK,),
+        field=Forces(gravity=GRAVITY),
+    )
+    system = equations_of_motion(contact, Mode())
+    first, rate = 1.2, 3.5 * GRAVITY * 0.2 / 0.1
+    state = np.zeros(len(system.symbols))
+    state[[0, 6, 7, 15]] = 1.0, 0.9, first, 1.0
+    end = 0.9 * math.log((math.exp(first / 0.1) + 0.3) / 1.3) / rate
+    last = integrate(system, state, [0.0, end]).states[-1]
+    slip = np.linalg.norm(last[7:10] + np.cross(last[10:13], -0.9 * last[13:16]))
+    exact = 0.1 * math.log((math.exp(first / 0.1) + 0.3) * math.exp(-rate * end) - 0.3)
+    assert slip == pytest.approx(exact, rel=1e-13)

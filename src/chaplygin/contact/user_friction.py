@@ -1,4 +1,4 @@
-"""A law of friction given by formulas in the slip speed and the spin."""
+"""A law of friction given by formulas in slip speed, spin and normal force."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import product
 from typing import cast
 
 import numpy as np
@@ -33,28 +32,32 @@ from .symbols import (
 )
 from .viscous_friction import creep_guard
 
-#: Names that formulas of friction may use; `spin` stands for the size |Ω| in them.
-VARIABLES: Mapping[str, sp.Symbol] = {"slip_speed": slip_speed, "spin": spin}
+#: Names that formulas of force and couple may use; `spin` stands for the size |Ω| in them.
+VARIABLES: Mapping[str, Mapping[str, sp.Symbol]] = {
+    "force": {"slip_speed": slip_speed, "spin": spin, "normal_force": N},
+    "couple": {"slip_speed": slip_speed, "spin": spin},
+}
 
 _static = real_symbol("mu_static")
 
-#: Speeds (m/s) and angular velocities (rad/s) at which a law is tried when it is given.
-_TRIALS = (*np.geomspace(1e-6, 1e3, 19),)
+#: Speeds (m/s), angular velocities (rad/s) and normal forces (N) at which a law is tried.
+_TRIALS = np.geomspace(1e-6, 1e3, 19)
 
 
 @arguments_checked
 @dataclass(frozen=True)
 class UserFriction(FrictionLaw):
-    """Friction in proportion to the normal force, by formulas in slip speed and spin.
+    """Friction for each unit of normal force by formulas in slip speed, spin and normal force.
 
     Parameters
     ----------
     force : str or sympy.Expr
-        Force against the slip for each unit of normal force, in ``slip_speed`` = |u| (m/s) and
-        ``spin`` = |Ω| (rad/s).  Its limit at zero slip holds the contact, unless it is zero.
+        Force against the slip for each unit of normal force, in ``slip_speed`` = |u| (m/s),
+        ``spin`` = |Ω| (rad/s) and ``normal_force`` (N).  Its limit at zero slip is one number; it
+        holds the contact, unless it is zero.
     couple : str or sympy.Expr
-        Couple against the spin for each unit of normal force (m), likewise.  What it is at zero
-        spin holds the spin, and may not depend on the slip.
+        Couple against the spin for each unit of normal force (m), in ``slip_speed`` and ``spin``.
+        What it is at zero spin holds the spin, and may not depend on the slip.
     mu_static : float, optional
         Coefficient of static friction, where it exceeds the limit of `force` at zero slip.
     values : mapping of str to float, optional
@@ -63,7 +66,8 @@ class UserFriction(FrictionLaw):
     Raises
     ------
     InputError
-        If a formula is none, or negative somewhere, or its limit at rest is not one number.
+        If a formula is none, or negative at one of many values from 1e-6 to 1e3 of its variables,
+        or its limit at rest is not one number.
 
     Examples
     --------
@@ -88,10 +92,10 @@ class UserFriction(FrictionLaw):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "_values", _checked_values(self.values))
-        known = {**VARIABLES, **{name: _parameter(name) for name, _ in self._values}}
-        object.__setattr__(self, "force", _formula("force", self.force, known))
-        object.__setattr__(self, "couple", _formula("couple", self.couple, known))
-        for key in ("force", "couple"):
+        own = {name: _parameter(name) for name, _ in self._values}
+        for key, variables in VARIABLES.items():
+            known = {**variables, **own}
+            object.__setattr__(self, key, _formula(key, getattr(self, key), known))
             self._require_dissipation(key)
         kinetic = self.kinetic_mu
         self._spin_limit  # noqa: B018  (refuses a limit that is not one number)
@@ -113,10 +117,11 @@ class UserFriction(FrictionLaw):
     def _limit(self, key: str, at_rest: sp.Symbol, what: str) -> float:
         """The one number that a formula is where a variable is zero."""
         rest = getattr(self, key).subs(at_rest, 0).xreplace(self._numbers)
-        if rest.free_symbols:
-            (other,) = {"slip_speed", "spin"} - {str(at_rest)}
+        others = [name for name, symbol in VARIABLES[key].items() if rest.has(symbol)]
+        if others:
             raise InputError(
-                f"{key}: at zero {what} it depends on {other}; there it must be one number"
+                f"{key}: at zero {what} it depends on {' and '.join(others)}; there it must be one "
+                "number"
             )
         if not rest.is_real or not math.isfinite(float(rest)):
             raise InputError(
@@ -145,17 +150,19 @@ class UserFriction(FrictionLaw):
         return self._spin_limit
 
     def _require_dissipation(self, key: str) -> None:
+        variables = VARIABLES[key]
         formula = getattr(self, key).xreplace(self._numbers)
-        function = sp.lambdify([slip_speed, spin], formula, "numpy")
-        for speed, turn in product(_TRIALS, _TRIALS):
-            with np.errstate(all="ignore"):
-                value = complex(function(speed, turn))
-            if not (math.isfinite(value.real) and value.imag == 0 and value.real >= 0):
-                shown = value.real if value.imag == 0 else value
-                raise InputError(
-                    f"{key}: at slip_speed = {speed:g} and spin = {turn:g} it is {shown:g}; it "
-                    "must be a number not below zero at all of them"
-                )
+        function = sp.lambdify(list(variables.values()), formula, "numpy")
+        trials = np.meshgrid(*[_TRIALS] * len(variables))
+        with np.errstate(all="ignore"):
+            values = np.broadcast_to(function(*trials), trials[0].shape)
+        wrong = np.argwhere(~(np.isfinite(values) & (values >= 0)))
+        if len(wrong):
+            place = tuple(wrong[0])
+            at = ", ".join(f"{n} = {x[place]:g}" for n, x in zip(variables, trials, strict=True))
+            raise InputError(
+                f"{key}: at {at} it is {values[place]:g}; it must be a number not below zero"
+            )
 
     # --- the law ---------------------------------------------------------------------------
 
@@ -163,6 +170,7 @@ class UserFriction(FrictionLaw):
     def words(self) -> str:
         """The law in words."""
         plain = {_parameter(name): sp.Symbol(name) for name, _ in self._values}
+        plain[N] = sp.Symbol("normal_force")
         text = f"friction {self.force.xreplace(plain)}"
         if self.couple != 0:
             text += f", couple {self.couple.xreplace(plain)} m"
@@ -274,10 +282,10 @@ def _formula(key: str, written: Quantity, known: Mapping[str, sp.Symbol]) -> sp.
 def _checked_values(values: Parameters) -> tuple[tuple[str, float], ...]:
     given = {str(name): float(cast(float, value)) for name, value in (values or {}).items()}
     for name, value in given.items():
-        if not name.isidentifier() or name in RESERVED or name in VARIABLES:
+        if not name.isidentifier() or name in RESERVED or name in VARIABLES["force"]:
             raise InputError(
                 f"values: {name!r} is no free name; a name is a letter followed by letters, digits "
-                "and underscores, and neither a function nor slip_speed or spin"
+                "and underscores, and neither a function nor a variable"
             )
         if not math.isfinite(value):
             raise InputError(f"values: {name} = {value}: it must be a finite number")
