@@ -60,6 +60,7 @@ def command(
 def _diagram(what: str, overrides: list[str] | None) -> tuple[Diagram, tuple[float, float] | None]:
     """The diagram of an experiment with its motion in it, or that of a plane."""
     from ..errors import InputError
+    from ..experiment.without_lift import single_system
     from ..explicit.base.problem import Problem
     from ..explicit.bifurcation import bifurcation_diagram
     from ..explicit.bifurcation.diagram_of import diagram_of
@@ -68,7 +69,7 @@ def _diagram(what: str, overrides: list[str] | None) -> tuple[Diagram, tuple[flo
     if what in PLANES:
         return bifurcation_diagram(what, _numbers(overrides or [])), None
     study = study_of(what, overrides)
-    system = study.system
+    system = single_system(study)
     diagram = diagram_of(Problem(system, system.defaults, study.start, study.rolling))
     if diagram is None:
         raise InputError(

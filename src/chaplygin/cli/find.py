@@ -96,9 +96,11 @@ def command(
     ):
         if number < 0:
             raise InputError(f"{option} {number}: it must not be negative")
-    system = study_of(what, overrides).system
+    study = study_of(what, overrides)
+    from ..experiment.without_lift import single_system
     from ..search import search_request
 
+    system = single_system(study)
     began = time.monotonic()
     conditions = special(system) if at is None else tuple(c for c in at if c.strip() != "none")
     question = search_request(

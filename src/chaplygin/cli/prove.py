@@ -110,8 +110,9 @@ def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool)
 def _claims(what: str, overrides: list[str] | None) -> list[tuple[System, Law]]:
     """The laws of the system, and of its general form if it has one."""
     from ..catalogue import CATALOGUE
+    from ..experiment.without_lift import single_system
 
-    system = study_of(what, overrides).system
+    system = single_system(study_of(what, overrides))
     claims = [(system, law) for law in system.laws]
     general = CATALOGUE[what].general if what in CATALOGUE else None
     if general is not None:

@@ -11,6 +11,7 @@ from ..interruption import CODE, NOTHING, ending, say
 from .common import Force, Json, Override, Precision, What, inform, print_json, study_of
 from .output_destination import beside, check_output, deliver, name_of
 from .progress import progress
+from .results import results
 
 
 def command(
@@ -36,7 +37,6 @@ def command(
     study = study_of(what, overrides, precision)
     from ..errors import InterruptionError, RunError
     from ..experiment.study import dataset_of
-    from ..report.summary import summary, summary_text
 
     place = name_of(output)
     failure: RunError | None = None
@@ -58,10 +58,10 @@ def command(
     if failure is not None:
         inform(f"the trajectory up to then is in {place}")
         raise failure
-    result = summary(trajectory)
+    facts, text = results(study, trajectory)
     if json:
-        print_json({"file": str(output), **result})
+        print_json({"file": str(output), **facts})
     else:
         with beside(output):
-            typer.echo(summary_text(study.system, trajectory, result))
+            typer.echo(text)
             typer.echo(f"written to {place}")

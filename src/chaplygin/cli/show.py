@@ -41,11 +41,18 @@ def command(
     from ..printing.system import motion_text
 
     system = study.system
+    # laws of one mode alone give a motion through several no place in the hierarchy
+    place = (
+        None
+        if study.subject.changes_equations or not (json or form == "text") or laws
+        else classify_quickly(system, study.subject.model)
+    )
     if laws:
         from ..printing.system import laws_text
 
         typer.echo(f"{system.title}\n\n{laws_text(system) or 'No laws of it are known.'}")
-        typer.echo(f"\nchaplygin prove {what} proves them.")
+        if not study.subject.changes_equations:
+            typer.echo(f"\nchaplygin prove {what} proves them.")
         return
     if json:
         from ..printing.laws import condition_text, heading
@@ -82,7 +89,7 @@ def command(
                     for law in system.laws
                 ],
                 "notes": list(study.subject.derivation_notes),
-                "place": classify_quickly(system, study.subject.model).record,
+                "place": None if place is None else place.record,
             }
         )
         return
@@ -100,8 +107,7 @@ def command(
         None, (study.subject.legend, *study.subject.derivation_notes) if form == "text" else ()
     ):
         typer.echo("\n" + textwrap.fill(words, 100))
-    if form == "text":
-        place = classify_quickly(system, study.subject.model)
+    if form == "text" and place is not None:
         typer.echo(f"\n{place}")
         if any("effort" in entry.why for entry in place.uncounted):
             typer.echo(f"\nMore effort may decide the undecided laws: chaplygin prove {what}")

@@ -11,6 +11,7 @@ from ..interruption import NOTHING, ending
 from .common import Force, Json, Override, Precision, What, operations, print_json, study_of
 from .output_destination import STANDARD_OUTPUT
 from .progress import progress
+from .results import results
 
 
 def command(
@@ -49,11 +50,11 @@ def command(
     study = study_of(what, overrides, precision)
     from ..analysis.classification.facts import ProofBudget
     from ..report.page import PATIENCE, TIMES
-    from ..report.summary import summary, summary_text
     from ..report.write import write_study
 
     each = allowed or PATIENCE
-    altogether = 0 if quick else TIMES * each
+    # a law of one mode alone says nothing of a motion through several
+    altogether = 0 if quick or study.subject.changes_equations else TIMES * each
 
     def words() -> str:
         if not is_begun(folder):
@@ -66,11 +67,11 @@ def command(
             trajectory, failure = write_study(study, folder, force, patience, report)
         except InterruptionError as stop:
             raise KeyboardInterrupt from stop
-    result = summary(trajectory)
+    facts, text = results(study, trajectory)
     if json:
-        print_json({"folder": str(folder), **result})
+        print_json({"folder": str(folder), **facts})
     else:
-        typer.echo(summary_text(study.system, trajectory, result))
+        typer.echo(text)
         typer.echo(f"report: {folder / 'report.html'}")
     if failure is not None:
         raise failure

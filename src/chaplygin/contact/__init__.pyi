@@ -1,11 +1,18 @@
-from .friction import (
+from .compiled import CompiledContact as CompiledContact
+from .dry_friction import (
     ContensouErismann as ContensouErismann,
-    ContourResistance as ContourResistance,
     Coulomb as Coulomb,
-    FrictionLaw as FrictionLaw,
-    NormalViscous as NormalViscous,
-    RollingResistance as RollingResistance,
     SpinFriction as SpinFriction,
-    Viscous as Viscous,
+)
+from .events import ContactEvent as ContactEvent
+from .friction_law import FrictionLaw as FrictionLaw
+from .modes import MODE_NAMES as MODE_NAMES
+from .motion import ContactMotion as ContactMotion, contact_motion as contact_motion
+from .rolling_friction import (
+    ContourResistance as ContourResistance,
+    RollingResistance as RollingResistance,
     ViscousRolling as ViscousRolling,
 )
+from .rules import Rules as Rules
+from .situation import FrictionalContact as FrictionalContact
+from .viscous_friction import NormalViscous as NormalViscous, Viscous as Viscous

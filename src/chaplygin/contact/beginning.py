@@ -32,6 +32,9 @@ _TESTS = np.array([0.35, 0.65, 0.97])
 #: Steps of a trial, and radians by which the direction may turn, at most.
 _MOST_STEPS, _LARGEST_TURN = 500, 3.0
 
+#: Newton's steps at most, and the step of their differences.
+_NEWTON_STEPS, _STEP = 8, 1e-5
+
 #: The length of a beginning is divided by four at most so many times.
 _ATTEMPTS = 12
 
@@ -82,31 +85,24 @@ class _Trial:
     def defects(
         self, integrator: ModeIntegrator, states: FloatArray, times: FloatArray, c: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
-        """Angles between the slip and its prescribed direction, and the speeds of slip."""
+        """Components of the slip (n, 1 or 2) across its prescribed direction, and along it (n,)."""
         powers = times[:, None] ** np.arange(1, DEGREE + 1)
-        headings = powers @ c[:DEGREE]
-        latitudes = np.full(len(times), math.pi / 2)
-        if self.patch:
-            latitudes = self.latitude + powers @ c[DEGREE:]
-        angles, speeds = [], []
-        for state, heading, latitude in zip(states, headings, latitudes, strict=True):
-            values = integrator.outputs(state)
-            gamma, slip, spin = values["gamma"], values["slip"], values["spin"]
-            across = self.first - (gamma @ self.first) * gamma
-            across /= np.linalg.norm(across)
-            aside = np.cross(gamma, across)
-            n = math.cos(heading) * across + math.sin(heading) * aside
-            m = math.cos(heading) * aside - math.sin(heading) * across
-            along = float(slip @ n)
-            arm = self.patch * float(spin)
-            size = math.hypot(along, arm)
-            angles.append(float(slip @ m) / (along if along else math.nan))
-            if self.patch:
-                bent = along * math.cos(latitude) - arm * math.sin(latitude)
-                angles.append(bent / (size if size else math.nan))
-            forward = along * math.sin(latitude) + arm * math.cos(latitude)
-            speeds.append(math.copysign(size, forward))
-        return np.array(angles), np.array(speeds)
+        headings = (powers @ c[:DEGREE])[:, None]
+        values = integrator.outputs(states)
+        gamma, slip = values["gamma"], values["slip"]
+        across = self.first - (gamma @ self.first)[:, None] * gamma
+        across /= np.linalg.norm(across, axis=1)[:, None]
+        aside = np.cross(gamma, across)
+        n = np.cos(headings) * across + np.sin(headings) * aside
+        m = np.cos(headings) * aside - np.sin(headings) * across
+        along, beside = (slip * n).sum(axis=1), (slip * m).sum(axis=1)
+        if not self.patch:
+            return beside[:, None], along
+        latitudes = self.latitude + powers @ c[DEGREE:]
+        arm = self.patch * values["spin"]
+        bent = along * np.cos(latitudes) - arm * np.sin(latitudes)
+        forward = along * np.sin(latitudes) + arm * np.cos(latitudes)
+        return np.stack([beside, bent], axis=1), forward
 
 
 def beginning(
@@ -141,7 +137,7 @@ def beginning(
         return None
     patch = law.patch if isinstance(law, ContensouErismann) else 0.0
     latitude = math.pi / 2
-    values: dict[str, float] = {"mu": law.mu, "spin_sign": spin_sign}  # type: ignore[attr-defined]
+    values: dict[str, float] = {"mu": law.mu, "spin_sign": spin_sign}
     if patch:
         flat = float(np.linalg.norm(direction[:3]))
         latitude = math.atan2(flat, float(direction[3]))
@@ -176,36 +172,42 @@ def _collocated(trial: _Trial, time: float, state: FloatArray, duration: float) 
         outcome = integrator.advance(time, start, moments, moments[-1], _MOST_STEPS)
         return integrator, outcome.samples
 
-    def defects(c: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    def defects(c: FloatArray) -> tuple[FloatArray, FloatArray]:
         integrator, states = course(c)
         if len(states) < len(points):
-            return np.full(count, np.nan), np.full(len(points), np.nan), np.array([np.nan])
-        angles, speeds = trial.defects(integrator, states, points, c)
-        width = 2 if trial.patch else 1
-        rows = angles.reshape(len(points), width)
-        return rows[at_points].ravel(), speeds, rows[~at_points].ravel()
+            return np.full((len(points), count // DEGREE), np.nan), np.full(len(points), np.nan)
+        return trial.defects(integrator, states, points, c)
 
-    value, speeds, between = defects(coefficients)
-    for _ in range(8):
-        if not np.all(np.isfinite(value)):
+    # components of the slip are almost linear in the coefficients, its direction is not
+    across, along = defects(coefficients)
+    size = float(np.hypot(np.abs(along).max(), np.abs(across).max()))
+    weights = 1 / (size * points[at_points, None] ** 2)
+    last = math.inf
+    for _ in range(_NEWTON_STEPS):
+        value = (weights * across[at_points]).ravel()
+        columns = [
+            (weights * defects(coefficients + _STEP * e)[0][at_points]).ravel() - value
+            for e in np.eye(count)
+        ]
+        jacobian = np.array(columns).T / _STEP
+        if not (np.isfinite(jacobian).all() and np.isfinite(value).all()):
             return None
-        h = 1e-5
-        jacobian = np.array(
-            [(defects(coefficients + h * e)[0] - value) / h for e in np.eye(count)]
-        ).T
-        if not np.all(np.isfinite(jacobian)):
+        try:
+            change = np.linalg.solve(jacobian, -value)
+        except np.linalg.LinAlgError:
             return None
-        change = np.linalg.solve(jacobian, -value)
         coefficients = coefficients + change
         if np.abs(coefficients).max() > _LARGEST_TURN:
             return None
-        value, speeds, between = defects(coefficients)
-        if not np.all(np.isfinite(value)):
-            return None
-        if np.abs(value).max() < 1e-9 or np.abs(change).max() < 1e-11:
+        across, along = defects(coefficients)
+        angles = np.abs(across / along[:, None])
+        size = float(np.abs(change).max())
+        # the first points feel rounding, which ends the convergence
+        if size < 1e-10 or (size < 1e-6 and size > 0.1 * last):
             break
-    grows = bool(np.all(np.diff(np.concatenate([[0.0], speeds])) > 0))
-    if not grows or np.abs(between).max() > 1e-7 or np.abs(value).max() > 1e-6:
+        last = size
+    grows = bool(np.all(np.diff(np.concatenate([[0.0], along])) > 0))
+    if not grows or angles[~at_points].max() > 1e-7 or angles[at_points].max() > 1e-7:
         return None
     integrator, states = course(coefficients)
     return Beginning(integrator, float(duration), states[-1, :-1])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import heyoka as hy
 import numpy as np
@@ -17,7 +17,7 @@ from ..core.vectors import constant, to_components
 from ..flow.heyoka_expressions import Translator
 from ..flow.kernel import code_cache
 from ..flow.taylor import CompiledSystem, compile_system
-from .equations import equations_of_motion
+from .equations import equations_of_motion, work_symbol
 from .friction import ContensouErismann, Coulomb, FrictionLaw, Reaction, SpinFriction
 from .mobility import Mobility, mobility
 from .modes import FLIGHT, Mode
@@ -106,19 +106,42 @@ class ModeIntegrator:
     stepper: hy.taylor_adaptive
     values: FloatArray
 
-    def outputs(self, state: FloatArray) -> dict[str, FloatArray]:
-        """Observables at a state (size,), by name."""
-        function = self.code.outputs
-        columns = np.array(state[: len(self.system.symbols)], dtype=float)
-        numbers = function(columns, pars=self.values[: function.nparams])
-        result: dict[str, FloatArray] = {}
+    @cached_property
+    def _columns(self) -> dict[str, tuple[int, int]]:
+        """First column and number of components of each observable, by name."""
+        columns: dict[str, tuple[int, int]] = {}
         first = 0
         for item in self.system.observables:
             value = to_components(item.value)
             size = len(value) if isinstance(value, sp.MatrixBase) else 1
-            block = numbers[first : first + size]
-            result[item.name] = block if size > 1 else block[0]
+            columns[item.name] = (first, size)
             first += size
+        return columns
+
+    def state_of_system(self, state: FloatArray) -> FloatArray:
+        """The state with all variables of its system; those of its own at their ends, 1."""
+        more = len(self.system.symbols) - len(state)
+        return np.append(state, np.ones(max(more, 0)))
+
+    def outputs(self, states: FloatArray) -> dict[str, FloatArray]:
+        """Observables at a state (size,) or at states (n, size), by name."""
+        numbers = self._numbers(states)
+        return {
+            name: numbers[..., first : first + size] if size > 1 else numbers[..., first]
+            for name, (first, size) in self._columns.items()
+        }
+
+    def guard_values(self, state: FloatArray) -> FloatArray:
+        """What the guards watch, at a state (size,), in their order."""
+        return self._numbers(state)[-1 - len(self.system.guards) : -1]
+
+    def _numbers(self, states: FloatArray) -> FloatArray:
+        function = self.code.outputs
+        columns = np.ascontiguousarray(states.T[: len(self.system.symbols)], dtype=float)
+        values = self.values[: function.nparams]
+        if columns.ndim == 2:
+            values = np.tile(values[:, None], columns.shape[1])
+        result: FloatArray = function(columns, pars=values).T
         return result
 
     def project(self, state: FloatArray) -> FloatArray:
@@ -183,10 +206,7 @@ class ModeIntegrator:
 
     def _event_scales(self, state: FloatArray) -> list[float]:
         """Powers of two that scale large guards to one."""
-        function = self.code.outputs
-        numbers = function(np.array(state), pars=self.values[: function.nparams])
-        guards = numbers[len(numbers) - 1 - len(self.system.guards) : -1]
-        sizes = np.abs(guards[list(self.code.watched)])
+        sizes = np.abs(self.guard_values(state)[list(self.code.watched)])
         exponents = np.maximum(np.frexp(np.where(np.isfinite(sizes), sizes, 1.0))[1], 0)
         return list(np.ldexp(1.0, -exponents))
 
@@ -247,7 +267,8 @@ class CompiledContact:
         self.situation = situation
         self.tolerance = tolerance
         self._modes: dict[tuple[FrictionalContact, Mode], ModeIntegrator] = {}
-        self.size = len(self.mode(FLIGHT).system.symbols)
+        self._names = [str(name) for name in self.mode(FLIGHT).system.symbols]
+        self.size = len(self._names)
         others = tuple(law for law in situation.laws if not isinstance(law, _THRESHOLDS))
         self._neutral = equations_of_motion(replace(situation, laws=others), Mode())
         self._function = _neutral_function(self._neutral, others)
@@ -266,28 +287,45 @@ class CompiledContact:
             )
         return self._modes[situation, mode]
 
+    def work_column(self, law: str) -> int:
+        """The column of the state with the work lost to a law."""
+        return self._names.index(str(work_symbol(law)))
+
     def numbers(self, state: FloatArray) -> ContactNumbers:
         """What is known of the contact at a state."""
         padded = np.zeros(len(self._neutral.symbols))
         padded[:WORK] = state[:WORK]
         numbers = self._function(padded, pars=self._values[: self._function.nparams])
-        vectors = [numbers[3 * i : 3 * i + 3] for i in range(len(_VECTORS))]
+        vectors = dict(
+            zip(_VECTORS, numbers.reshape(-1)[: 3 * len(_VECTORS)].reshape(-1, 3), strict=True)
+        )
         rest = numbers[3 * len(_VECTORS) :]
-        spin_now, normal, turning, energy, gap = map(float, rest[:5])
-        q, couple = rest[5:8], rest[8:11]
+        spin_now, normal, turning, energy, height = map(float, rest[:5])
         rates = np.zeros(self.size)
         rates[:WORK] = rest[11 : 11 + WORK]
-        touch = mobility(self._mass, self._inertia, vectors[0], vectors[1] / _norm(vectors[1]))
+        unit = vectors[gamma] / float(np.linalg.norm(vectors[gamma]))
+        touch = mobility(self._mass, self._inertia, vectors[r], unit)
         # a couple that does not depend on the normal force belongs to the free motion
-        turn = touch.inverse_inertia @ couple
-        vectors[5] = vectors[5] + np.cross(turn, touch.r)
-        vectors[7] = vectors[7] + turn
-        turning += float(touch.gamma @ turn)
-        return ContactNumbers(*vectors, spin_now, normal, turning, energy, gap, q, rates, touch)
-
-
-def _norm(u: FloatArray) -> float:
-    return float(np.sqrt(u @ u))
+        turn = touch.inverse_inertia @ rest[8:11]
+        return ContactNumbers(
+            r=vectors[r],
+            gamma=vectors[gamma],
+            gammadot=vectors[gammadot],
+            slip=vectors[slip],
+            rolling=vectors[rolling],
+            slip_rate=vectors[slip_rate] + np.cross(turn, touch.r),
+            free_acceleration=vectors[free_acceleration],
+            free_turn=vectors[free_turn] + turn,
+            contact_velocity=vectors[contact_velocity],
+            spin=spin_now,
+            normal_rate=normal,
+            spin_rate=turning + float(touch.gamma @ turn),
+            energy=energy,
+            gap=height,
+            q=rest[5:8],
+            rates=rates,
+            mobility=touch,
+        )
 
 
 def with_values(mode: ModeIntegrator, values: Mapping[str, float]) -> ModeIntegrator:

@@ -3,10 +3,24 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 
 from ..core.arrays import FloatArray
+
+EventKind = Literal[
+    "stick",
+    "slip",
+    "direct restart",
+    "spin stop",
+    "spin start",
+    "spin reversal",
+    "lift-off",
+    "landing",
+    "impact without collision",
+    "rest",
+]
 
 
 @dataclass(frozen=True, eq=False)
@@ -17,8 +31,9 @@ class ContactEvent:
     ----------
     time : float
     kind : str
-        ``"stick"``, ``"stop"``, ``"slip"``, ``"spin stop"``, ``"spin start"``, ``"spin reversal"``,
-        ``"lift-off"``, ``"landing"``, ``"impact without collision"`` or ``"rest"``.
+        ``"stick"``: sliding ends; ``"slip"``: it begins; ``"direct restart"``: it ends and begins
+        again at once; ``"spin stop"``, ``"spin start"``, ``"spin reversal"`` likewise of the spin;
+        ``"lift-off"``, ``"landing"``, ``"impact without collision"``; ``"rest"``: all motion ends.
     mode : str
         The mode that follows.
     before, after : array (size,)
@@ -27,15 +42,25 @@ class ContactEvent:
         Of the support on the body, body axes (N s); zero but for impacts.
     couple_impulse : float
         About the normal (N m s).
+    unique : bool
+        False if the laws of friction allow another motion after it.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from chaplygin.contact.events import ContactEvent
+    >>> print(ContactEvent(0.25, "stick", "rolling", np.zeros(17), np.zeros(17)))
+    t = 0.25: stick, then rolling
     """
 
     time: float
-    kind: str
+    kind: EventKind
     mode: str
     before: FloatArray
     after: FloatArray
     impulse: FloatArray = field(default_factory=lambda: np.zeros(3))
     couple_impulse: float = 0.0
+    unique: bool = True
 
     def __str__(self) -> str:
         return f"t = {self.time:.9g}: {self.kind}, then {self.mode}"

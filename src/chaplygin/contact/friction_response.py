@@ -40,7 +40,9 @@ class FrictionResponse:
     couple: tuple[float, FloatArray]
 
 
-def response_while_spinning(mobility: Mobility, couple: float) -> FrictionResponse:
+def response_while_spinning(
+    mobility: Mobility, couple: float, resistance: FloatArray | None = None
+) -> FrictionResponse:
     """The rates with a given spin couple per unit of normal impulse.
 
     Parameters
@@ -48,21 +50,28 @@ def response_while_spinning(mobility: Mobility, couple: float) -> FrictionRespon
     mobility : Mobility
     couple : float
         −μ_s while the spin is positive, μ_s while it is negative, 0 without a law of spin friction.
+    resistance : (3,) array, optional
+        Further couple per unit of normal impulse, as of resistance to rolling; body axes.
     """
     t, A, c = mobility.tangents, mobility.A, mobility.spin_force
     gamma, zero = mobility.gamma, np.zeros(2)
     normal = A @ gamma
+    turn = mobility.inverse_inertia @ (np.zeros(3) if resistance is None else resistance)
+    given = normal + couple * c + np.cross(turn, mobility.r)
     return FrictionResponse(
-        tangential=(t @ (normal + couple * c), t @ A @ t.T),
-        spin=(float(c @ gamma + couple * mobility.spin), t @ c),
-        normal=(float(gamma @ normal + couple * (c @ gamma)), t @ normal),
+        tangential=(t @ given, t @ A @ t.T),
+        spin=(float(c @ gamma + couple * mobility.spin + gamma @ turn), t @ c),
+        normal=(float(gamma @ given), t @ normal),
         couple=(couple, zero),
     )
 
 
-def response_with_spin_at_rest(mobility: Mobility) -> FrictionResponse:
+def response_with_spin_at_rest(
+    mobility: Mobility, resistance: FloatArray | None = None
+) -> FrictionResponse:
     """The rates with the spin couple that keeps the spin at zero (a Schur complement)."""
-    free, c, sigma = response_while_spinning(mobility, 0.0), mobility.spin_force, mobility.spin
+    free = response_while_spinning(mobility, 0.0, resistance)
+    c, sigma = mobility.spin_force, mobility.spin
     constant, slope = free.spin
     lift = float(c @ mobility.gamma) / sigma
     return FrictionResponse(

@@ -11,7 +11,7 @@ with the normal force N(n) from the condition that the contact lasts.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Protocol
 
@@ -83,7 +83,11 @@ class PointSlip:
 
 
 def point_slip(
-    mobility: Mobility, acceleration: FloatArray, mu: float, couple: float = 0.0
+    mobility: Mobility,
+    acceleration: FloatArray,
+    mu: float,
+    couple: float = 0.0,
+    resistance: FloatArray | None = None,
 ) -> PointSlip:
     """Slip under Coulomb friction while the spin has a sign, or without spin friction.
 
@@ -95,14 +99,20 @@ def point_slip(
     mu : float
     couple : float
         Spin couple per normal force: −μ_s sgn Ω.
+    resistance : (3,) array, optional
+        Further couple per normal force, as of resistance to rolling; body axes.
     """
-    response = response_while_spinning(mobility, couple)
+    response = response_while_spinning(mobility, couple, resistance)
     normal = float(mobility.gamma @ acceleration)
     return PointSlip(response, mu, mobility.tangents @ acceleration, normal)
 
 
 def point_slip_with_spin_at_rest(
-    mobility: Mobility, acceleration: FloatArray, spin_acceleration: float, mu: float
+    mobility: Mobility,
+    acceleration: FloatArray,
+    spin_acceleration: float,
+    mu: float,
+    resistance: FloatArray | None = None,
 ) -> PointSlip:
     """Slip under Coulomb friction while a couple of spin friction holds the spin at zero.
 
@@ -110,14 +120,14 @@ def point_slip_with_spin_at_rest(
 
     Parameters
     ----------
-    mobility, acceleration, mu
+    mobility, acceleration, mu, resistance
         As of :func:`point_slip`.
     spin_acceleration : float
         b_Ω: acceleration of the spin without contact force.
     """
     holding = -spin_acceleration / mobility.spin
     held = acceleration + holding * mobility.spin_force
-    response = response_with_spin_at_rest(mobility)
+    response = response_with_spin_at_rest(mobility, resistance)
     return PointSlip(response, mu, mobility.tangents @ held, float(mobility.gamma @ held), holding)
 
 
@@ -137,6 +147,8 @@ class CoupledSlip:
         b, body axes: of the contact without contact force; its normal part is b_n.
     spin_acceleration : float
         b_Ω, likewise.
+    resistance : (3,) array
+        Further couple per normal force, as of resistance to rolling; body axes.
     """
 
     mobility: Mobility
@@ -146,6 +158,7 @@ class CoupledSlip:
     couple_factor: Callable[[float], float]
     acceleration: FloatArray
     spin_acceleration: float = 0.0
+    resistance: FloatArray = field(default_factory=lambda: np.zeros(3))
 
     def force(self, n: FloatArray) -> tuple[float, FloatArray, float]:
         """Normal force, friction force (2,) and couple of the slip in the direction n."""
@@ -171,11 +184,14 @@ class CoupledSlip:
 
     @cached_property
     def matrix(self) -> FloatArray:
-        """The mobility (4, 4) of tangents, normal and spin."""
+        """The mobility (4, 4) of tangents, normal (with the further couple) and spin."""
         m = self.mobility
         axes = np.vstack([m.tangents, m.gamma])
         c = axes @ m.spin_force
-        return np.block([[axes @ m.A @ axes.T, c[:, None]], [c, np.array([m.spin])]])
+        result = np.block([[axes @ m.A @ axes.T, c[:, None]], [c, np.array([m.spin])]])
+        turn = m.inverse_inertia @ self.resistance
+        result[:, 2] += np.append(axes @ np.cross(turn, m.r), m.gamma @ turn)
+        return result
 
     @cached_property
     def free(self) -> FloatArray:

@@ -178,8 +178,10 @@ class Course:
         else:
             speed = float(np.hypot(*self.slip))
             direction = self.slip / speed
-            along, _, straight = turning_rate(response, weight, self._friction, direction)
-            if not straight and not (along < 0 and speed < STOP * self._first_speed):
+            along, across, straight = turning_rate(response, weight, self._friction, direction)
+            # going straight from here misplaces the end by what the slide would turn yet
+            missed = speed * min(1.0, abs(across / along)) if along < 0 else np.inf
+            if not straight and missed >= STOP * self._first_speed:
                 return turning_slip(
                     response, weight, self._friction, self.slip, self.spin, self.normal
                 )

@@ -261,7 +261,7 @@ def rest_of_point(slip: PointSlip) -> Rest:
     holding = np.array(force)
     holds = bool(pressure > 0 and np.hypot(*holding) <= slip.mu * pressure)
     couple = slip.response.couple[0] * pressure + float(slip.response.couple[1] @ holding)
-    monotone = slip.mu * np.abs(slope).max() <= ROUNDING * constant
+    monotone = np.isinf(slip.mu) or slip.mu * np.abs(slope).max() <= ROUNDING * constant
     exits = () if holds and monotone else _exits(limit_directions(slip))
     return Rest(float(pressure), holding, float(couple) + slip.couple, holds, exits)
 

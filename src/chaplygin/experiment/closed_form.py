@@ -28,6 +28,7 @@ from ..printing.formula import text
 from ..printing.numerals import typographic_signs, unit
 from ..printing.system import displayed_formula, latex, mathml
 from .study import Study, dataset_of
+from .without_lift import single_system
 
 
 def solution_of_study(study: Study) -> Solution:
@@ -40,7 +41,7 @@ def solution_of_study(study: Study) -> Solution:
     NoClosedFormError
         If no closed form of this motion is known.
     """
-    system = study.system
+    system = single_system(study)
     solution = solution_of(Problem(system, system.defaults, study.start, study.rolling))
     # the set-up is done here, so that what it cannot do is told before anything is printed
     solution.states(np.zeros(1))
@@ -59,8 +60,8 @@ def diagram_if_known(study: Study) -> tuple[Diagram, tuple[float, float]] | None
 
     A body with two equal moments, for one, has none on a plane of two integrals.
     """
-    system = study.system
     with contextlib.suppress(InputError):
+        system = single_system(study)
         return diagram_of(Problem(system, system.defaults, study.start, study.rolling))
     return None
 

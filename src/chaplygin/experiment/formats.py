@@ -89,9 +89,11 @@ def csv_text(dataset: xr.Dataset) -> str:
 
     columns = {"time": dataset["time"].values}
     lines = [f"{name}: {value}" for name, value in dataset.attrs.items()]
-    for name, item in {"time": dataset["time"], **dataset.data_vars}.items():
+    # what has no instant of its own, as the states at events, has no place in these rows
+    sampled = {name: item for name, item in dataset.data_vars.items() if "time" in item.dims}
+    for name, item in {"time": dataset["time"], **sampled}.items():
         lines.append(f"{name}: {item.attrs['long_name']} [{item.attrs['units']}]")
-    for name, item in dataset.data_vars.items():
+    for name, item in sampled.items():
         rows = item.transpose("time", ...)
         if rows.ndim == 1:
             columns[str(name)] = rows.values

@@ -7,9 +7,9 @@ import sympy as sp
 from ..catalogue import known_laws_of
 from ..mechanics.rolling.body import Body
 from ..mechanics.rolling.equations import Forces, Rolling
-from ..mechanics.rolling.surfaces import Plane, Sphere
+from ..mechanics.rolling.surfaces import Plane, Sphere, Surface
 from ..printing.numerals import number
-from .file.models import RollingExperiment
+from .file.rolling_model import BodyOnSurface, RollingExperiment
 from .file.shape_tables import shape_name
 from .file.tables import PlaneTable
 from .mechanism import identifier
@@ -42,27 +42,52 @@ def rolling_subject(experiment: RollingExperiment) -> BodySubject:
 
 
 def _rolling(experiment: RollingExperiment) -> Rolling:
+    body, surface = body_of(experiment), experiment.surface
+    ground = Plane() if isinstance(surface, PlaneTable) else Sphere(surface.radius, surface.side)
+    return Rolling(body, ground, experiment.contact.model, forces_of(experiment))
+
+
+def body_of(experiment: BodyOnSurface) -> Body:
+    """The body of an experiment.
+
+    Raises
+    ------
+    InputError
+        If its parts do not fit together; the message names the place in the file.
+    """
     with experiment.placing_errors("body", "shape"):
         shape = experiment.body.shape.shape()
     table = experiment.body
     with experiment.placing_errors("body"):
-        body = Body(table.mass, table.inertia, shape, table.gyrostat)
-    surface = experiment.surface
-    ground = Plane() if isinstance(surface, PlaneTable) else Sphere(surface.radius, surface.side)
+        return Body(table.mass, table.inertia, shape, table.gyrostat)
+
+
+def forces_of(experiment: BodyOnSurface) -> Forces:
+    """Gravity and potential of an experiment.
+
+    Raises
+    ------
+    InputError
+        If the potential is unusable; the message names the place in the file.
+    """
     forces = experiment.field
     with experiment.placing_errors("field"):
         potential = forces.expression(forces.potential) if forces.potential else sp.S.Zero
-        field = Forces(forces.gravity, potential, forces.values)
-    return Rolling(body, ground, experiment.contact.model, field)
+        return Forces(forces.gravity, potential, forces.values)
 
 
 def _title(rolling: Rolling) -> str:
     """A name for a body that the catalogue has none for."""
-    ground = "a plane"
-    if isinstance(rolling.surface, Sphere):
-        ground = "a sphere" if rolling.surface.side == "outside" else "the inside of a sphere"
+    ground = ground_words(rolling.surface)
     manner = "" if rolling.contact == "marble" else ", rubber contact"
     return f"{shape_name(rolling.body.shape)} on {ground}{manner}"
+
+
+def ground_words(surface: Surface) -> str:
+    """A surface as a title names it."""
+    if isinstance(surface, Plane):
+        return "a plane"
+    return "a sphere" if surface.side == "outside" else "the inside of a sphere"
 
 
 def rolling_setting(rolling: Rolling) -> str:

@@ -16,17 +16,21 @@ from ..core.overview import Overview, WithOverview
 from ..core.system import System
 from ..errors import InputError
 from ..flow.cost import TooMuchError
-from ..flow.integrator import Trajectory, integrate
+from ..flow.integrator import Trajectory
 from ..flow.trajectory import require_pieces
 from ..mechanics.rolling.equations import Rolling
 from .ball_subject import ball_subject
 from .catalogue_system import body_of_catalogue, system_of_catalogue
+from .contact_dataset import contact_dataset
+from .contact_subject import contact_subject
+from .contact_trajectory import ContactTrajectory
 from .dataset import to_dataset
 from .described_system import equations_subject, mechanism_subject
 from .file.models import (
     BallExperiment,
     EquationsExperiment,
     Experiment,
+    FrictionExperiment,
     MechanismExperiment,
     RollingExperiment,
     StateExperiment,
@@ -168,30 +172,17 @@ class Study(WithOverview):
         start = self.start
         with self.experiment.placing_errors("start"):
             try:
-                trajectory = integrate(
+                return self.subject.trajectory(
                     self.system_on_level,
                     start,
                     _subdivided_times(self.times, pieces),
-                    # collocation always computes with all digits
-                    tolerance=run.tolerance if run.method == "taylor" else None,
-                    precision=run.precision,
-                    on_liftoff=run.on_liftoff,
-                    keep_integrals=run.keep_integrals,
-                    time_limit=run.time_limit,
-                    dense=dense,
-                    progress=progress,
-                    method=run.method,
+                    run,
+                    dense,
+                    progress,
                 )
             except TooMuchError as error:
                 where = self.experiment.where("run", "until")
                 raise InputError(error.message, where) from None
-        if len(trajectory.times) == 1 and trajectory.events:
-            raise InputError(
-                f"there is no motion from here: {trajectory.events[-1].guard.message}; "
-                'on_liftoff = "warn" in [run] follows it as if the surface held the body',
-                self.experiment.where("start"),
-            )
-        return trajectory
 
 
 def _subdivided_times(times: FloatArray, pieces: int) -> FloatArray:
@@ -202,14 +193,10 @@ def _subdivided_times(times: FloatArray, pieces: int) -> FloatArray:
 
 def dataset_of(study: Study, trajectory: Trajectory, complete: bool = True) -> xr.Dataset:
     """The dataset of a trajectory, together with the text of the experiment."""
-    return to_dataset(
-        trajectory,
-        {
-            "experiment": study.complete_toml(),
-            "complete": int(complete),
-        },
-        study.variables,
-    )
+    attributes = {"experiment": study.complete_toml(), "complete": int(complete)}
+    if isinstance(trajectory, ContactTrajectory):
+        return contact_dataset(trajectory, attributes)
+    return to_dataset(trajectory, attributes, study.variables)
 
 
 @arguments_checked
@@ -246,6 +233,8 @@ def _subject(experiment: Experiment) -> Subject:
     match experiment:
         case RollingExperiment():
             return rolling_subject(experiment)
+        case FrictionExperiment():
+            return contact_subject(experiment)
         case BallExperiment():
             return ball_subject(experiment)
         case SystemExperiment():

@@ -3,20 +3,23 @@
 Three kinds differ in how their start is given, in the words of a report and in its figures: a body
 with an angular velocity ω and a unit vector γ (`BodySubject`), a homogeneous ball on a surface
 (`BallSubject`), and any other system, whose start gives its state by name (`Subject`), among them
-those that a user's file describes (`DescribedSubject`).
+those that a user's file describes (`DescribedSubject`).  A body with friction, whose equations
+change at events, is a `ContactSubject` of its own module.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import ClassVar, TypeAlias
 
 import mpmath
 
+from ..core.arrays import FloatArray
 from ..core.system import Observable, System
 from ..core.vectors import real_symbol
 from ..errors import InputError
+from ..flow.integrator import Trajectory, integrate
 from ..mechanics.ball.ball import RollingBall
 from ..mechanics.ball.initial_state import ball_state
 from ..mechanics.constraints.integrability import nonholonomy
@@ -26,6 +29,7 @@ from ..mechanics.rolling.equations import Rolling
 from ..mechanics.rolling.gauss_map import centre_outside
 from ..mechanics.rolling.initial_state import initial_state
 from ..printing.formula import text
+from .file.tables import CommonRunTable
 from .glossary import glossary
 from .initial_state import StartValues, initial_state_from_values, unit_vectors
 
@@ -73,6 +77,9 @@ class Subject:
     starts_by_velocity: ClassVar[bool] = False
     """Whether the start gives ω and γ, from which the state follows."""
 
+    changes_equations: ClassVar[bool] = False
+    """Whether its equations change at events, as those of a contact with friction do."""
+
     has_own_reconstruction: ClassVar[bool] = False
     """Whether the equations of the motion in space are particular to this system."""
 
@@ -110,6 +117,58 @@ class Subject:
             If the start is not admissible.
         """
         return initial_state_from_values(self.system, self.start_values)
+
+    def trajectory(
+        self,
+        system: System,
+        start: Sequence[mpmath.mpf],
+        times: FloatArray,
+        run: CommonRunTable,
+        dense: bool,
+        progress: Callable[[float], None] | None,
+    ) -> Trajectory:
+        """The motion from a start.
+
+        Parameters
+        ----------
+        system : System
+            This system with the laws that hold at the start.
+        start : sequence of mpf
+        times : array (n,)
+        run : CommonRunTable
+            How it is computed.
+        dense : bool
+            Keep the continuous trajectory.
+        progress : callable or None
+            Called with the fraction done.
+
+        Raises
+        ------
+        InputError
+            If the body would leave the surface at the start.
+        RunError
+            If the integration fails; it carries the trajectory so far.
+        """
+        trajectory = integrate(
+            system,
+            start,
+            times,
+            # collocation always computes with all digits
+            tolerance=run.tolerance if run.method == "taylor" else None,
+            precision=run.precision,
+            on_liftoff="warn" if run.on_liftoff == "warn" else "stop",
+            keep_integrals=run.keep_integrals,
+            time_limit=run.time_limit,
+            dense=dense,
+            progress=progress,
+            method=run.method,
+        )
+        if len(trajectory.times) == 1 and trajectory.events:
+            raise InputError(
+                f"there is no motion from here: {trajectory.events[-1].guard.message}; "
+                'on_liftoff = "warn" in [run] follows it as if the surface held the body'
+            )
+        return trajectory
 
     @property
     def legend(self) -> str:

@@ -1,16 +1,40 @@
-"""The system of a study without its motion in space."""
+"""The one system of equations of a study, with or without its motion in space."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
 from ..core.system import System
+from ..errors import InputError
 from .study import Study
 
 
+def single_system(study: Study) -> System:
+    """The system whose equations hold along the whole motion.
+
+    Raises
+    ------
+    InputError
+        If the equations change at events, as those of a contact with friction do.
+    """
+    if study.subject.changes_equations:
+        raise InputError(
+            "with friction the equations of motion change at events, and so far only show, run and "
+            "study follow such a motion",
+            study.experiment.where("contact", "model"),
+        )
+    return study.system
+
+
 def without_reconstruction(study: Study) -> System:
-    """The system without its lift, and without lift-off guards if they only warn."""
-    guards = study.system.guards
+    """The system without its lift, and without lift-off guards if they only warn.
+
+    Raises
+    ------
+    InputError
+        If the equations change at events.
+    """
+    guards = single_system(study).guards
     if study.experiment.run.on_liftoff == "warn":
         guards = tuple(guard for guard in guards if not guard.lift_off)
     return replace(study.system, reconstruction=None, guards=guards)

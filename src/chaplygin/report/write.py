@@ -98,6 +98,8 @@ def write_study(
 
 def _trajectory(study: Study, path: Path, pieces: int, report: Report) -> Trajectory:
     """The trajectory of the interrupted study, or else the motion integrated."""
+    if study.subject.changes_equations:
+        return study.trajectory(report, pieces)
     key = trajectory_digest(study, pieces)
     stored = read_trajectory(path, key, study)
     if stored is not None:

@@ -1,13 +1,14 @@
 """The experiment file, from which the command line and Python start.
 
-A TOML file describes a body that rolls on a plane or a sphere (`RollingExperiment`), a homogeneous
-ball that rolls on any other surface (`BallExperiment`), a system of the catalogue, or a system of
+A TOML file describes a body that rolls on a plane or a sphere (`RollingExperiment`) or touches one
+with friction (`FrictionExperiment`), a homogeneous ball that rolls on any other surface
+(`BallExperiment`), a system of the catalogue, or a system of
 the user's own, by its Lagrangian (`MechanismExperiment`) or by its equations
 (`EquationsExperiment`); further a start and the computation of the motion. Most systems of the
 catalogue are bodies whose start is given by ω and γ (`SystemExperiment`); for any other system the
 start gives the state by the names of its variables (`StateExperiment`). Keys, their meaning, units
-and frames are described in the modules `tables`, `shape_tables`, `ball_tables` and
-`mechanism_tables`.
+and frames are described in the modules `tables`, `shape_tables`, `contact_tables`,
+`ball_tables` and `mechanism_tables`.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from ...parsing import nearest
 from .ball_model import BallExperiment, is_ball_experiment
 from .catalogue_models import CatalogueExperiment, StateExperiment, SystemExperiment
 from .described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
-from .rolling_model import RollingExperiment
+from .rolling_model import FrictionExperiment, RollingExperiment
 from .source import Source
 from .table import Table
 from .toml import Key, Tables
@@ -37,6 +38,7 @@ __all__ = [
     "CatalogueExperiment",
     "EquationsExperiment",
     "Experiment",
+    "FrictionExperiment",
     "MechanismExperiment",
     "OwnExperiment",
     "RollingExperiment",
@@ -54,6 +56,7 @@ DESCRIBED = ("lagrangian", "equations")
 
 Experiment = (
     RollingExperiment
+    | FrictionExperiment
     | BallExperiment
     | SystemExperiment
     | StateExperiment
@@ -268,6 +271,9 @@ def _own_model(tables: Tables) -> type[Experiment]:
         return EquationsExperiment
     if "body" not in tables and tables.keys() & {"frame", "lagrangian", "constraints"}:
         return MechanismExperiment
+    contact = tables.get("contact")
+    if isinstance(contact, dict) and contact.get("model") == "friction":
+        return FrictionExperiment
     return BallExperiment if is_ball_experiment(tables) else RollingExperiment
 
 

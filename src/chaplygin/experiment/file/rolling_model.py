@@ -1,10 +1,20 @@
-"""The experiment in which a body rolls on a plane or a sphere."""
+"""The experiments with a body on a plane or a sphere: it rolls, or slides with friction."""
 
 from __future__ import annotations
+
+from typing import TypeVar
 
 from pydantic import Field, ValidationInfo, field_validator
 
 from .base import ExperimentBase
+from .contact_tables import (
+    WAYS,
+    FrictionPlaneTable,
+    FrictionRunTable,
+    FrictionStartTable,
+    FrictionSurfaceTable,
+    FrictionTable,
+)
 from .shape_tables import BallTable, ShapeTable
 from .tables import (
     BodyTable,
@@ -17,34 +27,28 @@ from .tables import (
     SurfaceTable,
 )
 
+AnyStart = TypeVar("AnyStart", StartTable, FrictionStartTable)
+
 #: The description that a file needs.
 BODY = "a table [body], or [system], [lagrangian] or [equations] instead of it"
 
 
-class RollingExperiment(ExperimentBase):
-    """A body rolls on a surface.
-
-    Raises
-    ------
-    pydantic.ValidationError
-        (A ValueError.) If it is made in Python of parts that do not fit; `load` raises InputError.
-    """
+class BodyOnSurface(ExperimentBase):
+    """The part that all bodies on a plane or a sphere have in common."""
 
     body: BodyTable = Field(description=BODY)
     surface: SurfaceTable = Field(
         default=PlaneTable(), discriminator="kind", description="a table", validate_default=True
     )
-    contact: ContactTable = Field(default=ContactTable(), description="a table")
+    contact: ContactTable | FrictionTable
     field: FieldTable = Field(default=FieldTable(), description="a table")
-    start: StartTable = Field(description="a table [start] with gamma and omega")
-    run: RunTable = Field(default=RunTable(), description="a table")
 
-    @field_validator("surface", mode="before")
+    @field_validator("surface", mode="before", check_fields=False)
     @classmethod
     def _plane_by_default(cls, surface: object) -> object:
         return {"kind": "plane"} if surface == {} else surface
 
-    @field_validator("surface")
+    @field_validator("surface", check_fields=False)
     @classmethod
     def _body_fits(cls, surface: SurfaceTable, info: ValidationInfo) -> SurfaceTable:
         body = info.data.get("body")
@@ -64,12 +68,56 @@ class RollingExperiment(ExperimentBase):
             )
         return field
 
-    @field_validator("start")
+    @field_validator("start", check_fields=False)
     @classmethod
-    def _normal_of_surface(cls, start: StartTable, info: ValidationInfo) -> StartTable:
-        if isinstance(info.data.get("surface"), PlaneTable) and start.normal != (0.0, 0.0, 1.0):
+    def _normal_of_surface(cls, start: AnyStart, info: ValidationInfo) -> AnyStart:
+        on_plane = isinstance(info.data.get("surface"), PlaneTable)
+        if on_plane and start.normal not in (None, (0.0, 0.0, 1.0)):
             raise ValueError("normal is for a sphere alone; on a plane it is always [0, 0, 1]")
         return start
+
+
+class RollingExperiment(BodyOnSurface):
+    """A body rolls on a surface.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        (A ValueError.) If it is made in Python of parts that do not fit; `load` raises InputError.
+    """
+
+    contact: ContactTable = Field(default=ContactTable(), description="a table")
+    start: StartTable = Field(description="a table [start] with gamma and omega")
+    run: RunTable = Field(default=RunTable(), description="a table")
+
+
+class FrictionExperiment(BodyOnSurface):
+    """A body on a support that it touches with friction, and may leave.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        (A ValueError.) If it is made in Python of parts that do not fit; `load` raises InputError.
+    """
+
+    surface: FrictionSurfaceTable = Field(
+        default=FrictionPlaneTable(),
+        discriminator="kind",
+        description="a table",
+        validate_default=True,
+    )
+    contact: FrictionTable = Field(description="a table [contact] with the laws of friction")
+    start: FrictionStartTable = Field(description=f"a table [start]; {WAYS}")
+    run: FrictionRunTable = Field(default=FrictionRunTable(), description="a table")
+
+    @field_validator("field")
+    @classmethod
+    def _potential_on_plane(cls, field: FieldTable, info: ValidationInfo) -> FieldTable:
+        if field.potential and isinstance(info.data.get("surface"), SphereTable):
+            raise ValueError(
+                "a potential U(gamma) with friction is for a plane alone; leave it out"
+            )
+        return field
 
 
 def _misfit(shape: ShapeTable, surface: SurfaceTable) -> str | None:

@@ -9,7 +9,15 @@ from __future__ import annotations
 from typing import Annotated, ClassVar, Literal
 
 import numpy as np
-from pydantic import Field, PlainValidator, StrictBool, StrictInt, ValidationInfo, field_validator
+from pydantic import (
+    Field,
+    PlainValidator,
+    StrictBool,
+    StrictInt,
+    ValidationInfo,
+    field_validator,
+    model_validator,
+)
 
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
@@ -59,13 +67,27 @@ class BodyTable(Table):
         return inertia
 
 
-class PlaneTable(Table):
+class _SupportTable(Table):
+    """A surface at rest."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _at_rest(cls, table: object) -> object:
+        if isinstance(table, dict) and "turntable" in table.keys() - cls.model_fields.keys():
+            raise ValueError(
+                "turntable is for a contact with friction; a body rolls without slipping on a "
+                'surface at rest alone (contact.model = "friction" has both)'
+            )
+        return table
+
+
+class PlaneTable(_SupportTable):
     """The horizontal plane z = 0 of space."""
 
     kind: Literal["plane"] = "plane"
 
 
-class SphereTable(Table):
+class SphereTable(_SupportTable):
     """A sphere about the origin of space, with the body outside or inside."""
 
     kind: Literal["sphere"] = "sphere"
@@ -77,10 +99,40 @@ class SphereTable(Table):
 SurfaceTable = PlaneTable | SphereTable
 
 
+#: Keys of [contact] that only a contact with friction has.
+FRICTION_KEYS = (
+    "mu",
+    "spin_arm",
+    "patch",
+    "viscous",
+    "spin_viscous",
+    "slip",
+    "rolling",
+    "rolling_viscous",
+    "contour",
+    "restitution",
+    "impact_law",
+    "on_paradox",
+)
+
+
 class ContactTable(Table):
     """The contact: ``marble`` does not slip, ``rubber`` does not spin either."""
 
-    model: Literal["marble", "rubber"] = Field(default="marble", description='"marble" or "rubber"')
+    model: Literal["marble", "rubber"] = Field(
+        default="marble", description='"marble", "rubber" or "friction"'
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _without_friction(cls, table: object) -> object:
+        keys = [key for key in table if key in FRICTION_KEYS] if isinstance(table, dict) else []
+        if keys:
+            raise ValueError(
+                f'{keys[0]} is for a contact with friction: write model = "friction" with it, or '
+                "leave it out"
+            )
+        return table
 
 
 class FieldTable(FormulaTable):
@@ -154,7 +206,7 @@ StateTable = dict[str, Annotated[float | tuple[float, ...], PlainValidator(_stat
 """The start of a system that is not given by ω and γ: variables of its state by name."""
 
 
-class _RunTable(Table):
+class CommonRunTable(Table):
     """The keys of all computations of a motion."""
 
     until: float | None
@@ -177,7 +229,7 @@ class _RunTable(Table):
         default="forward", description='"forward" or "backward"'
     )
     """Of time."""
-    on_liftoff: Literal["stop", "warn"] = Field(default="stop", description='"stop" or "warn"')
+    on_liftoff: Literal["fly", "stop", "warn"]
     """The reaction when the normal force falls to zero."""
     keep_integrals: StrictBool = Field(default=False, description="true or false")
     """Whether the solution is projected on its integrals, and not on the constraints alone."""
@@ -210,13 +262,29 @@ class _RunTable(Table):
         return limit
 
 
-class RunTable(_RunTable):
+class _RollingRunTable(CommonRunTable):
+    """The run of a body that its constraints hold on the surface."""
+
+    on_liftoff: Literal["stop", "warn"] = Field(default="stop", description='"stop" or "warn"')
+
+    @field_validator("on_liftoff", mode="before")
+    @classmethod
+    def _no_flight(cls, word: object) -> object:
+        if word == "fly":
+            raise ValueError(
+                'must be "stop" or "warn"; a body that rolls by a constraint cannot leave the '
+                'surface ("fly" needs contact.model = "friction")'
+            )
+        return word
+
+
+class RunTable(_RollingRunTable):
     """The computation of the motion of a rolling body."""
 
     until: Positive = Field(default=10.0, description="a positive finite time")
 
 
-class SystemRunTable(_RunTable):
+class SystemRunTable(_RollingRunTable):
     """The computation of the motion of a system of the catalogue."""
 
     until: Positive | None = Field(default=None, description="a positive finite time")

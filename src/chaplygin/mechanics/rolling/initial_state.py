@@ -89,7 +89,7 @@ def initial_state(
         known |= dict(zip(_OMEGA, spin, strict=True)) | dict(zip(_GAMMA, up, strict=True))
         if r in system.state:
             known |= dict(zip(r.symbols, _contact_point(system, up, known), strict=True))
-        turn = _attitude(up, _direction(normal, "normal"), _number(heading))
+        turn = attitude_of_normal(up, _direction(normal, "normal"), _number(heading))
         lifted = system.lifted() if system.reconstruction else system
         try:
             _check_domain(system, known)
@@ -163,7 +163,7 @@ def _check_domain(system: System, known: Mapping[sp.Symbol, mpmath.mpf]) -> None
             raise InputError(f"gamma: this start is outside the domain; {guard.message}")
 
 
-def _attitude(
+def attitude_of_normal(
     up: list[mpmath.mpf], normal: list[mpmath.mpf], heading: mpmath.mpf
 ) -> list[mpmath.mpf]:
     """The quaternion from `up` (body) to `normal` (space), turned by `heading`."""

@@ -1,0 +1,187 @@
+"""Motions of a body with friction, through all changes of its contact."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from itertools import groupby
+
+import numpy as np
+import numpy.typing as npt
+
+from ..arguments import arguments_checked
+from ..core.arrays import FloatArray
+from ..errors import InputError
+from .compiled import WORK, CompiledContact
+from .course import Course, Piece
+from .events import ContactEvent
+from .modes import MODE_NAMES
+from .rules import Rules
+from .situation import FrictionalContact
+
+#: The body may lie so deep in the support at the start, relative to its size: rounding of decimals.
+DEEPEST = 1e-9
+
+
+@dataclass(frozen=True)
+class Interval:
+    """A time in which the contact does not change.
+
+    Attributes
+    ----------
+    mode : str
+        One of ``MODE_NAMES``.
+    begin, end : float
+        In s.
+    """
+
+    mode: str
+    begin: float
+    end: float
+
+
+@dataclass(frozen=True, eq=False)
+class ContactMotion:
+    """A motion with friction.
+
+    Attributes
+    ----------
+    times : array (n,)
+        The sample times that it reached and, if it ended before the last of them, its end.
+    states : array (n, size)
+        Attitude (quaternion), centre of mass (space axes), its velocity, ω, γ (body axes), works.
+    modes : int array (n,)
+        Mode at each sample, by its place in ``MODE_NAMES``.
+    events : tuple of ContactEvent
+    intervals : tuple of Interval
+        The times between changes of the mode.
+    end_time : float
+    end_state : array (size,)
+    reason : str
+        Why it ended before the last sample time; empty if it did not.
+    steps : int
+        Steps of integration.
+    """
+
+    times: FloatArray
+    states: FloatArray
+    modes: npt.NDArray[np.int8]
+    events: tuple[ContactEvent, ...]
+    intervals: tuple[Interval, ...]
+    end_time: float
+    end_state: FloatArray
+    reason: str
+    steps: int
+    _pieces: tuple[Piece, ...] = field(repr=False)
+
+    def observables(self) -> dict[str, FloatArray]:
+        """Recorded quantities at the samples, (n,) or (n, 3), each in its own mode; by name."""
+        blocks = [p.integrator.outputs(p.states) for p in self._pieces if len(p.times)]
+        return {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
+
+
+@arguments_checked
+def contact_motion(
+    contact: FrictionalContact | CompiledContact,
+    state: Sequence[float] | FloatArray,
+    times: Sequence[float] | FloatArray,
+    rules: Rules = Rules(),  # noqa: B008  (immutable)
+    *,
+    tolerance: float = 1e-16,
+    progress: Callable[[float], None] | None = None,
+) -> ContactMotion:
+    """The motion of a body with friction, through all changes of its contact.
+
+    Parameters
+    ----------
+    contact : FrictionalContact or CompiledContact
+        The latter saves the preparation of several motions of one body.
+    state : array (16,) or (size,)
+        At the first time, as from `start_in_contact` or `start_in_space`; without works, those are
+        zero.
+    times : array (n,)
+        Sample times, increasing.
+    rules : Rules
+        What happens at lift-off and landing.
+    tolerance : float
+        Relative error of each step.
+    progress : callable, optional
+        Called with the fraction done.
+
+    Returns
+    -------
+    ContactMotion
+
+    Raises
+    ------
+    InputError
+        If the times do not increase, or the body lies in its support.
+
+    Examples
+    --------
+    A billiard ball slides for 2|u|/(7μg) and then rolls with 5/7 of its velocity.
+
+    >>> import numpy as np
+    >>> import chaplygin as ch
+    >>> from chaplygin.contact import Coulomb, FrictionalContact, contact_motion
+    >>> ball = ch.Body(0.2, (2e-4, 2e-4, 2e-4), ch.Ball(0.05))
+    >>> table = FrictionalContact(ball, laws=(Coulomb(0.2),), field=ch.Forces(gravity=9.81))
+    >>> start = [1, 0, 0, 0, 0, 0, 0.05, 1.4, 0, 0, 0, 0, 0, 0, 0, 1]
+    >>> motion = contact_motion(table, start, [0.0, 1.0])
+    >>> print(motion.events[0])
+    t = 0.203873598: stick, then rolling
+    >>> round(float(motion.observables()["velocity"][-1, 0]), 12)
+    1.0
+    """
+    moments = np.asarray(times, dtype=float)
+    increasing = moments.ndim == 1 and len(moments) and np.all(np.diff(moments) > 0)
+    if not increasing or not np.isfinite(moments).all():
+        raise InputError("times: they must be finite numbers that increase")
+    compiled = contact
+    if not isinstance(compiled, CompiledContact):
+        compiled = CompiledContact(compiled, tolerance)
+    course = Course(compiled, _start(compiled, state), moments, rules)
+    span = float(moments[-1] - moments[0]) or 1.0
+    course.run(progress and (lambda time: progress((time - float(moments[0])) / span)))
+    pieces = tuple(course.pieces)
+    samples = [p.states[:, : compiled.size] for p in pieces]
+    modes = [np.full(len(p.times), MODE_NAMES.index(p.mode.name), np.int8) for p in pieces]
+    return ContactMotion(
+        times=np.concatenate([p.times for p in pieces]),
+        states=np.concatenate(samples),
+        modes=np.concatenate(modes),
+        events=tuple(course.events),
+        intervals=_intervals(pieces),
+        end_time=course.time,
+        end_state=course.state,
+        reason=course.reason,
+        steps=course.steps,
+        _pieces=pieces,
+    )
+
+
+def _start(contact: CompiledContact, state: Sequence[float] | FloatArray) -> FloatArray:
+    """The state with all its works, in or above contact."""
+    start = np.array(state, dtype=float)
+    if start.shape not in ((WORK,), (contact.size,)):
+        raise InputError(
+            f"state: {start.shape} numbers; a state has {WORK}, or {contact.size} "
+            "with the works lost"
+        )
+    if not np.isfinite(start).all():
+        raise InputError("state: all its numbers must be finite")
+    if len(start) == WORK:
+        start = np.append(start, np.zeros(contact.size - WORK))
+    known = contact.numbers(start)
+    if known.gap < -DEEPEST * float(np.linalg.norm(known.r)):
+        raise InputError(
+            f"position: the body lies {-known.gap:.6g} m inside the support; raise it at least so "
+            "much"
+        )
+    return start
+
+
+def _intervals(pieces: tuple[Piece, ...]) -> tuple[Interval, ...]:
+    """The times between changes of the mode; pieces of one mode that follow each other are one."""
+    groups = [list(group) for _, group in groupby(pieces, key=lambda p: p.mode.name)]
+    return tuple(Interval(g[0].mode.name, g[0].begin, g[-1].end) for g in groups)

@@ -1,0 +1,259 @@
+"""The body with friction that an experiment file describes."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import ClassVar
+
+import mpmath
+import numpy as np
+
+from ..contact.compiled import OMEGA, VELOCITY, CompiledContact
+from ..contact.equations import equations_of_motion
+from ..contact.friction import (
+    ContensouErismann,
+    ContourResistance,
+    Coulomb,
+    FrictionLaw,
+    NormalViscous,
+    RollingResistance,
+    SpinFriction,
+    Viscous,
+    ViscousRolling,
+)
+from ..contact.modes import Mode
+from ..contact.rules import Rules
+from ..contact.situation import FrictionalContact
+from ..contact.starts import SLACK, clearance, start_in_contact, start_in_space
+from ..core.arrays import FloatArray
+from ..core.system import System
+from ..errors import InputError
+from ..mechanics.rolling.gauss_map import centre_outside
+from ..mechanics.rolling.surfaces import Plane, Sphere
+from ..printing.numerals import number
+from .contact_trajectory import ContactTrajectory, contact_trajectory
+from .file.contact_tables import FrictionTable
+from .file.rolling_model import FrictionExperiment
+from .file.shape_tables import shape_name
+from .file.tables import CommonRunTable
+from .mechanism import identifier
+from .rolling import body_of, forces_of, ground_words
+from .subject import Subject
+
+_LEGEND = (
+    "In body axes: v velocity of the centre of mass, ω angular velocity, γ outward normal of the "
+    "support, r from the centre of mass to the contact point, slip velocity of the contact point "
+    "over the support, spin angular velocity about γ, N normal force, friction tangential force "
+    "and couple couple of the support; position is that of the centre of mass in space."
+)
+
+_ONE_MODE = (
+    "These are the equations of one mode of the contact, {mode}. They change where friction holds "
+    "the contact or lets it go, and where the body leaves its support or lands; a run follows the "
+    "motion through these events."
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ContactSubject(Subject):
+    """A body on a support that it touches with friction, and may leave.
+
+    Attributes
+    ----------
+    contact : FrictionalContact
+        Body, support, laws of friction and forces.
+    rules : Rules
+        What happens where the body leaves its support, lands, or has no motion in contact.
+    """
+
+    contact: FrictionalContact
+    rules: Rules
+
+    changes_equations: ClassVar[bool] = True
+
+    @property
+    def summary(self) -> str:
+        """Empty, as the setting says what moves."""
+        return ""
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What is unusual about the body and its start."""
+        outside = "body.shape.centre puts the centre of mass outside the body"
+        remarks = (outside,) if centre_outside(self.contact.body.shape) else ()
+        with contextlib.suppress(InputError):
+            return (*remarks, *self._remarks_on_start())
+        return remarks
+
+    def _remarks_on_start(self) -> tuple[str, ...]:
+        if "position" not in self.start_values:
+            return ()
+        known = clearance(
+            self.contact, self.start_vector("position"), self.start_vector("attitude")
+        )
+        if known.gap > SLACK * float(np.linalg.norm(known.r)):
+            return ()
+        state = self._state()
+        speed = -float(known.gamma @ (state[VELOCITY] + np.cross(state[OMEGA], known.r)))
+        if speed <= 0:
+            return ()
+        return (
+            f"the body touches its support at the start and moves into it with {speed:.6g} m/s; "
+            "the motion begins with an impact",
+        )
+
+    @property
+    def directions(self) -> set[str]:
+        """γ and the attitude."""
+        return {"gamma", "attitude"}
+
+    def initial_state(self) -> tuple[mpmath.mpf, ...]:
+        """The state that follows from the start, in contact or above the support."""
+        return tuple(map(mpmath.mpf, self._state().tolist()))
+
+    def _state(self) -> FloatArray:
+        start = dict(self.start_values)
+        if "position" in start:
+            return start_in_space(self.contact, **start)  # type: ignore[arg-type]
+        return start_in_contact(self.contact, **start)  # type: ignore[arg-type]
+
+    @property
+    def legend(self) -> str:
+        """The meaning of the letters of its equations."""
+        return _LEGEND
+
+    @property
+    def derivation_notes(self) -> tuple[str, ...]:
+        """Which equations are shown."""
+        return (_ONE_MODE.format(mode=shown_mode(self.contact).name),)
+
+    @property
+    def weight(self) -> float | None:
+        """m g under gravity."""
+        return self.contact.body.mass * self.contact.field.gravity or None
+
+    @property
+    def gamma_is_normal(self) -> bool:
+        """Always: γ is the normal of the support."""
+        return True
+
+    @property
+    def state_names(self) -> list[str]:
+        """Centre of mass, its velocity, ω and γ."""
+        return ["centre", "velocity", "omega", "gamma"]
+
+    @property
+    def recorded_names(self) -> list[str]:
+        """Slip, spin, forces and energy."""
+        return ["slip", "spin", "normal_force", "friction_force", "gap", "energy"]
+
+    def trajectory(
+        self,
+        system: System,
+        start: Sequence[mpmath.mpf],
+        times: FloatArray,
+        run: CommonRunTable,
+        dense: bool,
+        progress: Callable[[float], None] | None,
+    ) -> ContactTrajectory:
+        """The motion through all its events.
+
+        Raises
+        ------
+        InputError
+            If there is no motion from the start, or a continuous trajectory is asked for.
+        RunError
+            If the motion ends early, but for the lift-off at which it was to stop; it carries the
+            trajectory so far.
+        """
+        if dense:
+            raise InputError("dense: a motion with friction is in pieces; ask for more samples")
+        compiled = CompiledContact(self.contact, run.tolerance)
+        state = np.array([float(x) for x in start])
+        return contact_trajectory(compiled, system, state, times, self.rules, progress)
+
+
+def shown_mode(contact: FrictionalContact) -> Mode:
+    """The mode whose equations stand for all: sliding, or rolling where nothing slips."""
+    if contact.never_slips:
+        return Mode(sliding=False)
+    coupled = contact.law(ContensouErismann) is not None
+    return Mode(range="outer" if coupled else "")
+
+
+def contact_subject(experiment: FrictionExperiment) -> ContactSubject:
+    """The body with friction of an experiment.
+
+    Raises
+    ------
+    InputError
+        If its parts do not fit together; the message names the place in the file.
+    """
+    body = body_of(experiment)
+    table = experiment.surface
+    surface = (
+        Plane(table.turntable)
+        if table.kind == "plane"
+        else Sphere(table.radius, table.side, table.turntable)
+    )
+    field = forces_of(experiment)
+    with experiment.placing_errors("contact"):
+        contact = FrictionalContact(body, surface, _laws(experiment.contact), field)
+        rules = Rules(
+            experiment.contact.restitution,
+            experiment.contact.impact_law,
+            experiment.run.on_liftoff,
+            experiment.contact.on_paradox,
+        )
+    ground = ground_words(surface)
+    title = experiment.title or f"{shape_name(body.shape)} on {ground}, with friction"
+    with experiment.placing_errors("body"):
+        system = equations_of_motion(contact, shown_mode(contact))
+    return ContactSubject(
+        system=replace(system, name=identifier(title), title=title),
+        start_values=experiment.start.model_dump(exclude_none=True),
+        until=experiment.run.until,
+        setting=_setting(contact),
+        contact=contact,
+        rules=rules,
+    )
+
+
+def _laws(table: FrictionTable) -> tuple[FrictionLaw, ...]:
+    """The laws of a table; coefficients of zero make none."""
+    laws: list[FrictionLaw] = []
+    if table.patch is not None and table.mu is not None:
+        laws.append(ContensouErismann(table.mu, table.patch))
+    elif table.mu:
+        laws.append(Coulomb(table.mu))
+    if table.spin_arm:
+        laws.append(SpinFriction(table.spin_arm))
+    if table.viscous or table.spin_viscous:
+        laws.append(Viscous(table.viscous or 0.0, table.spin_viscous or 0.0))
+    if table.slip:
+        laws.append(NormalViscous(table.slip))
+    if table.rolling:
+        laws.append(RollingResistance(table.rolling))
+    if table.rolling_viscous:
+        laws.append(ViscousRolling(table.rolling_viscous))
+    if table.contour:
+        laws.append(ContourResistance(table.contour))
+    return tuple(laws)
+
+
+def _setting(contact: FrictionalContact) -> str:
+    """The body, its support, the laws of friction and the forces in one line."""
+    surface, field = contact.surface, contact.field
+    ground = "a horizontal plane"
+    if isinstance(surface, Sphere):
+        ground = f"a sphere of radius {surface.radius:g}, {surface.side}"
+    if surface.turntable:
+        ground += f", which turns with {number(surface.turntable, 6)} rad/s"
+    force = f"gravity {number(field.gravity, 6)} m/s²" if field.gravity else "no gravity"
+    if field.potential != 0:
+        force += ", a potential U(γ)"
+    if any(contact.body.gyrostat):
+        force += "; with rotors"
+    return f"{shape_name(contact.body.shape)} on {ground}; {contact.setting}; {force}"
