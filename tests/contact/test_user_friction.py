@@ -13,7 +13,8 @@ from chaplygin.contact.equations import equations_of_motion
 from chaplygin.contact.friction import Coulomb, NormalViscous, SpinFriction, UserFriction
 from chaplygin.contact.modes import Mode
 from chaplygin.contact.situation import FrictionalContact
-from chaplygin.core.vectors import real_symbol
+from chaplygin.contact.symbols import gamma, spin
+from chaplygin.core.vectors import real_symbol, to_components
 from chaplygin.errors import InputError
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.rolling.body import Body
@@ -117,6 +118,17 @@ def test_couple_that_holds_the_spin():
         found = law_values(law, Mode(spinning=False), at, 2.0, holding_couple=couple)
         assert np.sign(found.guards["spin start"]) == sign
         assert not found.q.any()
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.4, -0.4])
+def test_couple_at_rest_besides_its_threshold(turn):
+    law = UserFriction("0.3", couple="b + spin**2 + spin*slip_speed", values={"b": 0.02})
+    q = to_components(law.reaction_at_rest.q)
+    given = {spin: turn} | dict(zip(gamma.symbols, (0.6, 0.0, 0.8), strict=True))
+    found = [float(x.xreplace(given)) for x in q]
+    np.testing.assert_allclose(found, -turn * abs(turn) * np.array([0.6, 0, 0.8]), atol=1e-17)
+    for other in (Coulomb(0.3), SpinFriction(0.1), UserFriction("0.2"), UserFriction("0.3", "0.1")):
+        assert not to_components(other.reaction_at_rest.q).as_explicit().free_symbols
 
 
 def test_a_polynomial_force_is_defined_at_rest():

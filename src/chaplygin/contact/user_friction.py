@@ -214,6 +214,14 @@ class UserFriction(FrictionLaw):
             return -per_spin.xreplace({slip_speed: speed}) * spin * gamma
         return -self._at(self.couple, speed, mode) * spin_sign * gamma
 
+    @property
+    def reaction_at_rest(self) -> Reaction:
+        """The couple without slip, less what holds the spin; by numbers instead of parameters."""
+        couple = (self.couple - sp.Float(self.spin_arm)).xreplace(self._numbers)
+        size = sp.Abs(spin) + sp.Float(1e-300)
+        per_spin = sp.expand(couple.xreplace({slip_speed: sp.S.Zero}) / spin)
+        return Reaction(q=-per_spin.xreplace({spin: size}) * spin * gamma)
+
     def _at(self, formula: sp.Expr, speed: sp.Expr, mode: Mode) -> sp.Expr:
         turn = spin_sign * spin if mode.spinning else sp.S.Zero
         if mode.spinning and formula.xreplace({spin: -spin}) == formula:
