@@ -9,9 +9,11 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from chaplygin.contact.compiled import CompiledContact
 from chaplygin.contact.equations import equations_of_motion
 from chaplygin.contact.friction import Coulomb, NormalViscous, SpinFriction, UserFriction
 from chaplygin.contact.modes import Mode
+from chaplygin.contact.motion import contact_motion
 from chaplygin.contact.situation import FrictionalContact
 from chaplygin.contact.symbols import gamma, spin
 from chaplygin.core.vectors import real_symbol, to_components
@@ -258,3 +260,58 @@ def test_the_integrator_of_the_package_follows_stribeck():
     slip = np.linalg.norm(last[7:10] + np.cross(last[10:13], -0.9 * last[13:16]))
     exact = 0.1 * math.log((math.exp(first / 0.1) + 0.3) * math.exp(-rate * end) - 0.3)
     assert slip == pytest.approx(exact, rel=1e-13)
+
+
+# ---------------------------------------------------------------------------------------------
+# Through stops and starts
+
+#: A loaded ball that stops, rolls and slides again.
+ROCKING = Body(1.0, (0.3, 0.3, 0.3), Ball(0.5, centre=(0.2, 0.0, 0.1)))
+
+
+def motion_of(law, body, first, end):
+    """A motion from an upright body with a velocity, ω = 0."""
+    contact = CompiledContact(FrictionalContact(body, laws=(law,), field=Forces(gravity=GRAVITY)))
+    state = np.zeros(contact.size)
+    lowest = body.shape.radius - body.shape.centre[2]
+    state[[0, 6, 15]] = 1.0, lowest, 1.0
+    state[7:9] = first
+    return contact, contact_motion(contact, state, np.linspace(0.0, end, 5))
+
+
+@pytest.mark.slow
+def test_a_constant_formula_moves_like_coulomb():
+    one, other = (
+        motion_of(law, ROCKING, (0.9, 0.4), 2.0)[1] for law in (UserFriction("0.12"), Coulomb(0.12))
+    )
+    assert [event.kind for event in one.events] == [event.kind for event in other.events]
+    assert {"stick", "slip"} <= {event.kind for event in one.events}
+    for a, b in zip(one.events, other.events, strict=True):
+        assert a.time == pytest.approx(b.time, abs=1e-11)
+    np.testing.assert_allclose(one.states, other.states, atol=1e-10)
+
+
+@pytest.mark.slow
+def test_the_ball_sticks_when_stribeck_says():
+    first, v = 1.2, 0.1
+    ball = Body(0.7, (0.4 * 0.7 * 0.81,) * 3, Ball(0.9))
+    _, motion = motion_of(STRIBECK, ball, (first, 0.0), 0.5)
+    rate = 3.5 * GRAVITY * 0.2 / v
+    end = (math.log(math.exp(first / v) + 0.3) - math.log(1.3)) / rate
+    assert [event.kind for event in motion.events] == ["stick"]
+    assert motion.events[0].time == pytest.approx(end, rel=1e-12)
+
+
+@pytest.mark.slow
+def test_a_contact_slips_where_static_friction_ends():
+    law = UserFriction("0.12", mu_static=0.125)
+    contact, motion = motion_of(law, ROCKING, (0.9, 0.4), 2.0)
+    slips = [event for event in motion.events if event.kind == "slip"]
+    assert slips
+    held = contact.mode(Mode(sliding=False))
+    for event in slips:
+        values = held.outputs(event.before)
+        size = np.linalg.norm(values["friction_force"])
+        assert size == pytest.approx(0.125 * values["normal_force"], rel=1e-10)
+    balance = motion.observables()["energy"] + motion.states[:, 16:].sum(axis=1)
+    np.testing.assert_allclose(balance, balance[0], atol=1e-12)
