@@ -15,4 +15,9 @@ from .rolling_friction import (
 )
 from .rules import Rules as Rules
 from .situation import FrictionalContact as FrictionalContact
-from .viscous_friction import NormalViscous as NormalViscous, Viscous as Viscous
+from .user_friction import UserFriction as UserFriction
+from .viscous_friction import (
+    NormalViscous as NormalViscous,
+    PowerFriction as PowerFriction,
+    Viscous as Viscous,
+)
