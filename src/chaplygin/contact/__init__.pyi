@@ -15,6 +15,7 @@ from .rolling_friction import (
 )
 from .rules import Rules as Rules
 from .situation import FrictionalContact as FrictionalContact
+from .starts import start_in_contact as start_in_contact, start_in_space as start_in_space
 from .user_friction import UserFriction as UserFriction
 from .viscous_friction import (
     NormalViscous as NormalViscous,
