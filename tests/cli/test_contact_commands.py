@@ -61,7 +61,7 @@ def test_show_says_which_equations_it_shows(ask: Ask, billiard: Path) -> None:
 
 OTHERS = """\
 prove {}
-find --degree 1 {}
+find integrals {}
 section {} --on gamma_3 -o a.zarr
 lyapunov {}
 solve {}

@@ -108,11 +108,9 @@ def distance(contact: FrictionalContact, position: FloatArray, Q: FloatArray) ->
         return position + Q @ (np.array(shape.centre) + frame @ (np.array(shape.axes) * unit))
 
     best = min(
-        (
-            minimize(lambda x: sign * np.linalg.norm(place(x)), (theta, phi), tol=1e-12).fun
-            for theta in (0.5, 1.5, 2.6)
-            for phi in (0.0, 2.1, 4.2)
-        )
+        minimize(lambda x: sign * np.linalg.norm(place(x)), (theta, phi), tol=1e-12).fun
+        for theta in (0.5, 1.5, 2.6)
+        for phi in (0.0, 2.1, 4.2)
     )
     return float(best - sign * contact.surface.radius)
 

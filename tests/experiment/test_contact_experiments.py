@@ -11,7 +11,6 @@ import pytest
 import xarray as xr
 
 import chaplygin as ch
-from contact.case_files import CASES, experiment_text
 from chaplygin.contact.dry_friction import ContensouErismann, Coulomb, SpinFriction
 from chaplygin.contact.modes import MODE_NAMES
 from chaplygin.contact.viscous_friction import Viscous
@@ -19,6 +18,7 @@ from chaplygin.experiment.contact_dataset import contact_dataset
 from chaplygin.experiment.contact_subject import ContactSubject
 from chaplygin.experiment.contact_trajectory import ContactTrajectory
 from chaplygin.experiment.study import Study, dataset_of
+from contact.case_files import CASES, experiment_text
 
 BALL = """\
 [body]
@@ -263,7 +263,7 @@ slip = [0, 0.9179257, -0.3967532]
 until = 1.0
 """
     study = study_of(case)
-    with pytest.raises(ch.InputError, match='Painlevé.* on_paradox = "impact"'):
+    with pytest.raises(ch.InputError, match=r'Painlevé.* on_paradox = "impact"'):
         study.trajectory()
 
 
