@@ -16,4 +16,9 @@ from .rolling_friction import (
 from .rules import Rules as Rules
 from .situation import FrictionalContact as FrictionalContact
 from .starts import start_in_contact as start_in_contact, start_in_space as start_in_space
-from .viscous_friction import NormalViscous as NormalViscous, Viscous as Viscous
+from .user_friction import UserFriction as UserFriction
+from .viscous_friction import (
+    NormalViscous as NormalViscous,
+    PowerFriction as PowerFriction,
+    Viscous as Viscous,
+)

@@ -18,7 +18,7 @@ from ..flow.heyoka_expressions import Translator
 from ..flow.kernel import code_cache
 from ..flow.taylor import CompiledSystem, compile_system
 from .equations import equations_of_motion, work_symbol
-from .friction import ContensouErismann, Coulomb, FrictionLaw, Reaction, SpinFriction
+from .friction_law import FrictionLaw, Reaction
 from .mobility import Mobility, mobility
 from .modes import FLIGHT, Mode
 from .situation import FrictionalContact
@@ -59,9 +59,6 @@ _VECTORS = (
     contact_velocity,
 )
 _SCALARS = (spin, normal_rate, spin_rate)
-
-#: Laws with a threshold for slip or spin; the others act alike in all modes.
-_THRESHOLDS = (Coulomb, SpinFriction, ContensouErismann)
 
 
 @dataclass(frozen=True)
@@ -269,9 +266,10 @@ class CompiledContact:
         self._modes: dict[tuple[FrictionalContact, Mode], ModeIntegrator] = {}
         self._names = [str(name) for name in self.mode(FLIGHT).system.symbols]
         self.size = len(self._names)
-        others = tuple(law for law in situation.laws if not isinstance(law, _THRESHOLDS))
+        # laws without a threshold for slip or spin act alike in all modes
+        others = tuple(law for law in situation.laws if law.static_mu is None and not law.spin_arm)
         self._neutral = equations_of_motion(replace(situation, laws=others), Mode())
-        self._function = _neutral_function(self._neutral, others)
+        self._function = _neutral_function(self._neutral, situation.laws)
         self._values = np.array([float(x) for x in self._neutral.defaults.values()])
         self._mass, self._inertia = situation.body.mass, situation.body.tensor
 
@@ -341,7 +339,7 @@ def with_values(mode: ModeIntegrator, values: Mapping[str, float]) -> ModeIntegr
 @lru_cache(maxsize=32)
 def _neutral_function(system: System, laws: tuple[FrictionLaw, ...]) -> hy.cfunc:
     """The numbers of a contact, compiled; see ContactNumbers."""
-    total = sum((law.reaction(Mode()) for law in laws), Reaction())
+    total = sum((law.reaction_at_rest for law in laws), Reaction())
 
     def compute() -> hy.cfunc:
         translate = Translator(system)

@@ -502,6 +502,14 @@ class Course:
         values = self._integrator(self.mode).outputs(self.state)
         N, couple = self._normal_force_and_couple(self.mode)
         direction = first_direction(self._dry, N, values["friction_force"], couple)
+        if self._dry.static_mu > self._dry.mu:
+            # friction falls at once, and sliding begins where its acceleration points
+            sign = self._spin_sign if self.mode.spinning else 0.0
+            moving = replace(self._dry, static_mu=self._dry.mu)
+            choice = departure(self._known(), moving, sign)
+            if choice is None or choice.holds:
+                raise EndError("static friction ends, but sliding cannot begin")
+            direction = choice.direction
         self.mode = Mode(spinning=self.mode.spinning or bool(self._dry.patch))
         self._record("slip", before)
         self._begin(direction)
@@ -509,6 +517,13 @@ class Course:
     def _spin_stop(self) -> None:
         """The spin has come to zero: hold it, or let it change its sign."""
         before, sliding = self.state, self.mode.sliding
+        if not self._dry.spin_arm:
+            # formulas of friction in |Ω| that do not hold the spin
+            mode = self.mode
+            self._decide_on_spin(sliding)
+            self.mode = mode
+            self._record("spin reversal", before)
+            return
         if not sliding:
             self._project(replace(self.mode, spinning=False))
             self._leave_rest("spin stop", before, spin_at_rest=True)
