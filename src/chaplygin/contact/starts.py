@@ -77,15 +77,15 @@ def clearance(
     """
     turn = _rotation(attitude)
     shape, surface = contact.body.shape, contact.surface
-    points = contact_points(shape)
     seen = turn.T @ np.array(position, dtype=float)
     if isinstance(surface, Plane):
         gamma = turn[2]
-        r = points(gamma[None])[0]
+        r = _touching_point(contact, gamma)
         return Clearance(float(gamma @ (seen + r)), gamma, r)
     hollow = isinstance(shape, Ball) and shape.hollow
-    gamma = nearest_normal(points, seen, outside=surface.side == "outside" and not hollow)
-    r = points(gamma[None])[0]
+    outside = surface.side == "outside" and not hollow
+    gamma = nearest_normal(contact_points(shape), seen, outside)
+    r = _touching_point(contact, gamma)
     return Clearance(float(gamma @ (seen + r)) - surface.signed_radius, gamma, r)
 
 
@@ -156,7 +156,7 @@ def start_in_contact(
         columns = [[mpmath.mpf(float(x)) for x in u] for u in (up, above)]
         attitude = [float(x) for x in attitude_of_normal(*columns, mpmath.mpf(heading))]
     turn = _rotation(attitude)
-    r = contact_points(contact.body.shape)(up[None])[0]
+    r = _touching_point(contact, up)
     if not np.isfinite(r).all():
         raise InputError("gamma: no single point of the body touches a support with this normal")
     height = 0.0 if isinstance(surface, Plane) else surface.signed_radius
@@ -259,6 +259,13 @@ def _in_contact(
             f"velocity: the contact would slip with {speed:.6g} m/s, and with mu = inf it cannot"
         )
     return v - slip
+
+
+def _touching_point(contact: FrictionalContact, gamma: FloatArray) -> FloatArray:
+    """The point of the body with outward normal −γ; NaN where a flat face has it."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        r: FloatArray = contact_points(contact.body.shape)(gamma[None])[0]
+    return r
 
 
 def _support_velocity(contact: FrictionalContact, touching: FloatArray) -> FloatArray:

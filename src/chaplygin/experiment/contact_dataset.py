@@ -104,6 +104,7 @@ def _event_variables(trajectory: ContactTrajectory) -> dict[str, Variable]:
     modes = np.array([MODE_NAMES.index(event.mode) for event in events], dtype=np.int8)
     kinds = np.array([event.kind for event in events], dtype="<U30")
     times = np.array([event.time for event in events], dtype=float)
+    unique = np.array([event.unique for event in events], dtype=np.int8)
     couples = np.array([event.couple_impulse for event in events], dtype=float)
     before = rows([event.before[:size] for event in events], size)
     after = rows([event.after[:size] for event in events], size)
@@ -124,6 +125,7 @@ def _event_variables(trajectory: ContactTrajectory) -> dict[str, Variable]:
             impulses,
             notes("impulse of the support on the body", "N s", frame=body),
         ),
+        "event_unique": ("event", unique, notes("1 if no other motion is possible after it", "1")),
         "event_couple_impulse": (
             "event",
             couples,

@@ -117,7 +117,7 @@ def contact_trajectory(
     began = clock.perf_counter()
     motion = contact_motion(compiled, state, times, rules, progress=progress)
     if not len(motion.times) or (motion.reason and motion.end_time <= times[0]):
-        raise InputError(f"there is no motion from here: {motion.reason}")
+        raise InputError(f"there is no motion from here: {_advice(motion.reason, rules)}")
     recorded = motion.observables()
     works = (by_name(system, motion.states, name) for name in work_names(system))
     recorded[f"law_{BALANCE}"] = recorded["energy"] + sum(works)
