@@ -38,6 +38,11 @@ HARMLESS = {
     # on a cone the square of its length is a multiple of z², whatever the sign of one term
     "marble-ball-on-cone volume": {"density sign"},
     "rubber-ball-on-cone volume": {"density sign"},
+    # the slip has a constant direction: both components, and every function of them
+    "sliding-ball direction_1": {"value index", "value exponent"},
+    "sliding-ball direction_2": {"value index", "value exponent"},
+    # every function of the constant spin is constant
+    "sliding-ball momentum_3": {"value exponent"},
     # every function of the constant height is constant
     "marble-ball particle_in_plane": {"map exponent"},
 }

@@ -50,15 +50,15 @@ ENTRIES = (
         title=TITLE,
         summary=SUMMARY,
         source=ball.SOURCE,
-        defaults={"m": 0.17, "I": 5.57e-5, "R": 0.0286, "g": 9.81, "mu": 0.2},
+        defaults={"m": 1.0, "I": 0.4, "R": 1.0, "g": 9.81, "mu": 0.02},
         build=build,
         start=Start(
             state={
                 "place": (0.0, 0.0, 0.0),
-                "V": (1.0, 0.0, 0.0),
-                "omega": (60.0, 20.0, 10.0),
+                "V": (24.0, 0.0, 0.0),
+                "omega": (5.0, 3.0, 2.0),
             },
-            until=0.25,
+            until=20.0,
         ),
         general=under_any_friction,
         variables={

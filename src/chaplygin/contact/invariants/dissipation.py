@@ -1,9 +1,10 @@
 """The power that each law of friction takes from a body on a support at rest: never negative.
 
-A body under a force R and a couple K at its contact changes its energy at the rate (R, u) + (K, ω)
-(:func:`~chaplygin.contact.invariants.free_contact.power`).  The normal force is perpendicular to the
-slip u, and for each law the rest is minus a sum of products of factors that are not negative: the
-coefficients, the normal force, speeds, squares, and the shares 𝓕 and 𝓜 of the coupled law.
+A body under a force R and a couple K at its contact changes its energy at the rate
+(R, u) + (K, ω), as :func:`~chaplygin.contact.invariants.free_contact.power` states.  The normal
+force is perpendicular to the slip u, and for each law the rest is minus a sum of products of
+factors that are not negative: coefficients, the normal force, speeds, squares, and the shares 𝓕
+and 𝓜 of the coupled law.
 """
 
 from __future__ import annotations
@@ -186,7 +187,9 @@ def contact_at_a_moment(law: FrictionLaw) -> System:
     names = (N, F_share, M_share, spin_sign)
     numbers = {s: (str(s), 0.4 + 0.3 * i, "1") for i, s in enumerate(names)}
     numbers[spin_sign] = ("sign of the spin", 1.0, "1")
-    numbers |= {s: ("curvature of the body", 1.0 + i / 4, "m") for i, s in enumerate(_SPREAD.symbols)}
+    numbers |= {
+        s: ("curvature of the body", 1.0 + i / 4, "m") for i, s in enumerate(_SPREAD.symbols)
+    }
     parameters = tuple(Parameter(s, *words) for s, words in numbers.items())
     return System(
         name="contact-at-a-moment",

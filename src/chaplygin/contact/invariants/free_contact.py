@@ -177,7 +177,9 @@ def symmetry_conditions(body: Body) -> tuple[sp.Expr, ...]:
     if not isinstance(inertia, Diagonal):
         raise InputError("inertia: Jellett's integral needs principal axes as body axes")
     first, second, _ = inertia.symbols
-    centre = [real_symbol(f"c_{i}") for i in (1, 2)] if any(getattr(body.shape, "centre", ())) else []
+    centre = (
+        [real_symbol(f"c_{i}") for i in (1, 2)] if any(getattr(body.shape, "centre", ())) else []
+    )
     rotors = list(k.symbols[:2]) if any(body.gyrostat) else []
     return (first - second, *centre, *rotors)
 
@@ -201,8 +203,6 @@ def jellett(body: Body) -> Integral:
     InputError
         If the shape is no ball, or the inertia tensor no diagonal one.
     """
-
-
     if not isinstance(body.shape, Ball):
         raise InputError("shape: Jellett's integral is that of a body with a spherical surface")
     return Integral(

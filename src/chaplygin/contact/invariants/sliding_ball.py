@@ -35,7 +35,7 @@ def _any(name: str) -> sp.Expr:
 ANY_FORCE = tuple(_any(f"F_{i}") for i in (1, 2, 3))
 ANY_COUPLE, ANY_COEFFICIENT = _any("K"), _any("phi")
 
-Forces = tuple[sp.Expr, sp.Expr, sp.Expr]
+SpaceForce = tuple[sp.Expr, sp.Expr, sp.Expr]
 
 
 def ball_parameters(
@@ -51,7 +51,7 @@ def ball_parameters(
 
 
 def sliding_ball(
-    force: Forces,
+    force: SpaceForce,
     couple: sp.Expr = sp.S.Zero,
     parameters: tuple[Parameter, ...] | None = None,
     name: str = "sliding-ball",
@@ -116,7 +116,7 @@ def _energy() -> sp.Expr:
 ENERGY = _energy()
 
 
-def against_slip(coefficient: sp.Expr = ANY_COEFFICIENT) -> Forces:
+def against_slip(coefficient: sp.Expr = ANY_COEFFICIENT) -> SpaceForce:
     """The force −φu along the plane with the normal force mg."""
     first, second, _ = u.symbols
     return -coefficient * first, -coefficient * second, m * g

@@ -15,7 +15,6 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.laws import Identity, Integral, Law, Rate
 from ...core.system import Guard, Observable, Parameter, System
 from ...core.vectors import (
-    Vector,
     constant,
     cross,
     dot,
@@ -111,7 +110,7 @@ def sliding_top(
             Observable("friction_force", N * p, "friction force", "N", "body"),
             Observable("energy", ENERGY, "energy", "J"),
         ),
-        guards=(Guard("contact", N, "the top leaves the plane"),),
+        guards=(Guard("contact", N, "the normal force changes sign", lift_off=True),),
         source=SOURCE,
         summary="A spherical body of revolution on a plane on which it slides with friction.",
     )
@@ -127,7 +126,7 @@ ENERGY = _energy()
 
 
 def tippe_top() -> System:
-    """The top of Leine and Glocker, with friction 0.3 s/m in proportion to slip and normal force."""
+    """The top of Leine and Glocker, with the friction −0.3 N u (in SI units)."""
     friction = Parameter(nu, "coefficient of friction", 0.3, "s/m", (nu >= 0,))
     shape = sphere_parameters(0.015, 0.003, 9.81)
     return sliding_top(NORMAL_VISCOUS, (*body_parameters(0.006, 8e-7, 7e-7), *shape, friction))
