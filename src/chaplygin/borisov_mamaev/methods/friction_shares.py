@@ -1,7 +1,7 @@
 """Bounds of the force and the couple of friction over a round patch, by the signs of series.
 
-For the pressure (p + 1)N/(πa²) (1 − ρ²/a²)^p, with k = |u|/(a|Ω|), x = k² for k ≤ 1 and x = 1/k² for
-k ≥ 1, the friction function φ(k) = ⟨|ke + γ×ρ/a|⟩ and the shares 𝓕 = φ′ and 𝓜 = φ − kφ′ are
+For the pressure (p + 1)N/(πa²) (1 − ρ²/a²)^p, with k = |u|/(a|Ω|), x = k² for k ≤ 1 and x = 1/k²
+for k ≥ 1, the friction function φ(k) = ⟨|ke + γ×ρ/a|⟩ and the shares 𝓕 = φ′ and 𝓜 = φ − kφ′ are
 
     k ≤ 1:  φ = φ₀ F(−½, −p − 3/2; 1; x),    𝓕 = φ₀ (p + 3/2) k F(½, −p − ½; 2; x),
     k ≥ 1:  𝓕 = F(−½, ½; p + 2; x),          k𝓜 = F(½, ½; p + 3; x)/(2(p + 2)),

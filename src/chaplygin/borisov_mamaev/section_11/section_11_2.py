@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from ...contact.invariants import sliding_ball as ball
-from ...core.laws import Identity, Rate
+from ...core.laws import Identity, Law, Rate
 from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, cross, dot, norm_squared, real_symbol, vectors, zero
 from ...proof.verdict import Verdict
@@ -33,7 +33,7 @@ def mobility_at_a_moment() -> System:
     )
 
 
-def positive_mobility() -> Case:
+def _positive_mobility() -> tuple[System, Identity]:
     """(x, Ax) = |x|²/m + (r×x, I⁻¹(r×x))."""
     lever = cross(r, x)
     answer = x / m - cross(r, inverse_inertia * lever)
@@ -53,7 +53,7 @@ def limit_of_viscosity() -> Verdict:
         "viscous limit",
         "the fast equation of the slip is −cSu with a positive symmetric S; where it is zero the "
         "equations are those without slip",
-        [positive_mobility()],  # type: ignore[list-item]
+        [_positive_mobility()],
     )
 
 
@@ -98,7 +98,7 @@ def rolling_without_spin() -> Case:
 # --- the coupled law -------------------------------------------------------------------------
 
 
-def any_friction() -> Case:
+def any_friction() -> tuple[tuple[System, Law], ...]:
     """Slip and spin of a ball change by the force against the slip and the couple alone."""
     system = ball.sliding_ball(ball.against_slip(), ball.ANY_COUPLE)
     phi = ball.ANY_COEFFICIENT * ball.slip_speed
@@ -118,7 +118,7 @@ def simultaneous() -> Verdict:
     falls faster than exponentially.  The energy s²/2s₁ + w²/2w₁ falls at the rate
     μ g (𝓕s + 𝓜w) ≥ μ g E max(s, w), so that both end.
     """
-    rests_on = conclusion_verdict("friction of a ball", "", list(any_friction()))  # type: ignore[arg-type]
+    rests_on = conclusion_verdict("friction of a ball", "", any_friction())
     limits = [bounds(p) for p in (HERTZ, UNIFORM)]
     least = [least_friction(p) for p in (HERTZ, UNIFORM)]
     shown = bool(rests_on) and all(limits) and all(e is not None and e > 0 for e in least)
@@ -169,8 +169,8 @@ CLAIMS = (
         "In the Contensou–Erismann model sliding and spinning of a disk or a homogeneous ball "
         "terminate simultaneously.",
         simultaneous,
-        note="for a ball with Hertz' pressure on a round patch, and for a disk on its face with "
-        "constant pressure, which both slide and spin at the start",
+        note="for a ball with Hertz' pressure on a round patch of constant radius, and for a disk "
+        "on its face with constant pressure, which both slide and spin at the start",
     ),
 )
 

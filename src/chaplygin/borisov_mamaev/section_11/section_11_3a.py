@@ -9,7 +9,7 @@ from ...contact.invariants import top_stability as top
 from ...contact.invariants.sliding_top import I_1, I_3, R, c, g, m, tippe_top
 from ...proof.verdict import Verdict
 from ..claim import Claim, Remark
-from ..methods.conclusion import computed_verdict
+from ..methods.conclusion import computed_verdict, conclusion_verdict
 from ..methods.friction_shares import HERTZ, force_beyond
 
 #: Leine and Glocker's top, in exact numbers.
@@ -95,27 +95,45 @@ def _inverted_share() -> sp.Rational:
     return ratio
 
 
-def under_dry_friction() -> Verdict:
-    """A rotation that viscous friction makes unstable is stable under dry friction at a point.
+def steady_under_dry_friction() -> tuple[bool, sp.Rational]:
+    """Whether a rotation that viscous friction makes unstable is stable under dry friction.
 
-    Near it the slip ends soon, since friction is at most μN but the force that rolling needs is
-    small.  The rolling top has the oscillations η ~ e^{iwt} with (I₁ + mb²)w² − n(I₃ + mRb)w − mgc = 0,
-    whose two roots are real and different for c > 0; by the integrals of Routh's sphere it stays near
-    the vertical, and friction goes on to hold it.
+    Near it the slip ends soon, since friction is μN but the force that rolling needs is small.  The
+    rolling top has the oscillations η ~ e^{iwt} with
+
+        (I₁ + mb²)w² − n(I₃ + mRb)w − mgc = 0,
+
+    the limit of P(iw) for κ → ∞, whose two roots are real and different for c > 0; by the integrals
+    of Routh's sphere it stays near the vertical, and friction goes on to hold it.
+
+    Returns
+    -------
+    stable : bool
+    discriminant : sympy.Rational
+        Of the equation for w.
     """
     b, w = R - c, sp.Symbol("w")
     rolling = (I_1 + m * b**2) * w**2 - top.n * (I_3 + m * R * b) * w - m * g * c
-    # the leading coefficient of κ in P(iw)
-    limit = sp.expand(sp.Poly(top.characteristic_polynomial(sp.I * w), top.kappa).nth(1))
+    limit = sp.Poly(sp.expand(top.characteristic_polynomial(sp.I * w)), top.kappa).nth(1)
     consistent = sp.expand(limit + rolling) == 0
     discriminant = sp.discriminant(rolling, w).subs(TOP | {top.n: FAST})
-    shown = derived() and consistent and discriminant > 0 > margin(FAST)
+    return bool(derived() and consistent and discriminant > 0 > margin(FAST)), discriminant
+
+
+_DRY = (
+    f"under Coulomb friction the rotation of Leine and Glocker's top at {FAST} rad/s is stable for "
+    "every μ > 0: near it the top soon rolls, and then stays near it"
+)
+
+
+def by_any_friction() -> Verdict:
+    """Dry friction leaves the rotation stable."""
+    stable, discriminant = steady_under_dry_friction()
     point = {str(s): str(value) for s, value in TOP.items()}
     return computed_verdict(
         "dry friction",
-        shown,
-        f"under Coulomb friction the rotation of Leine and Glocker's top at {FAST} rad/s is stable "
-        "for every μ > 0: near it the top soon rolls, and then stays near it",
+        stable,
+        _DRY,
         "the polynomial of rolling is not as it should be",
         decision="refuted",
         witness={
@@ -124,6 +142,13 @@ def under_dry_friction() -> Verdict:
             "residual": str(discriminant),
         },
     )
+
+
+def by_viscous_friction() -> Verdict:
+    """Viscous friction makes the rotation unstable, and dry friction does not."""
+    dry = computed_verdict("dry friction", steady_under_dry_friction()[0], _DRY, "not shown")
+    viscous = at_a_point()
+    return conclusion_verdict("viscous friction", viscous.shown, (viscous, dry))
 
 
 def sliding_without_spin() -> Verdict:
@@ -150,38 +175,38 @@ CLAIMS = (
         "gains stability.",
         by_slowing_down,
         thresholds,
-        "The vertical rotation does not slip, and friction at the point of contact does not slow it "
-        "down. Under viscous friction it is unstable with the center of mass at the lowermost "
-        "position if $J^2 (I_1/I_3 - 1 + \\alpha) > m g R^3 I_3 \\alpha (1 - \\alpha)^4$, and stable "
-        "with the center of mass at the uppermost position if "
-        "$J^2 (1 + \\alpha - I_1/I_3) > m g R^3 I_3 \\alpha (1 + \\alpha)^4$, where $J$ is Jellett's "
-        "integral and $\\alpha R$ the distance of the center of mass from the center: both hold for "
-        "fast rotation, and are lost when it slows down.",
+        "The vertical rotation does not slip, and friction at the point of contact does not slow "
+        "it down. Under viscous friction it is unstable with the center of mass at the lowermost "
+        "position if $J^2 (I_1/I_3 - 1 + \\alpha) > m g R^3 I_3 \\alpha (1 - \\alpha)^4$, and "
+        "stable with the center of mass at the uppermost position if "
+        "$J^2 (1 + \\alpha - I_1/I_3) > m g R^3 I_3 \\alpha (1 + \\alpha)^4$, where $J$ is "
+        "Jellett's integral and $\\alpha R$ the distance of the center of mass from the center: "
+        "both hold for fast rotation, and are lost when it slows down.",
         note="the fast rotation is unstable and the slow one stable, not the other way round; "
         "stability by the roots of the linearised equations",
     ),
     Claim(
         "§11.3, after Remark 24, on [95]",
-        "Whereas according to [95] the overturn is solely due to the finiteness of the contact area "
-        "and to the distribution of pressure over it, the phenomenon is essentially independent of "
-        "the type of contact (i.e. it could be a single point or an area).",
+        "Whereas according to [95] the overturn is solely due to the finiteness of the contact "
+        "area and to the distribution of pressure over it, the phenomenon is essentially "
+        "independent of the type of contact (i.e. it could be a single point or an area).",
         at_a_point,
         note="read as: viscous friction at a single point suffices; the thresholds of stability do "
         "not depend on its coefficient",
     ),
     Claim(
         "§11.3, after Remark 24, [98]",
-        "Any type of friction can serve as an explanation of the overturn: both Coulomb and viscous "
-        "friction will cause overturn.",
-        under_dry_friction,
-        at_a_point,
-        "Viscous friction causes overturn: above the threshold the rotation with the center of mass "
-        "below is unstable for every coefficient. Coulomb friction at a point leaves it stable, and "
-        "overturns at most a top that starts with a tilt and slides.",
-        note="read as: friction makes the rotation with the center of mass below unstable. Observed, "
-        "not proven: Leine and Glocker's top with $\\mu = 0.3$, started at 180 rad/s with a tilt of "
-        "0.1 rad, turns its center of mass above the center, but at $t = 1.10509$ s, with "
-        "$\\gamma_3 = -0.7185$, begins to roll and does not complete the overturn",
+        "Any type of friction can serve as an explanation of the overturn: both Coulomb and "
+        "viscous friction will cause overturn.",
+        by_any_friction,
+        by_viscous_friction,
+        "Viscous friction causes overturn: above the threshold the rotation with the center of "
+        "mass below is unstable for every coefficient. Coulomb friction at a point leaves it "
+        "stable, and overturns at most a top that starts with a tilt and slides.",
+        note="read as: friction makes the rotation with the center of mass below unstable. "
+        "Observed, not proven: Leine and Glocker's top with $\\mu = 0.3$, started at 180 rad/s "
+        "with a tilt of 0.1 rad, turns its center of mass above the center, but at $t = 1.10509$ "
+        "s, with $\\gamma_3 = -0.7185$, begins to roll and does not complete the overturn",
     ),
     Claim(
         "§11.3, before Remark 24, on slow rotation",

@@ -1,9 +1,9 @@
 """Stability of a tippe top that spins about its vertical axis, with viscous friction (§11.3).
 
 The top spins with the angular velocity n about its axis of symmetry e, which is vertical; c is the
-distance of the centre of the sphere from the centre of mass, positive where it lies above it.  Let η
-be the horizontal part of e and V that of the velocity of the centre of mass, as complex numbers.  To
-first order the slip is u = V + (c − R) η̇ + iRnη and the friction −κu, with κ = νmg for a force
+distance of the centre of the sphere from the centre of mass, positive where it lies above it.  Let
+η be the horizontal part of e and V that of the velocity of the centre of mass, as complex numbers.
+To first order the slip is u = V + (c − R) η̇ + iRnη and the friction −κu, with κ = νmg for a force
 −νN u; and
 
     m V̇ = −κ u,      I₁ η̈ − i I₃ n η̇ + mgc η + (c − R) κ u = 0.
@@ -100,20 +100,18 @@ def linearised(system: System) -> sp.ImmutableMatrix:
     steady |= {omega.symbols[2]: n, gamma.symbols[2]: sp.S.One}
     rates = dict(zip(system.symbols, system.rates, strict=True))
     slope = sp.Matrix(6, 6, lambda j, k: 0)
-    values = {s: sp.S.Zero for s in ()}
-    epsilon = sp.Symbol("epsilon")
+    needed, epsilon = _needed(system), sp.Symbol("epsilon")
     for column, symbol in enumerate(ACROSS):
         nearby = {s: value + (epsilon if s == symbol else 0) for s, value in steady.items()}
         known = dict(nearby)
         for name, formula in system.scalar_definitions:
-            if name in _needed(system):
+            if name in needed:
                 known[name] = sp.together(formula.subs(known))
         for row, other in enumerate(ACROSS):
             moved = rates[other].subs(known)
             if sp.simplify(moved.subs(epsilon, 0)) != 0:
                 raise ArithmeticError(f"the rate of {other} does not vanish in the rotation")
             slope[row, column] = sp.simplify(sp.diff(moved, epsilon).subs(epsilon, 0))
-    del values
     return _complex(slope)
 
 
@@ -128,7 +126,9 @@ def _complex(slope: sp.Matrix) -> sp.ImmutableMatrix:
     for j in range(3):
         for k in range(3):
             block = slope[2 * j : 2 * j + 2, 2 * k : 2 * k + 2]
-            if sp.simplify(block[0, 0] - block[1, 1]) != 0 or sp.simplify(block[0, 1] + block[1, 0]):
+            if sp.simplify(block[0, 0] - block[1, 1]) != 0 or sp.simplify(
+                block[0, 1] + block[1, 0]
+            ):
                 raise ArithmeticError("the equations are not symmetric about the axis")
             entries.append(block[0, 0] + sp.I * block[1, 0])
     return sp.ImmutableMatrix(3, 3, entries)

@@ -36,7 +36,7 @@ from ..situation import FrictionalContact
 
 
 @arguments_checked
-def start_of_limit(body: Body, state: Sequence[float], spinning: bool) -> FloatArray:
+def start_of_limit(body: Body, state: Sequence[float] | FloatArray, spinning: bool) -> FloatArray:
     """The state after the layer in which friction without bound ends the slip.
 
     Parameters
@@ -95,6 +95,7 @@ def rolling_states(
 
 
 def checked_state(state: Sequence[float]) -> tuple[float, ...]:
+    """The 16 numbers of a start; InputError if there are fewer, or one is not finite."""
     numbers = tuple(float(x) for x in state[:WORK])
     if len(numbers) < WORK or not all(map(math.isfinite, numbers)):
         raise InputError(

@@ -1,8 +1,8 @@
 """A skate on a slope as the limit of side friction, of added inertia, or of both.
 
 A body of mass m and moment of inertia J has its centre of mass above a blade of direction
-e = (cos φ, sin φ), with e′ = de/dφ, on a plane on which gravity acts along x with the acceleration a.
-The blade resists sideways velocity w = (ẋ, e′) by the force −c w e′, and the energy has the term
+e = (cos φ, sin φ), with e′ = de/dφ, on a plane on which gravity acts along x with the acceleration
+a. The blade resists sideways velocity w = (ẋ, e′) by the force −c w e′, and the energy has the term
 ½N w² of an added inertia.  With p = mẋ + N w e′ the equations are
 
     ṗ = m a e_x − c w e′,      J φ̈ = −N w (ẋ, e).
