@@ -15,7 +15,7 @@ import sympy as sp
 
 from ...core.laws import Identity, Integral, Law, Rate
 from ...core.system import Guard, Observable, Parameter, System
-from ...core.vectors import real_symbol, vectors
+from ...core.vectors import constant, real_symbol, vectors
 
 (place, V, omega, u) = vectors("place V omega u")
 m, R, g, inertia, mu, slip_speed = (
@@ -81,18 +81,18 @@ def sliding_ball(
     ['proven', 'proven', 'proven']
     """
     F_1, F_2, F_3 = force
-    turning = sp.Matrix([R * F_2, -R * F_1, couple]) / inertia
+    turning = constant([R * F_2 / inertia, -R * F_1 / inertia, couple / inertia])
     omega_1, omega_2, _ = omega.symbols
     return System(
         name=name,
         title="Homogeneous ball that slides",
         field={
-            place: sp.Matrix(V.symbols),
-            V: sp.Matrix([F_1 / m, F_2 / m, F_3 / m - g]),
+            place: constant(list(V.symbols)),
+            V: constant([F_1 / m, F_2 / m, F_3 / m - g]),
             omega: turning,
         },
         definitions={
-            u: sp.Matrix([V.symbols[0] - R * omega_2, V.symbols[1] + R * omega_1, V.symbols[2]]),
+            u: constant([V.symbols[0] - R * omega_2, V.symbols[1] + R * omega_1, V.symbols[2]]),
             slip_speed: sp.sqrt(sum(s**2 for s in u.symbols[:2])),
         },
         parameters=parameters or ball_parameters(),
