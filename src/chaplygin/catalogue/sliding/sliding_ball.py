@@ -50,7 +50,7 @@ ENTRIES = (
         title=TITLE,
         summary=SUMMARY,
         source=ball.SOURCE,
-        defaults={"m": 1.0, "I": 0.4, "R": 1.0, "g": 9.81, "mu": 0.02},
+        defaults={"m": 1.0, "I": 0.4, "R": 1.0, "g": 9.81, "mu": 0.005},
         build=build,
         start=Start(
             state={
@@ -58,7 +58,7 @@ ENTRIES = (
                 "V": (24.0, 0.0, 0.0),
                 "omega": (5.0, 3.0, 2.0),
             },
-            until=20.0,
+            until=60.0,
         ),
         general=under_any_friction,
         variables={
