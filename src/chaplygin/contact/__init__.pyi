@@ -9,3 +9,10 @@ from .friction import (
     Viscous as Viscous,
     ViscousRolling as ViscousRolling,
 )
+from .realisation.convergence import (
+    Convergence as Convergence,
+    convergence as convergence,
+)
+from .realisation.dry_limit import DryContact as DryContact
+from .realisation.rolling_limit import ViscousContact as ViscousContact
+from .realisation.skate import Skate as Skate

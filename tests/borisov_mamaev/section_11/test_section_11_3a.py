@@ -7,12 +7,13 @@ import sympy as sp
 
 from chaplygin.borisov_mamaev.section_11 import section_11_3a as claims
 from chaplygin.contact.invariants import top_stability as top
+from chaplygin.contact.invariants.sliding_top import c
 
 
 def growth(spin: float, offset: int, viscosity: float) -> float:
     """Largest real part of a root of the characteristic polynomial."""
     values = claims.TOP | {top.n: spin, top.kappa: viscosity}
-    values[claims.c] *= offset
+    values[c] *= offset
     polynomial = sp.Poly(top.characteristic_polynomial().subs(values), top.rate)
     return float(np.roots([complex(x) for x in polynomial.all_coeffs()]).real.max())
 

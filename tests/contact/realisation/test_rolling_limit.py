@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import chaplygin as ch
-from chaplygin.contact.realisation.convergence import realisation
+from chaplygin.contact.realisation.convergence import convergence
 from chaplygin.contact.realisation.dry_limit import DryContact
 from chaplygin.contact.realisation.rolling_limit import ViscousContact, start_of_limit
 from chaplygin.core.arrays import FloatArray
@@ -71,7 +71,7 @@ def test_the_limit_is_the_rolling_body_of_the_package(share: float) -> None:
 @pytest.mark.parametrize("slip", [(0.0, 0.0, 0.0), SLIP])
 def test_viscosity_leads_to_rolling_at_first_order(share: float, slip: tuple[float, ...]) -> None:
     family = ViscousContact(LOADED, start(LOADED, slip), (400.0, 800.0, 1600.0), share, FIELD)
-    found = realisation(family, [1.0])
+    found = convergence(family, [1.0])
     assert abs(found.orders[-1] - 1) < 0.01
     assert abs(found.orders[-1] - 1) < abs(found.orders[0] - 1)
 
@@ -90,7 +90,7 @@ def test_without_the_layer_there_is_no_convergence() -> None:
 
 @pytest.mark.slow(every=2)
 def test_dry_friction_leads_to_rolling_at_first_order() -> None:
-    found = realisation(DryContact(BALANCED, start(BALANCED, SLIP), (2.0, 4.0, 8.0), FIELD), [1.0])
+    found = convergence(DryContact(BALANCED, start(BALANCED, SLIP), (2.0, 4.0, 8.0), FIELD), [1.0])
     assert abs(found.orders[-1] - 1) < 0.01
 
 

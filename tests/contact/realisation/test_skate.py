@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from chaplygin.contact.realisation.convergence import Convergence, realisation
+from chaplygin.contact.realisation.convergence import Convergence, convergence
 from chaplygin.contact.realisation.skate import Skate
 from chaplygin.errors import InputError
 
@@ -43,7 +43,7 @@ def test_the_limit_of_added_inertia_by_another_integrator(nu: float) -> None:
 @pytest.mark.slow(every=2)
 @pytest.mark.parametrize("shares", [(1.0, 0.0), (0.0, 1.0), (1.0, 1.0)])
 def test_the_order_is_one(shares: tuple[float, float]) -> None:
-    found = realisation(Skate(S, *shares), [2.0])
+    found = convergence(Skate(S, *shares), [2.0])
     assert np.all(np.diff(np.abs(found.orders - 1)) < 0)
     assert abs(found.orders[-1] - 1) < 0.01
 
@@ -78,7 +78,7 @@ def test_mistaken_tables(
     coefficients: tuple[float, ...], times: list[float], sentence: str
 ) -> None:
     with pytest.raises(InputError, match=sentence):
-        realisation(Skate(coefficients, viscosity=1.0), times)
+        convergence(Skate(coefficients, viscosity=1.0), times)
 
 
 def test_a_skate_needs_a_resistance() -> None:

@@ -177,7 +177,7 @@ CLAIMS = (
 REMARKS = (
     Remark(
         "§11.2",
-        "The claim of Zhuravlev and Klimov that the equations after the onset are not nonholonomic.",
+        "Zhuravlev and Klimov claim that the equations after the onset are not nonholonomic.",
         "an opinion of others; that the constraints are not integrable is judged in §2",
     ),
     Remark(

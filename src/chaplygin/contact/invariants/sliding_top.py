@@ -20,7 +20,6 @@ from ...core.vectors import (
     dot,
     norm_squared,
     real_symbol,
-    to_components,
     unit_vector,
     vectors,
 )
@@ -82,10 +81,8 @@ def sliding_top(
     """
     pushed = gamma + p
     spun = cross(INERTIA * omega, omega)
-    tipped = to_components(cross(gamma, omega))
-    turned = to_components(cross(cross(gamma, omega), omega))[2]
+    turned = cross(cross(gamma, omega), omega) + cross(gamma, spun) / I_1
     gamma_3, p_3 = gamma.symbols[2], p.symbols[2]
-    across = to_components(cross(gamma, spun))[2] / I_1
     response = 1 / m + c / I_1 * (c * (1 - gamma_3**2) + p_3 * (R - c * gamma_3))
     return System(
         name=name,
@@ -93,14 +90,14 @@ def sliding_top(
         field={
             v: N / m * pushed - g * gamma - cross(omega, v),
             omega: INERTIA**-1 * (spun + N * cross(r, pushed)),
-            gamma: constant(tipped),
+            gamma: cross(gamma, omega),
         },
         definitions={
             r: c * AXIS - R * gamma,
             slip: v + cross(omega, r),
             slip_speed: sp.sqrt(norm_squared(slip)),
             p: friction,
-            N: (g - c * (turned + across)) / response,
+            N: (g - c * dot(turned, AXIS)) / response,
         },
         parameters=parameters,
         relations=(norm_squared(gamma) - 1, dot(gamma, slip)),

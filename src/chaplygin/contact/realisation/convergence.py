@@ -79,7 +79,7 @@ class Convergence:
 
 
 @arguments_checked
-def realisation(family: Family, times: Sequence[float]) -> Convergence:
+def convergence(family: Family, times: Sequence[float]) -> Convergence:
     """How a family of motions with friction or added inertia converges to its limit.
 
     Parameters
@@ -104,8 +104,8 @@ def realisation(family: Family, times: Sequence[float]) -> Convergence:
     Examples
     --------
     >>> from chaplygin.contact.realisation.skate import Skate
-    >>> from chaplygin.contact.realisation.convergence import realisation
-    >>> viscous = realisation(Skate((100.0, 200.0, 400.0), viscosity=1.0), [2.0])
+    >>> from chaplygin.contact.realisation.convergence import convergence
+    >>> viscous = convergence(Skate((100.0, 200.0, 400.0), viscosity=1.0), [2.0])
     >>> bool(abs(viscous.orders[-1] - 1) < 0.01)
     True
     """

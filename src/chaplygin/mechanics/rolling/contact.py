@@ -209,9 +209,7 @@ def _through_gauss_map(
     )
 
 
-def _through_surface(
-    shape: Implicit, surface: Surface, swing: MatrixExpr, a: sp.Expr
-) -> Contact:
+def _through_surface(shape: Implicit, surface: Surface, swing: MatrixExpr, a: sp.Expr) -> Contact:
     """A shape f(r − c) = 0 with the state r: (S + E/a) ṙ = −γ×ω, S of f."""
     x = IMPLICIT_POINT
     coordinates = dict(zip(shape.coordinates, x.symbols, strict=True))
