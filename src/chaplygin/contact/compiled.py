@@ -128,6 +128,16 @@ class ModeIntegrator:
             for name, (first, size) in self._columns.items()
         }
 
+    def rates(self, state: FloatArray) -> FloatArray:
+        """The right-hand sides of the equations at a state (size,)."""
+        stepper = copy.copy(self.stepper)
+        count = min(len(self.values), len(stepper.pars))
+        stepper.pars[:count] = self.values[:count]
+        stepper.state[:] = state
+        stepper.step(write_tc=True, max_delta_t=1e-300)
+        result: FloatArray = np.array(stepper.tc[:, 1])
+        return result
+
     def guard_values(self, state: FloatArray) -> FloatArray:
         """What the guards watch, at a state (size,), in their order."""
         return self._numbers(state)[-1 - len(self.system.guards) : -1]
@@ -225,9 +235,10 @@ class ContactNumbers:
         Of the touching particle in space.
     spin, normal_rate, spin_rate, energy, gap : float
     q : array (3,)
-        Couple for each unit of normal force of the laws without threshold for slip and spin.
-    rates : array (size,)
-        Of attitude, position and normal, in the columns of the state; the others are no use.
+        Couple for each unit of normal force of the laws without threshold for slip and spin; zero
+        for a body that does not roll, whose resistance to rolling has no direction.
+    rates_of_place : array (size,)
+        Of attitude, position and normal, in the columns of the state; zero in the others.
     mobility : Mobility
     """
 
@@ -246,7 +257,7 @@ class ContactNumbers:
     energy: float
     gap: float
     q: FloatArray
-    rates: FloatArray
+    rates_of_place: FloatArray
     mobility: Mobility
 
 
@@ -300,7 +311,8 @@ class CompiledContact:
         rest = numbers[3 * len(_VECTORS) :]
         spin_now, normal, turning, energy, height = map(float, rest[:5])
         rates = np.zeros(self.size)
-        rates[:WORK] = rest[11 : 11 + WORK]
+        for columns in (ATTITUDE, POSITION, NORMAL):
+            rates[columns] = rest[11 : 11 + WORK][columns]
         unit = vectors[gamma] / float(np.linalg.norm(vectors[gamma]))
         touch = mobility(self._mass, self._inertia, vectors[r], unit)
         # a couple that does not depend on the normal force belongs to the free motion
@@ -320,8 +332,8 @@ class CompiledContact:
             spin_rate=turning + float(touch.gamma @ turn),
             energy=energy,
             gap=height,
-            q=rest[5:8],
-            rates=rates,
+            q=rest[5:8] if np.isfinite(rest[5:8]).all() else np.zeros(3),
+            rates_of_place=rates,
             mobility=touch,
         )
 

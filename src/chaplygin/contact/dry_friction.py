@@ -86,7 +86,7 @@ class Coulomb(FrictionLaw):
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
         """The slip while there is any; μ²N² − f² while it is held."""
         if mode.sliding:
-            return (Guard("stick", norm_squared(slip) - slip_floor**2, "sliding ends"),)
+            return (Guard("stick", slip_speed - slip_floor, "sliding ends"),)
         if math.isinf(self.mu):
             return ()
         return (Guard("slip", mu**2 * N**2 - norm_squared(friction), "sliding begins"),)

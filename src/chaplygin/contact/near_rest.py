@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..core.arrays import FloatArray
-from .compiled import ATTITUDE, OMEGA, POSITION, VELOCITY, WORK, ContactNumbers
+from .compiled import OMEGA, VELOCITY, ContactNumbers
 from .frozen_slip import (
     CoupledSlip,
     FrozenSlip,
@@ -239,10 +239,7 @@ def state_after_stop(
     """
     touch, lasting = known.mobility, stop.duration
     impulse = stop.normal_impulse * touch.gamma + stop.friction_impulse @ touch.tangents
-    after = state.copy()
-    after[ATTITUDE] += known.rates[ATTITUDE] * lasting
-    after[POSITION] += known.rates[POSITION] * lasting
-    after[OMEGA.stop : WORK] += known.rates[OMEGA.stop : WORK] * lasting
+    after = state + known.rates_of_place * lasting
     after[VELOCITY] += known.free_acceleration * lasting + touch.velocity_jump(impulse)
     resistance = touch.inverse_inertia @ known.q * stop.normal_impulse
     turn = touch.angular_velocity_jump(impulse, stop.couple_impulse) + resistance

@@ -243,7 +243,7 @@ class UserFriction(FrictionLaw):
                 margin = _static**2 * N**2 - norm_squared(friction)
                 found += (Guard("slip", margin, "sliding begins"),)
         elif self.kinetic_mu is not None:
-            margin = norm_squared(slip) - slip_floor**2
+            margin = slip_speed - slip_floor
             found += (Guard("stick", margin, "sliding ends"),)
         elif not _is_smooth(self.force):
             found += (creep_guard("this law of friction"),)

@@ -197,5 +197,5 @@ class PowerFriction(FrictionLaw):
 
 def creep_guard(law: str) -> Guard:
     """The slip, for a law without threshold that is not smooth where the slip vanishes."""
-    margin = norm_squared(slip) - slip_floor**2
+    margin = slip_speed - slip_floor
     return Guard("creep", margin, f"the slip has come to zero, where {law} is not smooth")
