@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 import sympy as sp
 
 from chaplygin.borisov_mamaev.section_11 import section_11_3a as claims
@@ -29,6 +30,7 @@ def test_the_inverted_top_with_the_same_jellett_integral_is_stable() -> None:
     assert growth(20.0 * share, -1, 0.02) > 0
 
 
+@pytest.mark.slow(every=2)
 def test_rolling_oscillates_and_does_not_grow() -> None:
     """Very viscous friction: the growth goes to zero, as that of the rolling top."""
     stable, discriminant = claims.steady_under_dry_friction()
