@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 import sympy as sp
 
+import chaplygin as ch
 from chaplygin.borisov_mamaev.section_11 import section_11_3a as claims
+from chaplygin.contact import DryContact
 from chaplygin.contact.invariants import top_stability as top
 from chaplygin.contact.invariants.sliding_top import c
+from chaplygin.flow.initial_states import upright
 
 
 def growth(spin: float, offset: int, viscosity: float) -> float:
@@ -29,6 +33,7 @@ def test_the_inverted_top_with_the_same_jellett_integral_is_stable() -> None:
     assert growth(20.0 * share, -1, 0.02) > 0
 
 
+@pytest.mark.slow(every=2)
 def test_rolling_oscillates_and_does_not_grow() -> None:
     """Very viscous friction: the growth goes to zero, as that of the rolling top."""
     stable, discriminant = claims.steady_under_dry_friction()
@@ -36,3 +41,16 @@ def test_rolling_oscillates_and_does_not_grow() -> None:
     rates = [growth(180.0, 1, viscosity) for viscosity in (10.0, 100.0, 1000.0)]
     assert rates[0] > rates[1] > rates[2] > 0
     np.testing.assert_allclose(np.array(rates[:2]) / rates[1:], 10, rtol=0.05)
+
+
+@pytest.mark.slow(every=2)
+@pytest.mark.parametrize("tilt", [1e-3, 1e-2])
+def test_a_fast_top_under_dry_friction_stays_near_the_vertical(tilt: float) -> None:
+    """It slides at first, then rolls, and friction holds it for two seconds."""
+    top_body = ch.Body(0.006, (8e-7, 8e-7, 7e-7), ch.Ball(0.015, centre=(0.0, 0.0, 0.003)))
+    gamma = np.array([np.sin(tilt), 0.0, np.cos(tilt)])
+    height = 0.015 - 0.003 * np.cos(tilt)
+    turn = [float(x) for x in upright(list(map(float, gamma)))]
+    state = [*turn, 0.0, 0.0, height, 0.0, 0.0, 0.0, 0.0, 0.0, 180.0, *map(float, gamma)]
+    motion = DryContact(top_body, state, (0.3, 0.6)).motion(0.3, np.linspace(0.02, 2.0, 100))
+    assert np.arccos(motion[:, 15]).max() < tilt

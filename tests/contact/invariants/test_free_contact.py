@@ -73,7 +73,7 @@ def test_jellett_in_space_axes(seed: int) -> None:
     "shape",
     [
         ch.Ball(1.0, centre=(0.1, 0.2, 0.3)),
-        ch.Disk(1.0),
+        pytest.param(ch.Disk(1.0), marks=pytest.mark.slow),
         pytest.param(ch.Torus(1.0, 0.2), marks=pytest.mark.slow),
         pytest.param(ch.Ellipsoid((3.0, 2.0, 1.0), turn=0.3), marks=pytest.mark.slow),
     ],

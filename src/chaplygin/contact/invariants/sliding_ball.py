@@ -144,13 +144,13 @@ def momenta() -> tuple[Integral, ...]:
     values = (-m * R * V_2, m * R * V_1, sp.S.Zero)
     return tuple(
         Integral(
-            f"momentum_{i}",
+            f"momentum_{axis}",
             inertia * s + value,
-            f"momentum about the contact point, component {i}",
+            f"momentum about the contact point along {axis}",
             unit="kg m^2/s",
             source=SOURCE,
         )
-        for i, s, value in zip((1, 2, 3), omega.symbols, values, strict=True)
+        for axis, s, value in zip("xyz", omega.symbols, values, strict=True)
     )
 
 
@@ -158,13 +158,13 @@ def slip_direction() -> tuple[Integral, ...]:
     """The direction of the slip, by components."""
     return tuple(
         Integral(
-            f"direction_{i}",
-            u.symbols[i - 1] / slip_speed,
-            f"direction of the slip, component {i}",
+            f"direction_{axis}",
+            part / slip_speed,
+            f"direction of the slip along {axis}",
             unit="1",
             source=SOURCE,
         )
-        for i in (1, 2)
+        for axis, part in zip("xy", u.symbols[:2], strict=True)
     )
 
 
