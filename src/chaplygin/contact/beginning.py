@@ -56,11 +56,11 @@ class Beginning:
     state: FloatArray
 
     def samples(self, time: float, state: FloatArray, moments: list[float]) -> FloatArray:
-        """States at moments within the beginning."""
+        """States at moments within the beginning, the clock as last column."""
         if not moments:
-            return np.empty((0, len(state)))
+            return np.empty((0, len(state) + 1))
         start = np.append(state, 0.0)
-        return self.integrator.advance(time, start, moments, moments[-1]).samples[:, :-1]
+        return self.integrator.advance(time, start, moments, moments[-1]).samples
 
 
 @dataclass(frozen=True, eq=False)

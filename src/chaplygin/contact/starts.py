@@ -49,7 +49,9 @@ class Clearance:
 
 
 def clearance(
-    contact: FrictionalContact, position: Sequence[float], attitude: Sequence[float]
+    contact: FrictionalContact,
+    position: Sequence[float] | FloatArray,
+    attitude: Sequence[float] | FloatArray,
 ) -> Clearance:
     """The place of a body over its support.
 
@@ -153,8 +155,9 @@ def start_in_contact(
     if contact.never_slips and np.any(tangential):
         raise InputError("slip: with mu = inf the contact cannot slip; it must be zero")
     with mpmath.workdps(DIGITS):
-        columns = [[mpmath.mpf(float(x)) for x in u] for u in (up, above)]
-        attitude = [float(x) for x in attitude_of_normal(*columns, mpmath.mpf(heading))]
+        first, last = ([mpmath.mpf(float(x)) for x in u] for u in (up, above))
+        numbers = attitude_of_normal(first, last, mpmath.mpf(heading))
+        attitude = np.array([float(x) for x in numbers])
     turn = _rotation(attitude)
     r = _touching_point(contact, up)
     if not np.isfinite(r).all():
@@ -275,7 +278,7 @@ def _support_velocity(contact: FrictionalContact, touching: FloatArray) -> Float
 
 def _state(
     contact: FrictionalContact,
-    attitude: Sequence[float],
+    attitude: FloatArray,
     position: FloatArray,
     v: FloatArray,
     omega: FloatArray,
@@ -292,7 +295,8 @@ def _state(
 def _rotation(attitude: Sequence[float] | FloatArray) -> FloatArray:
     """The matrix from body to space components."""
     w, x, y, z = attitude
-    return Rotation.from_quat([x, y, z, w]).as_matrix()
+    matrix: FloatArray = Rotation.from_quat([x, y, z, w]).as_matrix()
+    return matrix
 
 
 def _numbers(values: Sequence[float], name: str, count: int) -> FloatArray:
@@ -315,7 +319,8 @@ def _direction(values: Sequence[float], name: str) -> FloatArray:
         raise InputError(f"{name} is zero: it must point along the normal")
     # scaled first, so that nothing overflows
     vector = vector / np.abs(vector).max()
-    return vector / np.linalg.norm(vector)
+    unit: FloatArray = vector / np.linalg.norm(vector)
+    return unit
 
 
 def _shown(vector: FloatArray) -> str:

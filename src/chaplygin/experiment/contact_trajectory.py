@@ -70,13 +70,9 @@ class ContactTrajectory(Trajectory):
     def thinned(self, pieces: int) -> ContactTrajectory:
         """Every `pieces`-th sample, and the last one."""
         thin = super().thinned(pieces)
+        assert isinstance(thin, ContactTrajectory)
         last = len(self.times) - 1
-        return replace(self, **_samples(thin), modes=self.modes[[*range(0, last, pieces), last]])
-
-
-def _samples(trajectory: Trajectory) -> dict[str, object]:
-    names = ("times", "states", "recorded")
-    return {name: getattr(trajectory, name) for name in names}
+        return replace(thin, modes=self.modes[[*range(0, last, pieces), last]])
 
 
 def work_names(system: System) -> list[str]:
