@@ -190,6 +190,9 @@ class ModeIntegrator:
         stepper.pars[:count] = self.values[:count]
         if self.code.watched:
             stepper.pars[count:] = self._event_scales(state)
+            if stepper.time != time or not np.array_equal(stepper.state, state):
+                # heyoka is deaf for a while to an event that has just happened, but not elsewhere
+                stepper.reset_cooldowns()
         stepper.time = time
         stepper.state[:] = state
         at_start = sum(t <= time for t in moments)
