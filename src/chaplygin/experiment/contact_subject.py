@@ -26,7 +26,8 @@ from ..errors import InputError
 from ..mechanics.rolling.gauss_map import centre_outside
 from ..mechanics.rolling.surfaces import Plane, Sphere
 from ..printing.numerals import number
-from .contact_trajectory import ContactTrajectory, contact_trajectory
+from .contact.dataset import work_meanings
+from .contact.trajectory import ContactTrajectory, contact_trajectory
 from .file.contact_tables import FrictionTable
 from .file.rolling_model import FrictionExperiment
 from .file.shape_tables import shape_name
@@ -209,6 +210,7 @@ def contact_subject(experiment: FrictionExperiment) -> ContactSubject:
         system=replace(system, name=identifier(title), title=title),
         start_values=experiment.start.model_dump(exclude_none=True),
         until=experiment.run.until,
+        variables=work_meanings(contact, system),
         setting=_setting(contact),
         contact=contact,
         rules=rules,

@@ -9,10 +9,11 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from ..contact.modes import MODE_NAMES
-from ..core.arrays import FloatArray
-from .contact_trajectory import ContactTrajectory, work_names
-from .dataset import to_dataset
+from ...contact.modes import MODE_NAMES
+from ...contact.situation import FrictionalContact
+from ...core.arrays import FloatArray
+from ...core.system import System
+from .trajectory import ContactTrajectory, work_names
 
 #: Dimensions, values and attributes of a variable of the events.
 EventVariable: TypeAlias = tuple[
@@ -31,16 +32,14 @@ _WORKS = {
 }
 
 
-def contact_dataset(
-    trajectory: ContactTrajectory, attributes: Mapping[str, object] | None = None
-) -> xr.Dataset:
-    """A motion with friction as a dataset.
+def contact_dataset(trajectory: ContactTrajectory, samples: xr.Dataset) -> xr.Dataset:
+    """The dataset of a motion with friction.
 
     Parameters
     ----------
     trajectory : ContactTrajectory
-    attributes : mapping, optional
-        Further global attributes, such as the text of the experiment file.
+    samples : xarray.Dataset
+        What any trajectory has: its states, observables and laws.
 
     Returns
     -------
@@ -50,8 +49,7 @@ def contact_dataset(
         and ``mode``, a flag.  A dimension ``event`` has ``event_time``, ``event_kind``, the mode
         that follows, states before and after (dimension ``state``), and impulses.
     """
-    whole = to_dataset(trajectory, attributes, _meanings(trajectory))
-    dataset = whole.drop_vars([name for name in _ELSEWHERE if name in whole])
+    dataset = samples.drop_vars([name for name in _ELSEWHERE if name in samples])
     modes = trajectory.modes.astype(np.int8)
     dataset["mode"] = ("time", modes, _flags("mode of the contact"))
     dataset = dataset.assign(_event_variables(trajectory))
@@ -78,10 +76,10 @@ _STATE = {
 }
 
 
-def _meanings(trajectory: ContactTrajectory) -> dict[str, tuple[str, str]]:
-    """Meaning and unit of the work lost to each law."""
-    words = {f"work_{law.name}": f"work lost to {law.words}" for law in trajectory.contact.laws}
-    return {name: ((_WORKS | words).get(name, name), "J") for name in work_names(trajectory.system)}
+def work_meanings(contact: FrictionalContact, system: System) -> dict[str, tuple[str, str]]:
+    """Meaning and unit of the work lost to each law, by the names of a system."""
+    words = {f"work_{law.name}": f"work lost to {law.words}" for law in contact.laws}
+    return {name: ((_WORKS | words).get(name, name), "J") for name in work_names(system)}
 
 
 def _columns(trajectory: ContactTrajectory) -> list[str]:

@@ -11,16 +11,16 @@ import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
-from ..contact.compiled import CompiledContact
-from ..contact.events import ContactEvent
-from ..contact.modes import FLIGHT
-from ..contact.motion import ContactMotion, contact_motion
-from ..contact.rules import Rules
-from ..contact.situation import FrictionalContact
-from ..core.arrays import FloatArray
-from ..core.system import Guard, System
-from ..errors import InputError, RunError
-from ..flow.trajectory import Event, Statistics, Trajectory, by_name
+from ...contact.compiled import CompiledContact
+from ...contact.events import ContactEvent
+from ...contact.modes import FLIGHT
+from ...contact.motion import ContactMotion, contact_motion
+from ...contact.rules import Rules
+from ...contact.situation import FrictionalContact
+from ...core.arrays import FloatArray
+from ...core.system import Guard, System
+from ...errors import InputError, RunError
+from ...flow.trajectory import Event, Statistics, Trajectory, by_name
 
 #: The law of energy with all work lost.
 BALANCE = "energy_balance"
