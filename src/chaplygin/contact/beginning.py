@@ -57,11 +57,11 @@ class Beginning:
     state: FloatArray
 
     def samples(self, time: float, state: FloatArray, moments: list[float]) -> FloatArray:
-        """States at moments within the beginning."""
-        if not moments:
-            return np.empty((0, len(state)))
+        """States at moments within the beginning, (n, size + 1): with the clock."""
         start = np.append(state, 0.0)
-        return self.integrator.advance(time, start, moments, moments[-1]).samples[:, :-1]
+        if not moments:
+            return np.empty((0, len(start)))
+        return self.integrator.advance(time, start, moments, moments[-1]).samples
 
 
 @dataclass(frozen=True, eq=False)
