@@ -18,6 +18,8 @@ from ..core.laws import Law
 from ..core.vectors import Vector, real_symbol
 from ..errors import RunError
 from ..experiment.closed_form import closed_form_section
+from ..experiment.contact_subject import ContactSubject
+from ..experiment.contact_trajectory import ContactTrajectory
 from ..experiment.study import Study
 from ..explicit.base.solution import Solution
 from ..flow.integrator import Trajectory
@@ -34,6 +36,7 @@ from ..printing.system import (
 )
 from ..proof.fields.budget import EFFORT
 from . import figures
+from .contact_section import contact_plates, contact_section
 from .summary import drift
 
 #: Term operations that the proof of one law may take, and those of all together: the first unless
@@ -125,8 +128,18 @@ def render(
         undefined=jinja2.StrictUndefined,
     )
     system = trajectory.system
-    verdicts = patience.verdicts(study.system)
-    stands = classify(study.system, verdicts, patience, study.subject.model)
+    subject, contact, plates = study.subject, None, PLATES
+    verdicts, places, uncounted = {}, [], []
+    if isinstance(subject, ContactSubject) and isinstance(trajectory, ContactTrajectory):
+        contact = contact_section(subject, trajectory, dataset)
+        mine = contact_plates(subject, trajectory)
+        plates = mine | {name: plate for name, plate in PLATES.items() if name not in mine}
+    else:
+        # laws of one mode of a contact would say nothing of a motion through several
+        verdicts = patience.verdicts(study.system)
+        stands = classify(study.system, verdicts, patience, subject.model)
+        places = [_section(part) for part in (stands, *stands.levels)]
+        uncounted = stands.uncounted_by_reason
     drawn = {name: _figure_html(name, figure) for name, figure in pictures.items()}
     return environment.get_template("report.html").render(
         signed=typographic_signs,
@@ -142,9 +155,10 @@ def render(
                 "caption": f"{_caption(study, name, caption)} {_remark(study, name)}",
                 "svg": drawn[name],
             }
-            for name, (heading, caption) in PLATES.items()
+            for name, (heading, caption) in plates.items()
             if name in drawn
         ],
+        contact=contact,
         still=bool(system.integrals) and "drift" not in drawn,
         energy_changes="energy" in dataset and not system.integrals,
         equations=Markup(system_html(replace(study.system, laws=()))),
@@ -164,7 +178,7 @@ def render(
                 "unit": unit(law.unit),
                 "drift": number(drift(trajectory.recorded[f"law_{law.name}"]), 2),
             }
-            for law in system.integrals
+            for law in (() if contact else system.integrals)
         ],
         closed=None if solution is None else closed_form_section(solution, trajectory),
         closed_figure=drawn.get("closed_form"),
@@ -174,15 +188,15 @@ def render(
             (law.name, _law_text(law), law.source, verdicts[law.name])
             for law in _unobserved_laws(study)
         ],
-        places=[_section(part) for part in (stands, *stands.levels)],
-        uncounted=stands.uncounted_by_reason,
+        places=places,
+        uncounted=uncounted,
         linked={law.name for law in study.system.laws},
         undecided=[
             (name, typographic_signs(verdict.reason))
             for name, verdict in verdicts.items()
             if verdict.reason and not verdict.untried
         ],
-        events=[typographic_signs(str(event)) for event in trajectory.events],
+        events=[] if contact else [typographic_signs(str(e)) for e in trajectory.events],
         remarks=[typographic_signs(remark) for remark in study.remarks],
         failure=typographic_signs(str(failure)) if failure else None,
         facts=_facts(study, trajectory),

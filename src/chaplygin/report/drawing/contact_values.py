@@ -12,7 +12,8 @@ from ...contact.dry_friction import ContensouErismann, Coulomb, SpinFriction
 from ...contact.pressure import Hertz
 from ...contact.situation import FrictionalContact
 from ...core.arrays import BoolArray, FloatArray
-from .dataset_access import values_of
+from .dataset_access import times_of, values_of
+from .modes import event_times
 from .view import rotation_matrices, unit
 
 #: The normal force counts as none below this share of the largest.
@@ -129,32 +130,35 @@ def _over_normal_force(dataset: xr.Dataset, values: FloatArray) -> FloatArray:
     return np.where(pressing[:, None], values / force[:, None], np.nan)
 
 
+def event_impulses(dataset: xr.Dataset) -> tuple[FloatArray, FloatArray]:
+    """The impulse of the support at each event: along the normal (m,) and across it (m, 2).
+
+    The components across the normal are those of :func:`tangential` (N s).
+    """
+    impulses = np.asarray(dataset["event_impulse"].values, dtype=np.float64).reshape(-1, 3)
+    states = dataset["event_state_before"].values
+    columns = [str(name) for name in dataset["state"].values]
+    attitude = states[:, [columns.index(f"attitude_{part}") for part in "wxyz"]]
+    gamma = _event_normals(dataset, states, columns)
+    return np.sum(impulses * gamma, axis=1), in_tangent_plane(impulses, gamma, attitude)
+
+
 def relative_impulses(dataset: xr.Dataset, limits: FrictionLimits) -> FloatArray:
     """Components (k, 2) of the tangential impulses of impacts, over the normal ones.
 
     In the units of the force; events without impulse are left out.
     """
-    impulses = np.asarray(dataset["event_impulse"].values, dtype=np.float64)
-    struck = np.any(impulses != 0.0, axis=1)
-    if not struck.any():
-        return np.empty((0, 2))
-    impulses, states = impulses[struck], dataset["event_state_before"].values[struck]
-    columns = [str(name) for name in dataset["state"].values]
-    attitude = states[:, [columns.index(f"attitude_{part}") for part in "wxyz"]]
-    times = np.asarray(dataset["event_time"].values, dtype=np.float64)[struck]
-    gamma = _normals(dataset, times, states, columns)
-    normal = np.sum(impulses * gamma, axis=1)
-    across = in_tangent_plane(impulses, gamma, attitude)
+    normal, across = event_impulses(dataset)
     pressing = normal > 0.0
     return across[pressing] / normal[pressing, None] / limits.force_unit
 
 
-def _normals(
-    dataset: xr.Dataset, times: FloatArray, states: FloatArray, columns: list[str]
-) -> FloatArray:
-    """Unit normals (k, 3) at events, body axes."""
+def _event_normals(dataset: xr.Dataset, states: FloatArray, columns: list[str]) -> FloatArray:
+    """Unit normals (m, 3) at events, body axes."""
     names = [f"gamma_{axis}" for axis in (1, 2, 3)]
     if all(name in columns for name in names):
         return unit(states[:, [columns.index(name) for name in names]])
-    samples, gamma = np.asarray(dataset["time"].values), values_of(dataset, "gamma")
+    # bodies of another shape have their contact point as state
+    times, samples = event_times(dataset), times_of(dataset)
+    gamma = values_of(dataset, "gamma")
     return unit(np.stack([np.interp(times, samples, column) for column in gamma.T], axis=-1))
