@@ -171,7 +171,8 @@ def contact_plates(
         ),
         "contact_path": (
             "Path of the contact point",
-            "On the support, coloured by time; the ring marks the start, the dot the end.",
+            "On the support, coloured by mode; the ring marks the start, the large dot the end, "
+            "small rings the events.",
         ),
         "energy_stack": (
             "",

@@ -27,18 +27,21 @@ class ModeStyle:
         Pattern of areas; modes in which the spin is held have stripes.
     dashes : tuple
         Of lines, as matplotlib has them.
+    width : float
+        Of lines.
     """
 
     colour: str
     hatch: str = ""
     dashes: tuple[float, tuple[float, ...]] = (0.0, ())
+    width: float = 1.3
 
 
 _DASHED = (0.0, (3.0, 1.5))
 
 # Paul Tol's muted colours again, none of which components of vectors have.
 MODE_STYLES = {
-    "flight": ModeStyle("#88ccee", dashes=(0.0, (1.0, 1.6))),
+    "flight": ModeStyle("#88ccee", dashes=(0.0, (1.6, 1.0)), width=1.7),
     "sliding": ModeStyle("#aa4499"),
     "sliding without spin": ModeStyle("#aa4499", "/////", _DASHED),
     "rolling": ModeStyle("#44aa99"),

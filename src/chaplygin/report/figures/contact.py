@@ -65,6 +65,6 @@ def contact_figures(
         "slip_hodograph": slip_hodograph(dataset),
         "normal_on_sphere": normal_on_sphere(dataset),
     }
-    if pressing:
+    if pressing or dataset["event_impulse"].values.any():
         figures["friction_cone"] = friction_cone(dataset, limits)
     return figures | charts

@@ -25,6 +25,8 @@ from ..drawing.style import FAINT, INK, QUIET, STYLE, WIDTH
 from .mode_bar import key
 
 _NEEDED = ("mode", "event_time", "attitude", "gamma")
+#: Vectors of sliding that turn by more than this (rad) from one sample to the next are no chord.
+_TURN = 0.05
 #: What is allowed, behind the curves.
 _WITHIN = "#ccd3da"
 
@@ -77,7 +79,7 @@ def _from_above(
         axes.add_patch(Circle((0.0, 0.0), 1.0, facecolor=_WITHIN, alpha=0.3, linewidth=0.0))
         axes.add_patch(Circle((0.0, 0.0), 1.0, fill=False, edgecolor=INK, linewidth=0.7))
         largest = max(largest, 1.0)
-    _runs(axes, dataset, force, 2.0)
+    _runs(axes, dataset, force, 0.7, turning=True)
     if len(struck):
         axes.plot(
             *struck.T,
@@ -112,7 +114,7 @@ def _force_and_couple(
     else:
         axes.axhline(1.0, color=INK, linewidth=0.7)
         largest = np.fmax([NOTHING, 1.0], good.max(axis=0, initial=0.0))
-    _runs(axes, dataset, both, 2.0)
+    _runs(axes, dataset, both, 0.7)
     axes.set_xlim(0.0, 1.08 * largest[0])
     axes.set_ylim(0.0, 1.08 * largest[1])
     under = r"\mu N" if limits.mu is not None else "N"
@@ -148,7 +150,7 @@ def slip_hodograph(dataset: xr.Dataset) -> Figure:
         axes = figure.add_subplot()
         axes.set_aspect("equal", adjustable="datalim")
         _cross(axes)
-        _runs(axes, dataset, slip, 1.3)
+        _runs(axes, dataset, slip, 0.0)
         _joints(axes, dataset, slip)
         last = MODE_STYLES[sample_modes(dataset)[-1]].colour
         axes.plot(*slip[0], "o", markersize=5, color=INK, markerfacecolor="#ffffff", zorder=5)
@@ -166,10 +168,18 @@ def _cross(axes: Axes) -> None:
     axes.axvline(0.0, color=FAINT, linewidth=0.6, zorder=0)
 
 
-def _runs(axes: Axes, dataset: xr.Dataset, points: FloatArray, width: float) -> None:
-    """Draw points (n, 2) as curves in the styles of the modes; one alone is a dot."""
+def _runs(
+    axes: Axes, dataset: xr.Dataset, points: FloatArray, wider: float, turning: bool = False
+) -> None:
+    """Draw points (n, 2) as curves in the styles of the modes; one alone is a dot.
+
+    Where vectors of sliding turn fast from sample to sample, `turning` has the curve follow their
+    direction instead of a chord.
+    """
     for mode, run in mode_runs(dataset):
         part = points[run]
+        if turning and mode.startswith("sliding"):
+            part = turned_steps(part)
         good = np.isfinite(part).all(axis=1)
         if not good.any():
             continue
@@ -177,11 +187,39 @@ def _runs(axes: Axes, dataset: xr.Dataset, points: FloatArray, width: float) -> 
         # what stays in one place is no line
         still = float(np.max(np.ptp(part[good], axis=0))) <= NOTHING
         if still:
-            axes.plot(*part[good][0], "o", color=style.colour, markersize=2.0 + width, zorder=4)
+            axes.plot(*part[good][0], "o", color=style.colour, markersize=3.5 + wider, zorder=4)
         else:
             axes.plot(
-                *part.T, color=style.colour, linestyle=style.dashes, linewidth=width, zorder=3
+                *part.T,
+                color=style.colour,
+                linestyle=style.dashes,
+                linewidth=style.width + wider,
+                zorder=3,
             )
+
+
+def turned_steps(vectors: FloatArray) -> FloatArray:
+    """Vectors (n, 2) with others between those that turn by more than a few degrees.
+
+    Between two of them direction and length change evenly.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from chaplygin.report.figures.contact_plane import turned_steps
+    >>> points = turned_steps(np.array([[1.0, 0.0], [0.0, 1.0]]))
+    >>> bool(np.allclose(np.hypot(*points.T), 1.0))
+    True
+    """
+    if len(vectors) < 2 or not np.isfinite(vectors).all():
+        return vectors
+    length = np.linalg.norm(vectors, axis=1)
+    angle = np.unwrap(np.arctan2(vectors[:, 1], vectors[:, 0]))
+    parts = np.maximum(1, np.ceil(np.abs(np.diff(angle)) / _TURN)).astype(int)
+    places = np.concatenate([[0.0], np.cumsum(1.0 / np.repeat(parts, parts))])
+    samples = np.arange(len(vectors))
+    angle, length = np.interp(places, samples, angle), np.interp(places, samples, length)
+    return np.stack([length * np.cos(angle), length * np.sin(angle)], axis=-1)
 
 
 def _joints(axes: Axes, dataset: xr.Dataset, points: FloatArray) -> None:
@@ -197,4 +235,4 @@ def _joints(axes: Axes, dataset: xr.Dataset, points: FloatArray) -> None:
         else:
             moving = mode if mode.startswith("sliding") else following
             style = MODE_STYLES[moving]
-            axes.plot(*ends.T, color=style.colour, linewidth=1.3, zorder=3)
+            axes.plot(*ends.T, color=style.colour, linewidth=style.width, zorder=3)

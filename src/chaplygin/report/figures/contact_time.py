@@ -32,8 +32,8 @@ from ..drawing.style import COMPONENTS, FAINT, INK, QUIET, STYLE, WIDTH
 from .time_axis import legend_above, marker, time_chart, time_label, widen
 
 #: Colours of stored energy, and of what it was lost to, whose areas are striped.
-_STORED = ("#88ccee", "#ddaa33")
-_LOST = ("#cc6677", "#332288", "#999933", "#117733", "#aa4499", "#44aa99")
+_STORED = ("#004488", "#ddaa33")
+_LOST = ("#cc6677", "#999933", "#117733", "#aa4499", "#44aa99", "#88ccee")
 
 #: What takes energy, by the ends of the names of variables.
 LOSSES = {
@@ -92,9 +92,12 @@ def energy_parts(dataset: xr.Dataset, body: Body) -> list[EnergyPart]:
         if not name.startswith("work_"):
             continue
         law = name.removeprefix("work_")
+        values = values_of(dataset, name)
+        if law == "impact" and not values.any():
+            continue
         meaning = str(dataset[name].attrs.get("long_name", law))
         words = LOSSES.get(law, meaning.removeprefix("work lost to ").partition(",")[0])
-        parts.append(EnergyPart(f"lost to {words}", values_of(dataset, name), True))
+        parts.append(EnergyPart(f"lost to {words}", values, True))
     return parts
 
 
@@ -207,7 +210,7 @@ def slip_and_spin(dataset: xr.Dataset) -> Figure:
                     values[run],
                     color=style.colour,
                     linestyle=style.dashes,
-                    linewidth=1.3,
+                    linewidth=style.width,
                     marker=marker(times[run]),
                     markersize=1.5,
                 )
@@ -245,7 +248,9 @@ def friction_share(dataset: xr.Dataset, limits: FrictionLimits) -> Figure:
     require_all(dataset, "friction_share", needed)
     times = times_of(dataset)
     under = r"\mu N" if limits.mu is not None else "N"
-    curves = [(rf"force  $|f|/{under}$", np.linalg.norm(relative_friction(dataset, limits), axis=1))]
+    curves = [
+        (rf"force  $|f|/{under}$", np.linalg.norm(relative_friction(dataset, limits), axis=1))
+    ]
     if limits.arm:
         arm = rf"{under}a" if limits.coupled else r"\mu_s N"
         curves.append((rf"couple  $|\tau|/{arm}$", relative_couple(dataset, limits)))

@@ -35,6 +35,8 @@ _POINT = 1.0 / 72.0
 _SPACE, _BAR, _NAMES = 3.0, 7.0, 12.0
 #: Size of the names of events.
 _SIZE = 8.0
+#: Characters of the key of modes for each inch of the figure.
+_LINE = 9.0
 #: So many events are marked by lines through the plot; more would hide the curves.
 _LINES = 40
 #: Events nearer to each other than so many points are named together in any case.
@@ -69,7 +71,7 @@ def add_mode_bars(figure: Figure, dataset: xr.Dataset) -> None:
 
 def key(figure: Figure, modes: list[str]) -> None:
     """Write a key of modes at the foot of a figure."""
-    columns = len(modes) if sum(map(len, modes)) < 30 else 2
+    columns = len(modes) if sum(map(len, modes)) <= _LINE * figure.get_figwidth() else 2
     figure.legend(
         handles=mode_key(modes),
         loc="outside lower center",
@@ -118,9 +120,7 @@ def _add_bar(axes: Axes, dataset: xr.Dataset, named: bool) -> None:
         )
         if len(events) <= _LINES:
             axes.axvline(time, color=QUIET, linewidth=0.4, linestyle=(0, (1, 2)), zorder=0.6)
-    axes.spines["bottom"].set_position(
-        ("outward", _SPACE + _BAR + (_NAMES if names else 2.0))
-    )
+    axes.spines["bottom"].set_position(("outward", _SPACE + _BAR + (_NAMES if names else 2.0)))
     if names:
         axes.add_artist(EventNames(events, event_kinds(dataset), across, bottom - 3 * _POINT))
 

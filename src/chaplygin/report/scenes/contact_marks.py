@@ -30,7 +30,7 @@ def mark_events(
     times: FloatArray,
     contact: FloatArray,
     ground: Ground,
-    body: BodyMesh,
+    body: BodyMesh | None = None,
 ) -> None:
     """Mark where the contact is at the events, but for places that ground or body hide.
 
@@ -42,7 +42,7 @@ def mark_events(
     contact : (n, 3) array
         Space axes.
     ground : PlaneGround or SphereGround
-    body : BodyMesh
+    body : BodyMesh, optional
         As it lies at the end.
     """
     events = event_times(dataset)
@@ -53,15 +53,13 @@ def mark_events(
     if not isinstance(ground, PlaneGround):
         side = float(np.copysign(1.0, ground.radius))
         places = places[sheet.view.faces_reader(side * on_ground(places, ground).normals)]
-    outline = Path(convex_hull(sheet.view.project(body.vertices)))
+    outline = None if body is None else Path(convex_hull(sheet.view.project(body.vertices)))
     for place in places:
-        if not outline.contains_point(sheet.view.project(place)):
+        if outline is None or not outline.contains_point(sheet.view.project(place)):
             sheet.dot(place, "white", INK, 3.0)
 
 
-def mode_scale(
-    figure: Figure, axes: Axes, dataset: xr.Dataset, span: tuple[float, float]
-) -> None:
+def mode_scale(figure: Figure, axes: Axes, dataset: xr.Dataset, span: tuple[float, float]) -> None:
     """Write the key of the modes below the picture, with the time that it shows."""
     names = present_modes(dataset)
     shown = [i.mode for i in mode_intervals(dataset) if i.end > span[0] and i.begin < span[1]]
