@@ -16,6 +16,7 @@ from ..experiment.contact_trajectory import ContactTrajectory
 from ..mechanics.rolling.surfaces import Plane
 from ..printing.numerals import number, typographic_signs, unit
 from .drawing.contact_values import FrictionLimits, event_impulses, friction_limits
+from .drawing.modes import changes_mode
 from .figures.contact_time import energy_parts
 
 #: So many events stand in the table of the page; all are in the dataset.
@@ -138,7 +139,7 @@ def contact_section(
 
 
 def contact_plates(
-    subject: ContactSubject, trajectory: ContactTrajectory
+    subject: ContactSubject, trajectory: ContactTrajectory, dataset: xr.Dataset
 ) -> dict[str, tuple[str, str]]:
     """The figures of the page, in their order, with heading and caption."""
     limits = friction_limits(subject.contact)
@@ -171,8 +172,10 @@ def contact_plates(
         ),
         "contact_path": (
             "Path of the contact point",
-            "On the support, coloured by mode; the ring marks the start, the large dot the end, "
-            "small rings the events.",
+            "On the support, coloured by mode; the large ring marks the start, the dot the end, "
+            "small rings the events."
+            if changes_mode(dataset)
+            else "On the support, coloured by time; the ring marks the start, the dot the end.",
         ),
         "energy_stack": (
             "",

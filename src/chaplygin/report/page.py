@@ -132,7 +132,7 @@ def render(
     verdicts, places, uncounted = {}, [], []
     if isinstance(subject, ContactSubject) and isinstance(trajectory, ContactTrajectory):
         contact = contact_section(subject, trajectory, dataset)
-        mine = contact_plates(subject, trajectory)
+        mine = contact_plates(subject, trajectory, dataset)
         plates = mine | {name: plate for name, plate in PLATES.items() if name not in mine}
     else:
         # laws of one mode of a contact would say nothing of a motion through several

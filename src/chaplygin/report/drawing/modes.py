@@ -1,4 +1,4 @@
-"""The modes of a contact in figures: their times, colours and names, and the events between them."""
+"""The modes of a contact in figures: times, colours and names, and the events between them."""
 
 from __future__ import annotations
 
@@ -106,6 +106,11 @@ def present_modes(dataset: xr.Dataset) -> list[str]:
     """The modes that occur, in the order of their styles."""
     occurring = {interval.mode for interval in mode_intervals(dataset)}
     return [mode for mode in MODE_STYLES if mode in occurring]
+
+
+def changes_mode(dataset: xr.Dataset) -> bool:
+    """Whether the trajectory has modes of a contact, and more than one of them."""
+    return "mode" in dataset and len(present_modes(dataset)) > 1
 
 
 def mode_key(modes: list[str]) -> list[Patch]:

@@ -185,9 +185,16 @@ def _runs(
             continue
         style = MODE_STYLES[mode]
         # what stays in one place is no line
-        still = float(np.max(np.ptp(part[good], axis=0))) <= NOTHING
-        if still:
-            axes.plot(*part[good][0], "o", color=style.colour, markersize=3.5 + wider, zorder=4)
+        if float(np.max(np.ptp(part[good], axis=0))) <= NOTHING:
+            size = style.width if good.sum() == 1 else 3.5
+            axes.plot(
+                *part[good][0],
+                "o",
+                color=style.colour,
+                markersize=size + wider,
+                markeredgewidth=0.0,
+                zorder=4,
+            )
         else:
             axes.plot(
                 *part.T,

@@ -31,7 +31,7 @@ from ..drawing.dataset_access import (
     with_unit,
 )
 from ..drawing.mesh import SurfaceCurve
-from ..drawing.modes import ModeColours
+from ..drawing.modes import ModeColours, changes_mode
 from ..drawing.shading import Ground, PlaneGround, SphereGround
 from ..drawing.style import FAINT, INK, QUIET, STYLE, WIDTH
 from ..drawing.view import View, unit
@@ -43,7 +43,9 @@ _LEFT = 0.76
 
 
 def contact_path(dataset: xr.Dataset, surface: Ground) -> Figure:
-    """The path of the contact point on the surface, in the colours of time or of the modes.
+    """The path of the contact point on the surface, in the colours of time.
+
+    Where the mode of the contact changes, it is in those of the modes.
 
     On a plane it is seen from above, to scale; on a sphere in space, with the part on the far
     side faded (of a bowl the inside of the far wall is seen).
@@ -74,7 +76,7 @@ def contact_path(dataset: xr.Dataset, surface: Ground) -> Figure:
         figure = Figure(figsize=(WIDTH, 4.0))
         figure.set_label(f"Path of the contact point: {title_of(dataset)}")
         span = (samples[0], samples[-1])
-        colours = ModeColours(dataset, *span) if "mode" in dataset else None
+        colours = ModeColours(dataset, *span) if changes_mode(dataset) else None
         if isinstance(surface, PlaneGround):
             sheet = _path_on_plane(figure, dataset, times, points, colours)
             left = _LEFT
