@@ -35,6 +35,7 @@ from ..printing.system import (
     text,
 )
 from ..proof.fields.budget import EFFORT
+from ..proof.verdict import Verdict
 from . import figures
 from .contact_section import contact_plates, contact_section
 from .summary import drift
@@ -129,13 +130,15 @@ def render(
     )
     system = trajectory.system
     subject, contact, plates = study.subject, None, PLATES
-    verdicts, places, uncounted = {}, [], []
+    verdicts: dict[str, Verdict] = {}
+    places: list[dict[str, object]] = []
+    uncounted: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    # laws of one mode of a contact say nothing of a motion through several
     if isinstance(subject, ContactSubject) and isinstance(trajectory, ContactTrajectory):
         contact = contact_section(subject, trajectory, dataset)
         mine = contact_plates(subject, trajectory, dataset)
         plates = mine | {name: plate for name, plate in PLATES.items() if name not in mine}
     else:
-        # laws of one mode of a contact would say nothing of a motion through several
         verdicts = patience.verdicts(study.system)
         stands = classify(study.system, verdicts, patience, subject.model)
         places = [_section(part) for part in (stands, *stands.levels)]

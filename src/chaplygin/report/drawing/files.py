@@ -155,8 +155,8 @@ def _make_narrow(figure: Figure) -> None:
         # what stands side by side, or has a long key, would be crowded out: it stays as it is
         return
     figure.set_size_inches(NARROW, high)
-    for legend in figure.legends:
-        legend.set_ncols(2)
+    for key in figure.legends:
+        key.set_ncols(2)
     for axes in panels:
         if axes.get_xscale() == "linear" and isinstance(
             axes.xaxis.get_major_locator(), AutoLocator

@@ -129,7 +129,8 @@ def _inches_below(axes: Axes) -> Transform:
     """Coordinates: the time across, and inches up from the lower edge of a plot."""
     figure = axes.get_figure(root=True)
     assert figure is not None
-    upward = figure.dpi_scale_trans + ScaledTranslation(0.0, 0.0, axes.transAxes)
+    corner = ScaledTranslation(0.0, 0.0, axes.transAxes)  # type: ignore[arg-type]  (any will do)
+    upward = figure.dpi_scale_trans + corner
     return blended_transform_factory(axes.transData, upward)
 
 
@@ -204,7 +205,6 @@ class EventNames(Artist):
         axes = self.axes
         assert axes is not None
         box = axes.get_window_extent()
-        points = renderer.points_to_pixels(1.0)
         across = self._across()
         inside = [
             EventGroup(float(x), float(x), (kind,))
@@ -215,15 +215,14 @@ class EventNames(Artist):
         def width(name: str) -> float:
             return self._text(name).get_window_extent(renderer).width
 
-        return arranged(inside, width, (box.x0, box.x1), _NEAR * points)
+        return arranged(inside, width, (box.x0, box.x1), _NEAR * self._pixels)
 
     def draw(self, renderer: RendererBase) -> None:
         """Draw the names, and a line over those of several events."""
-        points = renderer.points_to_pixels(1.0)
         top = self._top()
         for item in self.placed(renderer):
             text = self._text(item.group.name)
-            text.set_position((item.left, top - points))
+            text.set_position((item.left, top - self._pixels))
             text.draw(renderer)
             if item.group.last > item.group.first:
                 line = Line2D([item.group.first, item.group.last], [top, top], color=INK)
@@ -231,6 +230,13 @@ class EventNames(Artist):
                 self._adopt(line)
                 line.draw(renderer)
         self.stale = False
+
+    @property
+    def _pixels(self) -> float:
+        """Of a point."""
+        figure = self.get_figure(root=True)
+        assert figure is not None
+        return float(figure.dpi) * _POINT
 
     def _across(self) -> FloatArray:
         points = np.stack([self._times, np.full(len(self._times), self._height)], axis=-1)

@@ -55,7 +55,7 @@ def mark_events(
         places = places[sheet.view.faces_reader(side * on_ground(places, ground).normals)]
     outline = None if body is None else Path(convex_hull(sheet.view.project(body.vertices)))
     for place in places:
-        if outline is None or not outline.contains_point(sheet.view.project(place)):
+        if outline is None or not outline.contains_points(sheet.view.project(place)[None])[0]:
             sheet.dot(place, "white", INK, 3.0)
 
 
