@@ -142,13 +142,14 @@ def contact_plates(
     subject: ContactSubject, trajectory: ContactTrajectory, dataset: xr.Dataset
 ) -> dict[str, tuple[str, str]]:
     """The figures of the page, in their order, with heading and caption."""
-    limits = friction_limits(subject.contact)
+    limits, surface = friction_limits(subject.contact), subject.contact.surface
     collides = any(np.any(event.impulse != 0.0) for event in trajectory.changes)
     turned = (
         ""
-        if isinstance(subject.contact.surface, Plane)
+        if isinstance(surface, Plane)
         else " The axes x and y of space are turned into the tangent plane by the shortest way."
     )
+    given = " What the moving support gives is below zero." if surface.turntable else ""
     jumps = " Broken lines are jumps in impacts." if collides else ""
     return {
         "slip_and_spin": (
@@ -180,7 +181,7 @@ def contact_plates(
         "energy_stack": (
             "",
             "Kinetic and potential energy and the work lost (striped), each on top of the one "
-            "before. The height of all together, the black line, stays constant.",
+            f"before. Their sum, the black line, stays constant.{given}",
         ),
         "drift": ("", "Change of the energy with all work lost, relative to its initial value."),
     }

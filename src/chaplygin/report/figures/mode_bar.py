@@ -129,7 +129,7 @@ def _inches_below(axes: Axes) -> Transform:
     """Coordinates: the time across, and inches up from the lower edge of a plot."""
     figure = axes.get_figure(root=True)
     assert figure is not None
-    corner = ScaledTranslation(0.0, 0.0, axes.transAxes)  # type: ignore[arg-type]  (any will do)
+    corner = ScaledTranslation(0.0, 0.0, axes.transAxes)  # type: ignore[arg-type]
     upward = figure.dpi_scale_trans + corner
     return blended_transform_factory(axes.transData, upward)
 

@@ -6,6 +6,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 from matplotlib.path import Path
 
 from ...core.arrays import FloatArray
@@ -62,15 +63,21 @@ def mark_events(
 def mode_scale(figure: Figure, axes: Axes, dataset: xr.Dataset, span: tuple[float, float]) -> None:
     """Write the key of the modes below the picture, with the time that it shows."""
     names = present_modes(dataset)
-    shown = [i.mode for i in mode_intervals(dataset) if i.end > span[0] and i.begin < span[1]]
+    shown = {i.mode for i in mode_intervals(dataset) if i.end > span[0] and i.begin < span[1]}
     names = [name for name in names if name in shown] or names
-    columns = len(names) if sum(map(len, names)) <= _LINE else 2
-    rows = -(-len(names) // columns)
+    units = unit_of(dataset, "time")
+    handles = mode_key(names)
+    if span[0] > dataset["time"].values[0]:
+        handles.append(_words(f"from $t$ = {span[0]:.3g} {units}"))
+    elif span[1] < dataset.attrs.get("end_time", span[1]):
+        handles.append(_words(f"until $t$ = {span[1]:.3g} {units}"))
+    labels = [str(handle.get_label()) for handle in handles]
+    columns = len(labels) if sum(map(len, labels)) <= _LINE else 2
+    rows = -(-len(labels) // columns)
     _extend(figure, axes, (rows - 1) * _HIGH)
     wide, high = figure.get_size_inches()
-    units = unit_of(dataset, "time")
     figure.legend(
-        handles=mode_key(names),
+        handles=handles,
         loc="lower left",
         bbox_to_anchor=(0.1 / wide, 0.06 / high),
         ncols=columns,
@@ -82,6 +89,11 @@ def mode_scale(figure: Figure, axes: Axes, dataset: xr.Dataset, span: tuple[floa
         fontsize=9,
     )
     figure.set_label(f"{figure.get_label()}; t from {span[0]:.4g} to {span[1]:.4g} {units}".strip())
+
+
+def _words(words: str) -> Patch:
+    """An entry of a key without a colour."""
+    return Patch(facecolor="none", edgecolor="none", label=words)
 
 
 def _extend(figure: Figure, axes: Axes, more: float) -> None:
