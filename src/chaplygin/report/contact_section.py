@@ -122,7 +122,7 @@ def contact_section(
     parts = energy_parts(dataset, subject.contact.body)
     total = np.sum([part.values for part in parts], axis=0)
     return ContactSection(
-        laws=[_law_row(law) for law in subject.contact.laws],
+        laws=[law_row(law) for law in subject.contact.laws],
         impacts=_impacts(trajectory),
         summary=_summary(trajectory),
         events=rows,
@@ -222,7 +222,8 @@ def _share(limits: FrictionLimits) -> str:
     return "One is the limit of dry friction: reached in sliding, and where sliding begins."
 
 
-def _law_row(law: FrictionLaw) -> LawRow:
+def law_row(law: FrictionLaw) -> LawRow:
+    """A law of friction in words, with its coefficients."""
     words = _WORDS.get(law.name, law.words)
     if isinstance(law, Coulomb) and math.isinf(law.mu):
         words = "Dry friction without limit: the contact never slips."
