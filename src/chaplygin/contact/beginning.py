@@ -61,7 +61,7 @@ class Beginning:
         if not moments:
             return np.empty((0, len(state)))
         start = np.append(state, 0.0)
-        return self.integrator.advance(time, start, moments, moments[-1]).samples[:, :-1]
+        return self.integrator.advance(time, start, moments, moments[-1]).samples
 
 
 @dataclass(frozen=True, eq=False)
