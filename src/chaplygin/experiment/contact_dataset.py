@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any, TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 import xarray as xr
 
 from ..contact.modes import MODE_NAMES
+from ..core.arrays import FloatArray
 from .contact_trajectory import ContactTrajectory, work_names
-from .dataset import Variable, to_dataset
+from .dataset import to_dataset
+
+#: Dimensions, values and attributes of a variable of the events.
+EventVariable: TypeAlias = tuple[
+    str | tuple[str, ...], FloatArray | npt.NDArray[Any], Mapping[str, object]
+]
 
 #: Variables of the state that the dataset has in space axes under other names.
 _ELSEWHERE = ("position", "v")
@@ -91,11 +99,11 @@ def _flags(meaning: str) -> dict[str, object]:
     }
 
 
-def _event_variables(trajectory: ContactTrajectory) -> dict[str, Variable]:
+def _event_variables(trajectory: ContactTrajectory) -> dict[str, EventVariable]:
     """The variables of the dimension ``event``."""
     events, size = trajectory.changes, len(trajectory.system.symbols)
 
-    def rows(values: list[np.ndarray], width: int) -> np.ndarray:
+    def rows(values: list[FloatArray], width: int) -> FloatArray:
         return np.array(values, dtype=float).reshape(len(events), width)
 
     def notes(meaning: str, unit: str, **more: str) -> dict[str, str]:
@@ -104,6 +112,7 @@ def _event_variables(trajectory: ContactTrajectory) -> dict[str, Variable]:
     modes = np.array([MODE_NAMES.index(event.mode) for event in events], dtype=np.int8)
     kinds = np.array([event.kind for event in events], dtype="<U30")
     times = np.array([event.time for event in events], dtype=float)
+    unique = np.array([event.unique for event in events], dtype=np.int8)
     couples = np.array([event.couple_impulse for event in events], dtype=float)
     before = rows([event.before[:size] for event in events], size)
     after = rows([event.after[:size] for event in events], size)
@@ -124,6 +133,7 @@ def _event_variables(trajectory: ContactTrajectory) -> dict[str, Variable]:
             impulses,
             notes("impulse of the support on the body", "N s", frame=body),
         ),
+        "event_unique": ("event", unique, notes("1 if no other motion is possible after it", "1")),
         "event_couple_impulse": (
             "event",
             couples,

@@ -11,22 +11,15 @@ import mpmath
 import numpy as np
 
 from ..contact.compiled import OMEGA, VELOCITY, CompiledContact
+from ..contact.dry_friction import ContensouErismann, Coulomb, SpinFriction
 from ..contact.equations import equations_of_motion
-from ..contact.friction import (
-    ContensouErismann,
-    ContourResistance,
-    Coulomb,
-    FrictionLaw,
-    NormalViscous,
-    RollingResistance,
-    SpinFriction,
-    Viscous,
-    ViscousRolling,
-)
+from ..contact.friction_law import FrictionLaw
 from ..contact.modes import Mode
+from ..contact.rolling_friction import ContourResistance, RollingResistance, ViscousRolling
 from ..contact.rules import Rules
 from ..contact.situation import FrictionalContact
 from ..contact.starts import SLACK, clearance, start_in_contact, start_in_space
+from ..contact.viscous_friction import NormalViscous, Viscous
 from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
@@ -96,8 +89,9 @@ class ContactSubject(Subject):
         if known.gap > SLACK * float(np.linalg.norm(known.r)):
             return ()
         state = self._state()
-        speed = -float(known.gamma @ (state[VELOCITY] + np.cross(state[OMEGA], known.r)))
-        if speed <= 0:
+        turning = np.cross(state[OMEGA], known.r)
+        speed = -float(known.gamma @ (state[VELOCITY] + turning))
+        if speed <= SLACK * float(np.linalg.norm(state[VELOCITY]) + np.linalg.norm(turning)):
             return ()
         return (
             f"the body touches its support at the start and moves into it with {speed:.6g} m/s; "

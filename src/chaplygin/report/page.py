@@ -126,7 +126,12 @@ def render(
     )
     system = trajectory.system
     verdicts = patience.verdicts(study.system)
-    stands = classify(study.system, verdicts, patience, study.subject.model)
+    # laws of one mode alone give a motion through several no place in the hierarchy
+    stands = (
+        None
+        if study.subject.changes_equations
+        else classify(study.system, verdicts, patience, study.subject.model)
+    )
     drawn = {name: _figure_html(name, figure) for name, figure in pictures.items()}
     return environment.get_template("report.html").render(
         signed=typographic_signs,
@@ -174,8 +179,8 @@ def render(
             (law.name, _law_text(law), law.source, verdicts[law.name])
             for law in _unobserved_laws(study)
         ],
-        places=[_section(part) for part in (stands, *stands.levels)],
-        uncounted=stands.uncounted_by_reason,
+        places=[_section(part) for part in (stands, *stands.levels)] if stands else [],
+        uncounted=stands.uncounted_by_reason if stands else (),
         linked={law.name for law in study.system.laws},
         undecided=[
             (name, typographic_signs(verdict.reason))
