@@ -11,9 +11,9 @@ import pytest
 import xarray as xr
 
 import chaplygin as ch
-from chaplygin.contact.dry_friction import ContensouErismann, Coulomb, SpinFriction
-from chaplygin.contact.modes import MODE_NAMES
-from chaplygin.contact.viscous_friction import Viscous
+from chaplygin.contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
+from chaplygin.contact.friction.modes import MODE_NAMES
+from chaplygin.contact.friction.viscous_friction import Viscous
 from chaplygin.experiment.contact.dataset import contact_dataset
 from chaplygin.experiment.contact.trajectory import ContactTrajectory
 from chaplygin.experiment.contact_subject import ContactSubject

@@ -6,7 +6,7 @@ import textwrap
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from ..contact.events import ContactEvent
+    from ..contact.course.events import ContactEvent
     from ..experiment.contact.trajectory import ContactTrajectory
     from ..experiment.study import Study
     from ..flow.integrator import Trajectory

@@ -13,7 +13,7 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
 
-from chaplygin.contact.modes import MODE_NAMES
+from chaplygin.contact.friction.modes import MODE_NAMES
 from chaplygin.errors import InputError
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.shapes import Ball

@@ -9,8 +9,8 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from ...contact.modes import MODE_NAMES
-from ...contact.situation import FrictionalContact
+from ...contact.equations.situation import FrictionalContact
+from ...contact.friction.modes import MODE_NAMES
 from ...core.arrays import FloatArray
 from ...core.system import System
 from .trajectory import ContactTrajectory, work_names

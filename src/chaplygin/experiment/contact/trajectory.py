@@ -11,12 +11,12 @@ import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
-from ...contact.compiled import CompiledContact
-from ...contact.events import ContactEvent
-from ...contact.modes import FLIGHT
+from ...contact.course.compiled import CompiledContact
+from ...contact.course.events import ContactEvent
+from ...contact.course.rules import Rules
+from ...contact.equations.situation import FrictionalContact
+from ...contact.friction.modes import FLIGHT
 from ...contact.motion import ContactMotion, contact_motion
-from ...contact.rules import Rules
-from ...contact.situation import FrictionalContact
 from ...core.arrays import FloatArray
 from ...core.system import Guard, System
 from ...errors import InputError, RunError
@@ -35,7 +35,7 @@ class ContactTrajectory(Trajectory):
     contact : FrictionalContact
     rules : Rules
     modes : array (n,)
-        Of each sample, an index into :data:`chaplygin.contact.modes.MODE_NAMES`.
+        Of each sample, an index into :data:`chaplygin.contact.friction.modes.MODE_NAMES`.
     changes : tuple of ContactEvent
         What happened at the contact, with states and impulses.
     reason : str

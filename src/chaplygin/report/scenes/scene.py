@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
-from ...contact.situation import FrictionalContact
+from ...contact.equations.situation import FrictionalContact
 from ...core.arrays import FloatArray
 from ...core.vectors import Vector
 from ...mechanics.ball.ball import RollingBall
