@@ -19,6 +19,13 @@ from .drawing.contact_values import FrictionLimits, event_impulses, friction_lim
 from .drawing.modes import changes_mode
 from .figures.contact_time import energy_parts
 
+#: Meaning and unit of values of a start that are no variables of the dataset.
+START_WORDS = {
+    "position": ("centre of mass", "m"),
+    "heading": ("angle by which the body is turned about the normal", "rad"),
+    "normal": ("normal of the support at the contact, in space", ""),
+}
+
 #: So many events stand in the table of the page; all are in the dataset.
 MOST_EVENTS = 60
 
@@ -181,7 +188,7 @@ def contact_plates(
         "energy_stack": (
             "",
             "Kinetic and potential energy and the work lost (striped), each on top of the one "
-            f"before. Their sum, the black line, stays constant.{given}",
+            f"before. Their sum, the line named total, stays constant.{given}",
         ),
         "drift": ("", "Change of the energy with all work lost, relative to its initial value."),
     }
