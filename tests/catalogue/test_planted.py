@@ -38,6 +38,13 @@ HARMLESS = {
     # on a cone the square of its length is a multiple of z², whatever the sign of one term
     "marble-ball-on-cone volume": {"density sign"},
     "rubber-ball-on-cone volume": {"density sign"},
+    # one component of the direction of the slip, and of the jerk, is as constant as the other
+    "sliding-ball direction_x": {"value index"},
+    "sliding-ball direction_y": {"value index"},
+    "sliding-ball parabola": {"value index"},
+    "sliding-ball (general) direction_x": {"value index"},
+    # every function of the constant spin is constant
+    "sliding-ball momentum_z": {"value exponent"},
     # every function of the constant height is constant
     "marble-ball particle_in_plane": {"map exponent"},
 }

@@ -14,6 +14,7 @@ from chaplygin.contact.friction import (
     Coulomb,
     FrictionLaw,
     NormalViscous,
+    PowerFriction,
     RollingResistance,
     SpinFriction,
     Viscous,
@@ -58,6 +59,8 @@ def reaction(law: FrictionLaw, at: Touch) -> tuple[Any, Any, Any, Any]:
             return none, none, -law.coefficient * u, -law.spin * at.spin * at.gamma
         case NormalViscous():
             return -law.coefficient * u, none, none, none
+        case PowerFriction():
+            return -law.coefficient * speed**law.order * u / speed, none, none, none
         case RollingResistance():
             return none, -law.arm * at.rolling / np.linalg.norm(at.rolling), none, none
         case ViscousRolling():

@@ -408,3 +408,13 @@ def test_least_motion_is_least() -> None:
             change = np.append(other - force, rng.uniform(-arm, arm) - couple)
             assert motion @ change > -1e-12 * np.abs(G).max()
     assert len(kinds) == 4
+
+
+def test_static_friction_may_hold_more_than_sliding_friction() -> None:
+    # a block that is pulled along: it needs f = 0.35 N
+    block = mobility(1.0, [1e6, 1e6, 1e6], [0, 0, -1], [0, 0, 1])
+    slip = point_slip(block, np.array([3.5, 0.0, -10.0]), 0.3)
+    assert not rest_of_point(slip).holds
+    assert not rest_of_point(slip, 0.34).holds
+    assert rest_of_point(slip, 0.36).holds
+    assert rest_of_point(slip, 0.34).exits[0].growth == pytest.approx(3.5 - 3.0, abs=1e-5)

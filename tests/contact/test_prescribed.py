@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from chaplygin.contact.friction import ContensouErismann, Coulomb
+from chaplygin.contact.friction import ContensouErismann, Coulomb, UserFriction
 from chaplygin.contact.modes import Mode
 from chaplygin.contact.prescribed import (
     DEGREE,
@@ -16,8 +16,9 @@ from chaplygin.contact.prescribed import (
     PrescribedDirection,
     clock,
     duration,
+    prescribed,
 )
-from chaplygin.contact.symbols import gamma, spin_sign
+from chaplygin.contact.symbols import gamma, slip, spin, spin_sign
 from chaplygin.core.system import flat_pairs
 from chaplygin.core.vectors import to_components
 from contact.friction_formulas import Touch, reaction
@@ -29,14 +30,15 @@ HEADINGS = np.array([0.3, -0.2, 0.05, 0.01, -0.02, 0.03, 0.004])
 LATITUDES = 0.1 * HEADINGS[::-1]
 
 
-def prescribed(law, at, latitude=0.0, sign=1.0):
+def beginning(law, at, latitude=0.0, sign=1.0):
     """Direction, force and couple at a time in units of the duration."""
     known = dict(zip(gamma.symbols, NORMAL, strict=True)) | {clock: at, spin_sign: sign}
     values = {"mu": MU, "patch": PATCH, "theta_0": latitude, "duration": 0.1}
     values |= {f"n_0_{i}": x for i, x in enumerate(FIRST, 1)}
     values |= dict(zip(map(str, HEADING_COEFFICIENTS), HEADINGS, strict=True))
     values |= dict(zip(map(str, LATITUDE_COEFFICIENTS), LATITUDES, strict=True))
-    known |= {p.symbol: values[str(p.symbol)] for p in law.parameters}
+    known |= {p.symbol: values.get(str(p.symbol), p.default) for p in law.parameters}
+    known |= dict(zip(slip.symbols, 0.2 * direction_at(at), strict=True)) | {spin: sign * 0.5}
     for symbol, formula in flat_pairs(law.definitions(Mode())):
         known[symbol] = float(formula.xreplace(known))
     parts = law.reaction(Mode())
@@ -56,7 +58,7 @@ def direction_at(at):
 
 @pytest.mark.parametrize("at", [0.0, 0.4, 1.0])
 def test_coulomb(at):
-    _, p, q = prescribed(PrescribedDirection(), at)
+    _, p, q = beginning(PrescribedDirection(), at)
     expected, *_ = reaction(Coulomb(MU), Touch(direction_at(at), 1.0, None, NORMAL, None))
     np.testing.assert_allclose(p, expected, atol=1e-16)
     assert not q.any()
@@ -69,7 +71,7 @@ def test_coupled_law(span, k, sign):
     # the angle of (|u|, aΩ) from the axis of spin
     first = math.atan2(k, sign) - LATITUDES @ at ** np.arange(1, DEGREE + 1)
     law = PrescribedDirection("contensou", span)
-    _, p, q = prescribed(law, at, first, sign)
+    _, p, q = beginning(law, at, first, sign)
     touch = Touch(k * PATCH * direction_at(at), sign, None, NORMAL, None)
     force, couple, *_ = reaction(ContensouErismann(MU, PATCH), touch)
     np.testing.assert_allclose(p, force, atol=1e-15)
@@ -86,3 +88,16 @@ def test_the_law_in_whose_place_it_stands():
     names = {str(p.symbol) for p in law.parameters}
     assert {"mu", "patch", "theta_0", "theta_7", "phi_7", "n_0_3", "duration"} <= names
     assert "patch" not in {str(p.symbol) for p in PrescribedDirection().parameters}
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_law_of_the_user(sign):
+    law = UserFriction("mu + slip_speed", couple="spin/(3 + spin)", values={"mu": 0.4})
+    _, p, q = beginning(prescribed(law), 0.4, sign=sign)
+    np.testing.assert_allclose(p, -0.6 * direction_at(0.4), atol=1e-15)
+    np.testing.assert_allclose(q, -sign * NORMAL / 7, atol=1e-15)
+
+
+def test_what_stands_in_its_place():
+    assert prescribed(Coulomb(0.3)) == PrescribedDirection()
+    assert prescribed(ContensouErismann(0.3, 0.1), "inner").range == "inner"

@@ -83,6 +83,7 @@ GROUPS = (
             *("rubber-ball-on-torus", "rubber-ball-on-surface"),
         ),
     ),
+    Group("Bodies that slide with friction", "none", ("sliding-ball", "sliding-top")),
     Group(
         "Bodies about a fixed point under a constraint",
         "none",

@@ -14,13 +14,12 @@ import numpy as np
 from ..core.arrays import FloatArray
 from .compiled import CompiledContact, ModeIntegrator, with_values
 from .contensou import range_of
-from .friction import ContensouErismann, Coulomb
 from .modes import Mode
 from .prescribed import (
     DEGREE,
     HEADING_COEFFICIENTS,
     LATITUDE_COEFFICIENTS,
-    PrescribedDirection,
+    prescribed,
 )
 
 #: Chebyshev points of (0, 1], the last one at the end.
@@ -57,10 +56,10 @@ class Beginning:
     state: FloatArray
 
     def samples(self, time: float, state: FloatArray, moments: list[float]) -> FloatArray:
-        """States at moments within the beginning, (n, size + 1): with the clock."""
-        start = np.append(state, 0.0)
+        """States at moments within the beginning, the clock as last column."""
         if not moments:
-            return np.empty((0, len(start)))
+            return np.empty((0, len(state) + 1))
+        start = np.append(state, 0.0)
         return self.integrator.advance(time, start, moments, moments[-1]).samples
 
 
@@ -132,22 +131,21 @@ def beginning(
         Duration to begin with (s).
     """
     situation = contact.situation
-    law = situation.law(ContensouErismann) or situation.law(Coulomb)
-    if law is None:
+    law = next((law for law in situation.laws if law.kinetic_mu is not None), None)
+    if law is None or law.kinetic_mu is None:
         return None
-    patch = law.patch if isinstance(law, ContensouErismann) else 0.0
+    patch = law.patch_radius
     latitude = math.pi / 2
-    values: dict[str, float] = {"mu": law.mu, "spin_sign": spin_sign}
+    values: dict[str, float] = {"mu": law.kinetic_mu, "spin_sign": spin_sign}
     if patch:
         flat = float(np.linalg.norm(direction[:3]))
         latitude = math.atan2(flat, float(direction[3]))
         mode = replace(mode, range=range_of(flat, float(direction[3]) / patch, patch))
         values["patch"] = patch
     first = direction[:3] / np.linalg.norm(direction[:3])
-    stand_in = PrescribedDirection(law.name, mode.range)
+    stand_in = prescribed(law, mode.range)
     laws = tuple(stand_in if item is law else item for item in situation.laws)
-    prescribed = contact.mode(mode, replace(situation, laws=laws))
-    integrator = with_values(prescribed, values)
+    integrator = with_values(contact.mode(mode, replace(situation, laws=laws)), values)
     trial = _Trial(integrator, first, latitude, patch)
     duration = longest
     for _ in range(_ATTEMPTS):

@@ -18,7 +18,7 @@ from ..flow.heyoka_expressions import Translator
 from ..flow.kernel import code_cache
 from ..flow.taylor import CompiledSystem, compile_system
 from .equations import equations_of_motion, work_symbol
-from .friction import ContensouErismann, Coulomb, FrictionLaw, Reaction, SpinFriction
+from .friction_law import FrictionLaw, Reaction
 from .mobility import Mobility, mobility
 from .modes import FLIGHT, Mode
 from .situation import FrictionalContact
@@ -59,9 +59,6 @@ _VECTORS = (
     contact_velocity,
 )
 _SCALARS = (spin, normal_rate, spin_rate)
-
-#: Laws with a threshold for slip or spin; the others act alike in all modes.
-_THRESHOLDS = (Coulomb, SpinFriction, ContensouErismann)
 
 
 @dataclass(frozen=True)
@@ -131,6 +128,16 @@ class ModeIntegrator:
             for name, (first, size) in self._columns.items()
         }
 
+    def rates(self, state: FloatArray) -> FloatArray:
+        """The right-hand sides of the equations at a state (size,)."""
+        stepper = copy.copy(self.stepper)
+        count = min(len(self.values), len(stepper.pars))
+        stepper.pars[:count] = self.values[:count]
+        stepper.state[:] = state
+        stepper.step(write_tc=True, max_delta_t=1e-300)
+        result: FloatArray = np.array(stepper.tc[:, 1])
+        return result
+
     def guard_values(self, state: FloatArray) -> FloatArray:
         """What the guards watch, at a state (size,), in their order."""
         return self._numbers(state)[-1 - len(self.system.guards) : -1]
@@ -183,6 +190,9 @@ class ModeIntegrator:
         stepper.pars[:count] = self.values[:count]
         if self.code.watched:
             stepper.pars[count:] = self._event_scales(state)
+            if stepper.time != time or not np.array_equal(stepper.state, state):
+                # heyoka is deaf for a while to an event that has just happened, but not elsewhere
+                stepper.reset_cooldowns()
         stepper.time = time
         stepper.state[:] = state
         at_start = sum(t <= time for t in moments)
@@ -228,9 +238,10 @@ class ContactNumbers:
         Of the touching particle in space.
     spin, normal_rate, spin_rate, energy, gap : float
     q : array (3,)
-        Couple for each unit of normal force of the laws without threshold for slip and spin.
-    rates : array (size,)
-        Of attitude, position and normal, in the columns of the state; the others are no use.
+        Couple for each unit of normal force of the laws without threshold for slip and spin; zero
+        for a body that does not roll, whose resistance to rolling has no direction.
+    rates_of_place : array (size,)
+        Of attitude, position and normal, in the columns of the state; zero in the others.
     mobility : Mobility
     """
 
@@ -249,7 +260,7 @@ class ContactNumbers:
     energy: float
     gap: float
     q: FloatArray
-    rates: FloatArray
+    rates_of_place: FloatArray
     mobility: Mobility
 
 
@@ -269,9 +280,10 @@ class CompiledContact:
         self._modes: dict[tuple[FrictionalContact, Mode], ModeIntegrator] = {}
         self._names = [str(name) for name in self.mode(FLIGHT).system.symbols]
         self.size = len(self._names)
-        others = tuple(law for law in situation.laws if not isinstance(law, _THRESHOLDS))
+        # laws without a threshold for slip or spin act alike in all modes
+        others = tuple(law for law in situation.laws if law.static_mu is None and not law.spin_arm)
         self._neutral = equations_of_motion(replace(situation, laws=others), Mode())
-        self._function = _neutral_function(self._neutral, others)
+        self._function = _neutral_function(self._neutral, situation.laws)
         self._values = np.array([float(x) for x in self._neutral.defaults.values()])
         self._mass, self._inertia = situation.body.mass, situation.body.tensor
 
@@ -302,7 +314,8 @@ class CompiledContact:
         rest = numbers[3 * len(_VECTORS) :]
         spin_now, normal, turning, energy, height = map(float, rest[:5])
         rates = np.zeros(self.size)
-        rates[:WORK] = rest[11 : 11 + WORK]
+        for columns in (ATTITUDE, POSITION, NORMAL):
+            rates[columns] = rest[11 : 11 + WORK][columns]
         unit = vectors[gamma] / float(np.linalg.norm(vectors[gamma]))
         touch = mobility(self._mass, self._inertia, vectors[r], unit)
         # a couple that does not depend on the normal force belongs to the free motion
@@ -322,8 +335,8 @@ class CompiledContact:
             spin_rate=turning + float(touch.gamma @ turn),
             energy=energy,
             gap=height,
-            q=rest[5:8],
-            rates=rates,
+            q=rest[5:8] if np.isfinite(rest[5:8]).all() else np.zeros(3),
+            rates_of_place=rates,
             mobility=touch,
         )
 
@@ -341,7 +354,7 @@ def with_values(mode: ModeIntegrator, values: Mapping[str, float]) -> ModeIntegr
 @lru_cache(maxsize=32)
 def _neutral_function(system: System, laws: tuple[FrictionLaw, ...]) -> hy.cfunc:
     """The numbers of a contact, compiled; see ContactNumbers."""
-    total = sum((law.reaction(Mode()) for law in laws), Reaction())
+    total = sum((law.reaction_at_rest for law in laws), Reaction())
 
     def compute() -> hy.cfunc:
         translate = Translator(system)

@@ -102,7 +102,7 @@ def guards(patch: sp.Symbol, mode: Mode, mu: sp.Symbol) -> tuple[Guard, ...]:
 
 def _sliding_guards(patch: sp.Symbol, span: Range) -> tuple[Guard, ...]:
     square, arm = norm_squared(slip), (patch * spin) ** 2
-    stop = Guard("stop", square + arm - slip_floor**2, "sliding and spinning end")
+    stop = Guard("stop", sp.sqrt(square + arm) - slip_floor, "sliding and spinning end")
     if span == "inner":
         return stop, Guard("range", (1 + 2 * WIDENING) ** 2 * arm - square, "")
     if span == "middle":

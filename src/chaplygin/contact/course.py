@@ -4,111 +4,48 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from ..core.arrays import FloatArray
 from ..errors import RunError
 from .beginning import Beginning, beginning
 from .compiled import (
-    ATTITUDE,
     OMEGA,
-    POSITION,
     VELOCITY,
-    WORK,
-    CompiledContact,
-    ContactNumbers,
-    ModeIntegrator,
-    with_values,
 )
-from .contensou import held_range_of, range_of
-from .events import ContactEvent, EventKind
-from .impact import Impact, impact, zeno_closure
+from .contensou import held_range_of
+from .course_state import NO_SLIP, SLIP_FLOOR, CourseState, EndError
+from .events import EventKind
+from .friction_law import FrictionLaw
+from .impact import Impact, zeno_closure
 from .modes import FLIGHT, Mode, Range
 from .near_rest import (
     Departure,
     departure,
-    dry_friction,
     first_direction,
     frozen_slip,
     state_after_stop,
 )
-from .rules import Rules
+from .rolling_end import rolling_restart, state_with_rolling
 from .stopping import finish_stop
 
-#: Speeds relative to the typical one of a motion: from which on a slide is followed in logarithmic
-#: time, below which there is no slip, and of a bounce that is the last one.
-SLIP_FLOOR, NO_SLIP, LAST_BOUNCE = 1e-8, 1e-12, 1e-7
-
-#: So many events without progress of time end a motion.
-_STUCK = 60
+#: Speed of a bounce that is the last one, relative to the typical one of a motion.
+LAST_BOUNCE = 1e-7
 
 #: Smallest factor by which the floor of the slip is lowered for a slip that passes close by zero.
 _LOWEST = 1e-6
 
 
-@dataclass(frozen=True, eq=False)
-class Piece:
-    """A part of a motion in one mode.
-
-    Attributes
-    ----------
-    mode : Mode
-    integrator : ModeIntegrator
-    begin, end : float
-        Times.
-    times : array (n,)
-        Sample times within.
-    states : array (n, columns)
-        Of the integrator's system, whose first columns are those of all modes.
-    """
-
-    mode: Mode
-    integrator: ModeIntegrator
-    begin: float
-    end: float
-    times: FloatArray
-    states: FloatArray
+_ROLLING_HELD = (
+    "the resistance to rolling holds the rolling while the body still {}: a motion that is not "
+    "computed"
+)
 
 
-class EndError(Exception):
-    """A motion that cannot go on, with the reason."""
-
-
-class Course:
-    """A motion while it is computed.
-
-    Parameters
-    ----------
-    contact : CompiledContact
-    state : array (size,)
-        At the first of the moments.
-    moments : array (n,)
-        Sample times, increasing.
-    rules : Rules
-    """
-
-    def __init__(
-        self, contact: CompiledContact, state: FloatArray, moments: FloatArray, rules: Rules
-    ) -> None:
-        self.contact, self.rules, self.moments = contact, rules, moments
-        self.time, self.state = float(moments[0]), state
-        self.mode = Mode()
-        self.pieces: list[Piece] = []
-        self.events: list[ContactEvent] = []
-        self.steps, self.reason = 0, ""
-        self._dry = dry_friction(contact.situation)
-        self._spin_sign = 1.0
-        self._next_moment = self._idle = 0
-        self._floor_factor = 1.0
-        known = contact.numbers(state)
-        self._length = float(np.linalg.norm(known.r))
-        fall = math.sqrt(1e-6 * float(np.linalg.norm(known.free_acceleration)) * self._length)
-        turning = float(np.linalg.norm(state[OMEGA])) * self._length
-        slip = float(np.linalg.norm(known.slip))
-        self._speed = max(fall, turning, slip, float(np.linalg.norm(state[VELOCITY])))
+class Course(CourseState):
+    """A motion while it is computed; its arguments are those of a CourseState."""
 
     # --- driving ---------------------------------------------------------------------------
 
@@ -117,6 +54,7 @@ class Course:
         end = float(self.moments[-1])
         try:
             self._enter()
+            self._begin_to_roll()
             while self.time < end or self._next_moment < len(self.moments):
                 guard = self._integrate()
                 if progress is not None:
@@ -128,72 +66,6 @@ class Course:
             self._end(str(stop))
         except RunError as error:
             self._end(str(error.args[0]))
-
-    def _end(self, reason: str) -> None:
-        """End before the last moment, with the state there as the last sample."""
-        self.reason = reason
-        if not self.pieces:
-            self._add_piece(self._integrator(self.mode), self.time, self.state[None])
-            return
-        last = self.pieces[-1]
-        if not any(self.time in piece.times for piece in self.pieces[-2:]):
-            columns = last.integrator.state_of_system(self.state)
-            sample = np.array([self.time])
-            self.pieces.append(replace(last, begin=self.time, times=sample, states=columns[None]))
-
-    def _integrate(self) -> str:
-        """Integrate in the present mode up to the next event; return its guard."""
-        integrator = self._integrator(self.mode)
-        wanted = self.moments[self._next_moment :]
-        outcome = integrator.advance(self.time, self.state, list(wanted), float(self.moments[-1]))
-        self._add_piece(integrator, outcome.time, outcome.samples)
-        self.steps += outcome.steps
-        self._idle = 0 if outcome.time > self.time else self._idle + 1
-        self.time, self.state = outcome.time, outcome.state
-        if outcome.guard == "failure":
-            raise EndError("the state stopped being a number")
-        if self._idle > _STUCK or len(self.events) > self.rules.most_events:
-            raise EndError(f"{len(self.events)} events up to t = {self.time:.9g}: too many")
-        return outcome.guard
-
-    def _add_piece(self, integrator: ModeIntegrator, end: float, states: FloatArray) -> None:
-        times = self.moments[self._next_moment : self._next_moment + len(states)]
-        self.pieces.append(Piece(self.mode, integrator, self.time, end, times, states))
-        self._next_moment += len(states)
-
-    def _integrator(self, mode: Mode) -> ModeIntegrator:
-        floor = SLIP_FLOOR * self._speed * self._floor_factor
-        values = {"spin_sign": self._spin_sign, "slip_floor": floor}
-        values["rolling_floor"] = SLIP_FLOOR * self._speed / self._length
-        return with_values(self.contact.mode(mode), values)
-
-    def _known(self) -> ContactNumbers:
-        return self.contact.numbers(self.state)
-
-    def _project(self, mode: Mode) -> None:
-        self.state = self._integrator(mode).project(self.state)
-
-    def _record(
-        self,
-        kind: EventKind,
-        before: FloatArray,
-        *impacts: Impact,
-        unique: bool = True,
-    ) -> None:
-        impulse = sum((item.impulse for item in impacts), np.zeros(3))
-        couple = sum(item.couple_impulse for item in impacts)
-        self.events.append(
-            ContactEvent(
-                self.time,
-                kind,
-                self.mode.name,
-                before.copy(),
-                self.state.copy(),
-                impulse,
-                couple,
-                unique,
-            )
-        )
 
     # --- modes -----------------------------------------------------------------------------
 
@@ -232,11 +104,6 @@ class Course:
             self._record(kind, before, *impacts)
         self._require_pressure()
 
-    def _mode_at_rest(self, spin_at_rest: bool) -> Mode:
-        if self._dry.patch:
-            return Mode(sliding=False, spinning=False, range="above")
-        return Mode(sliding=False, spinning=not spin_at_rest)
-
     def _slide(self) -> None:
         """Slide on, in the range of the present state."""
         known = self._known()
@@ -249,11 +116,6 @@ class Course:
         if self._dry.mu and 0 < size < 10 * floor:
             self._floor_factor *= 0.01 * size / floor
 
-    def _range_of(self, known: ContactNumbers) -> Range:
-        if not self._dry.patch:
-            return ""
-        return range_of(float(np.linalg.norm(known.slip)), known.spin, self._dry.patch)
-
     def _decide_on_spin(self, sliding: bool) -> bool:
         """Hold the spin, which is zero, or let it begin; whether it is held."""
         mode = Mode(sliding=sliding, spinning=False)
@@ -264,12 +126,6 @@ class Course:
             self._spin_sign = -math.copysign(1.0, couple)
         self.mode = replace(mode, spinning=spins)
         return not spins
-
-    def _normal_force_and_couple(self, mode: Mode) -> tuple[float, float]:
-        """Normal force, and couple about the normal besides that of resistance to rolling."""
-        values = self._integrator(mode).outputs(self.state)
-        N = float(values["normal_force"])
-        return N, float(values["gamma"] @ (values["friction_couple"] - N * self._known().q))
 
     def _require_pressure(self) -> None:
         """Leave the support, or find no motion, where a sliding contact presses no longer."""
@@ -286,10 +142,6 @@ class Course:
             self._take_off()
         else:
             self._paradox()
-
-    def _free_normal_acceleration(self) -> float:
-        known = self._known()
-        return float(known.mobility.gamma @ known.slip_rate) + known.normal_rate
 
     def _leave_rest(
         self,
@@ -409,14 +261,6 @@ class Course:
             raise EndError("the body leaves the support")
         self._rise()
 
-    def _rise(self) -> None:
-        """Put a flying body above the support by a height of rounding size, so that it leaves."""
-        known = self._known()
-        rise = 4e-16 * (self._length + float(np.abs(self.state[POSITION]).max()))
-        up = Rotation.from_quat(self.state[ATTITUDE], scalar_first=True).apply(known.mobility.gamma)
-        self.state = self.state.copy()
-        self.state[POSITION] += max(0.0, rise - known.gap) * up
-
     def _land(self) -> None:
         """An impact, after which the body flies on or stays."""
         before = self.state
@@ -449,29 +293,6 @@ class Course:
         self._project(Mode(range=self._range_of(self._known())))
         self._settle(kind, before, *impacts)
 
-    def _collide(self) -> Impact:
-        known = self._known()
-        result = impact(
-            known.mobility,
-            known.slip,
-            known.spin if self._dry.spin_arm else 0.0,
-            mu=self._dry.mu,
-            spin_arm=self._dry.spin_arm,
-            restitution=self.rules.restitution,
-            law=self.rules.impact_law,
-        )
-        self._push(result.impulse, result.couple_impulse)
-        return result
-
-    def _push(self, impulse: FloatArray, couple_impulse: float) -> None:
-        """Change the velocities by an impulse; the energy lost is work of the impact."""
-        known, state = self._known(), self.state.copy()
-        touch = known.mobility
-        state[VELOCITY] += touch.velocity_jump(impulse)
-        state[OMEGA] += touch.angular_velocity_jump(impulse, couple_impulse)
-        state[WORK] += known.energy - self.contact.numbers(state).energy
-        self.state = state
-
     def _stick(self) -> None:
         """Complete a stop, and hold the contact or leave zero in another direction."""
         before, known = self.state, self._known()
@@ -502,6 +323,14 @@ class Course:
         values = self._integrator(self.mode).outputs(self.state)
         N, couple = self._normal_force_and_couple(self.mode)
         direction = first_direction(self._dry, N, values["friction_force"], couple)
+        if self._dry.static_mu > self._dry.mu:
+            # friction falls at once, and sliding begins where its acceleration points
+            sign = self._spin_sign if self.mode.spinning else 0.0
+            moving = replace(self._dry, static_mu=self._dry.mu)
+            choice = departure(self._known(), moving, sign)
+            if choice is None or choice.holds:
+                raise EndError("static friction ends, but sliding cannot begin")
+            direction = choice.direction
         self.mode = Mode(spinning=self.mode.spinning or bool(self._dry.patch))
         self._record("slip", before)
         self._begin(direction)
@@ -509,6 +338,13 @@ class Course:
     def _spin_stop(self) -> None:
         """The spin has come to zero: hold it, or let it change its sign."""
         before, sliding = self.state, self.mode.sliding
+        if not self._dry.spin_arm:
+            # formulas of friction in |Ω| that do not hold the spin
+            mode = self.mode
+            self._decide_on_spin(sliding)
+            self.mode = mode
+            self._record("spin reversal", before)
+            return
         if not sliding:
             self._project(replace(self.mode, spinning=False))
             self._leave_rest("spin stop", before, spin_at_rest=True)
@@ -524,33 +360,71 @@ class Course:
         self._record("spin start", before)
 
     def _rolling_stop(self) -> None:
-        """Rolling comes to its end under resistance."""
+        """Rolling comes to its end under resistance: the body rests, or rolls back."""
         before, known = self.state, self._known()
-        rolling = float(np.linalg.norm(known.rolling))
-        if self.mode.sliding or abs(known.spin) * self._length > 1e-9 * self._speed:
-            what = "slides" if self.mode.sliding else "spins about the normal"
-            raise EndError(
-                f"rolling has ended while the body still {what}: its resistance holds the rolling, "
-                "a motion that is not computed"
-            )
-        # the rate of rolling by a difference along the motion
-        integrator = self._integrator(self.mode)
-        step = 1e-3 * rolling * self._length / self._speed
-        ahead = integrator.advance(self.time, self.state, [], self.time + step)
-        loss = rolling - float(np.linalg.norm(self.contact.numbers(ahead.state).rolling))
-        if ahead.guard or loss <= 0:
+        mode, integrator = self.mode, self._integrator(self.mode)
+        rolling = known.rolling
+        size = float(np.linalg.norm(rolling))
+        rate = integrator.rates(self.state)[OMEGA]
+        loss = -float(rate @ rolling) / size
+        if loss <= 0:
             raise EndError("rolling comes close to its end and does not reach it")
-        remaining = step * rolling / loss
-        state = self.state.copy()
-        state[:WORK] += known.rates[:WORK] * remaining / 2
-        state[VELOCITY] = 0.0
-        state[OMEGA] = 0.0
-        law = next(x.name for x in self.contact.situation.laws if x.name in ("rolling", "contour"))
-        state[self.contact.work_column(law)] += known.energy - self.contact.numbers(state).energy
+        remaining = size / loss
+        state = self.state + 0.5 * remaining * known.rates_of_place
+        self.state = state_with_rolling(known, state, np.zeros(3), mode.sliding)
         self.time += remaining
-        self.state = state
-        self.mode = Mode(sliding=False, spinning=False, rolling=False)
+        self._project(mode)
+        column = self.contact.work_column(self._law_of_rolling().name)
+        self.state[column] += known.energy - self._known().energy
+        restart = rolling_restart(integrator, self._known(), self.state, size, mode.sliding)
+        if restart is not None:
+            self._roll_back(*restart)
+            self._record("rolling reversal", before)
+            return
+        if mode.sliding or abs(known.spin) * self._length > 1e-7 * self._speed:
+            what = "slides" if mode.sliding else "spins about the normal"
+            raise EndError(_ROLLING_HELD.format(what))
+        self._rest()
         self._record("rest", before)
+
+    def _rest(self) -> None:
+        energy, law = self._known().energy, self._law_of_rolling()
+        self.state[VELOCITY] = self.state[OMEGA] = 0.0
+        self.state[self.contact.work_column(law.name)] += energy - self._known().energy
+        self.mode = Mode(sliding=False, spinning=False, rolling=False)
+
+    def _law_of_rolling(self) -> FrictionLaw:
+        return next(law for law in self.contact.situation.laws if law.holds_rolling)
+
+    def _begin_to_roll(self) -> None:
+        """Decide on rolling that a resistance holds at zero, at the start or after an impact."""
+        if not any(law.holds_rolling for law in self.contact.situation.laws):
+            return
+        known = self._known()
+        size = SLIP_FLOOR * self._speed / self._length
+        if not self.mode.touching or float(np.linalg.norm(known.rolling)) > 1e-4 * size:
+            return
+        integrator = self._integrator(self.mode)
+        restart = rolling_restart(integrator, known, self.state, size, self.mode.sliding)
+        if restart is not None:
+            self._roll_back(*restart)
+            if not self.mode.sliding:
+                # the resistance changes the friction that holds the contact
+                self._leave_rest(None, self.state, spin_at_rest=not self.mode.spinning)
+        elif self.mode.sliding or abs(known.spin) * self._length > 1e-7 * self._speed:
+            raise EndError(_ROLLING_HELD.format("slides or spins about the normal"))
+        else:
+            self._rest()
+
+    def _roll_back(self, direction: FloatArray, rate: float) -> None:
+        """Roll on from rest, along a direction that rolling keeps while it grows."""
+        known = self._known()
+        size = 2 * SLIP_FLOOR * self._speed / self._length
+        lasting = size / rate
+        state = self.state + 0.5 * lasting * known.rates_of_place
+        self.state = state_with_rolling(known, state, size * direction, self.mode.sliding)
+        self.time += lasting
+        self._project(self.mode)
 
     def _change_range(self) -> None:
         if self.mode.sliding:

@@ -78,10 +78,15 @@ class Coulomb(FrictionLaw):
         """The force −μN u/|u| while the contact slides."""
         return Reaction(p=-mu * slip / slip_speed) if mode.sliding else Reaction()
 
+    @property
+    def reaction_at_rest(self) -> Reaction:
+        """None."""
+        return Reaction()
+
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
         """The slip while there is any; μ²N² − f² while it is held."""
         if mode.sliding:
-            return (Guard("stick", norm_squared(slip) - slip_floor**2, "sliding ends"),)
+            return (Guard("stick", slip_speed - slip_floor, "sliding ends"),)
         if math.isinf(self.mu):
             return ()
         return (Guard("slip", mu**2 * N**2 - norm_squared(friction), "sliding begins"),)
@@ -135,6 +140,11 @@ class SpinFriction(FrictionLaw):
     def reaction(self, mode: Mode) -> Reaction:
         """The couple −N arm sgn Ω γ while the body spins."""
         return Reaction(q=-spin_couple_arm * spin_sign * gamma) if mode.spinning else Reaction()
+
+    @property
+    def reaction_at_rest(self) -> Reaction:
+        """None."""
+        return Reaction()
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
         """The spin while there is any; what the couple lacks of its limit while it is held."""
@@ -216,6 +226,11 @@ class ContensouErismann(FrictionLaw):
             p=-mu * contensou.force_share * slip,
             q=-mu * patch * contensou.couple_share * gamma,
         )
+
+    @property
+    def reaction_at_rest(self) -> Reaction:
+        """None."""
+        return Reaction()
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
         """The motion while there is any, the limit set while it is held, and the range."""

@@ -20,7 +20,7 @@ import sympy as sp
 from ..core.laws import Integral
 from ..core.named_formulas import Pairs
 from ..core.system import Guard, Observable, Parameter, System
-from ..core.vectors import constant, cross, dot, real_symbol, to_components, zero
+from ..core.vectors import constant, cross, dot, norm_squared, real_symbol, to_components, zero
 from ..mechanics.rolling.attitude import (
     attitude,
     attitude_observable,
@@ -33,7 +33,7 @@ from ..mechanics.rolling.surfaces import Plane
 from .free_body import FreeBody, a, free_body, m
 from .friction_law import Reaction
 from .modes import Mode
-from .reaction import reaction_definitions
+from .reaction import normal_excess, normal_rate_free, reaction_definitions
 from .situation import FrictionalContact
 from .symbols import (
     N,
@@ -60,6 +60,9 @@ from .symbols import (
 
 #: What the equations lack where a force of friction grows with the normal force beyond measure.
 PARADOX = "no motion in contact is possible (Painlevé's paradox)"
+
+#: What they lack where a force of friction depends on the normal force too strongly.
+NOT_FOUND = "no normal force was found for a law of friction that depends on it"
 
 
 def work_symbol(name: str) -> sp.Symbol:
@@ -162,6 +165,10 @@ def _reaction(
     guards += [guard for law in laws for guard in law.guards(mode)]
     if mode.sliding and any(law.reaction(mode).p != zero for law in laws):
         guards.append(Guard("paradox", normal_response, PARADOX))
+    if normal_excess in dict(definitions):
+        # compared with accelerations, so that it says nothing where the body leaves
+        size = normal_rate_free**2 + norm_squared(free_acceleration)
+        guards.append(Guard("normal force", 1e-20 * size - normal_excess**2, NOT_FOUND))
     return definitions, powers, tuple(guards)
 
 

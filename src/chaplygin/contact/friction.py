@@ -16,7 +16,8 @@ from .rolling_friction import (
     RollingResistance,
     ViscousRolling,
 )
-from .viscous_friction import NormalViscous, Viscous
+from .user_friction import UserFriction
+from .viscous_friction import NormalViscous, PowerFriction, Viscous
 
 __all__ = [
     "ContensouErismann",
@@ -24,9 +25,11 @@ __all__ = [
     "Coulomb",
     "FrictionLaw",
     "NormalViscous",
+    "PowerFriction",
     "Reaction",
     "RollingResistance",
     "SpinFriction",
+    "UserFriction",
     "Viscous",
     "ViscousRolling",
     "require_compatible",
@@ -39,8 +42,8 @@ def require_compatible(laws: Sequence[FrictionLaw]) -> None:
     Raises
     ------
     InputError
-        If a law is given twice, or Contensou's law together with dry friction at a point or a
-        spin couple of its own.
+        If a law is given twice, if Contensou's law stands beside dry friction at a point or a spin
+        couple of its own, or if two laws hold the same: slip, spin or rolling.
     """
     names = [law.name for law in laws]
     for name in names:
@@ -51,6 +54,16 @@ def require_compatible(laws: Sequence[FrictionLaw]) -> None:
             raise InputError(
                 "friction: a patch of contact has its own law of sliding and spinning; "
                 f"it excludes the law {other!r}"
+            )
+    for laws_that, hold in (
+        ([law for law in laws if law.static_mu is not None], "slip"),
+        ([law for law in laws if law.spin_arm], "spin"),
+    ):
+        if len(laws_that) > 1:
+            first, second, *_ = (repr(law.name) for law in laws_that)
+            raise InputError(
+                f"friction: the laws {first} and {second} both hold a contact without {hold}; give "
+                "one of them"
             )
     if "rolling" in names and "contour" in names:
         raise InputError("friction: resistance to rolling excludes resistance along the contour")

@@ -128,6 +128,11 @@ class FrictionLaw(ABC):
     def reaction(self, mode: Mode) -> Reaction:
         """Force and couple in a mode; what holds a contact is no part of it."""
 
+    @property
+    def reaction_at_rest(self) -> Reaction:
+        """Force and couple as the slip tends to zero, besides what has a threshold there."""
+        return self.reaction(Mode())
+
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
         """Quantities that are positive as long as the mode lasts."""
         return ()

@@ -26,7 +26,7 @@ from .friction_response import (
     response_while_spinning,
     response_with_spin_at_rest,
 )
-from .impact_course import Course, ImpactPhase
+from .impact_course import ImpactCourse, ImpactPhase
 from .impact_segments import ROUNDING
 from .mobility import Mobility
 
@@ -142,7 +142,7 @@ def impact(
             f"normal velocity {approach}: the contact recedes, an impact needs one that does not"
         )
     tangents = mobility.tangents
-    course = Course(
+    course = ImpactCourse(
         mobility, mu, spin_arm, tangents @ u, float(spin), min(approach, 0.0), restitution, law
     )
     course.run()

@@ -17,7 +17,8 @@ from .friction_response import (
     response_while_spinning,
     response_with_spin_at_rest,
 )
-from .impact_segments import ROUNDING, Segment, constant_friction, turning_rate, turning_slip
+from .impact_segments import ROUNDING, Segment, constant_friction, turning_rate
+from .impact_slide import Ends, Linear, slide, slide_integrator
 from .mobility import Mobility
 from .polynomial_events import first_rise, value
 
@@ -47,7 +48,7 @@ class ImpactPhase:
     end: float
 
 
-class Course:
+class ImpactCourse:
     """The course of an impact, in the tangent plane of the contact.
 
     Parameters
@@ -89,6 +90,7 @@ class Course:
         self._first_speed = 0.0
         self._at_rest = response_with_spin_at_rest(mobility)
         self._spinning: dict[float, FrictionResponse] = {}
+        self._integrator = slide_integrator()
         self._decide()
 
     def run(self) -> None:
@@ -101,8 +103,11 @@ class Course:
         """
         for _ in range(STRETCHES):
             segment = self._segment()
-            x, event = self._next_event(segment)
-            self._advance(segment, x)
+            if segment is None:
+                event = self._slide()
+            else:
+                x, event = self._next_event(segment)
+                self._advance(segment, x)
             if event is not None and self._changed(event):
                 return
         raise RunError("the impact does not end", self.normal_impulse)
@@ -165,7 +170,8 @@ class Course:
             return None
         return -float(np.sign(couple))
 
-    def _segment(self) -> Segment:
+    def _segment(self) -> Segment | None:
+        """The stretch at constant friction that comes next; None for sliding that turns."""
         response, weight = self._response(), self._weight
         force: FloatArray
         direction: FloatArray | None
@@ -182,14 +188,55 @@ class Course:
             # going straight from here misplaces the end by what the slide would turn yet
             missed = speed * min(1.0, abs(across / along)) if along < 0 else np.inf
             if not straight and missed >= STOP * self._first_speed:
-                return turning_slip(
-                    response, weight, self._friction, self.slip, self.spin, self.normal
-                )
+                return None
             force = -self._friction * direction
-        segment = constant_friction(
+        return constant_friction(
             response, weight, force, self.slip, self.spin, self.normal, direction
         )
-        return segment
+
+    def _slide(self) -> Event | None:
+        """Sliding that turns, up to an event or to a much smaller speed."""
+        response, weight = self._response(), self._weight
+        beta, A = response.tangential
+        normal = Linear(self.normal, weight * response.normal[0], response.normal[1])
+        speed = float(np.hypot(*self.slip))
+        force = -self._friction * self.slip / speed
+        rising = normal.normal + float(normal.friction @ force) > 0
+        if self.compressing and rising and abs(self.normal) <= ROUNDING * speed:
+            return "compressed"
+        spin = Linear(self.spin, weight * response.spin[0], response.spin[1])
+        couple = None
+        if self._turning is None and weight:
+            constant, slope = self._at_rest.couple
+            couple = np.array([constant, *(-self.mu * slope)]) / self.spin_arm
+        missing = {
+            "stronge": (1.0, 0.0, 0.0),
+            "poisson": (0.0, 1.0, 0.0),
+            "newton": (0.0, 0.0, 1.0),
+        }
+        ends = Ends(
+            self.compressing,
+            *((0.0, 0.0, 0.0) if self.compressing else missing[self.law]),
+            offset=-1.0 if self.compressing else -self._missing(),
+            spin=spin.times(self._turning) if self._turning and weight else None,
+            couple=couple,
+        )
+        end = slide(self._integrator, weight * beta, A, self._friction, self.slip, normal, ends)
+        impulse = weight * end.clock
+        self.normal_impulse += impulse
+        self.compression_impulse += impulse if self.compressing else 0.0
+        part = 0 if self.compressing else 1
+        self._work[part] += end.work
+        self._clock[part] += end.clock
+        self.couple_impulse += response.couple[0] * impulse + float(
+            response.couple[1] @ end.friction
+        )
+        self.friction = self.friction + end.friction
+        self.slip = end.speed * end.direction
+        if self._turning is not None or not weight:
+            self.spin = spin.at(end.clock, end.friction)
+        self.normal = normal.at(end.clock, end.friction)
+        return end.event
 
     # --- events -------------------------------------------------------------------------------
 
@@ -224,16 +271,19 @@ class Course:
 
     def _return(self, segment: Segment) -> FloatArray:
         """Becomes positive where the restitution ends."""
+        series = {"stronge": segment.work, "poisson": segment.clock, "newton": segment.normal}
+        result = series[self.law].copy()
+        result[0] -= self._missing()
+        return result
+
+    def _missing(self) -> float:
+        """What work, impulse or normal velocity still have to grow by for restitution to end."""
         e = self.restitution
         if self.law == "stronge":
-            series, missing = segment.work, -e * e * self._work[0] - self._work[1]
-        elif self.law == "poisson":
-            series, missing = segment.clock, e * self._clock[0] - self._clock[1]
-        else:
-            series, missing = segment.normal, -e * self.approach
-        series = series.copy()
-        series[0] -= missing
-        return series
+            return -e * e * self._work[0] - self._work[1]
+        if self.law == "poisson":
+            return e * self._clock[0] - self._clock[1]
+        return -e * self.approach
 
     def _advance(self, segment: Segment, x: float) -> None:
         impulse = value(segment.impulse, x)

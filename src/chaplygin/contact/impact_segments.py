@@ -1,10 +1,4 @@
-"""Stretches of an impact, as power series: motion at constant friction, and sliding that turns.
-
-Sliding with velocity s n, n = (cos φ, sin φ), turns ever faster as s goes to zero.  In the
-logarithmic time θ with dP = s dθ it does not: n′ = G(n) n⊥, s′ = H(n) s, where the rate of the
-sliding velocity is β − μ A n = H n + G n⊥.  These equations are polynomial, so that the series of
-their solution follow from a recurrence, and everything else by multiplication and integration.
-"""
+"""Stretches of an impact at constant friction, as polynomials in the normal impulse."""
 
 from __future__ import annotations
 
@@ -12,13 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.arrays import ComplexArray, FloatArray
+from ..core.arrays import FloatArray
 from .friction_response import FrictionResponse
 
-#: Order of the series of sliding that turns.
-ORDER = 24
-#: The last terms of the series at the end of a stretch, relative to the first.
-LAST_TERM = 1e-17
 #: Turning below this many units of rounding is none.
 ROUNDING = 8 * np.finfo(float).eps
 
@@ -161,58 +151,3 @@ def turning_rate(
     across = float(direction[0] * rate[1] - direction[1] * rate[0])
     scale = float(np.hypot(*(weight * beta)) + np.hypot(*friction))
     return along, across, bool(abs(across) <= ROUNDING * scale)
-
-
-def turning_slip(
-    response: FrictionResponse,
-    weight: float,
-    mu: float,
-    slip: FloatArray,
-    spin: float,
-    normal: float,
-) -> Segment:
-    """Sliding that turns, in logarithmic time; the arguments as for constant friction."""
-    beta, A = response.tangential
-    speed = float(np.hypot(*slip))
-    # In θ times the greatest rate the coefficients neither overflow nor vanish.
-    unit = weight * float(np.hypot(*beta)) + mu * float(np.abs(A).max())
-    n, w, h = _direction_and_speed(weight * beta / unit, mu * A / unit, slip / speed)
-    speeds = speed * w
-    slips = np.array([np.convolve(speeds, part)[: ORDER + 1] for part in (n.real, n.imag)])
-    clock = _integral(speeds / unit)
-    friction = -mu * np.array([_integral(part / unit) for part in slips])
-    return _segment(
-        response,
-        weight,
-        clock,
-        friction,
-        slips,
-        (spin, normal),
-        (speeds, np.array([n.real, n.imag])),
-        h,
-    )
-
-
-def _direction_and_speed(
-    beta: FloatArray, A: FloatArray, direction: FloatArray
-) -> tuple[ComplexArray, FloatArray, float]:
-    """Series of n (as a complex number) and of s/s(0), and how far they can be used."""
-    mean, difference = (A[0, 0] + A[1, 1]) / 2, (A[0, 0] - A[1, 1]) / 2 + 1j * A[0, 1]
-    n = np.zeros(ORDER + 1, dtype=complex)
-    conjugate, rate = np.zeros_like(n), np.zeros_like(n)
-    growth, turning = np.zeros(ORDER + 1), np.zeros(ORDER + 1)
-    w = np.zeros(ORDER + 1)
-    n[0], w[0] = complex(*direction), 1.0
-    constant = complex(*beta)
-    for k in range(ORDER):
-        conjugate[k] = n[k].conjugate()
-        rate[k] = constant - mean * n[k] - difference * conjugate[k]
-        constant = 0j
-        product = conjugate[: k + 1] @ rate[k::-1]
-        growth[k], turning[k] = product.real, product.imag
-        n[k + 1] = 1j * (turning[: k + 1] @ n[k::-1]) / (k + 1)
-        w[k + 1] = (growth[: k + 1] @ w[k::-1]) / (k + 1)
-    last = max(
-        (max(abs(n[k]), abs(w[k])) / LAST_TERM) ** (1 / k) for k in (ORDER - 2, ORDER - 1, ORDER)
-    )
-    return n, w, 1 / last if last > 0 else np.inf

@@ -244,7 +244,7 @@ def _exits(directions: Sequence[LimitDirection]) -> tuple[LimitDirection, ...]:
     return tuple(sorted(exits, key=lambda d: (not d.attracts, -d.growth)))
 
 
-def rest_of_point(slip: PointSlip) -> Rest:
+def rest_of_point(slip: PointSlip, static_mu: float | None = None) -> Rest:
     """What a contact without slip does under Coulomb friction: |f| ≤ μN holds it.
 
     Where the normal force does not depend on friction, a contact that is held has no exit, since
@@ -253,13 +253,16 @@ def rest_of_point(slip: PointSlip) -> Rest:
     Parameters
     ----------
     slip : PointSlip
+    static_mu : float, optional
+        Coefficient of static friction, if it exceeds that of sliding.
     """
+    limit = slip.mu if static_mu is None else static_mu
     beta, A = slip.response.tangential
     constant, slope = slip.response.normal
     matrix = np.block([[A, beta[:, None]], [slope, np.array([constant])]])
     *force, pressure = np.linalg.solve(matrix, -np.append(slip.tangential, slip.normal))
     holding = np.array(force)
-    holds = bool(pressure > 0 and np.hypot(*holding) <= slip.mu * pressure)
+    holds = bool(pressure > 0 and np.hypot(*holding) <= limit * pressure)
     couple = slip.response.couple[0] * pressure + float(slip.response.couple[1] @ holding)
     monotone = np.isinf(slip.mu) or slip.mu * np.abs(slope).max() <= ROUNDING * constant
     exits = () if holds and monotone else _exits(limit_directions(slip))

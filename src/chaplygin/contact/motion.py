@@ -13,7 +13,8 @@ from ..arguments import arguments_checked
 from ..core.arrays import FloatArray
 from ..errors import InputError
 from .compiled import WORK, CompiledContact
-from .course import Course, Piece
+from .course import Course
+from .course_state import Piece
 from .events import ContactEvent
 from .modes import MODE_NAMES
 from .rules import Rules

@@ -9,8 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..core.arrays import FloatArray
-from .compiled import ATTITUDE, OMEGA, POSITION, VELOCITY, WORK, ContactNumbers
-from .friction import ContensouErismann, Coulomb, SpinFriction
+from .compiled import OMEGA, VELOCITY, ContactNumbers
 from .frozen_slip import (
     CoupledSlip,
     FrozenSlip,
@@ -42,19 +41,23 @@ class DryFriction:
     Attributes
     ----------
     mu : float
-        Coefficient of sliding friction; 0 without dry friction, inf for a contact that never slips.
+        Coefficient of sliding friction as the slip tends to zero; 0 without dry friction, inf for a
+        contact that never slips.
     patch : float
         Radius of the patch of a coupled law (m); 0 at a point.
     spin_arm : float
         Of an independent couple against spin (m); 0 without one.
     law : str
         Name of the law of sliding.
+    static_mu : float
+        Coefficient of static friction, at least `mu`.
     """
 
     mu: float
     patch: float
     spin_arm: float
     law: str
+    static_mu: float
 
     @property
     def never_slips(self) -> bool:
@@ -64,18 +67,11 @@ class DryFriction:
 
 def dry_friction(situation: FrictionalContact) -> DryFriction:
     """The thresholds of a situation."""
-    mu, patch, arm, name = 0.0, 0.0, 0.0, ""
+    arm = max((law.spin_arm for law in situation.laws), default=0.0)
     for law in situation.laws:
-        match law:
-            case Coulomb():
-                mu, name = law.mu, law.name
-            case ContensouErismann():
-                mu, patch, name = law.mu, law.patch, law.name
-            case SpinFriction():
-                arm = law.arm
-            case _:
-                pass
-    return DryFriction(mu, patch, arm, name)
+        if law.static_mu is not None and law.kinetic_mu is not None:
+            return DryFriction(law.kinetic_mu, law.patch_radius, arm, law.name, law.static_mu)
+    return DryFriction(0.0, 0.0, arm, "", 0.0)
 
 
 def frozen_slip(known: ContactNumbers, dry: DryFriction, spin_sign: float) -> FrozenSlip:
@@ -167,7 +163,7 @@ def _at_point(
     """What is possible at a point while the spin has a sign, or is held (sign 0)."""
     slip = frozen_slip(known, dry, sign)
     assert isinstance(slip, PointSlip)
-    for option in _of_rest(known, dry, rest_of_point(slip), slip, sign):
+    for option in _of_rest(known, dry, rest_of_point(slip, dry.static_mu), slip, sign):
         if dry.spin_arm and not sign:
             # the couple must be able to hold the spin
             fits = abs(option.couple) <= dry.spin_arm * option.normal_force
@@ -243,10 +239,7 @@ def state_after_stop(
     """
     touch, lasting = known.mobility, stop.duration
     impulse = stop.normal_impulse * touch.gamma + stop.friction_impulse @ touch.tangents
-    after = state.copy()
-    after[ATTITUDE] += known.rates[ATTITUDE] * lasting
-    after[POSITION] += known.rates[POSITION] * lasting
-    after[OMEGA.stop : WORK] += known.rates[OMEGA.stop : WORK] * lasting
+    after = state + known.rates_of_place * lasting
     after[VELOCITY] += known.free_acceleration * lasting + touch.velocity_jump(impulse)
     resistance = touch.inverse_inertia @ known.q * stop.normal_impulse
     turn = touch.angular_velocity_jump(impulse, stop.couple_impulse) + resistance

@@ -18,7 +18,8 @@ from .contensou import shares
 from .dry_friction import mu, patch
 from .friction_law import FrictionLaw, Reaction
 from .modes import Mode, Range
-from .symbols import gamma
+from .symbols import gamma, slip
+from .user_friction import UserFriction
 
 #: Time since sliding began, in units of its length, which is a parameter.
 clock, duration = real_symbol("clock"), real_symbol("duration")
@@ -44,29 +45,35 @@ def _polynomial(first: sp.Expr, coefficients: tuple[sp.Symbol, ...]) -> sp.Expr:
 
 @dataclass(frozen=True)
 class PrescribedDirection(FrictionLaw):
-    """Coulomb's law, or Contensou's, with the direction of slip (and spin) prescribed.
+    """A law of dry friction with the direction of slip (and spin) prescribed.
 
     Parameters
     ----------
     name : str
         That of the law in whose place it stands.
     range : str
-        The range of Contensou's law; empty for Coulomb's.
+        The range of Contensou's law; empty for others.
+    user : UserFriction, optional
+        The law in whose place it stands, if its force depends on the speed of the slip.
     """
 
     name: str = "coulomb"
     range: Range = ""
+    user: UserFriction | None = None
     words = "friction of prescribed direction"
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
         """The coefficients of the law and of the polynomials; their values are set later."""
-        coupled = bool(self.range)
-        symbols = (mu, patch) if coupled else (mu,)
-        angles = HEADING_COEFFICIENTS + (LATITUDE_COEFFICIENTS if coupled else ())
-        others = (duration, *first_direction.symbols, *((first_latitude,) if coupled else ()))
-        return tuple(
-            Parameter(s, "of the beginning of sliding", 1.0) for s in (*symbols, *others, *angles)
+        symbols: tuple[sp.Symbol, ...] = (duration, *first_direction.symbols)
+        if self.range:
+            symbols = (mu, patch, *symbols, first_latitude, *LATITUDE_COEFFICIENTS)
+        elif self.user is None:
+            symbols = (mu, *symbols)
+        own = self.user.parameters if self.user else ()
+        return own + tuple(
+            Parameter(symbol, "of the beginning of sliding", 1.0)
+            for symbol in (*symbols, *HEADING_COEFFICIENTS)
         )
 
     @property
@@ -88,8 +95,35 @@ class PrescribedDirection(FrictionLaw):
 
     def reaction(self, mode: Mode) -> Reaction:
         """The force against the direction, and the couple that belongs to it."""
+        if self.user:
+            # the length of the slip itself is not smooth where it begins
+            speed = dot(slip, direction)
+            return Reaction(
+                p=self.user.force_along(direction, speed, mode),
+                q=self.user.couple_at(speed, mode),
+            )
         if not self.range:
             return Reaction(p=-mu * direction)
         sine = sp.sin(latitude)
         force, couple = shares(self.range, sine, sine**2, sp.cos(latitude))
         return Reaction(p=-mu * force * sine * direction, q=-mu * patch * couple * gamma)
+
+
+def prescribed(law: FrictionLaw, span: Range = "") -> PrescribedDirection:
+    """What stands in the place of a law of dry friction while sliding begins.
+
+    Parameters
+    ----------
+    law : FrictionLaw
+        A law whose `static_mu` is a number.
+    span : str
+        The range of Contensou's law.
+
+    Examples
+    --------
+    >>> from chaplygin.contact.friction import Coulomb
+    >>> from chaplygin.contact.prescribed import prescribed
+    >>> prescribed(Coulomb(0.3)).name
+    'coulomb'
+    """
+    return PrescribedDirection(law.name, span, law if isinstance(law, UserFriction) else None)

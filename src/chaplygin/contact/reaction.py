@@ -7,8 +7,10 @@ held, u̇ = 0 or Ω̇ = 0 determine what holds it.
 
 from __future__ import annotations
 
+import sympy as sp
+
 from ..core.named_formulas import Pairs
-from ..core.vectors import Symmetric, Vector, cross, dot, real_symbol
+from ..core.vectors import Symmetric, Vector, cross, dot, real_symbol, to_components
 from .free_body import FreeBody
 from .friction_law import Reaction
 from .modes import Mode
@@ -25,8 +27,14 @@ from .symbols import (
     spin_rate,
 )
 
-_normal_rate_free = real_symbol("normal_rate_free")
-_spin_rate_free, _spin_response = real_symbol("s_0"), real_symbol("s_1")
+#: Normal acceleration of the contact without normal force.
+normal_rate_free = real_symbol("normal_rate_free")
+_spin_rate_free = real_symbol("spin_rate_free")
+#: What a normal force found by Newton's method leaves of the normal acceleration.
+normal_excess = real_symbol("normal_excess")
+#: Each step doubles the number of digits, from one or less on.
+NEWTON_STEPS = 6
+
 _inverse_mobility = Symmetric("Z")
 #: Without slip the force is h − N h_q − τ h_s: what holds the contact against all else, against
 #: the couple of each unit of N, and of each unit of the couple τ that holds the spin.
@@ -52,29 +60,42 @@ def reaction_definitions(free: FreeBody, mode: Mode, laws: Reaction) -> Pairs:
 def _while_sliding(free: FreeBody, mode: Mode, laws: Reaction) -> Pairs:
     A, Y = free.mobility, free.inverse_inertia
     turned = cross(Y * gamma, r)
+    sigma, tilt = dot(gamma, Y * gamma), dot(gamma, turned)
     # accelerations of the contact without normal force, and for each unit of it
     base = slip_rate + A * laws.force + cross(Y * laws.couple, r)
     normal_0 = dot(gamma, base) + normal_rate
     normal_1 = dot(gamma, A * (gamma + laws.p) + cross(Y * laws.q, r))
-    pairs: Pairs = ()
+    spin_0 = spin_rate + dot(turned, laws.force) + dot(gamma, Y * laws.couple)
+    spin_1 = dot(turned, gamma + laws.p) + dot(gamma, Y * laws.q)
     torque = N * laws.q + laws.couple
+    pairs: Pairs = ()
     if not mode.spinning:
-        sigma, tilt = dot(gamma, Y * gamma), dot(gamma, turned)
-        pairs = (
-            (_spin_rate_free, spin_rate + dot(turned, laws.force) + dot(gamma, Y * laws.couple)),
-            (_spin_response, dot(turned, gamma + laws.p) + dot(gamma, Y * laws.q)),
-        )
+        pairs += ((_spin_rate_free, spin_0),)
         normal_0 -= tilt * _spin_rate_free / sigma
-        normal_1 -= tilt * _spin_response / sigma
-    pairs += (
-        (_normal_rate_free, normal_0),
-        (normal_response, normal_1),
-        (N, -_normal_rate_free / normal_response),
-    )
-    if not mode.spinning:
-        pairs += ((holding_couple, -(_spin_rate_free + _spin_response * N) / sigma),)
+        normal_1 -= tilt * spin_1 / sigma
         torque = torque + holding_couple * gamma
+    pairs += ((normal_rate_free, normal_0), *_normal_force(normal_1, dot(gamma, A * gamma)))
+    if not mode.spinning:
+        pairs += ((holding_couple, -(_spin_rate_free + spin_1 * N) / sigma),)
     return (*pairs, (reaction, N * (gamma + laws.p) + laws.force), (couple, torque))
+
+
+def _normal_force(response: sp.Expr, without_friction: sp.Expr) -> Pairs:
+    """N from (normal_rate_free) + N (response) = 0, by Newton's method if `response` depends on N.
+
+    It starts from the normal force without friction.  `normal_response` is the rate of the normal
+    acceleration by N in the end.
+    """
+    scalar = to_components(response)
+    if not scalar.has(N):
+        return ((normal_response, response), (N, -normal_rate_free / normal_response))
+    excess = normal_rate_free + N * scalar
+    slope = scalar + N * sp.diff(scalar, N)
+    guesses = [real_symbol(f"normal_force_{i}") for i in range(NEWTON_STEPS)]
+    pairs: Pairs = ((guesses[0], -normal_rate_free / without_friction),)
+    for guess, following in zip(guesses, (*guesses[1:], N), strict=True):
+        pairs += ((following, (N - excess / slope).xreplace({N: guess})),)
+    return (*pairs, (normal_excess, excess), (normal_response, slope))
 
 
 def _without_slip(free: FreeBody, mode: Mode, laws: Reaction) -> Pairs:

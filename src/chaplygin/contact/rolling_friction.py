@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from ..arguments import arguments_checked
 from ..core.system import Guard, Parameter
-from ..core.vectors import norm_squared, real_symbol
+from ..core.vectors import real_symbol
 from .friction_law import FrictionLaw, Reaction, coefficient, require_coefficient
 from .modes import Mode
 from .symbols import contour_couple, rolling, rolling_floor, rolling_speed
@@ -168,8 +168,11 @@ class ContourResistance(FrictionLaw):
 
 
 def _rolling_guards(mode: Mode) -> tuple[Guard, ...]:
-    """The angular velocity of rolling, while there is any."""
+    """The angular velocity of rolling, while there is any.
+
+    Its square would touch zero too closely for an event: in the plane rolling passes through zero.
+    """
     if not mode.rolling:
         return ()
-    margin = norm_squared(rolling) - rolling_floor**2
+    margin = rolling_speed - rolling_floor
     return (Guard("rolling stop", margin, "rolling ends"),)

@@ -49,7 +49,9 @@ class Clearance:
 
 
 def clearance(
-    contact: FrictionalContact, position: Sequence[float], attitude: Sequence[float]
+    contact: FrictionalContact,
+    position: Sequence[float] | FloatArray,
+    attitude: Sequence[float] | FloatArray,
 ) -> Clearance:
     """The place of a body over its support.
 
@@ -77,15 +79,15 @@ def clearance(
     """
     turn = _rotation(attitude)
     shape, surface = contact.body.shape, contact.surface
-    points = contact_points(shape)
     seen = turn.T @ np.array(position, dtype=float)
     if isinstance(surface, Plane):
         gamma = turn[2]
-        r = points(gamma[None])[0]
+        r = _touching_point(contact, gamma)
         return Clearance(float(gamma @ (seen + r)), gamma, r)
     hollow = isinstance(shape, Ball) and shape.hollow
-    gamma = nearest_normal(points, seen, outside=surface.side == "outside" and not hollow)
-    r = points(gamma[None])[0]
+    outside = surface.side == "outside" and not hollow
+    gamma = nearest_normal(contact_points(shape), seen, outside)
+    r = _touching_point(contact, gamma)
     return Clearance(float(gamma @ (seen + r)) - surface.signed_radius, gamma, r)
 
 
@@ -153,10 +155,11 @@ def start_in_contact(
     if contact.never_slips and np.any(tangential):
         raise InputError("slip: with mu = inf the contact cannot slip; it must be zero")
     with mpmath.workdps(DIGITS):
-        columns = [[mpmath.mpf(float(x)) for x in u] for u in (up, above)]
-        attitude = [float(x) for x in attitude_of_normal(*columns, mpmath.mpf(heading))]
+        first, last = ([mpmath.mpf(float(x)) for x in u] for u in (up, above))
+        numbers = attitude_of_normal(first, last, mpmath.mpf(heading))
+        attitude = np.array([float(x) for x in numbers])
     turn = _rotation(attitude)
-    r = contact_points(contact.body.shape)(up[None])[0]
+    r = _touching_point(contact, up)
     if not np.isfinite(r).all():
         raise InputError("gamma: no single point of the body touches a support with this normal")
     height = 0.0 if isinstance(surface, Plane) else surface.signed_radius
@@ -261,6 +264,13 @@ def _in_contact(
     return v - slip
 
 
+def _touching_point(contact: FrictionalContact, gamma: FloatArray) -> FloatArray:
+    """The point of the body with outward normal −γ; NaN where a flat face has it."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        r: FloatArray = contact_points(contact.body.shape)(gamma[None])[0]
+    return r
+
+
 def _support_velocity(contact: FrictionalContact, touching: FloatArray) -> FloatArray:
     """Velocity of the support at a place, space axes."""
     return np.cross([0.0, 0.0, contact.surface.turntable], touching)
@@ -268,7 +278,7 @@ def _support_velocity(contact: FrictionalContact, touching: FloatArray) -> Float
 
 def _state(
     contact: FrictionalContact,
-    attitude: Sequence[float],
+    attitude: FloatArray,
     position: FloatArray,
     v: FloatArray,
     omega: FloatArray,
@@ -285,7 +295,8 @@ def _state(
 def _rotation(attitude: Sequence[float] | FloatArray) -> FloatArray:
     """The matrix from body to space components."""
     w, x, y, z = attitude
-    return Rotation.from_quat([x, y, z, w]).as_matrix()
+    matrix: FloatArray = Rotation.from_quat([x, y, z, w]).as_matrix()
+    return matrix
 
 
 def _numbers(values: Sequence[float], name: str, count: int) -> FloatArray:
@@ -308,7 +319,8 @@ def _direction(values: Sequence[float], name: str) -> FloatArray:
         raise InputError(f"{name} is zero: it must point along the normal")
     # scaled first, so that nothing overflows
     vector = vector / np.abs(vector).max()
-    return vector / np.linalg.norm(vector)
+    unit: FloatArray = vector / np.linalg.norm(vector)
+    return unit
 
 
 def _shown(vector: FloatArray) -> str:

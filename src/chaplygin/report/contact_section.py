@@ -12,7 +12,7 @@ from ..contact.dry_friction import Coulomb
 from ..contact.friction_law import FrictionLaw
 from ..contact.rules import Rules
 from ..experiment.contact_subject import ContactSubject
-from ..experiment.contact_trajectory import ContactTrajectory
+from ..experiment.contact.trajectory import ContactTrajectory
 from ..mechanics.rolling.surfaces import Plane
 from ..printing.numerals import number, typographic_signs, unit
 from .drawing.contact_values import FrictionLimits, event_impulses, friction_limits

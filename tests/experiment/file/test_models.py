@@ -244,7 +244,11 @@ def test_sentence_of_the_triangle_inequality() -> None:
             'surface.radius: must be positive; for the inside write radius = 2.0 and side = "ins',
         ),
         ('"plane"', '"sphere"\nradius = 0', "line 13, surface.radius: must be positive"),
-        ('"marble"', '"ruber"', 'contact.model: must be "marble" or "rubber", not the text "ru'),
+        (
+            '"marble"',
+            '"ruber"',
+            'contact.model: must be "marble", "rubber" or "friction", not the text "ru',
+        ),
         ("9.81", "-9.81", "field.gravity: must be a finite number not below zero, not -9.81"),
         ("[0.2, -0.3, 0.93]", "[0, 0.0, -0.0]", "start.gamma: must not be zero"),
         ("[0.2, -0.3, 0.93]", "[1, nan, 0]", "3 finite numbers with at least one not zero, not [1"),
@@ -335,7 +339,10 @@ def test_ellipsoids_of_any_size_are_measured() -> None:
         (["body.mass=-1"], "--set body.mass: must be a positive finite number, not -1"),
         (["body.mas=1"], "--set body.mas: unknown key, did you mean 'mass'?"),
         (["bod.mass=1"], "--set bod.mass: unknown key, did you mean 'body'?"),
-        (["contact.model=ruber"], '--set contact.model: must be "marble" or "rubber", not the te'),
+        (
+            ["contact.model=ruber"],
+            '--set contact.model: must be "marble", "rubber" or "friction", not the te',
+        ),
         (["field.potential=3"], "--set field.potential: must be a formula in quotes, not 3"),
         (
             ["field.potential=gama_1**2"],

@@ -46,7 +46,9 @@ class BodyOnSurface(ExperimentBase):
     @field_validator("surface", mode="before", check_fields=False)
     @classmethod
     def _plane_by_default(cls, surface: object) -> object:
-        return {"kind": "plane"} if surface == {} else surface
+        if isinstance(surface, dict) and surface.keys() <= {"turntable"}:
+            return {"kind": "plane", **surface}
+        return surface
 
     @field_validator("surface", check_fields=False)
     @classmethod

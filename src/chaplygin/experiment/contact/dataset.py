@@ -3,13 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any, TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 import xarray as xr
 
-from ..contact.modes import MODE_NAMES
-from .contact_trajectory import ContactTrajectory, work_names
-from .dataset import Variable, to_dataset
+from ...contact.modes import MODE_NAMES
+from ...contact.situation import FrictionalContact
+from ...core.arrays import FloatArray
+from ...core.system import System
+from .trajectory import ContactTrajectory, work_names
+
+#: Dimensions, values and attributes of a variable of the events.
+EventVariable: TypeAlias = tuple[
+    str | tuple[str, ...], FloatArray | npt.NDArray[Any], Mapping[str, object]
+]
 
 #: Variables of the state that the dataset has in space axes under other names.
 _ELSEWHERE = ("position", "v")
@@ -23,16 +32,14 @@ _WORKS = {
 }
 
 
-def contact_dataset(
-    trajectory: ContactTrajectory, attributes: Mapping[str, object] | None = None
-) -> xr.Dataset:
-    """A motion with friction as a dataset.
+def contact_dataset(trajectory: ContactTrajectory, samples: xr.Dataset) -> xr.Dataset:
+    """The dataset of a motion with friction.
 
     Parameters
     ----------
     trajectory : ContactTrajectory
-    attributes : mapping, optional
-        Further global attributes, such as the text of the experiment file.
+    samples : xarray.Dataset
+        What any trajectory has: its states, observables and laws.
 
     Returns
     -------
@@ -42,8 +49,7 @@ def contact_dataset(
         and ``mode``, a flag.  A dimension ``event`` has ``event_time``, ``event_kind``, the mode
         that follows, states before and after (dimension ``state``), and impulses.
     """
-    whole = to_dataset(trajectory, attributes, _meanings(trajectory))
-    dataset = whole.drop_vars([name for name in _ELSEWHERE if name in whole])
+    dataset = samples.drop_vars([name for name in _ELSEWHERE if name in samples])
     modes = trajectory.modes.astype(np.int8)
     dataset["mode"] = ("time", modes, _flags("mode of the contact"))
     dataset = dataset.assign(_event_variables(trajectory))
@@ -70,10 +76,10 @@ _STATE = {
 }
 
 
-def _meanings(trajectory: ContactTrajectory) -> dict[str, tuple[str, str]]:
-    """Meaning and unit of the work lost to each law."""
-    words = {f"work_{law.name}": f"work lost to {law.words}" for law in trajectory.contact.laws}
-    return {name: ((_WORKS | words).get(name, name), "J") for name in work_names(trajectory.system)}
+def work_meanings(contact: FrictionalContact, system: System) -> dict[str, tuple[str, str]]:
+    """Meaning and unit of the work lost to each law, by the names of a system."""
+    words = {f"work_{law.name}": f"work lost to {law.words}" for law in contact.laws}
+    return {name: ((_WORKS | words).get(name, name), "J") for name in work_names(system)}
 
 
 def _columns(trajectory: ContactTrajectory) -> list[str]:
@@ -91,11 +97,11 @@ def _flags(meaning: str) -> dict[str, object]:
     }
 
 
-def _event_variables(trajectory: ContactTrajectory) -> dict[str, Variable]:
+def _event_variables(trajectory: ContactTrajectory) -> dict[str, EventVariable]:
     """The variables of the dimension ``event``."""
     events, size = trajectory.changes, len(trajectory.system.symbols)
 
-    def rows(values: list[np.ndarray], width: int) -> np.ndarray:
+    def rows(values: list[FloatArray], width: int) -> FloatArray:
         return np.array(values, dtype=float).reshape(len(events), width)
 
     def notes(meaning: str, unit: str, **more: str) -> dict[str, str]:
@@ -104,6 +110,7 @@ def _event_variables(trajectory: ContactTrajectory) -> dict[str, Variable]:
     modes = np.array([MODE_NAMES.index(event.mode) for event in events], dtype=np.int8)
     kinds = np.array([event.kind for event in events], dtype="<U30")
     times = np.array([event.time for event in events], dtype=float)
+    unique = np.array([event.unique for event in events], dtype=np.int8)
     couples = np.array([event.couple_impulse for event in events], dtype=float)
     before = rows([event.before[:size] for event in events], size)
     after = rows([event.after[:size] for event in events], size)
@@ -124,6 +131,7 @@ def _event_variables(trajectory: ContactTrajectory) -> dict[str, Variable]:
             impulses,
             notes("impulse of the support on the body", "N s", frame=body),
         ),
+        "event_unique": ("event", unique, notes("1 if no other motion is possible after it", "1")),
         "event_couple_impulse": (
             "event",
             couples,

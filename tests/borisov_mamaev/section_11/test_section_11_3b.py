@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from chaplygin.borisov_mamaev.section_11.section_11 import sliding_share
+from chaplygin.borisov_mamaev.section_11.section_11_3b import sliding_share
 
 
 def friction(sliding: float, points: int = 801) -> float:

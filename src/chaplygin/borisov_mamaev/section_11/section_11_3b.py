@@ -1,4 +1,4 @@
-"""§11: models of friction and the disk on ice."""
+"""§11.3: fast rotation under friction, and the disk on ice."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ...catalogue import from_catalogue
 from ...core.system import System
 from ...core.vectors import real_symbol
 from ...proof.verdict import Verdict
-from ..claim import Case, Claim, Remark
+from ..claim import Case, Claim
 from ..methods.catalogue_laws import law_named
 from ..methods.growth_vector import VectorField, growth, holonomic_count_verdict
 
@@ -113,39 +113,5 @@ CLAIMS = (
         integrable_disk,
         note="read as: four integrals, an invariant measure, a symmetry field, and a quadrature "
         "for the nutation with the values of the integrals",
-    ),
-)
-
-REMARKS = (
-    Remark(
-        "§11.1",
-        "Friction models of Coulomb, viscous, and of Contensou and Erismann, with their history.",
-        "a survey of the literature",
-    ),
-    Remark(
-        "§11.2",
-        "A nonholonomic constraint is realised as the limit of infinitely large viscous friction.",
-        "a theorem on singular limits quoted from [81, 86, 92]",
-    ),
-    Remark(
-        "§11.2",
-        "Under Coulomb friction with a torque the sliding and spinning of a homogeneous ball stop, "
-        "at the same time in the model of Contensou and Erismann.",
-        "theorems on dry friction quoted from [79, 86, 93–95]; their equations are not stated",
-    ),
-    Remark(
-        "§11.3",
-        "Coulomb and viscous friction alike overturn the Thomson top.",
-        "a statement on attractors quoted from [98]; no equations are stated",
-    ),
-    Remark(
-        "§11.3",
-        "Three categories of systems, and which model of friction each needs.",
-        "a judgement on modelling",
-    ),
-    Remark(
-        "§11.4",
-        "Zero normal reaction might not suffice for a loss of contact; Euler's disk may bounce.",
-        "a conjecture, for which no equations are stated",
     ),
 )

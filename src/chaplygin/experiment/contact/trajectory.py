@@ -11,16 +11,16 @@ import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
-from ..contact.compiled import CompiledContact
-from ..contact.events import ContactEvent
-from ..contact.modes import FLIGHT
-from ..contact.motion import ContactMotion, contact_motion
-from ..contact.rules import Rules
-from ..contact.situation import FrictionalContact
-from ..core.arrays import FloatArray
-from ..core.system import Guard, System
-from ..errors import InputError, RunError
-from ..flow.trajectory import Event, Statistics, Trajectory, by_name
+from ...contact.compiled import CompiledContact
+from ...contact.events import ContactEvent
+from ...contact.modes import FLIGHT
+from ...contact.motion import ContactMotion, contact_motion
+from ...contact.rules import Rules
+from ...contact.situation import FrictionalContact
+from ...core.arrays import FloatArray
+from ...core.system import Guard, System
+from ...errors import InputError, RunError
+from ...flow.trajectory import Event, Statistics, Trajectory, by_name
 
 #: The law of energy with all work lost.
 BALANCE = "energy_balance"
@@ -70,13 +70,9 @@ class ContactTrajectory(Trajectory):
     def thinned(self, pieces: int) -> ContactTrajectory:
         """Every `pieces`-th sample, and the last one."""
         thin = super().thinned(pieces)
+        assert isinstance(thin, ContactTrajectory)
         last = len(self.times) - 1
-        return replace(self, **_samples(thin), modes=self.modes[[*range(0, last, pieces), last]])
-
-
-def _samples(trajectory: Trajectory) -> dict[str, object]:
-    names = ("times", "states", "recorded")
-    return {name: getattr(trajectory, name) for name in names}
+        return replace(thin, modes=self.modes[[*range(0, last, pieces), last]])
 
 
 def work_names(system: System) -> list[str]:
@@ -117,7 +113,7 @@ def contact_trajectory(
     began = clock.perf_counter()
     motion = contact_motion(compiled, state, times, rules, progress=progress)
     if not len(motion.times) or (motion.reason and motion.end_time <= times[0]):
-        raise InputError(f"there is no motion from here: {motion.reason}")
+        raise InputError(f"there is no motion from here: {_advice(motion.reason, rules)}")
     recorded = motion.observables()
     works = (by_name(system, motion.states, name) for name in work_names(system))
     recorded[f"law_{BALANCE}"] = recorded["energy"] + sum(works)

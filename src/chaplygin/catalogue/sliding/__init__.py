@@ -1,0 +1,1 @@
+"""Sliding bodies with friction, whose laws are proved for any force at the contact."""

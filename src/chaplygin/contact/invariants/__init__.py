@@ -1,0 +1,1 @@
+"""What friction keeps and what it takes: laws of sliding bodies, for proof."""

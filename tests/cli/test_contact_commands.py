@@ -1,0 +1,113 @@
+"""Commands on a contact with friction."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+import chaplygin as ch
+from asking import Ask, ask
+from contact.case_files import CASES, experiment_text
+
+__all__ = ["ask"]
+
+COLUMNS = 80
+
+
+@pytest.fixture
+def billiard(tmp_path: Path) -> Path:
+    path = tmp_path / "billiard.toml"
+    path.write_text(experiment_text(CASES["billiard ball"], 11))
+    return path
+
+
+def test_a_run_tells_its_events_in_narrow_lines(ask: Ask, billiard: Path) -> None:
+    code, output, _ = ask("run", billiard, "-o", "a.nc")
+    assert code == 0
+    lines = output.splitlines()
+    assert lines[0] == "Ball on a plane, with friction"
+    assert "  1 event: 1 stick" in lines
+    moment = CASES["billiard ball"]["events"][0]["time"]
+    assert f"    t = {moment:.9g}: stick, then rolling" in lines
+    assert max(map(len, lines)) <= COLUMNS
+    dataset = ch.read("a.nc")
+    assert dataset["event_time"].values == pytest.approx([moment], abs=1e-10)
+    assert dataset.attrs["complete"] == 1
+
+
+def test_a_run_as_json(ask: Ask, billiard: Path) -> None:
+    code, output, _ = ask("run", billiard, "-o", "a.nc", "--json")
+    facts = json.loads(output)
+    assert code == 0
+    assert [event["what"] for event in facts["events"]] == ["stick"]
+    assert facts["ended"] == ""
+    assert facts["work"]["work_coulomb"] > 0
+    assert facts["drift"]["energy_balance"] < 1e-12
+
+
+def test_show_says_which_equations_it_shows(ask: Ask, billiard: Path) -> None:
+    code, output, _ = ask("show", billiard)
+    assert code == 0
+    assert "These are the equations of one mode of the contact, sliding." in output
+    assert "d(position)/dt" in output
+    code, output, _ = ask("show", billiard, "--json")
+    assert json.loads(output)["place"] is None
+    code, output, _ = ask("show", billiard, "--as", "toml")
+    assert ch.loads(output).toml() == ch.loads(output, overrides=[]).toml()
+    assert 'impact_law = "stronge"' in output
+
+
+OTHERS = """\
+prove {}
+find integrals {}
+section {} --on gamma_3 -o a.zarr
+lyapunov {}
+solve {}
+bifurcation {}
+orbit {} --on gamma_3
+ensemble {} -o a.zarr
+sweep {} -o a.zarr --over mu=0.1:0.3:3
+chart {} --of drift --x omega_1=0:1:3 --y omega_2=0:1:3 -o a.zarr
+"""
+
+
+@pytest.mark.parametrize("command", OTHERS.splitlines())
+def test_other_commands_say_that_they_cannot(
+    ask: Ask, billiard: Path, command: str, tmp_path: Path
+) -> None:
+    code, output, error = ask(*command.format("billiard.toml").split())
+    assert (code, output) == (2, "")
+    (line,) = [text for text in error.splitlines() if text.startswith("error")]
+    assert line.startswith("error: billiard.toml, line ")
+    assert line.endswith(
+        "contact.model: with friction the equations of motion change at events, and so far only "
+        "show, run and study follow such a motion"
+    )
+    assert [path.name for path in tmp_path.iterdir()] == ["billiard.toml"]
+
+
+def test_a_mistake_is_told_with_its_place(ask: Ask, billiard: Path) -> None:
+    code, output, error = ask("run", billiard, "-o", "a.nc", "--set", "start.position=[0,0,0.05]")
+    assert (code, output) == (2, "")
+    assert "error: --set start.position: the body lies 0.05 m inside the support" in error
+
+
+@pytest.mark.slow
+def test_a_run_that_ends_early_says_why(ask: Ask, tmp_path: Path) -> None:
+    path = tmp_path / "dome.toml"
+    path.write_text(experiment_text(CASES["ball leaves a dome"], 11))
+    code, output, _ = ask("run", path, "-o", "a.nc", "--set", "run.on_liftoff=stop")
+    assert code == 0
+    assert "the motion ends at t = " in output
+    assert ch.read("a.nc").attrs["end_reason"] in " ".join(output.split())
+
+
+@pytest.mark.slow
+def test_a_study_has_a_report(ask: Ask, billiard: Path) -> None:
+    code, output, _ = ask("study", billiard)
+    assert code == 0
+    assert "1 event: 1 stick" in output
+    assert "stick, then rolling" in Path("billiard/report.html").read_text()
+    assert ch.read("billiard/trajectory.nc").sizes["event"] == 1

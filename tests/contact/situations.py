@@ -1,0 +1,80 @@
+"""Bodies, supports and laws of the motions of `reference_cases.json`, for the package."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import chaplygin as ch
+from chaplygin.contact import (
+    ContensouErismann,
+    ContourResistance,
+    Coulomb,
+    FrictionalContact,
+    FrictionLaw,
+    NormalViscous,
+    RollingResistance,
+    Rules,
+    SpinFriction,
+    Viscous,
+    ViscousRolling,
+)
+from chaplygin.contact.starts import start_in_space
+from chaplygin.core.arrays import FloatArray
+
+CASES: dict[str, dict[str, Any]] = {
+    case["name"]: case
+    for case in json.loads(Path(__file__).with_name("reference_cases.json").read_text())
+}
+
+
+def situation(case: dict[str, Any]) -> FrictionalContact:
+    """The body on its support."""
+    given, shape, surface = case["body"], case["body"]["shape"], case["surface"]
+    centre = tuple(shape.get("centre", (0.0, 0.0, 0.0)))
+    if shape["kind"] == "ball":
+        form: ch.Ball | ch.Ellipsoid = ch.Ball(shape["radius"], centre=centre)
+    else:
+        form = ch.Ellipsoid(tuple(shape["axes"]), turn=shape.get("turn", 0.0), centre=centre)
+    inertia = tuple(tuple(row) if isinstance(row, list) else row for row in given["inertia"])
+    body = ch.Body(given["mass"], inertia, form, gyrostat=tuple(given.get("gyrostat", (0, 0, 0))))
+    turntable = surface.get("turntable", 0.0)
+    support: ch.Plane | ch.Sphere = ch.Plane(turntable=turntable)
+    if surface["kind"] == "sphere":
+        support = ch.Sphere(surface["radius"], surface["side"], turntable=turntable)
+    return FrictionalContact(body, support, laws(case), ch.Forces(gravity=case["gravity"]))
+
+
+def laws(case: dict[str, Any]) -> tuple[FrictionLaw, ...]:
+    """Its laws of friction."""
+    given, result = case["contact"], []
+    if "patch" in given:
+        result.append(ContensouErismann(given["mu"], given["patch"]))
+    elif "mu" in given:
+        result.append(Coulomb(given["mu"]))
+    if "viscous" in given:
+        result.append(Viscous(given["viscous"], given.get("spin_viscous", 0.0)))
+    kinds = {
+        "spin_arm": SpinFriction,
+        "slip": NormalViscous,
+        "rolling": RollingResistance,
+        "rolling_viscous": ViscousRolling,
+        "contour": ContourResistance,
+    }
+    result += [kind(given[name]) for name, kind in kinds.items() if name in given]
+    return tuple(result)
+
+
+def rules(case: dict[str, Any]) -> Rules:
+    """What happens at its impacts."""
+    given = case["contact"]
+    return Rules(given.get("restitution", 0.0), given.get("impact_law", "stronge"))
+
+
+def start(case: dict[str, Any], contact: FrictionalContact) -> FloatArray:
+    """Its first state."""
+    given = case["start"]
+    return start_in_space(
+        contact, given["position"], given["attitude"], given["velocity"], given["omega"]
+    )

@@ -1,0 +1,233 @@
+"""Motions with friction: against independent computations, closed forms and balances."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import chaplygin as ch
+from chaplygin.contact import (
+    MODE_NAMES,
+    CompiledContact,
+    ContensouErismann,
+    Coulomb,
+    FrictionalContact,
+    Rules,
+    contact_motion,
+)
+from contact.situations import CASES, rules, situation, start
+
+G = 9.81
+GRAVITY = ch.Forces(gravity=G)
+
+#: Motions that are prepared and followed in about a second; the others run among the slow tests.
+QUICK = ("loaded ball, viscous", "loaded ball, viscous in N", "billiard ball")
+
+
+def motion_of(case: dict[str, Any], samples: int = 2) -> Any:
+    contact = situation(case)
+    times = np.linspace(0, case["until"], samples)
+    return contact_motion(contact, start(case, contact), times, rules(case))
+
+
+def assert_agrees(case: dict[str, Any]) -> None:
+    motion = motion_of(case)
+    assert motion.reason == ""
+    expected = [e for e in case["events"]]
+    # a spin that passes through zero is no event of the reference
+    events = [e for e in motion.events if e.kind != "spin reversal"]
+    assert [e.kind for e in events] == [e["kind"] for e in expected]
+    for event, reference in zip(events, expected, strict=True):
+        assert event.time == pytest.approx(reference["time"], abs=1e-10)
+        assert_same_state(event.after, reference)
+    assert_same_state(motion.end_state, case["final"])
+    assert np.all(np.diff(motion.times) > 0)
+
+
+def assert_same_state(state: np.ndarray, reference: dict[str, Any]) -> None:
+    attitude = state[:4] * np.sign(state[:4] @ reference["attitude"])
+    turn = Rotation.from_quat(state[:4], scalar_first=True)
+    for ours, name in (
+        (attitude, "attitude"),
+        (state[4:7], "position"),
+        (turn.apply(state[7:10]), "velocity"),
+        (state[10:13], "omega"),
+    ):
+        np.testing.assert_allclose(ours, reference[name], rtol=1e-9, atol=1e-9, err_msg=name)
+
+
+@pytest.mark.parametrize("name", QUICK)
+def test_motion_agrees_with_the_reference(name: str) -> None:
+    assert_agrees(CASES[name])
+
+
+@pytest.mark.slow(every=4)
+@pytest.mark.parametrize("name", [name for name in CASES if name not in QUICK])
+def test_motion_agrees_with_the_reference_slowly(name: str) -> None:
+    assert_agrees(CASES[name])
+
+
+@pytest.fixture(scope="module")
+def loaded() -> CompiledContact:
+    """An asymmetric ball with its centre of mass off its centre, on ground with μ = 0.3."""
+    body = ch.Body(1.0, (0.2, 0.25, 0.3), ch.Ball(1.0, centre=(0.1, 0.05, 0.3)))
+    return CompiledContact(FrictionalContact(body, laws=(Coulomb(0.3),), field=GRAVITY))
+
+
+def drop(height: float, velocity: Any, omega: Any, attitude: Any = (1, 0, 0, 0)) -> list[float]:
+    turn = Rotation.from_quat(attitude, scalar_first=True)
+    quaternion = turn.as_quat(scalar_first=True)
+    vertical = turn.inv().apply([0, 0, 1])
+    return [*quaternion, 0, 0, height, *turn.inv().apply(velocity), *omega, *vertical]
+
+
+def test_bounces_end_and_the_energy_balance_holds(loaded: CompiledContact) -> None:
+    state = drop(1.5, (1.0, 0.5, 0.0), (3.0, -2.0, 1.0))
+    times = np.linspace(0, 3, 61)
+    motion = contact_motion(loaded, state, times, Rules(restitution=0.5))
+    kinds = [e.kind for e in motion.events]
+    assert kinds == ["landing"] * len(kinds) and len(kinds) > 10
+    assert motion.events[-1].mode == "rolling"
+    values = motion.observables()
+    balance = values["energy"] + motion.states[:, 16:].sum(axis=1)
+    assert np.ptp(balance) <= 1e-13 * values["energy"][0]
+    assert values["gap"].min() >= -1e-13
+    flying = motion.modes == MODE_NAMES.index("flight")
+    assert values["gap"][flying].min() > 0 and abs(values["gap"][~flying]).max() < 1e-13
+    assert np.all(values["normal_force"][~flying] > 0) and not values["normal_force"][flying].any()
+
+
+def test_intervals_cover_the_time(loaded: CompiledContact) -> None:
+    state = drop(1.5, (1.0, 0.5, 0.0), (3.0, -2.0, 1.0))
+    motion = contact_motion(loaded, state, [0.0, 2.0], Rules(restitution=0.3))
+    assert motion.intervals[0].begin == 0 and motion.intervals[-1].end == 2
+    for one, other in zip(motion.intervals, motion.intervals[1:], strict=False):
+        assert one.end == other.begin and one.mode != other.mode
+
+
+def test_samples_do_not_change_the_motion(loaded: CompiledContact) -> None:
+    state = drop(1.2, (1.0, 0.5, 0.0), (3.0, -2.0, 1.0))
+    few = contact_motion(loaded, state, [0.0, 2.0], Rules(restitution=0.3))
+    many = contact_motion(loaded, state, np.linspace(0, 2, 301), Rules(restitution=0.3))
+    np.testing.assert_allclose(few.end_state, many.end_state, rtol=0, atol=1e-12)
+    assert [e.kind for e in few.events] == [e.kind for e in many.events]
+
+
+def test_work_of_friction_is_the_integral_of_its_power(loaded: CompiledContact) -> None:
+    state = drop(0.7, (1.0, 0.5, 0.0), (3.0, -2.0, 1.0))
+    state[9] = -float(np.cross(state[10:13], [0.1, 0.05, -0.7])[2])
+    times = np.linspace(0, 0.3, 2001)
+    motion = contact_motion(loaded, state, times)
+    power = motion.observables()["power_lost"]
+    steps = np.diff(times)
+    lost = float(((power[1:] + power[:-1]) * steps).sum() / 2)
+    assert motion.end_state[17] == pytest.approx(lost, rel=1e-6)
+
+
+def test_lift_off_can_end_the_motion(loaded: CompiledContact) -> None:
+    case = CASES["rising egg"]
+    contact = situation(case)
+    motion = contact_motion(
+        contact, start(case, contact), [0.0, case["until"]], Rules(on_liftoff="stop")
+    )
+    assert motion.reason == "the body leaves the support"
+    first = next(e for e in case["events"] if e["kind"] == "lift-off")
+    assert motion.end_time == pytest.approx(first["time"], abs=1e-10)
+    assert motion.times[-1] == motion.end_time
+
+
+def test_billiard_ball_slides_for_the_known_time() -> None:
+    ball = ch.Body(0.2, (2e-4,) * 3, ch.Ball(0.05))
+    table = FrictionalContact(ball, laws=(Coulomb(0.2),), field=GRAVITY)
+    for slip in (1.4, 0.3):
+        state = drop(0.05, (slip, 0, 0), (0, 0, 0))
+        motion = contact_motion(table, state, [0.0, 1.0])
+        assert motion.events[0].time == pytest.approx(2 * slip / (7 * 0.2 * G), rel=1e-13)
+
+
+def test_sliding_and_spinning_end_at_one_instant() -> None:
+    ball = ch.Body(0.2, (2e-4,) * 3, ch.Ball(0.05))
+    for patch in (0.03, 0.04):
+        table = FrictionalContact(ball, laws=(ContensouErismann(0.2, patch),), field=GRAVITY)
+        motion = contact_motion(table, drop(0.05, (0.7, 0, 0), (3, 5, 20)), [0.0, 3.0])
+        assert [e.kind for e in motion.events] == ["stick"]
+        assert motion.events[0].mode == "rolling without spin"
+        after = motion.observables()
+        assert abs(after["spin"][-1]) < 1e-13 and np.abs(after["slip"][-1]).max() < 1e-13
+
+
+def test_a_ball_that_never_slips_rolls_with_the_law_of_marble(loaded: CompiledContact) -> None:
+    body = loaded.situation.body
+    ideal = FrictionalContact(body, laws=(Coulomb(math.inf),), field=ch.Forces(gravity=3.0))
+    omega = np.array([0.4, -0.3, 0.5])
+    r = np.array([0.1, 0.05, -0.7])
+    state = drop(0.7, -np.cross(omega, r), omega)
+    motion = contact_motion(ideal, state, [0.0, 1.0])
+    rolling = ch.roll(body, field=ch.Forces(gravity=3.0))
+    y0 = ch.initial_state(rolling, omega, (0.0, 0.0, 1.0))
+    other = ch.integrate(rolling, y0, [0.0, 1.0])
+    M, gamma = other.states[-1, :3], other.states[-1, 3:6]
+    np.testing.assert_allclose(motion.end_state[13:16], gamma, atol=1e-12)
+    assert M.shape == (3,) and not motion.events
+
+
+@pytest.mark.parametrize(
+    ("times", "state", "sentence"),
+    [
+        ([1.0, 0.0], None, "times: they must be finite numbers that increase"),
+        ([0.0, 1.0], [0.0] * 5, "state: (5,) numbers; a state has 16, or 18 with the works lost"),
+        ([0.0, 1.0], drop(0.5, (0, 0, 0), (0, 0, 0)), "0.2 m inside the support"),
+        ([0.0, 1.0], drop(math.inf, (0, 0, 0), (0, 0, 0)), "must be finite"),
+    ],
+)
+def test_mistakes(
+    loaded: CompiledContact, times: list[float], state: list[float] | None, sentence: str
+) -> None:
+    with pytest.raises(ch.InputError) as error:
+        contact_motion(loaded, state or drop(1.5, (0, 0, 0), (0, 0, 0)), times)
+    assert sentence in str(error.value)
+
+
+def test_rules_are_checked() -> None:
+    with pytest.raises(ch.InputError, match=r"restitution 2\.0: it must lie between 0 and 1"):
+        Rules(restitution=2.0)
+
+
+def random_drops(count: int, seed: int) -> list[tuple[list[float], Rules]]:
+    rng = np.random.default_rng(seed)
+    drops = []
+    for _ in range(count):
+        velocity, omega = 2 * rng.normal(size=3), 3 * rng.normal(size=3)
+        height = 1.4 + rng.exponential(0.5)
+        law = ("stronge", "poisson")[rng.integers(2)]
+        state = drop(height, velocity, omega, rng.normal(size=4))
+        drops.append((state, Rules(restitution=float(rng.uniform(0, 0.9)), impact_law=law)))
+    return drops
+
+
+def assert_sound(contact: CompiledContact, state: list[float], given: Rules) -> None:
+    times = np.linspace(0, 4, 41)
+    motion = contact_motion(contact, state, times, given)
+    assert motion.reason == "", motion.reason
+    values = motion.observables()
+    size = values["energy"][0]
+    assert values["gap"].min() >= -1e-12
+    assert np.diff(values["energy"]).max() <= 1e-12 * size
+    balance = values["energy"] + motion.states[:, 16:].sum(axis=1)
+    assert np.ptp(balance) <= 1e-12 * size
+
+
+def test_random_starts_neither_hang_nor_fall_nor_gain_energy(loaded: CompiledContact) -> None:
+    for state, given in random_drops(6, seed=1):
+        assert_sound(loaded, state, given)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(10, 20))
+def test_many_random_starts(loaded: CompiledContact, seed: int) -> None:
+    for state, given in random_drops(60, seed):
+        assert_sound(loaded, state, given)

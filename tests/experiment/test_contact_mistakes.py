@@ -1,0 +1,217 @@
+"""Mistakes in experiment files with friction: one sentence each, with the place."""
+
+from __future__ import annotations
+
+import pytest
+
+import chaplygin as ch
+
+BALL = """\
+[body]
+mass = 1.0
+inertia = [0.4, 0.5, 0.6]
+[body.shape]
+kind = "ball"
+radius = 1.0
+"""
+FRICTION = '[contact]\nmodel = "friction"\n'
+CONTACT = "[start]\ngamma = [0, 0, 1]\nomega = [1, 2, 3]\n"
+SPACE = """\
+[start]
+position = [0, 0, 2]
+attitude = [1, 0, 0, 0]
+velocity = [0, 0, 0]
+omega = [1, 2, 3]
+"""
+PLAIN = BALL + FRICTION + CONTACT
+ROLLING = BALL + CONTACT
+
+#: Text and sentence, by the kind of mistake.
+MISTAKES: dict[str, tuple[str, str]] = {
+    "below the ground": (
+        BALL + FRICTION + SPACE.replace("[0, 0, 2]", "[0, 0, 0.75]"),
+        "line 10, start.position: the body lies 0.25 m inside the support; move it outwards by at "
+        "least that much",
+    ),
+    "inside a dome": (
+        BALL + FRICTION + SPACE + '[surface]\nkind = "sphere"\nradius = 1.5\n',
+        "line 10, start.position: the body lies 0.5 m inside the support; move it outwards by at "
+        "least that much",
+    ),
+    "outside a bowl": (
+        BALL + FRICTION + SPACE + '[surface]\nkind = "sphere"\nradius = 2.5\nside = "inside"\n',
+        "line 10, start.position: the body lies 0.5 m inside the support; move it outwards by at "
+        "least that much",
+    ),
+    "patch and spin_arm": (
+        BALL + FRICTION + "mu = 0.3\npatch = 0.1\nspin_arm = 0.1\n" + CONTACT,
+        "line 7, contact: spin_arm and patch exclude each other: over a patch slip and spin share "
+        "the friction of mu; leave out one of them",
+    ),
+    "patch without mu": (
+        BALL + FRICTION + "patch = 0.1\n" + CONTACT,
+        "line 7, contact: patch needs mu, the coefficient of friction on the patch",
+    ),
+    "patch with unlimited mu": (
+        BALL + FRICTION + "patch = 0.1\nmu = inf\n" + CONTACT,
+        "line 7, contact: mu must be positive and finite with patch, not inf; leave out patch for "
+        "a contact at a point",
+    ),
+    "two resistances": (
+        BALL + FRICTION + "rolling = 0.1\ncontour = 0.1\n" + CONTACT,
+        "line 7, contact: rolling and contour exclude each other, as both resist to rolling; leave "
+        "out one of them",
+    ),
+    "negative mu": (
+        BALL + FRICTION + "mu = -0.1\n" + CONTACT,
+        "line 9, contact.mu: must be a number not below zero, or inf, not -0.1",
+    ),
+    "mu not a number": (
+        BALL + FRICTION + "mu = nan\n" + CONTACT,
+        "line 9, contact.mu: must be a number not below zero, or inf, not nan",
+    ),
+    "mu in words": (
+        BALL + FRICTION + 'mu = "large"\n' + CONTACT,
+        'line 9, contact.mu: must be a number not below zero, or inf, not the text "large"',
+    ),
+    "negative arm": (
+        BALL + FRICTION + "spin_arm = -0.1\n" + CONTACT,
+        "line 9, contact.spin_arm: must be a finite number not below zero, not -0.1",
+    ),
+    "unlimited viscosity": (
+        BALL + FRICTION + "viscous = inf\n" + CONTACT,
+        "line 9, contact.viscous: must be a finite number not below zero, not inf",
+    ),
+    "slip not tangential": (
+        PLAIN + "slip = [1, 0, 0.5]\n",
+        "line 12, start.slip: (slip, gamma) = 0.5, and a body in contact slips along the support "
+        "alone; the nearest admissible slip is [1.0, 0.0, 0.0]",
+    ),
+    "slip with unlimited mu": (
+        BALL + FRICTION + "mu = inf\n" + CONTACT + "slip = [1, 0, 0]\n",
+        "line 13, start.slip: with mu = inf the contact cannot slip; it must be zero",
+    ),
+    "velocity with unlimited mu": (
+        BALL + FRICTION + "mu = inf\n" + SPACE.replace("[0, 0, 2]", "[0, 0, 1]"),
+        "line 13, start.velocity: the contact would slip with 2.23607 m/s, and with mu = inf it "
+        "cannot",
+    ),
+    "unknown key": (
+        BALL + FRICTION + "nu = 0.1\n" + CONTACT,
+        "line 9, contact.nu: unknown key; allowed: model, mu, spin_arm, patch, "
+        "viscous, spin_viscous, slip, rolling, rolling_viscous, contour, restitution, impact_law, "
+        "on_paradox",
+    ),
+    "unknown reaction": (
+        PLAIN + '[run]\non_liftoff = "jump"\n',
+        'line 13, run.on_liftoff: must be "fly" or "stop", not the text "jump"',
+    ),
+    "warning alone": (
+        PLAIN + '[run]\non_liftoff = "warn"\n',
+        'line 13, run.on_liftoff: must be "fly" or "stop" with friction: "warn" follows a body '
+        "that its support pulls, and where it pulls there is no friction",
+    ),
+    "flight of a rolling body": (
+        ROLLING + '[run]\non_liftoff = "fly"\n',
+        'line 11, run.on_liftoff: must be "stop" or "warn"; a body that rolls by a constraint '
+        'cannot leave the surface ("fly" needs contact.model = "friction")',
+    ),
+    "restitution above one": (
+        BALL + FRICTION + "restitution = 1.5\n" + CONTACT,
+        "line 9, contact.restitution: must be a number from 0 to 1, not 1.5",
+    ),
+    "impact law misspelt": (
+        BALL + FRICTION + 'impact_law = "strong"\n' + CONTACT,
+        'line 9, contact.impact_law: must be "stronge", "poisson" or "newton", not the text '
+        '"strong"',
+    ),
+    "model misspelt": (
+        BALL + '[contact]\nmodel = "frictoin"\n' + CONTACT,
+        'line 8, contact.model: must be "marble", "rubber" or "friction", not the text "frictoin"',
+    ),
+    "marble with mu": (
+        BALL + '[contact]\nmodel = "marble"\nmu = 0.3\n' + CONTACT,
+        'line 7, contact: mu is for a contact with friction: write model = "friction" with it, or '
+        "leave it out",
+    ),
+    "mu without model": (
+        BALL + "[contact]\nmu = 0.3\n" + CONTACT,
+        'line 7, contact: mu is for a contact with friction: write model = "friction" with it, or '
+        "leave it out",
+    ),
+    "marble on a turntable": (
+        ROLLING + "[surface]\nturntable = 2.0\n",
+        "line 10, surface: turntable is for a contact with friction; a body rolls without slipping "
+        'on a surface at rest alone (contact.model = "friction" has both)',
+    ),
+    "turntable at infinite speed": (
+        PLAIN + "[surface]\nturntable = inf\n",
+        "line 13, surface.turntable: must be a finite angular velocity (rad/s), not inf",
+    ),
+    "attitude without length": (
+        BALL + FRICTION + SPACE.replace("[1, 0, 0, 0]", "[0, 0, 0, 0]"),
+        "line 11, start.attitude: must not be zero, as it has a direction alone",
+    ),
+    "attitude of three numbers": (
+        BALL + FRICTION + SPACE.replace("[1, 0, 0, 0]", "[1, 0, 0]"),
+        "line 11, start.attitude: must be 4 finite numbers w, x, y, z with at least one not zero, "
+        "not [1, 0, 0]",
+    ),
+    "two kinds of start": (
+        PLAIN + "position = [0, 0, 1]\n",
+        "line 9, start: position and gamma are given together; a start has either gamma, omega and "
+        "slip (a body in contact), or position, attitude, velocity and omega",
+    ),
+    "half a start": (
+        BALL + FRICTION + "[start]\nposition = [0, 0, 1]\nomega = [0, 0, 0]\n",
+        "line 9, start: attitude and velocity missing; a start has either gamma, omega and slip (a "
+        "body in contact), or position, attitude, velocity and omega",
+    ),
+    "no start": (
+        BALL + FRICTION,
+        "start: missing; it must be a table [start]; a start has either gamma, omega and slip (a "
+        "body in contact), or position, attitude, velocity and omega",
+    ),
+    "place of a rolling ball": (
+        BALL + FRICTION + "[start]\ncentre = [0, 0, 1]\nomega = [0, 0, 1]\n",
+        "line 10, start.centre: unknown key; allowed: gamma, omega, slip, heading, normal, "
+        "position, attitude, velocity",
+    ),
+    "normal on a plane": (
+        PLAIN + "normal = [1, 0, 0]\n",
+        "line 9, start: normal is for a sphere alone; on a plane it is always [0, 0, 1]",
+    ),
+    "surface of a ball": (
+        PLAIN + '[surface]\nkind = "cylinder"\nradius = 3\n',
+        'line 13, surface.kind: unknown kind "cylinder"; allowed: plane, sphere',
+    ),
+    "potential on a sphere": (
+        PLAIN + '[surface]\nkind = "sphere"\nradius = 3\n[field]\npotential = "gamma_1"\n',
+        "line 15, field: a potential U(gamma) with friction is for a plane alone; leave it out",
+    ),
+    "backward": (
+        PLAIN + '[run]\ndirection = "backward"\n',
+        'line 13, run.direction: must be "forward" with friction, whose motions do not determine '
+        'their past, not the text "backward"',
+    ),
+    "many digits": (
+        PLAIN + '[run]\nprecision = "quad"\n',
+        'line 13, run.precision: must be "double" with friction, not the text "quad"',
+    ),
+    "a limit of time": (
+        PLAIN + "[run]\ntime_limit = 3.0\n",
+        "line 13, run.time_limit: must be left out with friction, not 3.0",
+    ),
+    "a coin on its face": (
+        BALL.replace('"ball"', '"disk"') + FRICTION + CONTACT,
+        "line 10, start.gamma: no single point of the body touches a support with this normal",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_a_mistake_is_one_sentence_with_its_place(name: str) -> None:
+    text, sentence = MISTAKES[name]
+    with pytest.raises(ch.InputError) as error:
+        _ = ch.prepare(ch.loads(text, "f.toml")).start
+    assert str(error.value) == f"f.toml, {sentence}"
