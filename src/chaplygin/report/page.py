@@ -18,8 +18,8 @@ from ..core.laws import Law
 from ..core.vectors import Vector, real_symbol
 from ..errors import RunError
 from ..experiment.closed_form import closed_form_section
-from ..experiment.contact_subject import ContactSubject
 from ..experiment.contact.trajectory import ContactTrajectory
+from ..experiment.contact_subject import ContactSubject
 from ..experiment.study import Study
 from ..explicit.base.solution import Solution
 from ..flow.integrator import Trajectory
