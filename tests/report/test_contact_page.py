@@ -9,14 +9,19 @@ from pathlib import Path
 import pytest
 
 from chaplygin.analysis.classification.facts import ProofBudget
-from chaplygin.contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
-from chaplygin.contact.friction.friction_law import FrictionLaw
-from chaplygin.contact.friction.rolling_friction import (
+from chaplygin.contact.friction import (
+    ContensouErismann,
     ContourResistance,
+    Coulomb,
+    FrictionLaw,
+    NormalViscous,
+    PowerFriction,
     RollingResistance,
+    SpinFriction,
+    UserFriction,
+    Viscous,
     ViscousRolling,
 )
-from chaplygin.contact.friction.viscous_friction import NormalViscous, Viscous
 from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.study import prepare
 from chaplygin.report.contact_section import law_row
@@ -34,6 +39,8 @@ LAWS: list[FrictionLaw] = [
     RollingResistance(2e-3),
     ViscousRolling(1e-3),
     ContourResistance(0.01),
+    PowerFriction(0.3, 0.5),
+    UserFriction("mu*(1 + 0.3*exp(-slip_speed/v))", mu_static=0.3, values={"mu": 0.2, "v": 0.1}),
 ]
 
 BOUNCING = """
@@ -80,6 +87,8 @@ def test_dry_friction_without_limit() -> None:
         ((ContensouErismann(0.3, 0.02),), FrictionLimits(0.3, 0.02, coupled=True)),
         ((Coulomb(math.inf),), FrictionLimits()),
         ((Viscous(1.0),), FrictionLimits()),
+        ((Coulomb(0.3), Viscous(1.0)), FrictionLimits(0.3)),
+        ((UserFriction("0.2", couple="0.01", mu_static=0.3),), FrictionLimits(0.3, 0.01)),
     ],
 )
 def test_what_dry_friction_can_hold(laws: tuple[FrictionLaw, ...], limits: FrictionLimits) -> None:

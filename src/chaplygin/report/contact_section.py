@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 import xarray as xr
 
-from ..contact.course.rules import Rules
-from ..contact.friction.dry_friction import Coulomb
-from ..contact.friction.friction_law import FrictionLaw
+from ..contact.dry_friction import Coulomb
+from ..contact.friction_law import FrictionLaw
+from ..contact.rules import Rules
 from ..experiment.contact.trajectory import ContactTrajectory
 from ..experiment.contact_subject import ContactSubject
 from ..mechanics.rolling.surfaces import Plane
@@ -18,6 +18,13 @@ from ..printing.numerals import number, typographic_signs, unit
 from .drawing.contact_values import FrictionLimits, event_impulses, friction_limits
 from .drawing.modes import changes_mode
 from .figures.contact_time import energy_parts
+
+#: Meaning and unit of values of a start that are no variables of the dataset.
+START_WORDS = {
+    "position": ("centre of mass", "m"),
+    "heading": ("angle by which the body is turned about the normal", "rad"),
+    "normal": ("normal of the support at the contact, in space", ""),
+}
 
 #: So many events stand in the table of the page; all are in the dataset.
 MOST_EVENTS = 60
@@ -31,6 +38,8 @@ _WORDS = {
     "whatever couple holds it, up to this one.",
     "viscous": "Viscous friction: a force in proportion to the slip and a couple in proportion to "
     "the spin, whatever the normal force. It holds nothing at rest.",
+    "power": "Friction in proportion to the normal force and a power of the slip. It holds "
+    "nothing at rest.",
     "slip": "Friction in proportion to slip and normal force. It holds nothing at rest.",
     "rolling": "Resistance to rolling: a couple against rolling, the arm times N, which also holds "
     "a body that does not roll.",
@@ -39,6 +48,9 @@ _WORDS = {
     "contour": "Resistance along the contour: the power lost is the coefficient times N and the "
     "speed of the contact point over the body.",
 }
+
+
+_NOT_AGAINST_SLIP = {"spin", "rolling", "viscous_rolling", "contour"}
 
 
 @dataclass(frozen=True)
@@ -149,6 +161,8 @@ def contact_plates(
         if isinstance(surface, Plane)
         else " The axes x and y of space are turned into the tangent plane by the shortest way."
     )
+    # of the laws that act against the slip
+    alone = {law.name for law in subject.contact.laws} <= _NOT_AGAINST_SLIP | {"coulomb"}
     given = " What the moving support gives is below zero." if surface.turntable else ""
     jumps = " Broken lines are jumps in impacts." if collides else ""
     return {
@@ -163,8 +177,8 @@ def contact_plates(
             "The curve of the slip velocity in the tangent plane, coloured by mode; the ring marks "
             f"the start, the dot the end.{jumps}{turned}",
         ),
-        "friction_cone": ("Friction and its limit", _cone(limits, collides) + turned),
-        "friction_share": ("Friction over its limit", _share(limits)),
+        "friction_cone": ("Friction and its limit", _cone(limits, collides, alone) + turned),
+        "friction_share": ("Friction over its limit", _share(limits, alone)),
         "normal_force": (
             "Normal force",
             "Zero in flight. The forces of impacts, which last for an instant, are not shown."
@@ -181,21 +195,22 @@ def contact_plates(
         "energy_stack": (
             "",
             "Kinetic and potential energy and the work lost (striped), each on top of the one "
-            f"before. Their sum, the black line, stays constant.{given}",
+            f"before. Their sum, the line named total, stays constant.{given}",
         ),
         "drift": ("", "Change of the energy with all work lost, relative to its initial value."),
     }
 
 
-def _cone(limits: FrictionLimits, collides: bool) -> str:
+def _cone(limits: FrictionLimits, collides: bool, alone: bool) -> str:
     """The caption of friction against its limit."""
     if limits.mu is None:
         words = "The friction force over the normal force, seen from above and coloured by mode."
     else:
         words = (
             "The cone of friction seen from above: the force over μN, coloured by mode. The "
-            "circle is the limit of dry friction: sliding lies on it, what is held within."
+            "circle is the limit of what dry friction holds without slip"
         )
+        words += "; sliding lies on it." if alone else "."
         if limits.coupled:
             words = (
                 "Left, the force over μN, seen from above and coloured by mode; no friction leaves "
@@ -211,7 +226,7 @@ def _cone(limits: FrictionLimits, collides: bool) -> str:
     return words
 
 
-def _share(limits: FrictionLimits) -> str:
+def _share(limits: FrictionLimits, alone: bool) -> str:
     if limits.mu is None:
         return "The friction force over the normal force, at each instant of contact."
     if limits.coupled:
@@ -219,19 +234,27 @@ def _share(limits: FrictionLimits) -> str:
             "The force over μN and the couple over μNa. Under the law of a patch neither reaches "
             "one while the contact both slides and spins."
         )
-    return "One is the limit of dry friction: reached in sliding, and where sliding begins."
+    words = "One is the limit of what dry friction holds: reached where sliding begins"
+    return f"{words}, and as long as the contact slides." if alone else f"{words}."
 
 
 def law_row(law: FrictionLaw) -> LawRow:
     """A law of friction in words, with its coefficients."""
-    words = _WORDS.get(law.name, law.words)
+    words = _WORDS.get(law.name, f"For each unit of the normal force, {law.words}.")
     if isinstance(law, Coulomb) and math.isinf(law.mu):
         words = "Dry friction without limit: the contact never slips."
     coefficients = [
-        f"{p.meaning} {number(float(p.default), 6)} {unit(p.unit) if p.unit != '1' else ''}".strip()
+        f"{p.meaning or p.symbol} {number(float(p.default), 6)} {_unit(p.unit)}".strip()
         for p in law.parameters
     ]
     return LawRow(words, "; ".join(coefficients))
+
+
+def _unit(written: str) -> str:
+    """A unit as in print; that of a power with a fraction in words."""
+    if "^" in written and "." in written:
+        return written.replace("^", " to the power ")
+    return "" if written in ("1", "unknown") else unit(written)
 
 
 def _impacts(trajectory: ContactTrajectory) -> str:

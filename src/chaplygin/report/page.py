@@ -37,7 +37,7 @@ from ..printing.system import (
 from ..proof.fields.budget import EFFORT
 from ..proof.verdict import Verdict
 from . import figures
-from .contact_section import contact_plates, contact_section
+from .contact_section import START_WORDS, contact_plates, contact_section
 from .summary import drift
 
 #: Term operations that the proof of one law may take, and those of all together: the first unless
@@ -225,7 +225,8 @@ def _start(study: Study, dataset: xr.Dataset) -> list[dict[str, object]]:
         numbers = value if isinstance(value, (tuple, list)) else (value,)
         letter = Vector(name) if len(numbers) == 3 else real_symbol(name)
         known = dataset[name].attrs if name in dataset else {}
-        meaning, units = study.variables.get(name, ("", ""))
+        words_of = START_WORDS if isinstance(study.subject, ContactSubject) else {}
+        meaning, units = study.variables.get(name) or words_of.get(name, ("", ""))
         units = units or str(known.get("units", ""))
         words = meaning or str(known.get("long_name", ""))
         shown = ", ".join(number(float(x), 9) for x in numbers)
@@ -279,10 +280,12 @@ METHODS = {"taylor": "Taylor series", "gauss": "Gauss–Legendre collocation"}
 def _facts(study: Study, trajectory: Trajectory) -> list[tuple[str, str]]:
     run, statistics = study.experiment.run, trajectory.statistics
     first, last = float(trajectory.times[0]), float(trajectory.times[-1])
-    return [
+    facts = [
         ("time", f"{first:g} … {last:.10g}, {len(trajectory.times)} samples"),
         ("method", f"{METHODS[run.method]} of order {statistics.order}, {statistics.steps} steps"),
         ("tolerance", f"{number(statistics.tolerance, 3)}, {run.precision} precision"),
         ("corrections", f"{statistics.corrections} projections onto the phase space"),
         ("integrals", "enforced by projection" if run.keep_integrals else "free, as a check"),
     ]
+    # what projections there are with friction belongs to its events
+    return facts[:-2] if isinstance(trajectory, ContactTrajectory) else facts

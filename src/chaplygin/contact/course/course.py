@@ -264,7 +264,7 @@ class Course(RollingCourse):
             return
         result = self._collide()
         rebound = float(known.mobility.gamma @ result.contact_velocity)
-        if rebound > LAST_BOUNCE * self._speed:
+        if rebound > self._last_rebound():
             self.mode = FLIGHT
             self._rise()
             self._record("landing", before, result)
@@ -279,6 +279,16 @@ class Course(RollingCourse):
             )
             self._push(impulse, couple)
         self._stay("landing", before, result)
+
+    def _last_rebound(self) -> float:
+        """Normal velocity of the bounces that are taken together with all that follow them.
+
+        Their heights must stay above rounding, which otherwise drives them on for ever.
+        """
+        length = self._length + float(np.abs(self.state[POSITION]).max())
+        height = 100 * np.finfo(float).eps * length
+        rising = math.sqrt(2 * height * abs(self._free_normal_acceleration()))
+        return max(LAST_BOUNCE * self._speed, rising)
 
     def _stay(self, kind: EventKind, before: FloatArray, *impacts: Impact) -> None:
         """Go on in contact after a landing."""

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 import xarray as xr
 
-from ...contact.equations.situation import FrictionalContact
-from ...contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
-from ...contact.pressure.pressure import Hertz
+from ...contact.dry_friction import ContensouErismann
+from ...contact.pressure import Hertz
+from ...contact.situation import FrictionalContact
 from ...core.arrays import BoolArray, FloatArray
 from .dataset_access import times_of, values_of
 from .modes import event_times
@@ -67,13 +67,13 @@ class FrictionLimits:
 
 def friction_limits(contact: FrictionalContact) -> FrictionLimits:
     """The limits of dry friction of a contact."""
-    patch, point = contact.law(ContensouErismann), contact.law(Coulomb)
+    patch = contact.law(ContensouErismann)
     if patch is not None:
         return FrictionLimits(patch.mu, patch.patch, coupled=True)
-    against_spin = contact.law(SpinFriction)
-    finite = point is not None and math.isfinite(point.mu) and point.mu > 0
-    mu = point.mu if point is not None and finite else None
-    return FrictionLimits(mu, against_spin.arm if against_spin is not None else 0.0)
+    known = [law.static_mu for law in contact.laws if law.static_mu]
+    mu = min(known, default=math.inf)
+    arm = sum(law.spin_arm for law in contact.laws)
+    return FrictionLimits(mu if math.isfinite(mu) else None, arm)
 
 
 def presses(dataset: xr.Dataset) -> BoolArray:

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from ...mechanics.rolling.body import Body
 from ..drawing.contact_values import FrictionLimits, presses
-from ..drawing.dataset_access import values_of
+from ..drawing.dataset_access import NOTHING, values_of
 from ..drawing.mesh import BodyMesh
 from ..drawing.shading import Ground, PlaneGround
 from ..scenes.rolling_body import scene
@@ -45,7 +45,7 @@ def contact_figures(
     -------
     dict
         Figures by the names of the functions that make them, all plots against time with a bar of
-        the modes.  Those of friction are missing where there is none.
+        the modes.  Without slip or friction there are none of it.
     """
     pressing = bool(presses(dataset).any())
     rubs = limits.mu is not None or bool(values_of(dataset, "friction_force").any())
@@ -67,9 +67,10 @@ def contact_figures(
     figures = {
         "scene": scene(near, *drawn),
         "contact_path": contact_path(near, drawn[1]),
-        "slip_hodograph": slip_hodograph(dataset),
         "normal_on_sphere": normal_on_sphere(dataset),
     }
+    if np.nanmax(np.abs(values_of(dataset, "slip")), initial=0.0) > NOTHING:
+        figures["slip_hodograph"] = slip_hodograph(dataset)
     if rubs and (pressing or dataset["event_impulse"].values.any()):
         figures["friction_cone"] = friction_cone(dataset, limits)
     return figures | charts

@@ -62,7 +62,9 @@ def friction_cone(dataset: xr.Dataset, limits: FrictionLimits) -> Figure:
         _from_above(panels[0], dataset, force, struck, limits)
         if limits.arm:
             _force_and_couple(panels[1], dataset, force, limits)
-        key(figure, [mode for mode in present_modes(dataset) if mode != "flight"])
+        touching = [mode for mode in present_modes(dataset) if mode != "flight"]
+        if touching:
+            key(figure, touching)
     return figure
 
 

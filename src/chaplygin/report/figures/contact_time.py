@@ -42,6 +42,8 @@ LOSSES = {
     "spin": "friction against spin",
     "viscous": "viscous friction",
     "slip": "friction in proportion to slip",
+    "power": "friction by a power of slip",
+    "user": "friction by formulas",
     "rolling": "resistance to rolling",
     "viscous_rolling": "viscous resistance to rolling",
     "contour": "resistance along the contour",
