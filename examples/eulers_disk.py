@@ -73,7 +73,9 @@ class Decay:
     largest_friction: float
 
 
-def decay(words: str, law: FrictionLaw, power: float, grip: float = GRIP, samples: int = 3000) -> Decay:
+def decay(
+    words: str, law: FrictionLaw, power: float, grip: float = GRIP, samples: int = 3000
+) -> Decay:
     """The disk of the file under a law, with the exponent that theory predicts."""
     subject = prepare(load(FILE)).subject
     body, field = subject.contact.body, subject.contact.field

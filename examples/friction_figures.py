@@ -104,7 +104,9 @@ def dry_rattleback() -> Picture:
     for axes in (top, low):
         shade(axes, run)
     top.plot(rough.times, rough.recorded["spin"], color=QUIET, label="without slip")
-    top.plot(run.times, run.recorded["spin"], color=SERIES[0], label=r"$\mu = 0.3$; grey where it rolls")
+    top.plot(
+        run.times, run.recorded["spin"], color=SERIES[0], label=r"$\mu = 0.3$; grey where it rolls"
+    )
     top.set_ylabel("spin (rad/s)")
     top.legend()
     low.plot(run.times, np.linalg.norm(run.recorded["slip"], axis=1), color=SERIES[1])
@@ -256,9 +258,7 @@ def ball_on_a_dome() -> Picture:
     for mu, colour in zip((0.1, 0.2, 0.4, 1.0), SERIES, strict=False):
         run = motion("ball_on_a_dome", f"contact.mu={mu}", "run.samples=2001")
         slips, leaves = (e for e in run.changes if e.kind in ("slip", "lift-off"))
-        places = np.degrees(
-            np.arctan2(run.recorded["centre"][:, 0], run.recorded["centre"][:, 2])
-        )
+        places = np.degrees(np.arctan2(run.recorded["centre"][:, 0], run.recorded["centre"][:, 2]))
         there = run.times <= leaves.time
         left.plot(places[there], run.recorded["normal_force"][there], color=colour)
         slip = np.linalg.norm(run.recorded["slip"], axis=1)

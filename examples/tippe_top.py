@@ -228,7 +228,9 @@ def report(folder: Path, cells: int = 24) -> None:
             values = rolled.observables()
             force = np.linalg.norm(values["friction_force"], axis=1) / values["normal_force"]
             print(f"    in the next 60 s of rolling γ₃ = {lowest:.6f} … {highest:.6f},")
-            print(f"    friction is at most {force.max():.4f} N; further changes: {len(rolled.events)}")
+            print(
+                f"    friction is at most {force.max():.4f} N; further changes: {len(rolled.events)}"
+            )
     print("\nLeast spin to turn over (rad/s): by theory upright, at this start, and measured")
     for eccentricity in (0.16, 0.2, 0.3):
         theory, leaning = least_spin(eccentricity), least_spin(eccentricity, LEAN)
