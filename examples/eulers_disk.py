@@ -147,6 +147,8 @@ def report(folder: Path) -> None:
         print(f"  end t₁ = {run.end:.5f} s; for small angles {run.theory:.5f} s")
         print(f"  followed to α = {run.angles[-1]:.3g}, t = {run.times[-1]:.6f} s")
         print(f"  friction is at most {run.largest_friction:.4f} times the normal force")
+    run = prepare(load(FILE, ("run.until=4.75", "run.samples=2"))).trajectory()
+    print(f"with μ = 0.3, by the file: {run.changes[0]}")
     with plt.rc_context(STYLE):
         folder.mkdir(parents=True, exist_ok=True)
         figure(found).savefig(folder / "eulers_disk.png", dpi=160)

@@ -171,11 +171,11 @@ def threshold(
 # --- the story -----------------------------------------------------------------------------------
 
 
-def inversions(until: float = 4.0) -> dict[str, tuple[CompiledContact, ContactMotion]]:
-    """The top of Leine and Glocker under every law."""
-    times = np.linspace(0.0, until, 2001)
+def inversions(longest: float = 30.0) -> dict[str, tuple[CompiledContact, ContactMotion]]:
+    """The top of Leine and Glocker under every law, until it has come to its end."""
     found = {}
-    for words, law in LAWS.items():
+    for (words, law), until in zip(LAWS.items(), (4.0, 16.0, 30.0), strict=True):
+        times = np.arange(0.0, min(until, longest) + 1e-9, 0.005)
         contact = CompiledContact(top(law))
         found[words] = (contact, contact_motion(contact, start(contact.situation), times))
     return found
@@ -199,7 +199,12 @@ def figure(motions: dict[str, tuple[CompiledContact, ContactMotion]], tops: Char
                 fontsize=8,
             )
     left.axhline(0, color=QUIET, lw=0.6)
-    left.set(xlabel="time (s)", ylabel=r"height of the axis $\gamma_3$", ylim=(-1.05, 1.05))
+    left.set(
+        xlabel="time (s)",
+        ylabel=r"height of the axis $\gamma_3$",
+        xlim=(-0.1, 4),
+        ylim=(-1.05, 1.05),
+    )
     left.legend(loc="upper right", fontsize=7.5)
     image = right.pcolormesh(tops.spins, tops.eccentricities, tops.ends, cmap="RdYlBu", vmin=-1)
     image.set_clim(-1, 1)
@@ -221,15 +226,20 @@ def report(folder: Path, cells: int = 24) -> None:
         print(f"  {words}:")
         for level in (0.0, -0.9):
             print(f"    γ₃ = {level:4} at t = {passage(contact, motion, level):.9f} s")
+        heights = motion.states[:, GAMMA_3]
+        lowest = int(heights.argmin())
+        print(f"    least γ₃ = {heights[lowest]:.6f} at t = {motion.times[lowest]:.3f} s,")
+        print(f"    and {heights[-1]:.6f} at t = {motion.times[-1]:g} s")
         for event in motion.events:
             print(f"    {event}, γ₃ = {event.after[GAMMA_3]:.6f}")
             rolled = contact_motion(contact, event.after, np.linspace(0.0, 60.0, 6001))
-            lowest, highest = rolled.states[:, GAMMA_3].min(), rolled.states[:, GAMMA_3].max()
+            low, high = rolled.states[:, GAMMA_3].min(), rolled.states[:, GAMMA_3].max()
             values = rolled.observables()
             force = np.linalg.norm(values["friction_force"], axis=1) / values["normal_force"]
-            print(f"    in the next 60 s of rolling γ₃ = {lowest:.6f} … {highest:.6f},")
+            print(f"    in the next 60 s of rolling γ₃ = {low:.6f} … {high:.6f},")
             print(
-                f"    friction is at most {force.max():.4f} N; further changes: {len(rolled.events)}"
+                f"    with friction up to {force.max():.4f} N; further changes: "
+                f"{len(rolled.events)}"
             )
     print("\nLeast spin to turn over (rad/s): by theory upright, at this start, and measured")
     for eccentricity in (0.16, 0.2, 0.3):

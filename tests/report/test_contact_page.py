@@ -9,19 +9,15 @@ from pathlib import Path
 import pytest
 
 from chaplygin.analysis.classification.facts import ProofBudget
-from chaplygin.contact.friction import (
-    ContensouErismann,
+from chaplygin.contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
+from chaplygin.contact.friction.friction_law import FrictionLaw
+from chaplygin.contact.friction.rolling_friction import (
     ContourResistance,
-    Coulomb,
-    FrictionLaw,
-    NormalViscous,
-    PowerFriction,
     RollingResistance,
-    SpinFriction,
-    UserFriction,
-    Viscous,
     ViscousRolling,
 )
+from chaplygin.contact.friction.user_friction import UserFriction
+from chaplygin.contact.friction.viscous_friction import NormalViscous, PowerFriction, Viscous
 from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.study import prepare
 from chaplygin.report.contact_section import law_row

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 import xarray as xr
 
-from ..contact.dry_friction import Coulomb
-from ..contact.friction_law import FrictionLaw
-from ..contact.rules import Rules
+from ..contact.course.rules import Rules
+from ..contact.friction.dry_friction import Coulomb
+from ..contact.friction.friction_law import FrictionLaw
 from ..experiment.contact.trajectory import ContactTrajectory
 from ..experiment.contact_subject import ContactSubject
 from ..mechanics.rolling.surfaces import Plane

@@ -17,6 +17,7 @@ from ..slip.stopping import finish_stop
 from .beginning import Beginning, beginning
 from .compiled import (
     OMEGA,
+    POSITION,
 )
 from .course_state import NO_SLIP, SLIP_FLOOR, EndError
 from .events import EventKind

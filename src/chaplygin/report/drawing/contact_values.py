@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 import xarray as xr
 
-from ...contact.dry_friction import ContensouErismann
-from ...contact.pressure import Hertz
-from ...contact.situation import FrictionalContact
+from ...contact.equations.situation import FrictionalContact
+from ...contact.friction.dry_friction import ContensouErismann
+from ...contact.pressure.pressure import Hertz
 from ...core.arrays import BoolArray, FloatArray
 from .dataset_access import times_of, values_of
 from .modes import event_times
