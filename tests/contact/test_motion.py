@@ -14,10 +14,13 @@ from chaplygin.contact import (
     MODE_NAMES,
     CompiledContact,
     ContensouErismann,
+    ContourResistance,
     Coulomb,
     FrictionalContact,
+    RollingResistance,
     Rules,
     contact_motion,
+    start_in_space,
 )
 from contact.situations import CASES, rules, situation, start
 
@@ -168,11 +171,46 @@ def test_a_ball_that_never_slips_rolls_with_the_law_of_marble(loaded: CompiledCo
     state = drop(0.7, -np.cross(omega, r), omega)
     motion = contact_motion(ideal, state, [0.0, 1.0])
     rolling = ch.roll(body, field=ch.Forces(gravity=3.0))
-    y0 = ch.initial_state(rolling, omega, (0.0, 0.0, 1.0))
-    other = ch.integrate(rolling, y0, [0.0, 1.0])
-    M, gamma = other.states[-1, :3], other.states[-1, 3:6]
-    np.testing.assert_allclose(motion.end_state[13:16], gamma, atol=1e-12)
-    assert M.shape == (3,) and not motion.events
+    marble = ch.integrate(rolling, ch.initial_state(rolling, omega, (0.0, 0.0, 1.0)), [0.0, 1.0])
+    values = motion.observables()
+    np.testing.assert_allclose(motion.end_state[10:13], marble.recorded["omega"][-1], atol=1e-12)
+    np.testing.assert_allclose(values["gamma"][-1], marble.states[-1, 3:6], atol=1e-12)
+    assert not motion.events
+
+
+@pytest.mark.slow
+def test_a_ball_that_never_slips_leaves_a_dome_where_the_closed_form_says() -> None:
+    ball = ch.Body(0.2, (2e-4,) * 3, ch.Ball(0.05))
+    dome = FrictionalContact(ball, ch.Sphere(1.0), laws=(Coulomb(math.inf),), field=GRAVITY)
+    tilt = 0.05
+    up = np.array([math.sin(tilt), 0.0, math.cos(tilt)])
+    state = [1, 0, 0, 0, *(1.05 * up), 0, 0, 0, 0, 0, 0, *up]
+    motion = contact_motion(dome, state, [0.0, 1.5])
+    assert [e.kind for e in motion.events][:1] == ["lift-off"]
+    height = motion.events[0].after[6] / 1.05
+    assert height == pytest.approx(10 / 17 * math.cos(tilt), abs=1e-10)
+
+
+@pytest.mark.slow
+def test_rocking_ends_where_rolling_resistance_holds_the_body() -> None:
+    """In the plane, rolling that ends begins again; on a sphere both laws are one."""
+    body = ch.Body(1.0, (0.2, 0.25, 0.3), ch.Ball(1.0, centre=(0.0, 0.0, 0.3)))
+    ends = []
+    for law in (RollingResistance(0.01), ContourResistance(0.01)):
+        contact = FrictionalContact(body, laws=(Coulomb(0.8), law), field=GRAVITY)
+        turn = (1.0, 0.2, 0.0, 0.0)
+        leaning = (1 - 0.2**2) / (1 + 0.2**2)
+        start = start_in_space(contact, (0, 0, 1 - 0.3 * leaning), turn, (0, 0, 0), (0, 0, 0))
+        motion = contact_motion(contact, start, np.linspace(0, 12, 25))
+        kinds = [e.kind for e in motion.events]
+        assert kinds == ["rolling reversal"] * (len(kinds) - 1) + ["rest"] and len(kinds) > 4
+        values = motion.observables()
+        balance = values["energy"] + motion.states[:, 16:].sum(axis=1)
+        assert np.ptp(balance) < 1e-13 * values["energy"][0]
+        # at rest the weight acts within the arm of the couple
+        assert abs(0.3 * motion.end_state[14]) < 0.01
+        ends.append(motion.events[-1].time)
+    assert ends[0] == pytest.approx(ends[1], abs=1e-10)
 
 
 @pytest.mark.parametrize(

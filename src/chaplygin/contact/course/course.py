@@ -33,6 +33,9 @@ from .rolling_course import RollingCourse
 #: Speed of a bounce that is the last one, relative to the typical one of a motion.
 LAST_BOUNCE = 1e-7
 
+#: A free body whose normal acceleration is less than this part of the whole is not pressed down.
+_LEVEL = 1e-9
+
 #: Smallest factor by which the floor of the slip is lowered for a slip that passes close by zero.
 _LOWEST = 1e-6
 
@@ -177,7 +180,8 @@ class Course(RollingCourse):
 
     def _leave_support(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
         """Leave a support that a contact without slip presses no longer."""
-        if self._free_normal_acceleration() < 0:
+        strength = float(np.linalg.norm(self._known().free_acceleration))
+        if self._free_normal_acceleration() < -_LEVEL * strength:
             if self._dry.never_slips:
                 raise EndError(
                     "the support would have to pull the rolling body, which left alone would be "
