@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from chaplygin.contact.impact import Impact
-from chaplygin.contact.mobility import Mobility, mobility
+from chaplygin.contact.impact.impact import Impact
+from chaplygin.contact.impact.mobility import Mobility, mobility
 from chaplygin.core.arrays import FloatArray
 
 

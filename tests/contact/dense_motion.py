@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from chaplygin.contact.modes import Mode
-from chaplygin.contact.situation import FrictionalContact
+from chaplygin.contact.equations.situation import FrictionalContact
+from chaplygin.contact.friction.modes import Mode
 from chaplygin.mechanics.rolling.shapes import Ball, Ellipsoid
 from chaplygin.mechanics.rolling.surfaces import Plane
 from contact.friction_formulas import Touch, reaction

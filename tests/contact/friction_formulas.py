@@ -8,18 +8,14 @@ from typing import Any
 import numpy as np
 from scipy.special import hyp2f1
 
-from chaplygin.contact.friction import (
-    ContensouErismann,
+from chaplygin.contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
+from chaplygin.contact.friction.friction_law import FrictionLaw
+from chaplygin.contact.friction.rolling_friction import (
     ContourResistance,
-    Coulomb,
-    FrictionLaw,
-    NormalViscous,
-    PowerFriction,
     RollingResistance,
-    SpinFriction,
-    Viscous,
     ViscousRolling,
 )
+from chaplygin.contact.friction.viscous_friction import NormalViscous, PowerFriction, Viscous
 
 
 @dataclass(frozen=True)

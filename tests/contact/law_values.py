@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from chaplygin.contact import symbols as names
-from chaplygin.contact.friction import FrictionLaw
-from chaplygin.contact.modes import Mode
+from chaplygin.contact.friction import symbols as names
+from chaplygin.contact.friction.friction_law import FrictionLaw
+from chaplygin.contact.friction.modes import Mode
 from chaplygin.core.system import flat_pairs
 from chaplygin.core.vectors import to_components
 from contact.friction_formulas import Touch

@@ -10,12 +10,12 @@ from scipy.optimize import minimize
 from scipy.spatial.transform import Rotation
 
 import chaplygin as ch
-from chaplygin.contact.compiled import NORMAL, OMEGA, POSITION, VELOCITY, WORK
-from chaplygin.contact.dry_friction import Coulomb, SpinFriction
-from chaplygin.contact.equations import equations_of_motion
-from chaplygin.contact.modes import FLIGHT
+from chaplygin.contact.course.compiled import NORMAL, OMEGA, POSITION, VELOCITY, WORK
+from chaplygin.contact.equations.equations_of_motion import equations_of_motion
+from chaplygin.contact.equations.situation import FrictionalContact
+from chaplygin.contact.friction.dry_friction import Coulomb, SpinFriction
+from chaplygin.contact.friction.modes import FLIGHT
 from chaplygin.contact.nearest_point import nearest_normal
-from chaplygin.contact.situation import FrictionalContact
 from chaplygin.contact.starts import clearance, start_in_contact, start_in_space
 from chaplygin.core.arrays import FloatArray
 from chaplygin.mechanics.rolling.gauss_map import contact_points

@@ -11,12 +11,13 @@ import pytest
 import xarray as xr
 
 import chaplygin as ch
-from chaplygin.contact.dry_friction import ContensouErismann, Coulomb, SpinFriction
-from chaplygin.contact.modes import MODE_NAMES
-from chaplygin.contact.viscous_friction import Viscous
-from chaplygin.experiment.contact_dataset import contact_dataset
+from chaplygin.contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
+from chaplygin.contact.friction.modes import MODE_NAMES
+from chaplygin.contact.friction.viscous_friction import Viscous
+from chaplygin.experiment.contact.dataset import contact_dataset
+from chaplygin.experiment.contact.trajectory import ContactTrajectory
 from chaplygin.experiment.contact_subject import ContactSubject
-from chaplygin.experiment.contact_trajectory import ContactTrajectory
+from chaplygin.experiment.dataset import to_dataset
 from chaplygin.experiment.study import Study, dataset_of
 from contact.case_files import CASES, experiment_text
 
@@ -193,7 +194,8 @@ def test_what_is_written_is_read(
 def test_a_motion_without_events_is_written(
     billiard: tuple[ContactTrajectory, xr.Dataset], tmp_path: Path
 ) -> None:
-    dataset = contact_dataset(replace(billiard[0], changes=()))
+    still = replace(billiard[0], changes=())
+    dataset = contact_dataset(still, to_dataset(still))
     assert dataset.sizes["event"] == 0
     for ending in ("nc", "zarr"):
         assert ch.read(ch.write(dataset, tmp_path / f"a.{ending}")).sizes["event"] == 0

@@ -6,8 +6,8 @@ import textwrap
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from ..contact.events import ContactEvent
-    from ..experiment.contact_trajectory import ContactTrajectory
+    from ..contact.course.events import ContactEvent
+    from ..experiment.contact.trajectory import ContactTrajectory
     from ..experiment.study import Study
     from ..flow.integrator import Trajectory
 
@@ -17,7 +17,7 @@ COLUMNS, FIRST = 80, 10
 
 def results(study: Study, trajectory: Trajectory) -> tuple[dict[str, Any], str]:
     """The facts of a run for another program, and as lines of text."""
-    from ..experiment.contact_trajectory import ContactTrajectory
+    from ..experiment.contact.trajectory import ContactTrajectory
     from ..report.summary import summary, summary_text
 
     if isinstance(trajectory, ContactTrajectory):

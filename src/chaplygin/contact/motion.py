@@ -12,13 +12,13 @@ import numpy.typing as npt
 from ..arguments import arguments_checked
 from ..core.arrays import FloatArray
 from ..errors import InputError
-from .compiled import WORK, CompiledContact
-from .course import Course
-from .course_state import Piece
-from .events import ContactEvent
-from .modes import MODE_NAMES
-from .rules import Rules
-from .situation import FrictionalContact
+from .course.compiled import WORK, CompiledContact
+from .course.course import Course
+from .course.course_state import Piece
+from .course.events import ContactEvent
+from .course.rules import Rules
+from .equations.situation import FrictionalContact
+from .friction.modes import MODE_NAMES
 
 #: The body may lie so deep in the support at the start, relative to its size: rounding of decimals.
 DEEPEST = 1e-9

@@ -51,8 +51,9 @@ def nearest_normal(
     >>> import numpy as np
     >>> from chaplygin.contact.nearest_point import nearest_normal
     >>> ball = lambda gamma: -0.5 * gamma
-    >>> nearest_normal(ball, np.array([0.0, 0.0, 3.0]), outside=True).round(12).tolist()
-    [0.0, 0.0, 1.0]
+    >>> gamma = nearest_normal(ball, np.array([3.0, 0.0, 4.0]), outside=True)
+    >>> [round(float(x), 12) for x in gamma + 1]
+    [1.6, 1.0, 1.8]
     """
     sign = 1.0 if outside else -1.0
 

@@ -21,8 +21,8 @@ from ..mechanics.rolling.gauss_map import contact_points
 from ..mechanics.rolling.initial_state import DIGITS, attitude_of_normal
 from ..mechanics.rolling.shapes import Ball, Implicit
 from ..mechanics.rolling.surfaces import Plane
+from .equations.situation import FrictionalContact
 from .nearest_point import nearest_normal
-from .situation import FrictionalContact
 
 #: Relative size of what a start may miss a condition by, since its numbers are decimals: a height
 #: over the support, a velocity along the normal, a slip along it or where nothing may slip.

@@ -10,23 +10,24 @@ from typing import ClassVar
 import mpmath
 import numpy as np
 
-from ..contact.compiled import OMEGA, VELOCITY, CompiledContact
-from ..contact.dry_friction import ContensouErismann, Coulomb, SpinFriction
-from ..contact.equations import equations_of_motion
-from ..contact.friction_law import FrictionLaw
-from ..contact.modes import Mode
-from ..contact.rolling_friction import ContourResistance, RollingResistance, ViscousRolling
-from ..contact.rules import Rules
-from ..contact.situation import FrictionalContact
+from ..contact.course.compiled import OMEGA, VELOCITY, CompiledContact
+from ..contact.course.rules import Rules
+from ..contact.equations.equations_of_motion import equations_of_motion
+from ..contact.equations.situation import FrictionalContact
+from ..contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
+from ..contact.friction.friction_law import FrictionLaw
+from ..contact.friction.modes import Mode
+from ..contact.friction.rolling_friction import ContourResistance, RollingResistance, ViscousRolling
+from ..contact.friction.viscous_friction import NormalViscous, Viscous
 from ..contact.starts import SLACK, clearance, start_in_contact, start_in_space
-from ..contact.viscous_friction import NormalViscous, Viscous
 from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
 from ..mechanics.rolling.gauss_map import centre_outside
 from ..mechanics.rolling.surfaces import Plane, Sphere
 from ..printing.numerals import number
-from .contact_trajectory import ContactTrajectory, contact_trajectory
+from .contact.dataset import work_meanings
+from .contact.trajectory import ContactTrajectory, contact_trajectory
 from .file.contact_tables import FrictionTable
 from .file.rolling_model import FrictionExperiment
 from .file.shape_tables import shape_name
@@ -209,6 +210,7 @@ def contact_subject(experiment: FrictionExperiment) -> ContactSubject:
         system=replace(system, name=identifier(title), title=title),
         start_values=experiment.start.model_dump(exclude_none=True),
         until=experiment.run.until,
+        variables=work_meanings(contact, system),
         setting=_setting(contact),
         contact=contact,
         rules=rules,

@@ -21,9 +21,9 @@ from ..flow.trajectory import require_pieces
 from ..mechanics.rolling.equations import Rolling
 from .ball_subject import ball_subject
 from .catalogue_system import body_of_catalogue, system_of_catalogue
-from .contact_dataset import contact_dataset
+from .contact.dataset import contact_dataset
+from .contact.trajectory import ContactTrajectory
 from .contact_subject import contact_subject
-from .contact_trajectory import ContactTrajectory
 from .dataset import to_dataset
 from .described_system import equations_subject, mechanism_subject
 from .file.models import (
@@ -194,9 +194,10 @@ def _subdivided_times(times: FloatArray, pieces: int) -> FloatArray:
 def dataset_of(study: Study, trajectory: Trajectory, complete: bool = True) -> xr.Dataset:
     """The dataset of a trajectory, together with the text of the experiment."""
     attributes = {"experiment": study.complete_toml(), "complete": int(complete)}
+    dataset = to_dataset(trajectory, attributes, study.variables)
     if isinstance(trajectory, ContactTrajectory):
-        return contact_dataset(trajectory, attributes)
-    return to_dataset(trajectory, attributes, study.variables)
+        return contact_dataset(trajectory, dataset)
+    return dataset
 
 
 @arguments_checked

@@ -18,6 +18,8 @@ from ..core.laws import Law
 from ..core.vectors import Vector, real_symbol
 from ..errors import RunError
 from ..experiment.closed_form import closed_form_section
+from ..experiment.contact.trajectory import ContactTrajectory
+from ..experiment.contact_subject import ContactSubject
 from ..experiment.study import Study
 from ..explicit.base.solution import Solution
 from ..flow.integrator import Trajectory
@@ -33,7 +35,9 @@ from ..printing.system import (
     text,
 )
 from ..proof.fields.budget import EFFORT
+from ..proof.verdict import Verdict
 from . import figures
+from .contact_section import contact_plates, contact_section
 from .summary import drift
 
 #: Term operations that the proof of one law may take, and those of all together: the first unless
@@ -125,13 +129,20 @@ def render(
         undefined=jinja2.StrictUndefined,
     )
     system = trajectory.system
-    verdicts = patience.verdicts(study.system)
-    # laws of one mode alone give a motion through several no place in the hierarchy
-    stands = (
-        None
-        if study.subject.changes_equations
-        else classify(study.system, verdicts, patience, study.subject.model)
-    )
+    subject, contact, plates = study.subject, None, PLATES
+    verdicts: dict[str, Verdict] = {}
+    places: list[dict[str, object]] = []
+    uncounted: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    # laws of one mode of a contact say nothing of a motion through several
+    if isinstance(subject, ContactSubject) and isinstance(trajectory, ContactTrajectory):
+        contact = contact_section(subject, trajectory, dataset)
+        mine = contact_plates(subject, trajectory, dataset)
+        plates = mine | {name: plate for name, plate in PLATES.items() if name not in mine}
+    else:
+        verdicts = patience.verdicts(study.system)
+        stands = classify(study.system, verdicts, patience, subject.model)
+        places = [_section(part) for part in (stands, *stands.levels)]
+        uncounted = stands.uncounted_by_reason
     drawn = {name: _figure_html(name, figure) for name, figure in pictures.items()}
     return environment.get_template("report.html").render(
         signed=typographic_signs,
@@ -147,9 +158,10 @@ def render(
                 "caption": f"{_caption(study, name, caption)} {_remark(study, name)}",
                 "svg": drawn[name],
             }
-            for name, (heading, caption) in PLATES.items()
+            for name, (heading, caption) in plates.items()
             if name in drawn
         ],
+        contact=contact,
         still=bool(system.integrals) and "drift" not in drawn,
         energy_changes="energy" in dataset and not system.integrals,
         equations=Markup(system_html(replace(study.system, laws=()))),
@@ -169,7 +181,7 @@ def render(
                 "unit": unit(law.unit),
                 "drift": number(drift(trajectory.recorded[f"law_{law.name}"]), 2),
             }
-            for law in system.integrals
+            for law in (() if contact else system.integrals)
         ],
         closed=None if solution is None else closed_form_section(solution, trajectory),
         closed_figure=drawn.get("closed_form"),
@@ -179,15 +191,15 @@ def render(
             (law.name, _law_text(law), law.source, verdicts[law.name])
             for law in _unobserved_laws(study)
         ],
-        places=[_section(part) for part in (stands, *stands.levels)] if stands else [],
-        uncounted=stands.uncounted_by_reason if stands else (),
+        places=places,
+        uncounted=uncounted,
         linked={law.name for law in study.system.laws},
         undecided=[
             (name, typographic_signs(verdict.reason))
             for name, verdict in verdicts.items()
             if verdict.reason and not verdict.untried
         ],
-        events=[typographic_signs(str(event)) for event in trajectory.events],
+        events=[] if contact else [typographic_signs(str(e)) for e in trajectory.events],
         remarks=[typographic_signs(remark) for remark in study.remarks],
         failure=typographic_signs(str(failure)) if failure else None,
         facts=_facts(study, trajectory),

@@ -5,9 +5,12 @@ from __future__ import annotations
 import xarray as xr
 from matplotlib.figure import Figure
 
+from ..experiment.contact_subject import ContactSubject
 from ..experiment.plan import PlanMotion
 from ..experiment.subject import BallSubject, BodySubject, Subject
 from . import figures
+from .drawing.contact_values import friction_limits
+from .figures.contact import contact_figures
 from .scenes.scene import ball_scene_of, scene_of
 
 
@@ -33,6 +36,10 @@ def subject_figures(
             rolling = subject.rolling
             drawn = None if rolling is None else scene_of(rolling)
             return figures.all_figures(dataset, drawn, subject.weight)
+        case ContactSubject(contact=contact):
+            limits = friction_limits(contact)
+            drawn = scene_of(contact)
+            return contact_figures(dataset, drawn, contact.body, limits, subject.weight)
         case _:
             pictures = {} if plan is None else {"plan_view": figures.plan_view(dataset, plan)}
             names = subject.state_names, subject.recorded_names

@@ -20,15 +20,16 @@ from chaplygin.contact import (
     Viscous,
     ViscousRolling,
 )
-from chaplygin.contact.contensou import middle_formulas
-from chaplygin.contact.friction import Reaction, mu
+from chaplygin.contact.friction.dry_friction import mu
+from chaplygin.contact.friction.friction_law import Reaction
+from chaplygin.contact.friction.modes import Mode
+from chaplygin.contact.friction.symbols import slip, slip_speed
 from chaplygin.contact.invariants.dissipation import (
     NOT_NEGATIVE,
     decrease_of_energy,
     dissipation,
 )
-from chaplygin.contact.modes import Mode
-from chaplygin.contact.symbols import slip, slip_speed
+from chaplygin.contact.pressure.pressure_ranges import hertz_ranges, k
 from chaplygin.core.system import Parameter
 from chaplygin.errors import InputError
 
@@ -85,7 +86,7 @@ def test_the_power_of_a_foreign_law_is_not_known() -> None:
 
 
 def test_the_shares_of_the_coupled_law_stay_in_their_ranges() -> None:
-    k = sp.Symbol("k", positive=True)
-    force, couple = sp.lambdify(k, middle_formulas(k), "numpy")(np.linspace(1.0, 20.0, 400))
+    factors = hertz_ranges()[1].factors()
+    force, couple = sp.lambdify(k, factors, "numpy")(np.linspace(1.0, 20.0, 400))
     assert np.all((9 * np.pi / 32 - 1e-12 <= force) & (force <= 1))
     assert np.all((couple > 0) & (couple <= 3 * np.pi / 16 * 3 / 8 + 1e-12))

@@ -9,10 +9,10 @@ import pytest
 
 import chaplygin as ch
 from chaplygin.contact import ContensouErismann, Coulomb, FrictionLaw, NormalViscous, Viscous
-from chaplygin.contact.equations import equations_of_motion
-from chaplygin.contact.modes import Mode
-from chaplygin.contact.situation import FrictionalContact
-from chaplygin.contact.symbols import couple, reaction
+from chaplygin.contact.equations.equations_of_motion import equations_of_motion
+from chaplygin.contact.equations.situation import FrictionalContact
+from chaplygin.contact.friction.modes import Mode
+from chaplygin.contact.friction.symbols import couple, reaction
 from chaplygin.core.arrays import FloatArray
 from chaplygin.core.system import System
 from chaplygin.flow.initial_states import upright

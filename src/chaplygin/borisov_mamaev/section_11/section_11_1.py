@@ -7,7 +7,7 @@ import sympy as sp
 from ...proof.verdict import Verdict
 from ..claim import Claim, Remark
 from ..methods.conclusion import computed_verdict
-from ..methods.friction_shares import (
+from .friction_shares import (
     HERTZ,
     couple_beyond,
     force_beyond,

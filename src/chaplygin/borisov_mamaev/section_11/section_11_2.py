@@ -11,7 +11,7 @@ from ...core.vectors import Diagonal, cross, dot, norm_squared, real_symbol, vec
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.conclusion import computed_verdict, conclusion_verdict
-from ..methods.friction_shares import HERTZ, UNIFORM, bounds, least_friction
+from .friction_shares import HERTZ, UNIFORM, bounds, least_friction
 
 x, r = vectors("x r")
 inverse_inertia = Diagonal("Y")

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ...contact.contensou import hypergeometric_series
 from ...contact.invariants import top_stability as top
 from ...contact.invariants.sliding_top import I_1, I_3, R, c, g, m, tippe_top
 from ...proof.verdict import Verdict
 from ..claim import Claim, Remark
 from ..methods.conclusion import computed_verdict, conclusion_verdict
-from ..methods.friction_shares import HERTZ, force_beyond
+from .friction_shares import HERTZ, force_beyond
 
 #: Leine and Glocker's top, in exact numbers.
 TOP = {
@@ -155,7 +154,7 @@ def sliding_without_spin() -> Verdict:
     """𝓕 → 1 for k → ∞, with the first correction −1/(10k²)."""
     series = force_beyond(HERTZ)
     square = sp.Symbol("square")
-    terms = hypergeometric_series(series.a, series.b, series.c, square)
+    terms = sp.hyper((series.a, series.b), (series.c,), square)
     limit, first = terms.subs(square, 0), sp.diff(terms, square).subs(square, 0)
     shown = limit == 1 and first == series.a * series.b / series.c == -sp.Rational(1, 10)
     return computed_verdict(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.conclusion import computed_verdict
-from ..methods.loss_of_contact import WITHOUT_FORCE, any_contact, paradox
+from .loss_of_contact import WITHOUT_FORCE, any_contact, paradox
 
 
 def zero_force_presses() -> Verdict:

@@ -26,29 +26,26 @@ from ...core.vectors import (
     zero,
 )
 from ...errors import InputError
-from ..contensou import couple_share, force_share
-from ..friction import (
+from ..friction.contensou import couple_share, force_share
+from ..friction.dry_friction import (
     ContensouErismann,
-    ContourResistance,
     Coulomb,
-    FrictionLaw,
-    NormalViscous,
-    RollingResistance,
     SpinFriction,
-    Viscous,
+    mu,
+    patch,
+    spin_couple_arm,
+)
+from ..friction.friction_law import FrictionLaw
+from ..friction.modes import Mode
+from ..friction.rolling_friction import (
+    ContourResistance,
+    RollingResistance,
     ViscousRolling,
     contour_arm,
-    mu,
-    nu,
-    patch,
     rolling_arm,
     rolling_viscous,
-    spin_arm,
-    spin_viscous,
-    viscous,
 )
-from ..modes import Mode
-from ..symbols import (
+from ..friction.symbols import (
     N,
     contour_couple,
     gamma,
@@ -60,6 +57,7 @@ from ..symbols import (
     spin,
     spin_sign,
 )
+from ..friction.viscous_friction import NormalViscous, Viscous, nu, spin_viscous, viscous
 
 wandering, wandering_speed = Vector("wandering"), real_symbol("wandering_speed")
 spin_speed = real_symbol("spin_speed")
@@ -89,8 +87,8 @@ class Dissipation:
 #: speeds as square roots, |Ω|, 𝓕 and 𝓜 by the bounds of the law.
 NOT_NEGATIVE: frozenset[sp.Expr] = frozenset(
     {
-        mu, nu, patch, viscous, spin_viscous, spin_arm, rolling_arm, rolling_viscous, contour_arm,
-        N, slip_speed, rolling_speed, wandering_speed, spin_speed, F_share, M_share,
+        mu, nu, patch, viscous, spin_viscous, spin_couple_arm, rolling_arm, rolling_viscous,
+        contour_arm, N, slip_speed, rolling_speed, wandering_speed, spin_speed, F_share, M_share,
         slip_speed**2, spin**2, rolling_speed**2,
     }
 )  # fmt: skip
@@ -123,7 +121,7 @@ def dissipation(law: FrictionLaw) -> Dissipation:
         case Coulomb():
             products: tuple[tuple[sp.Expr, ...], ...] = ((mu, N, slip_speed),)
         case SpinFriction():
-            products = ((spin_arm, N, spin_speed),)
+            products = ((spin_couple_arm, N, spin_speed),)
         case ContensouErismann():
             products = ((mu, N, F_share, slip_speed), (mu, N, patch, M_share, spin_speed))
         case Viscous():

@@ -34,7 +34,7 @@ from ...mechanics.rolling.body import Body, body_parameters
 from ...mechanics.rolling.contact import contact
 from ...mechanics.rolling.shapes import Ball, Implicit
 from ...mechanics.rolling.surfaces import Plane
-from ..symbols import gamma, omega, r, v
+from ..friction.symbols import gamma, omega, r, v
 
 m, g = real_symbol("m"), real_symbol("g")
 k, slip = Vector("k"), Vector("slip")

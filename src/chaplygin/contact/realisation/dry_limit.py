@@ -18,11 +18,11 @@ from ...flow.integrator import integrate
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces
 from ...mechanics.rolling.surfaces import Plane
-from ..compiled import WORK
-from ..equations import equations_of_motion
-from ..friction import Coulomb
-from ..modes import Mode
-from ..situation import FrictionalContact
+from ..course.compiled import WORK
+from ..equations.equations_of_motion import equations_of_motion
+from ..equations.situation import FrictionalContact
+from ..friction.dry_friction import Coulomb
+from ..friction.modes import Mode
 from .rolling_limit import checked_state, rolling_states
 
 

@@ -27,12 +27,13 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces
 from ...mechanics.rolling.gauss_map import contact_points
 from ...mechanics.rolling.surfaces import Plane
-from ..compiled import NORMAL, OMEGA, VELOCITY, WORK
-from ..equations import equations_of_motion
-from ..friction import Coulomb, Viscous
-from ..mobility import mobility
-from ..modes import Mode
-from ..situation import FrictionalContact
+from ..course.compiled import NORMAL, OMEGA, VELOCITY, WORK
+from ..equations.equations_of_motion import equations_of_motion
+from ..equations.situation import FrictionalContact
+from ..friction.dry_friction import Coulomb
+from ..friction.modes import Mode
+from ..friction.viscous_friction import Viscous
+from ..impact.mobility import mobility
 
 
 @arguments_checked

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from itertools import pairwise
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 import xarray as xr
@@ -30,12 +30,34 @@ _TIME_STEPS = 96
 """Steps of the colours of time on a curve from first to last instant."""
 
 
-class Canvas:
-    """A sheet of paper on which space is seen from `view`."""
+class PathColours(Protocol):
+    """The colours of a path, by the share of the time gone by."""
 
-    def __init__(self, axes: Axes, view: View) -> None:
+    def __call__(self, shares: float | list[float]) -> Any:
+        """The colour (4,) at a share, or colours (n, 4) at several."""
+
+    def pieces(self, shares: FloatArray) -> FloatArray:
+        """Indices of the first and last points of stretches of one colour."""
+
+
+class _TimeColours:
+    """The colours of time."""
+
+    def __call__(self, shares: float | list[float]) -> Any:
+        return TIME_COLOURS(shares)
+
+    def pieces(self, shares: FloatArray) -> FloatArray:
+        count = 2 + int(_TIME_STEPS * (shares[-1] - shares[0]))
+        return np.unique(np.linspace(0, len(shares) - 1, min(len(shares), count)).astype(int))
+
+
+class Canvas:
+    """A sheet of paper on which space is seen from `view`, paths in `colours`."""
+
+    def __init__(self, axes: Axes, view: View, colours: PathColours | None = None) -> None:
         self.axes = axes
         self.view = view
+        self.colours: PathColours = colours or _TimeColours()
         self._layer = 0.0
         axes.set_aspect("equal")
 
@@ -116,14 +138,12 @@ class Canvas:
     def time_coloured(
         self, points: FloatArray, fractions: FloatArray, width: float, alpha: float
     ) -> None:
-        """Draw a curve (n, 3) in the colours of time; fractions (n,) of the time gone by."""
+        """Draw a curve (n, 3) in the colours of paths; fractions (n,) of the time gone by."""
         if len(points) < 2:
             return
         flat = self.view.project(points)
-        count = 2 + int(_TIME_STEPS * (fractions[-1] - fractions[0]))
-        pieces = np.unique(np.linspace(0, len(flat) - 1, min(len(flat), count)).astype(int))
-        pairs = list(pairwise(pieces))
-        colours = TIME_COLOURS([(fractions[a] + fractions[b]) / 2 for a, b in pairs])
+        pairs = list(pairwise(self.colours.pieces(fractions)))
+        colours = self.colours([(fractions[a] + fractions[b]) / 2 for a, b in pairs])
         paper = np.ones(4)
         self.axes.add_collection(
             LineCollection(
@@ -214,7 +234,7 @@ def mark_ends(sheet: Canvas, curve: SurfaceCurve, side: float) -> None:
     """Mark the ends of a curve by a ring and a dot, pale where they are hidden."""
     mark_start(sheet, curve, side)
     seen = sheet.view.faces_reader(side * curve.normals[-1])
-    last = to_hex(TIME_COLOURS(1.0)) if seen else "#b3aabd"
+    last = to_hex(sheet.colours(1.0)) if seen else "#b3aabd"
     sheet.dot(curve.points[-1], last, last, 4.5)
 
 

@@ -44,6 +44,9 @@ NARROW = 3.65
 _LONG = 40
 """Characters of a line of a key that is too long for a telephone."""
 
+_LEAST = 0.85
+"""Share of a key's width that a plot on a telephone has at least, if the key can be narrower."""
+
 _PROLOG = '<?xml version="1.0" encoding="utf-8"?>\n'
 
 
@@ -128,7 +131,7 @@ def page_svg(figure: Figure, narrow: bool = False) -> str:
         _make_narrow(shown)
     text = svg_text(shown)
     for name, colour in PAGE_COLOURS.items():
-        text = re.sub(rf"(?<=[ :]){colour}(?=[;\"])", f"var(--{name}, {colour})", text)
+        text = re.sub(rf"(?<=[ :\"]){colour}(?=[;\"])", f"var(--{name}, {colour})", text)
     return text
 
 
@@ -152,6 +155,8 @@ def _make_narrow(figure: Figure) -> None:
         # what stands side by side, or has a long key, would be crowded out: it stays as it is
         return
     figure.set_size_inches(NARROW, high)
+    for key in figure.legends:
+        key.set_ncols(2)
     for axes in panels:
         if axes.get_xscale() == "linear" and isinstance(
             axes.xaxis.get_major_locator(), AutoLocator
@@ -160,6 +165,8 @@ def _make_narrow(figure: Figure) -> None:
         legend = axes.get_legend()
         if legend is not None and _share(figure, axes, legend) < 1.0:
             legend.set_ncols(1 if len(legend.get_texts()) < 3 else 2)
+            if _share(figure, axes, legend) < _LEAST:
+                legend.set_ncols(1)
 
 
 def _stack(figure: Figure, panels: list[Axes]) -> float:

@@ -9,7 +9,15 @@ from matplotlib.figure import Figure
 
 from ...core.arrays import FloatArray
 from ...errors import InputError
-from ..drawing.canvas import Canvas, blank_axes, fit_height, mark_ends, time_bar, timed_on_surface
+from ..drawing.canvas import (
+    Canvas,
+    PathColours,
+    blank_axes,
+    fit_height,
+    mark_ends,
+    time_bar,
+    timed_on_surface,
+)
 from ..drawing.curves import smooth_curve
 from ..drawing.dataset_access import (
     CURVE_POINTS,
@@ -23,9 +31,11 @@ from ..drawing.dataset_access import (
     with_unit,
 )
 from ..drawing.mesh import SurfaceCurve
+from ..drawing.modes import ModeColours, changes_mode
 from ..drawing.shading import Ground, PlaneGround, SphereGround
 from ..drawing.style import FAINT, INK, QUIET, STYLE, WIDTH
 from ..drawing.view import View, unit
+from ..scenes.contact_marks import mark_events, mode_scale
 from ..scenes.ground import draw_far_wall, draw_near_wall, draw_outside, on_ground
 
 _LEFT = 0.76
@@ -34,6 +44,8 @@ _LEFT = 0.76
 
 def contact_path(dataset: xr.Dataset, surface: Ground) -> Figure:
     """The path of the contact point on the surface, in the colours of time.
+
+    Where the mode of the contact changes, it is in those of the modes.
 
     On a plane it is seen from above, to scale; on a sphere in space, with the part on the far
     side faded (of a bowl the inside of the far wall is seen).
@@ -64,18 +76,28 @@ def contact_path(dataset: xr.Dataset, surface: Ground) -> Figure:
         figure = Figure(figsize=(WIDTH, 4.0))
         figure.set_label(f"Path of the contact point: {title_of(dataset)}")
         span = (samples[0], samples[-1])
+        colours = ModeColours(dataset, *span) if changes_mode(dataset) else None
         if isinstance(surface, PlaneGround):
-            _path_on_plane(figure, dataset, times, points)
-            time_bar(figure, dataset, span, (_LEFT, 0.16))
+            sheet = _path_on_plane(figure, dataset, times, points, colours)
+            left = _LEFT
         else:
-            _path_on_sphere(figure, times, points, surface)
-            time_bar(figure, dataset, span, (0.12, 0.16))
+            sheet = _path_on_sphere(figure, times, points, surface, colours)
+            left = 0.12
+        if colours is None:
+            time_bar(figure, dataset, span, (left, 0.16))
+        else:
+            mark_events(sheet, dataset, times, points, surface)
+            mode_scale(figure, sheet.axes, dataset, span)
     return figure
 
 
 def _path_on_plane(
-    figure: Figure, dataset: xr.Dataset, times: FloatArray, points: FloatArray
-) -> None:
+    figure: Figure,
+    dataset: xr.Dataset,
+    times: FloatArray,
+    points: FloatArray,
+    colours: PathColours | None,
+) -> Canvas:
     low, high = points[:, :2].min(axis=0), points[:, :2].max(axis=0)
     extent = float(np.max(high - low))
     middle = (low + high) / 2
@@ -95,14 +117,19 @@ def _path_on_plane(
     axes.set_xlabel(with_unit("$x$", units))
     axes.set_ylabel(with_unit("$y$", units))
     from_above = View(-np.pi / 2, np.pi / 2)
-    sheet = Canvas(axes, from_above)
+    sheet = Canvas(axes, from_above, colours)
     sheet.time_coloured(points, time_shares(times), 1.6, 1.0)
     mark_ends(sheet, on_ground(points, PlaneGround()), 1.0)
+    return sheet
 
 
 def _path_on_sphere(
-    figure: Figure, times: FloatArray, points: FloatArray, ground: SphereGround
-) -> None:
+    figure: Figure,
+    times: FloatArray,
+    points: FloatArray,
+    ground: SphereGround,
+    colours: PathColours | None,
+) -> Canvas:
     side = float(np.copysign(1.0, ground.radius))
     radius = abs(ground.radius)
     curve = on_ground(points, ground)
@@ -110,7 +137,7 @@ def _path_on_sphere(
     azimuth = float(np.arctan2(middle[1], middle[0])) + 0.35
     height = float(np.arcsin(np.clip(middle[2], -1.0, 1.0)))
     view = View(azimuth + (np.pi if side < 0 else 0.0), float(np.clip(side * height, 0.3, 1.0)))
-    sheet = Canvas(blank_axes(figure), view)
+    sheet = Canvas(blank_axes(figure), view, colours)
     fractions = time_shares(times)
     if side > 0:
         draw_outside(sheet, radius, np.pi)
@@ -121,6 +148,7 @@ def _path_on_sphere(
     timed_on_surface(sheet, curve, fractions, side, 1.8, 1.0)
     mark_ends(sheet, curve, side)
     fit_height(figure, sheet.axes, 4.2, 4.2)
+    return sheet
 
 
 def normal_on_sphere(dataset: xr.Dataset) -> Figure:

@@ -13,13 +13,17 @@ from ..drawing.shading import Ground, PlaneGround
 from ..drawing.style import LINES
 from ..drawing.view import View, unit
 
+#: Farther from a sphere than this share of its radius is no rounding.
+_ABOVE = 1e-4
+
 
 def on_ground(points: FloatArray, ground: Ground) -> SurfaceCurve:
-    """A curve laid exactly on the ground."""
+    """A curve laid exactly on the ground, but for what is clearly above it."""
     if isinstance(ground, PlaneGround):
         return SurfaceCurve(points, np.tile([0.0, 0.0, 1.0], (len(points), 1)))
-    normals = unit(points)
-    return SurfaceCurve(abs(ground.radius) * normals, normals)
+    normals, radius = unit(points), abs(ground.radius)
+    above = np.abs(np.linalg.norm(points, axis=1, keepdims=True) - radius) > _ABOVE * radius
+    return SurfaceCurve(np.where(above, points, radius * normals), normals)
 
 
 def draw_grid(sheet: Canvas, path: FloatArray, diameter: float) -> float:

@@ -31,9 +31,11 @@ from ..drawing.dataset_access import (
     values_of,
 )
 from ..drawing.mesh import BodyMesh, SurfaceCurve
+from ..drawing.modes import ModeColours
 from ..drawing.shading import Ground, PlaneGround, SphereGround, cast_shadow
 from ..drawing.style import BODY_TONES, QUIET, SHELL_TONES, STYLE, WIDTH
 from ..drawing.view import View, rotation_matrices, unit
+from .contact_marks import mark_events, mode_scale
 from .ground import cap_opening, draw_far_wall, draw_grid, draw_near_wall, draw_outside, on_ground
 
 _WHOLE = 10.0
@@ -51,8 +53,9 @@ def scene(
 ) -> Figure:
     """The body on its surface, with the paths of the contact point on both.
 
-    The body is drawn where it is at the end, the path in the colours of time. A path too long
-    for the picture is cut to its last part; the bar tells which.
+    The body is drawn where it is at the end, the path in the colours of time, or in those of the
+    modes of a contact with friction. A path too long for the picture is cut to its last part; the
+    bar, or the key of the modes, tells which.
 
     Parameters
     ----------
@@ -79,7 +82,9 @@ def scene(
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(WIDTH, WIDTH))
         figure.set_label(f"The body and the path of its contact point: {title_of(dataset)}")
-        sheet = Canvas(blank_axes(figure), _scene_view(track, surface))
+        first, last = track.times[0], track.times[-1]
+        colours = ModeColours(dataset, first, last) if "mode" in dataset else None
+        sheet = Canvas(blank_axes(figure), _scene_view(track, surface), colours)
         body = outline.in_space(track.rotation[-1], track.centre[-1])
         if isinstance(surface, PlaneGround):
             spacing = _scene_on_plane(sheet, track, outline, body)
@@ -92,8 +97,13 @@ def scene(
                 _scene_on_sphere(sheet, track, body, surface)
             else:
                 _scene_in_bowl(sheet, track, body, surface)
+        if colours is not None:
+            mark_events(sheet, dataset, track.times, track.contact, surface, body)
         fit_height(figure, sheet.axes, WIDTH, 5.0)
-        time_bar(figure, dataset, (track.times[0], track.times[-1]), (0.12, 0.16))
+        if colours is None:
+            time_bar(figure, dataset, (first, last), (0.12, 0.16))
+        else:
+            mode_scale(figure, sheet.axes, dataset, (first, last))
         figure.text(
             1.0 - 0.1 / WIDTH,
             0.19 / figure.get_figheight(),

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
+from ...contact.equations.situation import FrictionalContact
 from ...core.arrays import FloatArray
 from ...core.vectors import Vector
 from ...mechanics.ball.ball import RollingBall
@@ -33,8 +34,8 @@ class BallScene(NamedTuple):
     surface: SurfaceGround
 
 
-def scene_of(rolling: Rolling) -> Scene:
-    """The scene of a body that rolls on a plane or a sphere."""
+def scene_of(rolling: Rolling | FrictionalContact) -> Scene:
+    """The scene of a body that rolls or slides on a plane or a sphere."""
     surface = rolling.surface
     ground = PlaneGround() if isinstance(surface, Plane) else SphereGround(surface.signed_radius)
     return Scene(outline_from_contact(contact_points(rolling.body.shape)), ground)

@@ -1,0 +1,1 @@
+"""The course of a motion with friction, from one event to the next."""

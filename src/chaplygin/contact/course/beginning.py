@@ -1,0 +1,211 @@
+"""The beginning of sliding, where the slip is zero and its direction must be found.
+
+With the direction of friction prescribed as a polynomial of the time, the motion is smooth; the
+coefficients follow from the demand that the slip has this direction at Chebyshev points.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...core.arrays import FloatArray
+from ..friction.contensou import range_of
+from ..friction.modes import Mode
+from ..friction.prescribed import (
+    DEGREE,
+    HEADING_COEFFICIENTS,
+    LATITUDE_COEFFICIENTS,
+    prescribed,
+)
+from .compiled import CompiledContact, ModeIntegrator, with_values
+
+#: Chebyshev points of (0, 1], the last one at the end.
+_POINTS = (1 - np.cos(np.pi * np.arange(1, DEGREE + 1) / DEGREE)) / 2
+
+#: Points between them, at which the direction is tested.
+_TESTS = np.array([0.35, 0.65, 0.97])
+
+#: Steps of a trial, and radians by which the direction may turn, at most.
+_MOST_STEPS, _LARGEST_TURN = 500, 3.0
+
+#: Newton's steps at most, and the step of their differences.
+_NEWTON_STEPS, _STEP = 8, 1e-5
+
+#: The length of a beginning is divided by four at most so many times.
+_ATTEMPTS = 12
+
+
+@dataclass(frozen=True, eq=False)
+class Beginning:
+    """Sliding over a short time from zero slip.
+
+    Attributes
+    ----------
+    integrator : ModeIntegrator
+        Of the motion with prescribed direction; its state has the clock as last column.
+    duration : float
+    state : array (size,)
+        At its end.
+    """
+
+    integrator: ModeIntegrator
+    duration: float
+    state: FloatArray
+
+    def samples(self, time: float, state: FloatArray, moments: list[float]) -> FloatArray:
+        """States at moments within the beginning, the clock as last column."""
+        if not moments:
+            return np.empty((0, len(state) + 1))
+        start = np.append(state, 0.0)
+        return self.integrator.advance(time, start, moments, moments[-1]).samples
+
+
+@dataclass(frozen=True, eq=False)
+class _Trial:
+    """A prescribed direction, and the slip that follows."""
+
+    integrator: ModeIntegrator
+    first: FloatArray
+    latitude: float
+    patch: float
+
+    def integrator_with(self, coefficients: FloatArray, duration: float) -> ModeIntegrator:
+        values = {"duration": duration}
+        values |= {f"n_0_{i + 1}": float(x) for i, x in enumerate(self.first)}
+        symbols = HEADING_COEFFICIENTS + (LATITUDE_COEFFICIENTS if self.patch else ())
+        values |= dict(zip(map(str, symbols), map(float, coefficients), strict=True))
+        if self.patch:
+            values["theta_0"] = self.latitude
+        return with_values(self.integrator, values)
+
+    def defects(
+        self, integrator: ModeIntegrator, states: FloatArray, times: FloatArray, c: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
+        """Components of the slip (n, 1 or 2) across its prescribed direction, and along it (n,)."""
+        powers = times[:, None] ** np.arange(1, DEGREE + 1)
+        headings = (powers @ c[:DEGREE])[:, None]
+        values = integrator.outputs(states)
+        gamma, slip = values["gamma"], values["slip"]
+        across = self.first - (gamma @ self.first)[:, None] * gamma
+        across /= np.linalg.norm(across, axis=1)[:, None]
+        aside = np.cross(gamma, across)
+        n = np.cos(headings) * across + np.sin(headings) * aside
+        m = np.cos(headings) * aside - np.sin(headings) * across
+        along, beside = (slip * n).sum(axis=1), (slip * m).sum(axis=1)
+        if not self.patch:
+            return beside[:, None], along
+        latitudes = self.latitude + powers @ c[DEGREE:]
+        arm = self.patch * values["spin"]
+        bent = along * np.cos(latitudes) - arm * np.sin(latitudes)
+        forward = along * np.sin(latitudes) + arm * np.cos(latitudes)
+        return np.stack([beside, bent], axis=1), forward
+
+
+def beginning(
+    contact: CompiledContact,
+    time: float,
+    state: FloatArray,
+    mode: Mode,
+    direction: FloatArray,
+    spin_sign: float,
+    longest: float,
+) -> Beginning | None:
+    """Sliding from zero slip along a first direction; None if it stops again at once.
+
+    Parameters
+    ----------
+    contact : CompiledContact
+    time : float
+    state : array (size,)
+        With zero slip.
+    mode : Mode
+        The sliding mode.
+    direction : array (3,) or (4,)
+        Of the slip at first, body axes; under Contensou's law of slip and aΩ.
+    spin_sign : float
+        Sign of the spin.
+    longest : float
+        Duration to begin with (s).
+    """
+    situation = contact.situation
+    law = next((law for law in situation.laws if law.kinetic_mu is not None), None)
+    if law is None or law.kinetic_mu is None:
+        return None
+    patch = law.patch_radius
+    latitude = math.pi / 2
+    values: dict[str, float] = {"mu": law.kinetic_mu, "spin_sign": spin_sign}
+    if patch:
+        flat = float(np.linalg.norm(direction[:3]))
+        latitude = math.atan2(flat, float(direction[3]))
+        mode = replace(mode, range=range_of(flat, float(direction[3]) / patch, patch))
+        values["patch"] = patch
+    first = direction[:3] / np.linalg.norm(direction[:3])
+    stand_in = prescribed(law, mode.range)
+    laws = tuple(stand_in if item is law else item for item in situation.laws)
+    integrator = with_values(contact.mode(mode, replace(situation, laws=laws)), values)
+    trial = _Trial(integrator, first, latitude, patch)
+    duration = longest
+    for _ in range(_ATTEMPTS):
+        result = _collocated(trial, time, state, duration)
+        if result is not None:
+            return result
+        duration /= 4
+    return None
+
+
+def _collocated(trial: _Trial, time: float, state: FloatArray, duration: float) -> Beginning | None:
+    """The beginning of a duration; None if there is no such motion."""
+    start = np.append(state, 0.0)
+    count = DEGREE * (2 if trial.patch else 1)
+    coefficients = np.zeros(count)
+    points = np.sort(np.concatenate([_POINTS, _TESTS]))
+    at_points = np.isin(points, _POINTS)
+
+    def course(c: FloatArray) -> tuple[ModeIntegrator, FloatArray]:
+        integrator = trial.integrator_with(c, duration)
+        moments = list(time + duration * points)
+        outcome = integrator.advance(time, start, moments, moments[-1], _MOST_STEPS)
+        return integrator, outcome.samples
+
+    def defects(c: FloatArray) -> tuple[FloatArray, FloatArray]:
+        integrator, states = course(c)
+        if len(states) < len(points):
+            return np.full((len(points), count // DEGREE), np.nan), np.full(len(points), np.nan)
+        return trial.defects(integrator, states, points, c)
+
+    # components of the slip are almost linear in the coefficients, its direction is not
+    across, along = defects(coefficients)
+    size = float(np.hypot(np.abs(along).max(), np.abs(across).max()))
+    weights = 1 / (size * points[at_points, None] ** 2)
+    last = math.inf
+    for _ in range(_NEWTON_STEPS):
+        value = (weights * across[at_points]).ravel()
+        columns = [
+            (weights * defects(coefficients + _STEP * e)[0][at_points]).ravel() - value
+            for e in np.eye(count)
+        ]
+        jacobian = np.array(columns).T / _STEP
+        if not (np.isfinite(jacobian).all() and np.isfinite(value).all()):
+            return None
+        try:
+            change = np.linalg.solve(jacobian, -value)
+        except np.linalg.LinAlgError:
+            return None
+        coefficients = coefficients + change
+        if np.abs(coefficients).max() > _LARGEST_TURN:
+            return None
+        across, along = defects(coefficients)
+        angles = np.abs(across / along[:, None])
+        size = float(np.abs(change).max())
+        # the first points feel rounding, which ends the convergence
+        if size < 1e-10 or (size < 1e-6 and size > 0.1 * last):
+            break
+        last = size
+    grows = bool(np.all(np.diff(np.concatenate([[0.0], along])) > 0))
+    if not grows or angles[~at_points].max() > 1e-7 or angles[at_points].max() > 1e-7:
+        return None
+    integrator, states = course(coefficients)
+    return Beginning(integrator, float(duration), states[-1, :-1])

@@ -1,0 +1,382 @@
+"""The course of a motion in contact: smooth pieces, joined by the events between them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from ...core.arrays import FloatArray
+from ...errors import RunError
+from ..friction.contensou import held_range_of
+from ..friction.modes import FLIGHT, Mode, Range
+from ..impact.impact import Impact, zeno_closure
+from ..slip.stopping import finish_stop
+from .beginning import Beginning, beginning
+from .compiled import (
+    OMEGA,
+)
+from .course_state import NO_SLIP, SLIP_FLOOR, EndError
+from .events import EventKind
+from .near_rest import (
+    Departure,
+    departure,
+    first_direction,
+    frozen_slip,
+    state_after_stop,
+)
+from .rolling_course import RollingCourse
+
+#: Speed of a bounce that is the last one, relative to the typical one of a motion.
+LAST_BOUNCE = 1e-7
+
+#: Smallest factor by which the floor of the slip is lowered for a slip that passes close by zero.
+_LOWEST = 1e-6
+
+
+class Course(RollingCourse):
+    """A motion while it is computed; its arguments are those of a CourseState."""
+
+    # --- driving ---------------------------------------------------------------------------
+
+    def run(self, progress: Callable[[float], None] | None = None) -> None:
+        """Follow the motion through its moments, or to where it ends."""
+        end = float(self.moments[-1])
+        try:
+            self._enter()
+            self._begin_to_roll()
+            while self.time < end or self._next_moment < len(self.moments):
+                guard = self._integrate()
+                if progress is not None:
+                    progress(self.time)
+                if not guard:
+                    break
+                self._handle(guard)
+        except EndError as stop:
+            self._end(str(stop))
+        except RunError as error:
+            self._end(str(error.args[0]))
+
+    # --- modes -----------------------------------------------------------------------------
+
+    def _enter(self) -> None:
+        """Choose the mode at the start."""
+        known = self._known()
+        if known.gap > 1e-12 * self._length:
+            self.mode = FLIGHT
+            return
+        normal = float(known.mobility.gamma @ known.contact_velocity)
+        if normal > NO_SLIP * self._speed:
+            self._take_off()
+        elif normal < -NO_SLIP * self._speed:
+            self._land()
+        else:
+            self._settle(None, self.state)
+
+    def _settle(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
+        """Choose the mode of a contact without normal velocity; record an event of a kind."""
+        known = self._known()
+        slip = float(np.linalg.norm(known.slip))
+        arm = (self._dry.patch or self._length) * abs(known.spin)
+        threshold = NO_SLIP * self._speed
+        spin_at_rest = bool(self._dry.spin_arm) and arm <= threshold
+        resting = slip <= threshold and not (self._dry.patch and arm > threshold)
+        if self._dry.mu and resting:
+            self._project(self._mode_at_rest(spin_at_rest))
+            self._leave_rest(kind, before, *impacts, spin_at_rest=spin_at_rest)
+            return
+        if spin_at_rest:
+            self._decide_on_spin(sliding=True)
+        else:
+            self._spin_sign = math.copysign(1.0, known.spin)
+            self._slide()
+        if kind:
+            self._record(kind, before, *impacts)
+        self._require_pressure()
+
+    def _slide(self) -> None:
+        """Slide on, in the range of the present state."""
+        known = self._known()
+        slip = float(np.linalg.norm(known.slip))
+        self.mode = replace(self.mode, touching=True, sliding=True, rolling=True)
+        self.mode = replace(self.mode, range=self._range_of(known))
+        # a slide may be slower than the usual floor from its start
+        size = math.hypot(slip, self._dry.patch * known.spin)
+        floor = SLIP_FLOOR * self._speed * self._floor_factor
+        if self._dry.mu and 0 < size < 10 * floor:
+            self._floor_factor *= 0.01 * size / floor
+
+    def _decide_on_spin(self, sliding: bool) -> bool:
+        """Hold the spin, which is zero, or let it begin; whether it is held."""
+        mode = Mode(sliding=sliding, spinning=False)
+        self._project(mode)
+        N, couple = self._normal_force_and_couple(mode)
+        spins = abs(couple) > self._dry.spin_arm * N
+        if spins:
+            self._spin_sign = -math.copysign(1.0, couple)
+        self.mode = replace(mode, spinning=spins)
+        return not spins
+
+    def _require_pressure(self) -> None:
+        """Leave the support, or find no motion, where a sliding contact presses no longer."""
+        if not self.mode.sliding or not self.mode.touching:
+            return
+        integrator = self._integrator(self.mode)
+        N = float(integrator.outputs(self.state)["normal_force"])
+        names = [guard.name for guard in integrator.system.guards]
+        values = integrator.guard_values(self.state)
+        paradox = "paradox" in names and values[names.index("paradox")] <= 0
+        if N > 0 and not paradox:
+            return
+        if self._free_normal_acceleration() >= 0:
+            self._take_off()
+        else:
+            self._paradox()
+
+    def _leave_rest(
+        self,
+        kind: EventKind | None,
+        before: FloatArray,
+        *impacts: Impact,
+        spin_at_rest: bool,
+    ) -> None:
+        """Hold a contact without slip if friction can, or begin to slide."""
+        known = self._known()
+        sign = 0.0 if spin_at_rest else math.copysign(1.0, known.spin)
+        choice = departure(known, self._dry, sign)
+        if choice is None or choice.normal_force <= 0:
+            self._leave_support(kind, before, *impacts)
+            return
+        if choice.holds:
+            self._hold(choice)
+            if kind:
+                self._record(kind, before, *impacts, unique=choice.unique)
+            return
+        if kind in ("stick", "spin stop"):
+            kind = "direct restart"
+        self._spin_sign = choice.spin_sign or self._spin_sign
+        self.mode = Mode(spinning=bool(self._dry.patch or choice.spin_sign or not spin_at_rest))
+        if kind:
+            self._record(kind, before, *impacts, unique=choice.unique)
+        self._begin(choice.direction)
+
+    def _hold(self, choice: Departure) -> None:
+        if self._dry.patch:
+            span = held_range_of(
+                choice.couple / self._dry.patch, self._dry.mu * choice.normal_force
+            )
+            self.mode = Mode(sliding=False, spinning=False, range=span)
+            self._spin_sign = math.copysign(1.0, choice.couple)
+            return
+        spinning = bool(choice.spin_sign) or not self._dry.spin_arm
+        self.mode = Mode(sliding=False, spinning=spinning)
+        self._spin_sign = choice.spin_sign or self._spin_sign
+
+    def _leave_support(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
+        """Leave a support that a contact without slip presses no longer."""
+        if self._free_normal_acceleration() < 0:
+            if self._dry.never_slips:
+                raise EndError(
+                    "the support would have to pull the rolling body, which left alone would be "
+                    "pressed into it: neither rolling nor leaving is possible"
+                )
+            raise EndError("the contact can neither be held nor slide in any direction")
+        if kind and kind != "stick":
+            self.mode = FLIGHT
+            self._record(kind, before, *impacts)
+        self._take_off()
+
+    def _begin(self, direction: FloatArray) -> None:
+        """Slide from zero slip in a first direction (and that of the spin)."""
+        known = self._known()
+        speed = float(np.linalg.norm(self.state[OMEGA]))
+        strength = float(np.linalg.norm(known.free_acceleration))
+        rate = max(speed, math.sqrt(strength / self._length))
+        if self._dry.patch and direction[3]:
+            self._spin_sign = math.copysign(1.0, direction[3])
+        slide = beginning(
+            self.contact,
+            self.time,
+            self.state,
+            self.mode,
+            direction,
+            self._spin_sign,
+            0.02 / rate,
+        )
+        if slide is None:
+            raise EndError("sliding begins, but no motion with a growing slip was found")
+        self._take_beginning(slide)
+
+    def _take_beginning(self, slide: Beginning) -> None:
+        end = self.time + slide.duration
+        count = int(np.searchsorted(self.moments, end, side="right"))
+        wanted = list(self.moments[self._next_moment : count])
+        self._add_piece(slide.integrator, end, slide.samples(self.time, self.state, wanted))
+        self.time, self.state = end, slide.state
+        self._floor_factor = 1.0
+        self._slide()
+
+    # --- events ----------------------------------------------------------------------------
+
+    def _handle(self, guard: str) -> None:
+        handlers: dict[str, Callable[[], None]] = {
+            "lift-off": self._lift_off,
+            "landing": self._land,
+            "stick": self._stick,
+            "stop": self._stick,
+            "slip": self._slip,
+            "spin stop": self._spin_stop,
+            "spin start": self._spin_start,
+            "rolling stop": self._rolling_stop,
+            "range": self._change_range,
+            "paradox": self._paradox,
+        }
+        if guard not in handlers:
+            messages = {g.name: g.message for g in self._integrator(self.mode).system.guards}
+            raise EndError(messages.get(guard) or guard)
+        handlers[guard]()
+
+    def _lift_off(self) -> None:
+        if self.mode.sliding:
+            self._take_off()
+        else:
+            self._leave_support(None, self.state)
+
+    def _take_off(self) -> None:
+        before = self.state
+        self.mode = FLIGHT
+        self._project(FLIGHT)
+        self._record("lift-off", before)
+        if self.rules.on_liftoff == "stop":
+            raise EndError("the body leaves the support")
+        self._rise()
+
+    def _land(self) -> None:
+        """An impact, after which the body flies on or stays."""
+        before = self.state
+        known = self._known()
+        normal = float(known.mobility.gamma @ known.contact_velocity)
+        if normal > -NO_SLIP * self._speed:
+            # a grazing contact
+            self._stay("landing", before)
+            return
+        result = self._collide()
+        rebound = float(known.mobility.gamma @ result.contact_velocity)
+        if rebound > LAST_BOUNCE * self._speed:
+            self.mode = FLIGHT
+            self._rise()
+            self._record("landing", before, result)
+            return
+        if rebound > 0:
+            impulse, couple = zeno_closure(
+                known.mobility,
+                result.contact_velocity,
+                result.spin,
+                mu=self._dry.mu,
+                spin_arm=self._dry.spin_arm,
+            )
+            self._push(impulse, couple)
+        self._stay("landing", before, result)
+
+    def _stay(self, kind: EventKind, before: FloatArray, *impacts: Impact) -> None:
+        """Go on in contact after a landing."""
+        self._project(Mode(range=self._range_of(self._known())))
+        self._settle(kind, before, *impacts)
+
+    def _stick(self) -> None:
+        """Complete a stop, and hold the contact or leave zero in another direction."""
+        before, known = self.state, self._known()
+        spin_at_rest = not self.mode.spinning
+        slip = frozen_slip(known, self._dry, 0.0 if spin_at_rest else self._spin_sign)
+        x = known.mobility.tangents @ known.slip
+        if self._dry.patch:
+            x = np.append(x, self._dry.patch * known.spin)
+        try:
+            stop = finish_stop(slip, x, float(np.linalg.norm(x)))
+        except RunError:
+            # the slip passes close by zero
+            self._floor_factor *= 1e-2
+            if self._floor_factor < _LOWEST:
+                raise EndError("the slip stays at rounding size without coming to an end") from None
+            return
+        self._floor_factor = 1.0
+        self.state = state_after_stop(known, self._dry, self.state, stop)
+        self.time += stop.duration
+        self._project(self._mode_at_rest(spin_at_rest))
+        column = self.contact.work_column(self._dry.law)
+        self.state[column] += known.energy - self._known().energy
+        self._leave_rest("stick", before, spin_at_rest=spin_at_rest)
+
+    def _slip(self) -> None:
+        """A contact at rest reaches the limit of friction."""
+        before = self.state
+        values = self._integrator(self.mode).outputs(self.state)
+        N, couple = self._normal_force_and_couple(self.mode)
+        direction = first_direction(self._dry, N, values["friction_force"], couple)
+        if self._dry.static_mu > self._dry.mu:
+            # friction falls at once, and sliding begins where its acceleration points
+            sign = self._spin_sign if self.mode.spinning else 0.0
+            moving = replace(self._dry, static_mu=self._dry.mu)
+            choice = departure(self._known(), moving, sign)
+            if choice is None or choice.holds:
+                raise EndError("static friction ends, but sliding cannot begin")
+            direction = choice.direction
+        self.mode = Mode(spinning=self.mode.spinning or bool(self._dry.patch))
+        self._record("slip", before)
+        self._begin(direction)
+
+    def _spin_stop(self) -> None:
+        """The spin has come to zero: hold it, or let it change its sign."""
+        before, sliding = self.state, self.mode.sliding
+        if not self._dry.spin_arm:
+            # formulas of friction in |Ω| that do not hold the spin
+            mode = self.mode
+            self._decide_on_spin(sliding)
+            self.mode = mode
+            self._record("spin reversal", before)
+            return
+        if not sliding:
+            self._project(replace(self.mode, spinning=False))
+            self._leave_rest("spin stop", before, spin_at_rest=True)
+            return
+        stopped = self._decide_on_spin(sliding=True)
+        self._record("spin stop" if stopped else "spin reversal", before)
+
+    def _spin_start(self) -> None:
+        before = self.state
+        _, couple = self._normal_force_and_couple(self.mode)
+        self._spin_sign = -math.copysign(1.0, couple)
+        self.mode = replace(self.mode, spinning=True)
+        self._record("spin start", before)
+
+    def _change_range(self) -> None:
+        if self.mode.sliding:
+            known = self._known()
+            span = self._range_of(known)
+            self._spin_sign = math.copysign(1.0, known.spin)
+        else:
+            N, couple = self._normal_force_and_couple(self.mode)
+            span = held_range_of(couple / self._dry.patch, self._dry.mu * N)
+            self._spin_sign = math.copysign(1.0, couple)
+        if span == self.mode.range:
+            # the event lies on the border: go over to the neighbour
+            neighbours: dict[Range, Range] = {
+                "inner": "middle",
+                "outer": "middle",
+                "below": "above",
+                "above": "below",
+            }
+            span = neighbours.get(span, span)
+        self.mode = replace(self.mode, range=span)
+
+    def _paradox(self) -> None:
+        """No motion in contact: end, or take an impact without collision."""
+        if self.rules.on_paradox == "stop":
+            raise EndError(
+                "no motion in contact is possible here (Painlevé's paradox: the friction of any "
+                "normal force would press the body into the support)"
+            )
+        before = self.state
+        self._stay("impact without collision", before, self._collide())

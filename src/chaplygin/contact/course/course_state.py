@@ -1,0 +1,216 @@
+"""The state of a motion in contact while it is computed."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from ...core.arrays import FloatArray
+from ..friction.contensou import range_of
+from ..friction.modes import Mode, Range
+from ..impact.impact import Impact, impact
+from .compiled import (
+    ATTITUDE,
+    OMEGA,
+    POSITION,
+    VELOCITY,
+    WORK,
+    CompiledContact,
+    ContactNumbers,
+    ModeIntegrator,
+    with_values,
+)
+from .events import ContactEvent, EventKind
+from .near_rest import (
+    dry_friction,
+)
+from .rules import Rules
+
+#: Speeds relative to the typical one of a motion: from which on a slide is followed in
+#: logarithmic time, and below which there is no slip.
+SLIP_FLOOR, NO_SLIP = 1e-8, 1e-12
+
+#: So many events without progress of time end a motion.
+_STUCK = 60
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """A part of a motion in one mode.
+
+    Attributes
+    ----------
+    mode : Mode
+    integrator : ModeIntegrator
+    begin, end : float
+        Times.
+    times : array (n,)
+        Sample times within.
+    states : array (n, columns)
+        Of the integrator's system, whose first columns are those of all modes.
+    """
+
+    mode: Mode
+    integrator: ModeIntegrator
+    begin: float
+    end: float
+    times: FloatArray
+    states: FloatArray
+
+
+class EndError(Exception):
+    """A motion that cannot go on, with the reason."""
+
+
+class CourseState:
+    """What is known of a motion while it is computed, and what every transition needs.
+
+    Parameters
+    ----------
+    contact : CompiledContact
+    state : array (size,)
+        At the first of the moments.
+    moments : array (n,)
+        Sample times, increasing.
+    rules : Rules
+    """
+
+    def __init__(
+        self, contact: CompiledContact, state: FloatArray, moments: FloatArray, rules: Rules
+    ) -> None:
+        self.contact, self.rules, self.moments = contact, rules, moments
+        self.time, self.state = float(moments[0]), state
+        self.mode = Mode()
+        self.pieces: list[Piece] = []
+        self.events: list[ContactEvent] = []
+        self.steps, self.reason = 0, ""
+        self._dry = dry_friction(contact.situation)
+        self._spin_sign = 1.0
+        self._next_moment = self._idle = 0
+        self._floor_factor = 1.0
+        known = contact.numbers(state)
+        self._length = float(np.linalg.norm(known.r))
+        fall = math.sqrt(1e-6 * float(np.linalg.norm(known.free_acceleration)) * self._length)
+        turning = float(np.linalg.norm(state[OMEGA])) * self._length
+        slip = float(np.linalg.norm(known.slip))
+        self._speed = max(fall, turning, slip, float(np.linalg.norm(state[VELOCITY])))
+
+    def _end(self, reason: str) -> None:
+        """End before the last moment, with the state there as the last sample."""
+        self.reason = reason
+        if not self.pieces:
+            self._add_piece(self._integrator(self.mode), self.time, self.state[None])
+            return
+        last = self.pieces[-1]
+        if not any(self.time in piece.times for piece in self.pieces[-2:]):
+            columns = last.integrator.state_of_system(self.state)
+            sample = np.array([self.time])
+            self.pieces.append(replace(last, begin=self.time, times=sample, states=columns[None]))
+
+    def _integrate(self) -> str:
+        """Integrate in the present mode up to the next event; return its guard."""
+        integrator = self._integrator(self.mode)
+        wanted = self.moments[self._next_moment :]
+        outcome = integrator.advance(self.time, self.state, list(wanted), float(self.moments[-1]))
+        self._add_piece(integrator, outcome.time, outcome.samples)
+        self.steps += outcome.steps
+        self._idle = 0 if outcome.time > self.time else self._idle + 1
+        self.time, self.state = outcome.time, outcome.state
+        if outcome.guard == "failure":
+            raise EndError("the state stopped being a number")
+        if self._idle > _STUCK or len(self.events) > self.rules.most_events:
+            raise EndError(f"{len(self.events)} events up to t = {self.time:.9g}: too many")
+        return outcome.guard
+
+    def _add_piece(self, integrator: ModeIntegrator, end: float, states: FloatArray) -> None:
+        times = self.moments[self._next_moment : self._next_moment + len(states)]
+        self.pieces.append(Piece(self.mode, integrator, self.time, end, times, states))
+        self._next_moment += len(states)
+
+    def _integrator(self, mode: Mode) -> ModeIntegrator:
+        floor = SLIP_FLOOR * self._speed * self._floor_factor
+        values = {"spin_sign": self._spin_sign, "slip_floor": floor}
+        values["rolling_floor"] = SLIP_FLOOR * self._speed / self._length
+        return with_values(self.contact.mode(mode), values)
+
+    def _known(self) -> ContactNumbers:
+        return self.contact.numbers(self.state)
+
+    def _project(self, mode: Mode) -> None:
+        self.state = self._integrator(mode).project(self.state)
+
+    def _record(
+        self,
+        kind: EventKind,
+        before: FloatArray,
+        *impacts: Impact,
+        unique: bool = True,
+    ) -> None:
+        impulse = sum((item.impulse for item in impacts), np.zeros(3))
+        couple = sum(item.couple_impulse for item in impacts)
+        self.events.append(
+            ContactEvent(
+                self.time,
+                kind,
+                self.mode.name,
+                before.copy(),
+                self.state.copy(),
+                impulse,
+                couple,
+                unique,
+            )
+        )
+
+    def _range_of(self, known: ContactNumbers) -> Range:
+        if not self._dry.patch:
+            return ""
+        return range_of(float(np.linalg.norm(known.slip)), known.spin, self._dry.patch)
+
+    def _mode_at_rest(self, spin_at_rest: bool) -> Mode:
+        if self._dry.patch:
+            return Mode(sliding=False, spinning=False, range="above")
+        return Mode(sliding=False, spinning=not spin_at_rest)
+
+    def _normal_force_and_couple(self, mode: Mode) -> tuple[float, float]:
+        """Normal force, and couple about the normal besides that of resistance to rolling."""
+        values = self._integrator(mode).outputs(self.state)
+        N = float(values["normal_force"])
+        return N, float(values["gamma"] @ (values["friction_couple"] - N * self._known().q))
+
+    def _free_normal_acceleration(self) -> float:
+        known = self._known()
+        return float(known.mobility.gamma @ known.slip_rate) + known.normal_rate
+
+    def _rise(self) -> None:
+        """Put a flying body above the support by a height of rounding size, so that it leaves."""
+        known = self._known()
+        rise = 4e-16 * (self._length + float(np.abs(self.state[POSITION]).max()))
+        up = Rotation.from_quat(self.state[ATTITUDE], scalar_first=True).apply(known.mobility.gamma)
+        self.state = self.state.copy()
+        self.state[POSITION] += max(0.0, rise - known.gap) * up
+
+    def _collide(self) -> Impact:
+        known = self._known()
+        result = impact(
+            known.mobility,
+            known.slip,
+            known.spin if self._dry.spin_arm else 0.0,
+            mu=self._dry.mu,
+            spin_arm=self._dry.spin_arm,
+            restitution=self.rules.restitution,
+            law=self.rules.impact_law,
+        )
+        self._push(result.impulse, result.couple_impulse)
+        return result
+
+    def _push(self, impulse: FloatArray, couple_impulse: float) -> None:
+        """Change the velocities by an impulse; the energy lost is work of the impact."""
+        known, state = self._known(), self.state.copy()
+        touch = known.mobility
+        state[VELOCITY] += touch.velocity_jump(impulse)
+        state[OMEGA] += touch.angular_velocity_jump(impulse, couple_impulse)
+        state[WORK] += known.energy - self.contact.numbers(state).energy
+        self.state = state

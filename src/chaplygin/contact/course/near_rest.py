@@ -1,0 +1,247 @@
+"""What dry friction does at a contact whose slip is zero, or about to be."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...core.arrays import FloatArray
+from ..equations.situation import FrictionalContact
+from ..pressure.pressure import Hertz
+from ..pressure.pressure_limits import load_factor, slip_ratio
+from ..slip.frozen_slip import (
+    CoupledSlip,
+    FrozenSlip,
+    PointSlip,
+    point_slip,
+    point_slip_with_spin_at_rest,
+)
+from ..slip.limit_directions import Rest, rest_of_patch, rest_of_point
+from ..slip.stopping import Stop
+from .compiled import OMEGA, VELOCITY, ContactNumbers
+
+_HERTZ = Hertz()
+
+
+def _force_factor(k: float) -> float:
+    return float(_HERTZ.force(k))
+
+
+def _couple_factor(k: float) -> float:
+    return float(_HERTZ.couple(k))
+
+
+@dataclass(frozen=True)
+class DryFriction:
+    """The thresholds of a situation.
+
+    Attributes
+    ----------
+    mu : float
+        Coefficient of sliding friction as the slip tends to zero; 0 without dry friction, inf for a
+        contact that never slips.
+    patch : float
+        Radius of the patch of a coupled law (m); 0 at a point.
+    spin_arm : float
+        Of an independent couple against spin (m); 0 without one.
+    law : str
+        Name of the law of sliding.
+    static_mu : float
+        Coefficient of static friction, at least `mu`.
+    """
+
+    mu: float
+    patch: float
+    spin_arm: float
+    law: str
+    static_mu: float
+
+    @property
+    def never_slips(self) -> bool:
+        """Whether friction has no limit."""
+        return math.isinf(self.mu)
+
+
+def dry_friction(situation: FrictionalContact) -> DryFriction:
+    """The thresholds of a situation."""
+    arm = max((law.spin_arm for law in situation.laws), default=0.0)
+    for law in situation.laws:
+        if law.static_mu is not None and law.kinetic_mu is not None:
+            return DryFriction(law.kinetic_mu, law.patch_radius, arm, law.name, law.static_mu)
+    return DryFriction(0.0, 0.0, arm, "", 0.0)
+
+
+def frozen_slip(known: ContactNumbers, dry: DryFriction, spin_sign: float) -> FrozenSlip:
+    """The rates of the slip with the rest of the state constant.
+
+    Parameters
+    ----------
+    known : ContactNumbers
+    dry : DryFriction
+    spin_sign : float
+        Of the spin; 0 where a couple holds it.
+    """
+    touch = known.mobility
+    acceleration = known.slip_rate + known.normal_rate * touch.gamma
+    if dry.patch:
+        return CoupledSlip(
+            touch,
+            dry.mu,
+            dry.patch,
+            _force_factor,
+            _couple_factor,
+            acceleration,
+            known.spin_rate,
+            known.q,
+        )
+    if dry.spin_arm and not spin_sign:
+        return point_slip_with_spin_at_rest(touch, acceleration, known.spin_rate, dry.mu, known.q)
+    return point_slip(touch, acceleration, dry.mu, -dry.spin_arm * spin_sign, known.q)
+
+
+@dataclass(frozen=True, eq=False)
+class Departure:
+    """What a contact without slip does next.
+
+    Attributes
+    ----------
+    holds : bool
+        Whether friction holds the slip at zero; otherwise it grows.
+    spin_sign : float
+        Sign of the spin, 0 where a couple holds it.
+    direction : array (3,) or (4,)
+        Of the slip that grows (of slip and aΩ under a coupled law), body axes; empty if it is held.
+    normal_force : float
+    force : array (3,)
+        Friction (N), body axes.
+    couple : float
+        About the normal (N m).
+    unique : bool
+        Whether nothing else is possible.
+    """
+
+    holds: bool
+    spin_sign: float
+    direction: FloatArray
+    normal_force: float
+    force: FloatArray
+    couple: float
+    unique: bool
+
+
+def departure(known: ContactNumbers, dry: DryFriction, spin_sign: float) -> Departure | None:
+    """What a contact without slip does; None if it can neither be held nor begin to slide.
+
+    Parameters
+    ----------
+    known : ContactNumbers
+    dry : DryFriction
+    spin_sign : float
+        Of the spin; 0 where it is zero and a couple may hold it.
+    """
+    if dry.patch:
+        slip = frozen_slip(known, dry, 0.0)
+        assert isinstance(slip, CoupledSlip)
+        options = _of_rest(known, dry, rest_of_patch(slip, _inside), slip, 0.0)
+    else:
+        signs = (spin_sign,) if spin_sign or not dry.spin_arm else (0.0, 1.0, -1.0)
+        options = (
+            option
+            for sign in signs
+            for option in _at_point(known, dry, sign, changes=sign != spin_sign)
+        )
+    possible = sorted(options, key=lambda option: not option.holds)
+    return possible[0] if possible else None
+
+
+def _at_point(
+    known: ContactNumbers, dry: DryFriction, sign: float, changes: bool
+) -> Iterator[Departure]:
+    """What is possible at a point while the spin has a sign, or is held (sign 0)."""
+    slip = frozen_slip(known, dry, sign)
+    assert isinstance(slip, PointSlip)
+    for option in _of_rest(known, dry, rest_of_point(slip, dry.static_mu), slip, sign):
+        if dry.spin_arm and not sign:
+            # the couple must be able to hold the spin
+            fits = abs(option.couple) <= dry.spin_arm * option.normal_force
+        elif changes:
+            # the spin that begins must grow
+            constant, slope = slip.response.spin
+            friction = known.mobility.tangents @ option.force
+            rate = known.spin_rate + option.normal_force * constant + float(slope @ friction)
+            fits = sign * rate > 0
+        else:
+            fits = True
+        if fits:
+            yield option
+
+
+def _of_rest(
+    known: ContactNumbers, dry: DryFriction, rest: Rest, slip: FrozenSlip, sign: float
+) -> Iterator[Departure]:
+    """The contact at rest, if friction can hold it, and slides that grow from it."""
+    tangents, unique = known.mobility.tangents, rest.unique
+    if rest.holds:
+        force = rest.holding_force @ tangents
+        yield Departure(
+            True, sign, np.empty(0), rest.normal_force, force, rest.holding_couple, unique
+        )
+    for item in rest.exits:
+        n = item.direction
+        pressure, friction, couple = slip.force(n)
+        direction = np.append(n[:2] @ tangents, n[2:])
+        turning = float(np.sign(n[2])) if dry.patch else sign
+        yield Departure(False, turning, direction, pressure, friction @ tangents, couple, unique)
+
+
+def _inside(x: float, z: float) -> bool:
+    """Whether |f|/μN and |τ|/μNa lie within the limit set of Hertz' pressure."""
+    return bool(load_factor(_HERTZ, x, z) <= 1)
+
+
+def first_direction(dry: DryFriction, N: float, force: FloatArray, couple: float) -> FloatArray:
+    """Direction (3,), or (4,) with aΩ, in which a contact at its limit of friction begins to slide.
+
+    Parameters
+    ----------
+    dry : DryFriction
+    N : float
+        Normal force.
+    force : array (3,)
+        Of friction, body axes.
+    couple : float
+        Of friction about the normal.
+    """
+    size = float(np.linalg.norm(force))
+    if not dry.patch:
+        return -force / size
+    k = float(slip_ratio(_HERTZ, size / (dry.mu * N), abs(couple) / (dry.mu * N * dry.patch)))
+    angle = math.atan(k)
+    along = -math.sin(angle) * force / size if size else np.zeros(3)
+    return np.append(along, -math.copysign(math.cos(angle), couple))
+
+
+def state_after_stop(
+    known: ContactNumbers, dry: DryFriction, state: FloatArray, stop: Stop
+) -> FloatArray:
+    """The state (size,) after the last moment of sliding, but for work and rounding.
+
+    Parameters
+    ----------
+    known : ContactNumbers
+        At `state`.
+    dry : DryFriction
+    state : array (size,)
+    stop : Stop
+    """
+    touch, lasting = known.mobility, stop.duration
+    impulse = stop.normal_impulse * touch.gamma + stop.friction_impulse @ touch.tangents
+    after = state + known.rates_of_place * lasting
+    after[VELOCITY] += known.free_acceleration * lasting + touch.velocity_jump(impulse)
+    resistance = touch.inverse_inertia @ known.q * stop.normal_impulse
+    turn = touch.angular_velocity_jump(impulse, stop.couple_impulse) + resistance
+    after[OMEGA] += known.free_turn * lasting + turn
+    return after

@@ -1,0 +1,265 @@
+"""A body above or on its support, without the reaction: kinematics and free accelerations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
+
+from ...core.named_formulas import Pairs
+from ...core.system import Parameter
+from ...core.vectors import (
+    Diagonal,
+    Symmetric,
+    Vector,
+    by_name,
+    constant,
+    cross,
+    dot,
+    gradient,
+    hat,
+    norm_squared,
+    real_symbol,
+    to_components,
+    zero,
+)
+from ...mechanics.rolling.attitude import rotation
+from ...mechanics.rolling.body import body_parameters
+from ...mechanics.rolling.contact import Contact, contact
+from ...mechanics.rolling.surfaces import Sphere, Surface
+from ..friction.symbols import (
+    contact_velocity,
+    contour_couple,
+    free_acceleration,
+    free_turn,
+    gamma,
+    gammadot,
+    gap,
+    normal_rate,
+    omega,
+    position,
+    r,
+    rdot,
+    reach,
+    rolling,
+    rolling_speed,
+    slip,
+    slip_rate,
+    slip_speed,
+    spin,
+    spin_rate,
+    v,
+)
+from .situation import FrictionalContact
+
+m, g, a, U, turning = (real_symbol(name) for name in ("m", "g", "a", "U", "Omega_s"))
+k, zeta, wandering = Vector("k"), Vector("zeta"), Vector("wandering")
+
+
+@dataclass(frozen=True)
+class FreeBody:
+    """Formulas of a body in or above contact that do not know the reaction.
+
+    Attributes
+    ----------
+    touch : Contact
+    definitions : pairs
+        In order: kinematics of the contact, slip, spin, and the accelerations `free_acceleration`,
+        `free_turn` and `slip_rate` without the reaction.
+    parameters : tuple of Parameter
+    inverse_inertia, mobility : MatrixExpr
+        I⁻¹, and A = E/m − r̂ I⁻¹ r̂.
+    vertical, support_velocity : MatrixExpr
+        Vertical of space, and velocity of the support at the contact, body axes.
+    turning : sympy.Expr
+        Angular velocity of the support about the vertical; zero at rest.
+    kinetic, potential : sympy.Expr
+        Energies (J).
+    """
+
+    touch: Contact
+    definitions: Pairs
+    parameters: tuple[Parameter, ...]
+    inverse_inertia: MatrixExpr
+    mobility: MatrixExpr
+    vertical: MatrixExpr
+    support_velocity: MatrixExpr
+    turning: sp.Expr
+    kinetic: sp.Expr
+    potential: sp.Expr
+
+
+def free_body(situation: FrictionalContact, touching: bool) -> FreeBody:
+    """The formulas of a body that touches its support, or flies above it."""
+    body, surface = situation.body, situation.surface
+    on_sphere = isinstance(surface, Sphere)
+    inertia = Diagonal("I") if body.principal else Symmetric("I")
+    rotors = k if any(body.gyrostat) else zero
+    inverse, mobility = type(inertia)("Y"), Symmetric("A")
+    vertical: MatrixExpr = zeta if on_sphere else gamma
+    touch = _touch(situation, touching)
+    moving_support = _support(surface, vertical)
+    field = _applied(situation, vertical, touch)
+
+    later = (*omega.symbols, *contact_velocity.symbols, gap)
+    position_alone, moving = by_dependence(touch.definitions, later)
+    names = {name for name, _ in (*touch.definitions, *touch.state)}
+    # the definitions that not every contact has
+    if r not in names:
+        position_alone += ((r, touch.r),)
+    if on_sphere:
+        position_alone += ((zeta, constant(list(rotation().row(2)))),)
+    if gammadot not in names:
+        moving += ((gammadot, touch.gammadot),)
+    if rdot not in names:
+        moving += ((rdot, touch.rdot),)
+    seen = constant(to_components(rotation()).T * to_components(position))
+    clearance: Pairs = ((gap, dot(reach, gamma) - (a if on_sphere else 0)),)
+    across = omega - moving_support.turn * vertical
+    definitions: Pairs = (
+        *position_alone,
+        (inverse, inertia**-1),
+        (mobility, constant(sp.eye(3) / m - hat(r) * to_components(inverse) * hat(r))),
+        (reach, seen + r),
+        *(() if touching else clearance),
+        (contact_velocity, v + cross(omega, r)),
+        *moving,
+        (slip, contact_velocity - moving_support.velocity),
+        (slip_speed, sp.sqrt(norm_squared(slip))),
+        (spin, dot(gamma, across)),
+        (rolling, across - spin * gamma),
+        (rolling_speed, sp.sqrt(norm_squared(rolling))),
+        (wandering, -touch.spread(cross(gamma, rolling))),
+        (
+            contour_couple,
+            cross(gamma, touch.spread(wandering)) / sp.sqrt(norm_squared(wandering)),
+        ),
+        *field.definitions,
+        (free_acceleration, field.force / m - cross(omega, v)),
+        (free_turn, inverse * (field.torque + cross(inertia * omega + rotors, omega))),
+        (
+            slip_rate,
+            free_acceleration
+            + cross(free_turn, r)
+            + cross(omega, rdot)
+            - moving_support.acceleration,
+        ),
+        (normal_rate, dot(gammadot, slip)),
+        (
+            spin_rate,
+            dot(gamma, free_turn) + dot(gammadot, omega) - moving_support.turn_along_normal_rate,
+        ),
+    )
+    kinetic = sp.Rational(1, 2) * (m * norm_squared(v) + dot(inertia * omega, omega))
+    parameters = body_parameters(body, inertia) + touch.parameters
+    return FreeBody(
+        touch=touch,
+        definitions=definitions,
+        parameters=parameters + moving_support.parameters + field.parameters,
+        inverse_inertia=inverse,
+        mobility=mobility,
+        vertical=vertical,
+        support_velocity=moving_support.velocity,
+        turning=moving_support.turn,
+        kinetic=kinetic,
+        potential=field.potential,
+    )
+
+
+def _touch(situation: FrictionalContact, touching: bool) -> Contact:
+    """The contact, or the point of the body nearest to the support."""
+    shape, surface = situation.body.shape, situation.surface
+    if touching:
+        return contact(shape, surface, contact_velocity)
+    # the support through the nearest point, concentric or parallel to it
+    tangential = contact_velocity - dot(gamma, contact_velocity) * gamma
+    return contact(shape, surface, tangential, a + gap)
+
+
+@dataclass(frozen=True)
+class _Support:
+    """How the support moves: about the vertical with `turn`, where the contact is by `velocity`.
+
+    `acceleration` is the rate of `velocity` along the contact, in body axes;
+    `turn_along_normal_rate` that of the part of `turn` along the normal.
+    """
+
+    turn: sp.Expr = sp.S.Zero
+    velocity: MatrixExpr = zero
+    acceleration: MatrixExpr = zero
+    turn_along_normal_rate: sp.Expr = sp.S.Zero
+    parameters: tuple[Parameter, ...] = ()
+
+
+def _support(surface: Surface, vertical: MatrixExpr) -> _Support:
+    if not surface.turntable:
+        return _Support()
+    meaning = "angular velocity of the support about the vertical"
+    tipping = cross(vertical, omega)
+    # rate of `reach` in body axes: that of the contact point in space, less the rotation
+    passing = v - cross(omega, reach - r) + rdot
+    tilt_rate = sp.S.Zero
+    if isinstance(surface, Sphere):
+        tilt_rate = turning * (dot(tipping, gamma) + dot(vertical, gammadot))
+    return _Support(
+        turning,
+        turning * cross(vertical, reach),
+        turning * (cross(tipping, reach) + cross(vertical, passing)),
+        tilt_rate,
+        (Parameter(turning, meaning, surface.turntable, "rad/s"),),
+    )
+
+
+@dataclass(frozen=True)
+class _Applied:
+    """Force and torque of the field, body axes, with their potential energy."""
+
+    force: MatrixExpr = zero
+    torque: MatrixExpr = zero
+    potential: sp.Expr = sp.S.Zero
+    definitions: Pairs = ()
+    parameters: tuple[Parameter, ...] = ()
+
+
+def _applied(situation: FrictionalContact, vertical: MatrixExpr, touch: Contact) -> _Applied:
+    body, field = situation.body, situation.field
+    applied = _Applied()
+    if field.gravity:
+        applied = _Applied(
+            force=-m * g * vertical,
+            potential=m * g * position.symbols[2],
+            parameters=(
+                Parameter(g, "acceleration of gravity", field.gravity, "m/s^2", (g >= 0,)),
+            ),
+        )
+    if field.potential == 0:
+        return applied
+    parameters = applied.parameters + tuple(
+        Parameter(s, "parameter of the potential", value, "SI") for s, value in field.values
+    )
+    inertia = Diagonal("I") if body.principal else Symmetric("I")
+    known = (*body_parameters(body, inertia), *touch.parameters, *parameters)
+    value = by_name(field.potential, (*gamma.symbols, *(p.symbol for p in known)))
+    return _Applied(
+        force=applied.force,
+        torque=cross(gamma, gradient(value, gamma)),
+        potential=applied.potential + U,
+        definitions=((U, value),),
+        parameters=parameters,
+    )
+
+
+def by_dependence(definitions: Pairs, symbols: Sequence[sp.Symbol]) -> tuple[Pairs, Pairs]:
+    """Definitions that do not depend on any of the symbols, and those that do."""
+    moving = set(symbols)
+    before: Pairs = ()
+    after: Pairs = ()
+    for name, formula in definitions:
+        if to_components(formula).free_symbols & moving:
+            moving |= {name} if isinstance(name, sp.Symbol) else set(name.symbols)
+            after += ((name, formula),)
+        else:
+            before += ((name, formula),)
+    return before, after

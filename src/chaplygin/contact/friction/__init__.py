@@ -1,0 +1,1 @@
+"""Laws of friction, and the modes of a contact in which they act."""

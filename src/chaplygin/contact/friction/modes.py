@@ -1,0 +1,65 @@
+"""Modes of a contact: what moves in it, and what is held."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+#: Ranges of k = |u|/(a|Ω|) in which the coupled law has one formula each; the two ranges of a held
+#: contact are the parts of its limit set below and above k = 1.
+Range = Literal["", "inner", "middle", "outer", "below", "above"]
+
+
+@dataclass(frozen=True)
+class Mode:
+    """What moves at a contact.
+
+    Attributes
+    ----------
+    touching : bool
+        False in flight.
+    sliding : bool
+        Whether the touching particle of the body moves over the support.
+    spinning : bool
+        Whether the body may spin about the normal; false where a couple holds it.
+    rolling : bool
+        Whether the body may roll; false at rest, where resistance to rolling holds it.
+    range : str
+        The range of the coupled law of Contensou and Erismann, empty for other laws.
+
+    Examples
+    --------
+    >>> from chaplygin.contact.friction.modes import Mode
+    >>> Mode(sliding=False).name
+    'rolling'
+    """
+
+    touching: bool = True
+    sliding: bool = True
+    spinning: bool = True
+    rolling: bool = True
+    range: Range = ""
+
+    @property
+    def name(self) -> str:
+        """The mode in words."""
+        if not self.touching:
+            return "flight"
+        if not self.rolling:
+            return "rest"
+        if self.sliding:
+            return "sliding" if self.spinning else "sliding without spin"
+        return "rolling" if self.spinning else "rolling without spin"
+
+
+FLIGHT = Mode(touching=False)
+
+#: All modes by name, in the order of their flags in a dataset.
+MODE_NAMES = (
+    "flight",
+    "sliding",
+    "sliding without spin",
+    "rolling",
+    "rolling without spin",
+    "rest",
+)

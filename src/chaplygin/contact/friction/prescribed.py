@@ -1,0 +1,129 @@
+"""Dry friction whose direction is prescribed as a function of time.
+
+Where a held contact begins to slide, the slip grows like t² and its direction is that of the
+friction force: the equations are smooth in time only if the direction is known.  So it is taken as
+a polynomial of the time, whose coefficients are chosen such that the slip that it causes has it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ...core.named_formulas import Pairs
+from ...core.system import Parameter
+from ...core.vectors import Vector, cross, dot, norm_squared, real_symbol
+from .contensou import shares
+from .dry_friction import mu, patch
+from .friction_law import FrictionLaw, Reaction
+from .modes import Mode, Range
+from .symbols import gamma, slip
+from .user_friction import UserFriction
+
+#: Time since sliding began, in units of its length, which is a parameter.
+clock, duration = real_symbol("clock"), real_symbol("duration")
+
+#: Direction at the start, body axes; the direction at a time; its angle from the first one.
+first_direction, direction = Vector("n_0"), Vector("direction")
+heading, latitude = real_symbol("phi_n"), real_symbol("theta_n")
+first_latitude = real_symbol("theta_0")
+
+DEGREE = 7
+HEADING_COEFFICIENTS = tuple(real_symbol(f"phi_{i}") for i in range(1, DEGREE + 1))
+LATITUDE_COEFFICIENTS = tuple(real_symbol(f"theta_{i}") for i in range(1, DEGREE + 1))
+
+_across = Vector("across")
+
+
+def _polynomial(first: sp.Expr, coefficients: tuple[sp.Symbol, ...]) -> sp.Expr:
+    value: sp.Expr = sp.S.Zero
+    for coefficient in reversed(coefficients):
+        value = (value + coefficient) * clock
+    return first + value
+
+
+@dataclass(frozen=True)
+class PrescribedDirection(FrictionLaw):
+    """A law of dry friction with the direction of slip (and spin) prescribed.
+
+    Parameters
+    ----------
+    name : str
+        That of the law in whose place it stands.
+    range : str
+        The range of Contensou's law; empty for others.
+    user : UserFriction, optional
+        The law in whose place it stands, if its force depends on the speed of the slip.
+    """
+
+    name: str = "coulomb"
+    range: Range = ""
+    user: UserFriction | None = None
+    words = "friction of prescribed direction"
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The coefficients of the law and of the polynomials; their values are set later."""
+        symbols: tuple[sp.Symbol, ...] = (duration, *first_direction.symbols)
+        if self.range:
+            symbols = (mu, patch, *symbols, first_latitude, *LATITUDE_COEFFICIENTS)
+        elif self.user is None:
+            symbols = (mu, *symbols)
+        own = self.user.parameters if self.user else ()
+        return own + tuple(
+            Parameter(symbol, "of the beginning of sliding", 1.0)
+            for symbol in (*symbols, *HEADING_COEFFICIENTS)
+        )
+
+    @property
+    def clocks(self) -> Pairs:
+        """The time in units of the duration."""
+        return ((clock, 1 / duration),)
+
+    def definitions(self, mode: Mode) -> Pairs:
+        """The direction as a function of the time."""
+        tangential = first_direction - dot(gamma, first_direction) * gamma
+        angles: Pairs = ((heading, _polynomial(sp.S.Zero, HEADING_COEFFICIENTS)),)
+        if self.range:
+            angles += ((latitude, _polynomial(first_latitude, LATITUDE_COEFFICIENTS)),)
+        return (
+            *angles,
+            (_across, tangential / sp.sqrt(norm_squared(tangential))),
+            (direction, sp.cos(heading) * _across + sp.sin(heading) * cross(gamma, _across)),
+        )
+
+    def reaction(self, mode: Mode) -> Reaction:
+        """The force against the direction, and the couple that belongs to it."""
+        if self.user:
+            # the length of the slip itself is not smooth where it begins
+            speed = dot(slip, direction)
+            return Reaction(
+                p=self.user.force_along(direction, speed, mode),
+                q=self.user.couple_at(speed, mode),
+            )
+        if not self.range:
+            return Reaction(p=-mu * direction)
+        sine = sp.sin(latitude)
+        force, couple = shares(self.range, sine, sine**2, sp.cos(latitude))
+        return Reaction(p=-mu * force * sine * direction, q=-mu * patch * couple * gamma)
+
+
+def prescribed(law: FrictionLaw, span: Range = "") -> PrescribedDirection:
+    """What stands in the place of a law of dry friction while sliding begins.
+
+    Parameters
+    ----------
+    law : FrictionLaw
+        A law whose `static_mu` is a number.
+    span : str
+        The range of Contensou's law.
+
+    Examples
+    --------
+    >>> from chaplygin.contact.friction.dry_friction import Coulomb
+    >>> from chaplygin.contact.friction.prescribed import prescribed
+    >>> prescribed(Coulomb(0.3)).name
+    'coulomb'
+    """
+    return PrescribedDirection(law.name, span, law if isinstance(law, UserFriction) else None)

@@ -1,0 +1,222 @@
+"""Sliding that turns during an impact, to the next event.
+
+Sliding with velocity s n turns ever faster as s goes to zero.  In the logarithmic time θ with
+dP = s dθ it does not: n′ = G n⊥, s′ = H s, where the rate of the sliding velocity is
+β − μ A n = H n + G n⊥.
+"""
+
+from __future__ import annotations
+
+import copy
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Literal
+
+import heyoka as hy
+import numpy as np
+
+from ...core.arrays import FloatArray
+from ...errors import RunError
+from ...flow.kernel import code_cache
+
+#: A slide is followed down to this part of its speed in one go.
+LEAST = float(np.exp(-8.0))
+
+#: Duration in θ, and steps, of a slide at most.
+_LONGEST, _STEPS = 1e9, 2000
+
+SlideEvent = Literal["compressed", "approaching again", "returned", "spin stopped", "spin starts"]
+
+#: What ends a slide, in the order of the events of the compiled equations.
+_EVENTS: tuple[SlideEvent | None, ...] = (
+    "compressed",
+    "approaching again",
+    "returned",
+    "spin stopped",
+    "spin starts",
+    "spin starts",
+    None,
+)
+
+_PARAMETERS = 21
+
+
+@dataclass(frozen=True, eq=False)
+class Linear:
+    """A quantity c₀ + c P + (d, f) of the impulses P (normal) and f (friction) of a slide.
+
+    Attributes
+    ----------
+    constant, normal : float
+    friction : (2,) array
+    """
+
+    constant: float
+    normal: float
+    friction: FloatArray
+
+    def times(self, factor: float) -> Linear:
+        """A multiple."""
+        return Linear(factor * self.constant, factor * self.normal, factor * self.friction)
+
+    def at(self, impulse: float, friction: FloatArray) -> float:
+        """Its value."""
+        return self.constant + self.normal * impulse + float(self.friction @ friction)
+
+
+@dataclass(frozen=True, eq=False)
+class Slide:
+    """What a slide comes to.
+
+    Attributes
+    ----------
+    event : str
+        What ends it; None if only its speed has become small.
+    direction : (2,) array
+    speed : float
+    clock : float
+        ∫ s dθ, the normal impulse where friction is finite.
+    friction : (2,) array
+        Impulse of friction.
+    work : float
+        ∫ u_n d(clock).
+    """
+
+    event: SlideEvent | None
+    direction: FloatArray
+    speed: float
+    clock: float
+    friction: FloatArray
+    work: float
+
+
+@dataclass(frozen=True, eq=False)
+class Ends:
+    """What ends a slide besides its own end.
+
+    Attributes
+    ----------
+    compressing : bool
+        Whether the normal velocity ends a phase by becoming positive, or by becoming negative.
+    work, clock, normal, offset : float
+        Restitution ends where work·W + clock·P + normal·u_n + offset becomes positive.
+    spin : Linear or None
+        The spin times its sign, if it ends by becoming negative.
+    couple : (3,) array or None
+        Constant and slope along the direction of the couple that holds the spin, in units of the
+        greatest one.
+    """
+
+    compressing: bool
+    work: float
+    clock: float
+    normal: float
+    offset: float
+    spin: Linear | None
+    couple: FloatArray | None
+
+
+def slide_integrator() -> hy.taylor_adaptive:
+    """The compiled equations of a slide, for `slide` to change their state."""
+    return copy.copy(_integrator())
+
+
+def slide(
+    integrator: hy.taylor_adaptive,
+    beta: FloatArray,
+    A: FloatArray,
+    mu: float,
+    slip: FloatArray,
+    normal: Linear,
+    ends: Ends,
+) -> Slide:
+    """Sliding with the rate β − μ A n of the slip s n, to the first of its ends.
+
+    Parameters
+    ----------
+    integrator : heyoka.taylor_adaptive
+        As `slide_integrator` returns it.
+    beta, A : (2,) and (2, 2) array
+    mu : float
+        Friction per unit of the clock.
+    slip : (2,) array
+        At the start.
+    normal : Linear
+        The normal velocity, of the clock and the friction impulse.
+    ends : Ends
+
+    Raises
+    ------
+    RunError
+        If it takes too many steps.
+    """
+    speed = float(np.hypot(*slip))
+    # in θ times the greatest rate, with the speed as unit, all numbers are of order one
+    unit = float(np.hypot(*beta)) + mu * float(np.abs(A).max())
+    clock, force = speed / unit, -mu * speed / unit
+    scale = max(speed, abs(normal.constant))
+    pars = np.zeros(_PARAMETERS)
+    pars[:5] = *(beta / unit), *(mu / unit * A[[0, 0, 1], [0, 1, 1]])
+    pars[5:9] = _scaled(normal, clock, force, scale)
+    pars[9] = float(ends.compressing)
+    pars[10:14] = ends.work * clock * scale, ends.clock * clock, ends.normal * scale, ends.offset
+    size = float(np.abs(pars[10:14]).max())
+    pars[10:14] = pars[10:14] / size if size else (0, 0, 0, -1)
+    pars[14] = 1.0
+    if ends.spin is not None:
+        size = max(abs(ends.spin.constant), abs(ends.spin.normal) * clock, 1e-300)
+        pars[14:18] = _scaled(ends.spin, clock, force, size)
+    if ends.couple is not None:
+        pars[18:21] = ends.couple
+    integrator.reset_cooldowns()
+    integrator.time = 0.0
+    integrator.pars[:] = pars
+    integrator.state[:] = [*(slip / speed), 1.0, 0.0, 0.0, 0.0, 0.0]
+    outcome = int(integrator.propagate_until(_LONGEST, max_steps=_STEPS)[0])
+    if not -7 <= outcome < 0:
+        raise RunError("the sliding of an impact does not end", 0.0)
+    n1, n2, w, p, f1, f2, work = integrator.state.tolist()
+    return Slide(
+        event=_EVENTS[-1 - outcome],
+        direction=np.array([n1, n2]),
+        speed=speed * w,
+        clock=clock * p,
+        friction=force * np.array([f1, f2]),
+        work=clock * scale * work,
+    )
+
+
+def _scaled(quantity: Linear, clock: float, force: float, scale: float) -> FloatArray:
+    terms = quantity.constant, quantity.normal * clock, *(force * quantity.friction)
+    return np.array(terms) / scale
+
+
+@lru_cache(maxsize=1)
+def _integrator() -> hy.taylor_adaptive:
+    return code_cache.remember(code_cache.code_name("impact slide", "1"), _compiled)[0]
+
+
+def _compiled() -> hy.taylor_adaptive:
+    names = n1, n2, w, p, f1, f2, work = hy.make_vars("n1", "n2", "w", "p", "f1", "f2", "work")
+    q = [hy.par[i] for i in range(_PARAMETERS)]
+    x = q[0] - q[2] * n1 - q[3] * n2
+    y = q[1] - q[3] * n1 - q[4] * n2
+    growth, turning = n1 * x + n2 * y, n1 * y - n2 * x
+    normal = q[5] + q[6] * p + q[7] * f1 + q[8] * f2
+    rates = (-turning * n2, turning * n1, growth * w, w, w * n1, w * n2, normal * w)
+    rising = [
+        q[9] * normal + q[9] - 1.0,
+        -(1.0 - q[9]) * normal - q[9],
+        q[10] * work + q[11] * p + q[12] * normal + q[13],
+        -(q[14] + q[15] * p + q[16] * f1 + q[17] * f2),
+        q[18] + q[19] * n1 + q[20] * n2 - 1.0,
+        -(q[18] + q[19] * n1 + q[20] * n2) - 1.0,
+        LEAST - w,
+    ]
+    return hy.taylor_adaptive(
+        list(zip(names, rates, strict=True)),
+        [1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0],
+        tol=1e-16,
+        pars=[0.0] * _PARAMETERS,
+        t_events=[hy.t_event(e, direction=hy.event_direction.positive) for e in rising],
+    )

@@ -1,0 +1,1 @@
+"""Friction of a patch of contact: force and couple for each distribution of pressure."""

@@ -1,0 +1,1 @@
+"""Slip close to zero: how it ends, and how it begins."""

@@ -1,0 +1,1 @@
+"""The trajectory of a motion with friction, and its dataset."""
