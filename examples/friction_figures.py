@@ -212,7 +212,7 @@ def bouncing_pebble() -> Picture:
         second = f"second landing {landings[1].time:.9f} s"
         lines.append(
             f"{law}: {second}, {len(landings)} landings"
-            + (f", the last at {stay.time:.8f} s" if stay else "")
+            + (f", the last at {stay.time:.7f} s" if stay else "")
             + f"; energy balance to {run.drift:.1e}"
         )
     top.set_ylabel("centre of mass (m)")
