@@ -191,8 +191,8 @@ def superball() -> Picture:
     ]
     if rest is not None:
         lines.append(
-            f"the last of {len(run.changes)} landings at {rest.time:.10f} s, "
-            f"√(2h/g)(1 + e)/(1 − e) = {end:.10f} s"
+            f"the last of {len(run.changes)} landings at {rest.time:.7f} s, "
+            f"√(2h/g)(1 + e)/(1 − e) = {end:.7f} s"
         )
     return drawing, lines
 
@@ -212,7 +212,7 @@ def bouncing_pebble() -> Picture:
         second = f"second landing {landings[1].time:.9f} s"
         lines.append(
             f"{law}: {second}, {len(landings)} landings"
-            + (f", the last at {stay.time:.9f} s" if stay else "")
+            + (f", the last at {stay.time:.7f} s" if stay else "")
             + f"; energy balance to {run.drift:.1e}"
         )
     top.set_ylabel("centre of mass (m)")

@@ -13,13 +13,13 @@ from types import ModuleType
 import matplotlib
 import numpy as np
 import pytest
-from chaplygin.experiment.contact_trajectory import ContactTrajectory
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from chaplygin.contact import CompiledContact, Coulomb, contact_motion
 from chaplygin.contact.pressure.pressure import CoupledFriction, Ring, Uniform
 from chaplygin.contact.starts import start_in_space
+from chaplygin.experiment.contact.trajectory import ContactTrajectory
 from chaplygin.experiment.file.models import load
 
 ROOT = Path(__file__).parents[2]
