@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import ClassVar
@@ -18,7 +19,8 @@ from ..contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFric
 from ..contact.friction.friction_law import FrictionLaw
 from ..contact.friction.modes import Mode
 from ..contact.friction.rolling_friction import ContourResistance, RollingResistance, ViscousRolling
-from ..contact.friction.viscous_friction import NormalViscous, Viscous
+from ..contact.friction.user_friction import UserFriction
+from ..contact.friction.viscous_friction import NormalViscous, PowerFriction, Viscous
 from ..contact.starts import SLACK, clearance, start_in_contact, start_in_space
 from ..core.arrays import FloatArray
 from ..core.system import System
@@ -92,7 +94,9 @@ class ContactSubject(Subject):
         state = self._state()
         turning = np.cross(state[OMEGA], known.r)
         speed = -float(known.gamma @ (state[VELOCITY] + turning))
-        if speed <= SLACK * float(np.linalg.norm(state[VELOCITY]) + np.linalg.norm(turning)):
+        falling = math.sqrt(self.contact.field.gravity * float(np.linalg.norm(known.r)))
+        moving = float(np.linalg.norm(state[VELOCITY]) + np.linalg.norm(turning))
+        if speed <= SLACK * (falling + moving):
             return ()
         return (
             f"the body touches its support at the start and moves into it with {speed:.6g} m/s; "
@@ -228,8 +232,12 @@ def _laws(table: FrictionTable) -> tuple[FrictionLaw, ...]:
         laws.append(SpinFriction(table.spin_arm))
     if table.viscous or table.spin_viscous:
         laws.append(Viscous(table.viscous or 0.0, table.spin_viscous or 0.0))
-    if table.slip:
+    if table.slip and table.slip_order not in (None, 1.0):
+        laws.append(PowerFriction(table.slip, table.slip_order))
+    elif table.slip:
         laws.append(NormalViscous(table.slip))
+    if table.force is not None:
+        laws.append(UserFriction(table.force, table.couple or 0, table.mu_static, table.values))
     if table.rolling:
         laws.append(RollingResistance(table.rolling))
     if table.rolling_viscous:

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ...proof.verdict import Verdict
-from ..claim import Claim, Remark
-from ..methods.conclusion import computed_verdict
-from .friction_shares import (
+from ...contact.invariants.friction_shares import (
     HERTZ,
     couple_beyond,
     force_beyond,
@@ -15,6 +12,9 @@ from .friction_shares import (
     pure_spin,
     slope,
 )
+from ...proof.verdict import Verdict
+from ..claim import Claim, Remark
+from ..methods.conclusion import computed_verdict
 
 
 def force_and_couple() -> Verdict:

@@ -5,13 +5,13 @@ from __future__ import annotations
 import sympy as sp
 
 from ...contact.invariants import sliding_ball as ball
+from ...contact.invariants.friction_shares import HERTZ, UNIFORM, bounds, least_friction
 from ...core.laws import Identity, Law, Rate
 from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, cross, dot, norm_squared, real_symbol, vectors, zero
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.conclusion import computed_verdict, conclusion_verdict
-from .friction_shares import HERTZ, UNIFORM, bounds, least_friction
 
 x, r = vectors("x r")
 inverse_inertia = Diagonal("Y")

@@ -5,11 +5,11 @@ from __future__ import annotations
 import sympy as sp
 
 from ...contact.invariants import top_stability as top
+from ...contact.invariants.friction_shares import HERTZ, force_beyond
 from ...contact.invariants.sliding_top import I_1, I_3, R, c, g, m, tippe_top
 from ...proof.verdict import Verdict
 from ..claim import Claim, Remark
 from ..methods.conclusion import computed_verdict, conclusion_verdict
-from .friction_shares import HERTZ, force_beyond
 
 #: Leine and Glocker's top, in exact numbers.
 TOP = {

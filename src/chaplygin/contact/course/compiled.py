@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
+from functools import lru_cache
 
 import heyoka as hy
 import numpy as np
@@ -96,24 +96,18 @@ class ModeIntegrator:
         A copy of its integrator, since stepping changes it and the code is shared.
     values : array
         Values of the parameters of `system`.
+    columns : mapping of str to (int, int)
+        First column and number of components of each observable among the outputs of the code.
+    places : mapping of str to int
+        Place of each parameter in `values`, by name.
     """
 
     system: System
     code: CompiledSystem
     stepper: hy.taylor_adaptive
     values: FloatArray
-
-    @cached_property
-    def _columns(self) -> dict[str, tuple[int, int]]:
-        """First column and number of components of each observable, by name."""
-        columns: dict[str, tuple[int, int]] = {}
-        first = 0
-        for item in self.system.observables:
-            value = to_components(item.value)
-            size = len(value) if isinstance(value, sp.MatrixBase) else 1
-            columns[item.name] = (first, size)
-            first += size
-        return columns
+    columns: Mapping[str, tuple[int, int]]
+    places: Mapping[str, int]
 
     def state_of_system(self, state: FloatArray) -> FloatArray:
         """The state with all variables of its system; those of its own at their ends, 1."""
@@ -125,7 +119,7 @@ class ModeIntegrator:
         numbers = self._numbers(states)
         return {
             name: numbers[..., first : first + size] if size > 1 else numbers[..., first]
-            for name, (first, size) in self._columns.items()
+            for name, (first, size) in self.columns.items()
         }
 
     def rates(self, state: FloatArray) -> FloatArray:
@@ -295,7 +289,12 @@ class CompiledContact:
             code = compile_system(system, self.tolerance)
             numbers = np.array([float(x) for x in system.defaults.values()])
             self._modes[situation, mode] = ModeIntegrator(
-                system, code, copy.copy(code.integrator), numbers
+                system=system,
+                code=code,
+                stepper=copy.copy(code.integrator),
+                values=numbers,
+                columns=_observable_columns(system),
+                places={str(p.symbol): i for i, p in enumerate(system.parameters)},
             )
         return self._modes[situation, mode]
 
@@ -341,13 +340,24 @@ class CompiledContact:
         )
 
 
+def _observable_columns(system: System) -> dict[str, tuple[int, int]]:
+    """First column and number of components of each observable, by name."""
+    columns: dict[str, tuple[int, int]] = {}
+    first = 0
+    for item in system.observables:
+        value = to_components(item.value)
+        size = len(value) if isinstance(value, sp.MatrixBase) else 1
+        columns[item.name] = (first, size)
+        first += size
+    return columns
+
+
 def with_values(mode: ModeIntegrator, values: Mapping[str, float]) -> ModeIntegrator:
     """A mode with other values of parameters, by name."""
-    names = [str(p.symbol) for p in mode.system.parameters]
     numbers = mode.values.copy()
     for name, value in values.items():
-        if name in names:
-            numbers[names.index(name)] = value
+        if name in mode.places:
+            numbers[mode.places[name]] = value
     return replace(mode, values=numbers)
 
 

@@ -33,7 +33,7 @@ from .rolling_course import RollingCourse
 #: Speed of a bounce that is the last one, relative to the typical one of a motion.
 LAST_BOUNCE = 1e-7
 
-#: A free body whose normal acceleration is less than this part of the whole is not pressed down.
+#: Gaps, normal velocities and normal accelerations below this part of the typical ones are none.
 _LEVEL = 1e-9
 
 #: Smallest factor by which the floor of the slip is lowered for a slip that passes close by zero.
@@ -68,16 +68,17 @@ class Course(RollingCourse):
     def _enter(self) -> None:
         """Choose the mode at the start."""
         known = self._known()
-        if known.gap > 1e-12 * self._length:
-            self.mode = FLIGHT
-            return
         normal = float(known.mobility.gamma @ known.contact_velocity)
-        if normal > NO_SLIP * self._speed:
+        # the end of another motion, or decimals of a file, may miss the contact by rounding
+        slow = abs(normal) <= _LEVEL * self._speed
+        if known.gap > (_LEVEL if slow else 1e-12) * self._length:
+            self.mode = FLIGHT
+        elif slow:
+            self._stay(None, self.state)
+        elif normal > 0:
             self._take_off()
-        elif normal < -NO_SLIP * self._speed:
-            self._land()
         else:
-            self._settle(None, self.state)
+            self._land()
 
     def _settle(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
         """Choose the mode of a contact without normal velocity; record an event of a kind."""
@@ -196,6 +197,11 @@ class Course(RollingCourse):
     def _begin(self, direction: FloatArray) -> None:
         """Slide from zero slip in a first direction (and that of the spin)."""
         known = self._known()
+        if self._resists_rolling and not known.rolling.any():
+            raise EndError(
+                "sliding begins while the body does not roll, where resistance to rolling has no "
+                "direction: start it with some rolling"
+            )
         speed = float(np.linalg.norm(self.state[OMEGA]))
         strength = float(np.linalg.norm(known.free_acceleration))
         rate = max(speed, math.sqrt(strength / self._length))
@@ -295,8 +301,8 @@ class Course(RollingCourse):
         rising = math.sqrt(2 * height * abs(self._free_normal_acceleration()))
         return max(LAST_BOUNCE * self._speed, rising)
 
-    def _stay(self, kind: EventKind, before: FloatArray, *impacts: Impact) -> None:
-        """Go on in contact after a landing."""
+    def _stay(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
+        """Go on in contact without normal velocity."""
         self._project(Mode(range=self._range_of(self._known())))
         self._settle(kind, before, *impacts)
 

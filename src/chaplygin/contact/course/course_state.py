@@ -120,7 +120,7 @@ class CourseState:
         self._idle = 0 if outcome.time > self.time else self._idle + 1
         self.time, self.state = outcome.time, outcome.state
         if outcome.guard == "failure":
-            raise EndError("the state stopped being a number")
+            raise EndError("the motion comes to a singular end: its state stops being a number")
         if self._idle > _STUCK or len(self.events) > self.rules.most_events:
             raise EndError(f"{len(self.events)} events up to t = {self.time:.9g}: too many")
         return outcome.guard

@@ -46,7 +46,7 @@ class RollingCourse(CourseState, ABC):
 
     def _begin_to_roll(self) -> None:
         """Decide on rolling that a resistance holds at zero, at the start or after an impact."""
-        if not any(law.holds_rolling for law in self.contact.situation.laws):
+        if not self._resists_rolling:
             return
         known = self._known()
         size = SLIP_FLOOR * self._speed / self._length
@@ -107,6 +107,10 @@ class RollingCourse(CourseState, ABC):
         self.state[VELOCITY] = self.state[OMEGA] = 0.0
         self.state[self.contact.work_column(law.name)] += energy - self._known().energy
         self.mode = Mode(sliding=False, spinning=False, rolling=False)
+
+    @property
+    def _resists_rolling(self) -> bool:
+        return any(law.holds_rolling for law in self.contact.situation.laws)
 
     def _law_of_rolling(self) -> FrictionLaw:
         return next(law for law in self.contact.situation.laws if law.holds_rolling)

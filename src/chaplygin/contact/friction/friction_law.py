@@ -36,8 +36,8 @@ class Reaction:
     Examples
     --------
     >>> from chaplygin.contact.friction.dry_friction import Coulomb
-    from chaplygin.contact.friction.friction_law import Reaction
-    from chaplygin.contact.friction.viscous_friction import Viscous
+    >>> from chaplygin.contact.friction.friction_law import Reaction
+    >>> from chaplygin.contact.friction.viscous_friction import Viscous
     >>> from chaplygin.contact.friction.modes import Mode
     >>> sliding = Mode()
     >>> Viscous(0.5).reaction(sliding) + Reaction() == Viscous(0.5).reaction(sliding)

@@ -55,6 +55,16 @@ class FrictionTable(Table):
     """Viscous friction against spin (kg m²/s): the couple is this times the spin."""
     slip: Coefficient | None = Field(default=None, description=COEFFICIENT)
     """The force is this (s/m) times normal force and slip."""
+    slip_order: Positive | None = Field(default=None, description=POSITIVE)
+    """The power of the slip in the law of `slip`, 1 if it is not given."""
+    force: str | None = Field(default=None, description="a formula")
+    """Force for each unit of normal force: a formula in slip_speed, spin and normal_force."""
+    couple: str | None = Field(default=None, description="a formula")
+    """Couple against spin for each unit of normal force (m), besides `force`."""
+    mu_static: Coefficient | None = Field(default=None, description=COEFFICIENT)
+    """Coefficient of static friction, where it exceeds the limit of `force` at zero slip."""
+    values: dict[str, Number] = Field(default_factory=dict, description="names with numbers")
+    """Numbers for further names in `force` and `couple`."""
     rolling: Coefficient | None = Field(default=None, description=COEFFICIENT)
     """The couple against rolling is this length (m) times the normal force."""
     rolling_viscous: Coefficient | None = Field(default=None, description=COEFFICIENT)
@@ -82,12 +92,22 @@ class FrictionTable(Table):
                     f"mu must be positive and finite with patch, not {self.mu:g}; leave out patch "
                     "for a contact at a point"
                 )
-            if self.spin_arm is not None:
+            if self.spin_arm:
                 raise ValueError(
                     "spin_arm and patch exclude each other: over a patch slip and spin share the "
                     "friction of mu; leave out one of them"
                 )
-        if self.rolling is not None and self.contour is not None:
+        if self.slip_order is not None and self.slip is None:
+            raise ValueError("slip_order needs slip, the coefficient of its law")
+        if self.force is None:
+            for name in ("couple", "mu_static", "values"):
+                if getattr(self, name):
+                    raise ValueError(f"{name} needs force, the formula that it belongs to")
+        elif self.mu is not None:
+            raise ValueError(
+                "force and mu exclude each other, as both resist sliding; leave out one"
+            )
+        if self.rolling and self.contour:
             raise ValueError(
                 "rolling and contour exclude each other, as both resist to rolling; leave out one "
                 "of them"

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.borisov_mamaev.section_11.friction_shares import (
+from chaplygin.contact.invariants.friction_shares import (
     HERTZ,
     UNIFORM,
     Series,

@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 import chaplygin as ch
-from chaplygin.borisov_mamaev.section_11.loss_of_contact import WITHOUT_FORCE, any_contact, paradox
+from chaplygin.contact.invariants.loss_of_contact import WITHOUT_FORCE, any_contact, paradox
 from chaplygin.core.laws import Identity
 
 BALL = WITHOUT_FORCE
