@@ -17,7 +17,6 @@ from ..slip.stopping import finish_stop
 from .beginning import Beginning, beginning
 from .compiled import (
     OMEGA,
-    POSITION,
 )
 from .course_state import NO_SLIP, SLIP_FLOOR, EndError
 from .events import EventKind
@@ -29,9 +28,6 @@ from .near_rest import (
     state_after_stop,
 )
 from .rolling_course import RollingCourse
-
-#: Speed of a bounce that is the last one, relative to the typical one of a motion.
-LAST_BOUNCE = 1e-7
 
 #: Gaps, normal velocities and normal accelerations below this part of the typical ones are none.
 _LEVEL = 1e-9
@@ -290,16 +286,6 @@ class Course(RollingCourse):
             )
             self._push(impulse, couple)
         self._stay("landing", before, result)
-
-    def _last_rebound(self) -> float:
-        """Normal velocity of the bounces that are taken together with all that follow them.
-
-        Their heights must stay above rounding, which otherwise drives them on for ever.
-        """
-        length = self._length + float(np.abs(self.state[POSITION]).max())
-        height = 100 * np.finfo(float).eps * length
-        rising = math.sqrt(2 * height * abs(self._free_normal_acceleration()))
-        return max(LAST_BOUNCE * self._speed, rising)
 
     def _stay(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
         """Go on in contact without normal velocity."""

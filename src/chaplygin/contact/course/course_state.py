@@ -33,6 +33,9 @@ from .rules import Rules
 #: logarithmic time, and below which there is no slip.
 SLIP_FLOOR, NO_SLIP = 1e-8, 1e-12
 
+#: Likewise of a bounce that is the last one.
+LAST_BOUNCE = 1e-7
+
 #: So many events without progress of time end a motion.
 _STUCK = 60
 
@@ -183,6 +186,16 @@ class CourseState:
     def _free_normal_acceleration(self) -> float:
         known = self._known()
         return float(known.mobility.gamma @ known.slip_rate) + known.normal_rate
+
+    def _last_rebound(self) -> float:
+        """Normal velocity of the bounces that are taken together with all that follow them.
+
+        Their heights must stay above rounding, which otherwise drives them on for ever.
+        """
+        length = self._length + float(np.abs(self.state[POSITION]).max())
+        height = 100 * np.finfo(float).eps * length
+        rising = math.sqrt(2 * height * abs(self._free_normal_acceleration()))
+        return max(LAST_BOUNCE * self._speed, rising)
 
     def _rise(self) -> None:
         """Put a flying body above the support by a height of rounding size, so that it leaves."""
