@@ -28,7 +28,7 @@ demo: $(VENV)/core ## study a rattleback, from its shape to a report in demo/
 test: $(VENV)/dev ## run the tests; PYTEST_FLAGS="-n 0 -k ball" chooses among them
 	@$(BIN)/python -m pytest $(PYTEST_FLAGS)
 
-slow: $(VENV)/dev ## run the slow tests, of which `make test` runs a tenth, and the campaigns
+slow: $(VENV)/dev ## run the slow tests, of which `make test` runs one in 25, and the campaigns
 	@$(BIN)/python -m pytest $(PYTEST_FLAGS) --slow -m "slow or campaign"
 
 check: lint types test ## all that a change must pass: format, lint, types, tests

@@ -14,7 +14,7 @@ os.environ.setdefault(
 )
 
 #: Of the slow tests one in so many is run, unless all are asked for or the mark says how many.
-EVERY = 10
+EVERY = 25
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
