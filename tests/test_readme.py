@@ -38,7 +38,7 @@ def test_the_shell_lines_run(
     monkeypatch.chdir(tmp_path)
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     lines = [line for line in block("sh", "chaplygin list").splitlines() if line]
-    assert len(lines) == 10
+    assert len(lines) == 11
     proofs = [line for line in block("sh", "chaplygin prove").splitlines() if line]
     first = [line for line in block("sh", "sleigh.toml").splitlines() if line]
     solved = [line for line in block("sh", "chaplygin solve").splitlines() if line]
