@@ -8,10 +8,10 @@ of zero SO(n−1)-momentum.  The inertia takes ω_ij to I_ij ω_ij.  For a symme
 
 is a first integral of all three systems if the rows (1, 1, 1), (I_ij, I_jk, I_ki) and
 (K_ij, K_jk, K_ki) are linearly dependent for every triple i, j, k.  K = 1 and K = I are such for
-every inertia: twice the energy and, without mR², the square of p.  If I_ij = (b_i − b_j)/(c_i − c_j), as
-for every rigid body (I_ij = J_i + J_j, c = J), then K_ij = 1/((λ − c_i)(λ − c_j)) are weights for
-every λ, and n − 1 of the integrals are independent where the c_i are distinct.  For a mass tensor J
-in any axes the integral with the number λ is
+every inertia: twice the energy and, without mR², the square of p.  For a Manakov operator,
+I_ij = (b_i − b_j)/(c_i − c_j), as of every rigid body (I_ij = J_i + J_j, c = J), there is for every
+λ also K_ij = 1/((λ − c_i)(λ − c_j)), and n − 1 of the integrals are independent where the c_i are
+distinct.  For a mass tensor J in any axes the integral with the number λ is
 
     F_λ = −½ tr(ω R k R),    R = (λ − J)⁻¹.
 
