@@ -26,7 +26,8 @@ from numpy.typing import NDArray
 
 from chaplygin import System, batch_integrator
 from chaplygin.catalogue.so_n.invariant_tori import torus_system
-from chaplygin.report.drawing.style import INK, SERIES, STYLE
+from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
+from chaplygin.report.figures import save
 
 #: The mass tensor, in tenths of kg m².
 MASSES = (1, 4, 13, 30)
@@ -36,8 +37,10 @@ WINDING = (4, 3, 2)
 ZEROS = ("0.67603241794991995511648256800750985", "2.92419439819055289678341665463163450")
 #: The zeros at which the orbit from (0, 0, π) closes, to nine digits; used for the picture alone.
 OTHER_ZEROS = (0.67618017, 2.92315962)
-#: Radius of the balls in which f_1 and f_2 are shown to lie, before and after.
-RADIUS, SHARPER = 1e-10, 1e-11
+#: A level for comparison.
+ANOTHER_LEVEL = (0.70, 2.90)
+#: Radius of the balls in which f_1 and f_2 are shown to lie.
+RADIUS = 1e-10
 #: Steps for 4π of φ_1, and orders of the Taylor series: of the centre, of slopes, of the other.
 STEPS, ORDER, ORDER_OF_SLOPES, ORDER_OF_OTHER = 400, 14, 10, 12
 BITS = 128
@@ -272,29 +275,25 @@ def section_points(
     return np.asarray(np.mod(points, 2 * np.pi))
 
 
-def draw(returns: int = 3000) -> Figure:
-    """Sections of two levels: with the closed orbits of 4 : 3 : 2 and away from them."""
-    zeros = [(float(a) + b) / 2 for a, b in zip(ZEROS, OTHER_ZEROS, strict=True)]
-    away = [0.70, 2.90]
-    grid = (np.arange(6) + 0.37) * 2 * np.pi / 6
-    starts = np.array([[a, b] for a in grid[:3] for b in grid[:6]])
+def draw(returns: int = 6000) -> Figure:
+    """Sections of two levels: among those with closed orbits of 4 : 3 : 2, and away from them."""
+    resonant = [(float(a) + b) / 2 for a, b in zip(ZEROS, OTHER_ZEROS, strict=True)]
+    levels = {
+        f"level with closed orbits, {returns} points each": (resonant, returns),
+        "another level, 400 points each": (ANOTHER_LEVEL, 400),
+    }
+    grid = (np.arange(5) + 0.37) * 2 * np.pi / 5
+    starts = np.array([[a, b] for a in grid for b in grid])
     with plt.rc_context(STYLE):
-        figure, axes = plt.subplots(1, 2, figsize=(9, 4.6), sharey=True, layout="constrained")
-        for axis, level, title in zip(
-            axes,
-            (zeros, away),
-            ("on a level with winding 4 : 3 : 2", "on a level nearby"),
-            strict=True,
-        ):
-            points = section_points(level, starts, returns)
-            for number, orbit in enumerate(points):
-                axis.plot(*orbit.T, ",", color=SERIES[number % len(SERIES)], alpha=0.8)
-            axis.set(xlim=(0, 2 * np.pi), ylim=(0, 2 * np.pi), xlabel="φ₂", title=title)
+        figure, axes = plt.subplots(1, 2, figsize=(WIDTH, 0.55 * WIDTH), sharey=True)
+        for axis, (title, (level, count)) in zip(axes, levels.items(), strict=True):
+            for number, orbit in enumerate(section_points(level, starts, count)):
+                axis.plot(*orbit.T, ",", color=SERIES[number % len(SERIES)], rasterized=True)
+            axis.set(xlim=(0, 2 * np.pi), ylim=(0, 2 * np.pi), xlabel=r"$\varphi_2$", title=title)
             axis.set_xticks([0, np.pi, 2 * np.pi], ["0", "π", "2π"])
             axis.set_yticks([0, np.pi, 2 * np.pi], ["0", "π", "2π"])
             axis.set_aspect("equal")
-            axis.title.set_color(INK)
-        axes[0].set_ylabel("φ₃")
+        axes[0].set_ylabel(r"$\varphi_3$")
     return figure
 
 
@@ -303,7 +302,7 @@ def main() -> None:
     for line in nonlinear_torus():
         print(line)
     if sys.argv[1:]:
-        draw().savefig(Path(sys.argv[1]), dpi=160)
+        save(draw(), Path(sys.argv[1]))
 
 
 if __name__ == "__main__":
