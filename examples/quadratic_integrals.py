@@ -113,13 +113,14 @@ def across(moments: sp.MatrixBase, gamma: sp.MatrixBase) -> sp.MatrixBase:
 def ball(
     kind: str, masses: Sequence[sp.Expr], parameters: tuple[Parameter, ...] = ()
 ) -> tuple[System, QuadraticPencil]:
-    """A rigid body in p and γ, and its pencil; the marble ball with m R² = 1 on k = p ∧ γ."""
+    """A rigid body in p and γ, and its pencil; m R² = 1 of a ball, the marble on k = p ∧ γ."""
     n = len(masses)
     gamma, p, u = (
         sp.Matrix([real_symbol(f"{name}_{i + 1}") for i in range(n)])
         for name in ("gamma", "p", "u")
     )
-    moments = sp.Matrix(n, n, lambda i, j: masses[i] + masses[j] if i != j else 0)
+    added = 1 if kind == "rubber" else 0
+    moments = sp.Matrix(n, n, lambda i, j: masses[i] + masses[j] + added if i != j else 0)
     inverse = moments.applyfunc(lambda x: 1 / x if x != 0 else x)
     if kind == "marble":
         matrix = sp.eye(n) + across(inverse, gamma)
@@ -325,7 +326,7 @@ def main() -> None:
     print("The lemma, polynomials in c, γ, u, q:")
     check_lemma()
     print("Laws of rational bodies:")
-    for kind in ("veselova", "marble"):
+    for kind in ("veselova", "rubber", "marble"):
         check_laws(kind, BODY)
     check_laws("veselova", (1, 2, 4, 7, 9))
     if long:

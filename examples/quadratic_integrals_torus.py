@@ -275,14 +275,14 @@ def section_points(
     return np.asarray(np.mod(points, 2 * np.pi))
 
 
-def draw(returns: int = 6000) -> Figure:
+def draw(returns: int = 16_000) -> Figure:
     """Sections of two levels: among those with closed orbits of 4 : 3 : 2, and away from them."""
     resonant = [(float(a) + b) / 2 for a, b in zip(ZEROS, OTHER_ZEROS, strict=True)]
     levels = {
         f"level with closed orbits, {returns} points each": (resonant, returns),
-        "another level, 400 points each": (ANOTHER_LEVEL, 400),
+        "another level, 500 points each": (ANOTHER_LEVEL, 500),
     }
-    grid = (np.arange(5) + 0.37) * 2 * np.pi / 5
+    grid = (np.arange(4) + 0.37) * 2 * np.pi / 4
     starts = np.array([[a, b] for a in grid for b in grid])
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(1, 2, figsize=(WIDTH, 0.55 * WIDTH), sharey=True)
