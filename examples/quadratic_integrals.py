@@ -2,7 +2,7 @@
 
     python examples/quadratic_integrals.py [--long]
 
-prints in about a minute: the lemma as an identity of polynomials; the laws of rational bodies in
+prints in a minute or two: the lemma as an identity of polynomials; the laws of rational bodies in
 four and five dimensions, proven by the prover; how many integrals are independent; that a generic
 operator of inertia has two; where Chaplygin's multiplier exists; that no further integrals of small
 degree exist; and that the flow on an invariant torus is not conjugate to a linear one.  With
@@ -22,7 +22,7 @@ import numpy as np
 import sympy as sp
 from flint import Ordering, fmpz_mpoly, fmpz_mpoly_ctx, nmod_mat
 from numpy.typing import NDArray
-from quadratic_integrals_torus import nonlinear_torus
+from quadratic_integrals_torus import MARBLE, TOP, nonlinear_torus
 
 from chaplygin import Integral, Parameter, System, prove
 from chaplygin.catalogue.so_n.quadratic_pencil import (
@@ -339,9 +339,10 @@ def main() -> None:
         print(f"  {residual} = 0")
     print("Integrals polynomial in u and γ, n = 4 (ranks modulo 2³¹ − 1):")
     check_search([(1, 3), (2, 2), (2, 4), (3, 3), *([(2, 6), (4, 6), (4, 8)] if long else [])])
-    print("The torus with winding numbers 4 : 3 : 2, in balls:")
-    for line in nonlinear_torus():
-        print(f"  {line}")
+    print("Tori with the winding numbers 4 : 3 : 2, in balls:")
+    for body in (TOP, MARBLE):
+        for line in nonlinear_torus(body):
+            print(f"  {line}")
     print(f"{time.monotonic() - started:.0f} s")
 
 

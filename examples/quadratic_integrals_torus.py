@@ -1,20 +1,24 @@
-"""A torus of the Veselova top in four dimensions whose flow is not linear, proven in balls.
+"""Tori of the Veselova top and the marble ball, n = 4, whose flow is not linear, proven in balls.
 
     python examples/quadratic_integrals_torus.py [PICTURE]
 
 Were the flow on an invariant torus conjugate to a linear one, in whatever time, and one orbit
-closed, then all would be closed and wind around alike.  On the level found here the orbit from
+closed, then all would be closed and wind around alike.  On the levels found here the orbit from
 φ = (0, 0, 0) is closed with the winding numbers 4 : 3 : 2 and that from (0, 0, π) is not.  The flow
-is that of :mod:`chaplygin.catalogue.so_n.invariant_tori`, with φ_1 for the time; a step of the
-Taylor series is enclosed by balls with its remainder, and the zeros f_1, f_2 of the level are shown
-to exist by the theorem of Krawczyk.  Then a section of a nearby level is drawn.
+is (5) of docs/quadratic-integrals.md with φ_1 for the time; a step of the Taylor series is enclosed
+by balls with its remainder, and the zeros f_1, f_2 of the level are shown to exist by the theorem
+of Krawczyk.  Then a section of a nearby level of the top is drawn.
 """
 
 from __future__ import annotations
 
 import sys
+from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -29,20 +33,16 @@ from chaplygin.catalogue.so_n.invariant_tori import torus_system
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
 from chaplygin.report.figures import save
 
-#: The mass tensor, in tenths of kg m².
-MASSES = (1, 4, 13, 30)
 #: φ_1 goes around four times while φ_2 goes around three times and φ_3 twice.
 WINDING = (4, 3, 2)
-#: The zeros of P(λ)F_λ, nearly: digits beyond the doubles make the closed orbit exact to 1e-30.
-ZEROS = ("0.67603241794991995511648256800750985", "2.92419439819055289678341665463163450")
-#: The zeros at which the orbit from (0, 0, π) closes, to nine digits; used for the picture alone.
+#: The zeros at which the orbit of the top from (0, 0, π) closes, for the picture alone.
 OTHER_ZEROS = (0.67618017, 2.92315962)
 #: A level for comparison.
 ANOTHER_LEVEL = (0.70, 2.90)
 #: Radius of the balls in which f_1 and f_2 are shown to lie.
 RADIUS = 1e-10
-#: Steps for 4π of φ_1, and orders of the Taylor series: of the centre, of slopes, of the other.
-STEPS, ORDER, ORDER_OF_SLOPES, ORDER_OF_OTHER = 400, 14, 10, 12
+#: Orders of the Taylor series: of the centre, of the slopes, of the other orbit.
+ORDER, ORDER_OF_SLOPES, ORDER_OF_OTHER = 15, 10, 12
 BITS = 128
 
 
@@ -93,32 +93,128 @@ class Jet:
         return self.chained(self.value.cos(), -self.value.sin())
 
 
+@dataclass(frozen=True)
+class Body(ABC):
+    """A rigid body with the mass tensor J = diag(c_1, …, c_4), and a level of its integrals.
+
+    Attributes
+    ----------
+    name : str
+    masses : tuple of Fraction
+        c_1 < … < c_4, kg m².
+    zeros : pair of str
+        The zeros f_1, f_2 of P(λ)F_λ for which the orbit from 0 is closed, nearly.
+    steps : int
+        Steps for 4π of φ_1.
+    """
+
+    name: str
+    masses: tuple[Fraction, Fraction, Fraction, Fraction]
+    zeros: tuple[str, str]
+    steps: int
+
+    @property
+    def c(self) -> list[arb]:
+        """The masses as balls."""
+        return [arb(x.numerator) / x.denominator for x in self.masses]
+
+    @property
+    @abstractmethod
+    def ends(self) -> list[arb]:
+        """The zeros of P, between which the σ_k lie."""
+
+    @abstractmethod
+    def factor(self, first: Jet, second: Jet) -> Jet:
+        """β_k of two other σ."""
+
+
+class Top(Body):
+    """The Veselova top."""
+
+    @property
+    def ends(self) -> list[arb]:
+        """The c_i."""
+        return self.c
+
+    def factor(self, first: Jet, second: Jet) -> Jet:
+        """tr J − σ_l − σ_m."""
+        return Jet(sum(self.c, arb(0))) - first - second
+
+
+class Marble(Body):
+    """The marble ball with m R² = 1 on the level k = p ∧ γ."""
+
+    @property
+    def ends(self) -> list[arb]:
+        """b_i = c_i²."""
+        return [x * x for x in self.c]
+
+    def factor(self, first: Jet, second: Jet) -> Jet:
+        """h(h + 1), 1/h = Σ c_i (b_i − σ_l)(b_i − σ_m)/P′(b_i)."""
+        constant, linear, product = self._moments
+        # as a sum of positive terms, which keeps the balls small
+        shift = Jet(linear / product)
+        g = ((first - shift) * (second - shift)).scaled(product)
+        g = g + Jet(constant - linear * linear / product)
+        return (g + Jet(arb(1))) * (g * g).inverse()
+
+    @cached_property
+    def _moments(self) -> tuple[arb, arb, arb]:
+        """Σ c_i b_i^m/P′(b_i) for m = 2, 1, 0: of 1, −(σ_l + σ_m) and σ_l σ_m in 1/h."""
+        b = self.ends
+        sums = [arb(0), arb(0), arb(0)]
+        for i, mass in enumerate(self.c):
+            slope = arb(1)
+            for j, other in enumerate(b):
+                if j != i:
+                    slope *= b[i] - other
+            for m in range(3):
+                sums[m] += mass * b[i] ** (2 - m) / slope
+        return sums[0], sums[1], sums[2]
+
+
+TOP = Top(
+    "Veselova top",
+    (Fraction(1, 10), Fraction(2, 5), Fraction(13, 10), Fraction(3)),
+    ("0.67603241791995", "2.92419439819055"),
+    400,
+)
+MARBLE = Marble(
+    "marble ball",
+    (Fraction(1, 5), Fraction(1, 2), Fraction(1), Fraction(2)),
+    ("0.42138492596760", "2.31510527676958"),
+    640,
+)
+
 #: φ_2 and φ_3, each with its derivatives by f_1 and f_2 if they are carried.
 State = list[list[arb]]
 
 
 class TorusFlow:
-    """The flow on the torus with φ_1 for the time, for c_1 < c_2 < f_1 < c_3 < f_2 < c_4.
+    """The flow on the torus with φ_1 for the time, where f_1 < P's third zero < f_2 < the fourth.
 
     Parameters
     ----------
+    body : Body
     zeros : pair of arb
         f_1 and f_2.
     slopes : bool
         Whether derivatives by them are carried along.
     """
 
-    def __init__(self, zeros: Sequence[arb], slopes: bool) -> None:
+    def __init__(self, body: Body, zeros: Sequence[arb], slopes: bool) -> None:
+        self.body = body
         self.width = 2 if slopes else 0
         units = ((arb(1), arb(0)), (arb(0), arb(1))) if slopes else ((), ())
-        c = [Jet(arb(mass) / 10) for mass in MASSES]
+        c = [Jet(end) for end in body.ends]
         f = [Jet(zero, unit) for zero, unit in zip(zeros, units, strict=True)]
         self.roots = [c[0], c[1], f[0], c[2], f[1], c[3]]
+        if any(not low.value < high.value for low, high in pairwise(self.roots)):
+            raise ArithmeticError("the zeros are not in the order that is needed")
         half = arb(1) / 2
         ends = [(self.roots[2 * k], self.roots[2 * k + 1]) for k in range(3)]
         self.middle = [(low + high).scaled(half) for low, high in ends]
         self.amplitude = [(high - low).scaled(half) for low, high in ends]
-        self.total = c[0] + c[1] + c[2] + c[3]
 
     def rate(self, x: arb_series, y: Sequence[Jet]) -> tuple[Jet, Jet]:
         """dφ_2/dφ_1 and dφ_3/dφ_1."""
@@ -132,7 +228,7 @@ class TorusFlow:
             ]
             beyond.append(distances[0] * distances[1] * (distances[2] * distances[3]))
         s_1, s_2, s_3 = sigma
-        beta = [self.total - s_2 - s_3, self.total - s_1 - s_3, self.total - s_1 - s_2]
+        beta = [self.body.factor(*pair) for pair in ((s_2, s_3), (s_1, s_3), (s_1, s_2))]
         common = beta[0] * (beyond[0] * beta[1] * beta[2]).inverse()
         gap = (s_3 - s_2).inverse()
         second = (s_3 - s_1) * gap * (beyond[1] * beta[2] * common).root()
@@ -182,7 +278,7 @@ class TorusFlow:
 
     def image(self, start: Sequence[arb], turns: int, order: int) -> State:
         """φ_2 and φ_3 where φ_1 has gone from 0 to 2π `turns`, with their slopes, enclosed."""
-        steps = STEPS * turns // 2
+        steps = self.body.steps * turns // 2
         step = 2 * turns * arb.pi() / steps
         span = arb(0).union(step)
         state = [[angle, *[arb(0)] * self.width] for angle in start]
@@ -201,7 +297,7 @@ class TorusFlow:
         return state
 
 
-def krawczyk(centre: Sequence[arb]) -> list[arb]:
+def krawczyk(body: Body, centre: Sequence[arb]) -> list[arb]:
     """Balls that contain exactly one pair of zeros for which the orbit from 0 closes.
 
     Raises
@@ -213,10 +309,10 @@ def krawczyk(centre: Sequence[arb]) -> list[arb]:
     goal = [second * arb.pi(), third * arb.pi()]
     start = [arb(0), arb(0)]
     # the orbit is symmetric: it closes after its half
-    middle = TorusFlow(centre, slopes=False).image(start, first // 2, ORDER)
+    middle = TorusFlow(body, centre, slopes=False).image(start, first // 2, ORDER)
     miss = [row[0] - aim for row, aim in zip(middle, goal, strict=True)]
     around = [zero + arb(0, RADIUS) for zero in centre]
-    slopes = TorusFlow(around, slopes=True).image(start, first // 2, ORDER_OF_SLOPES)
+    slopes = TorusFlow(body, around, slopes=True).image(start, first // 2, ORDER_OF_SLOPES)
     (a, b), (c, d) = ([entry.mid() for entry in row[1:]] for row in slopes)
     below = a * d - b * c
     inverse = [[d / below, -b / below], [-c / below, a / below]]
@@ -232,17 +328,19 @@ def krawczyk(centre: Sequence[arb]) -> list[arb]:
     return found
 
 
-def nonlinear_torus() -> Iterator[str]:
+def nonlinear_torus(body: Body) -> Iterator[str]:
     """The certificate, line by line."""
     ctx.prec = BITS
     first, second, third = WINDING
-    level = krawczyk([arb(zero).mid() for zero in ZEROS])
-    yield f"f_1 = {level[0].str(12)}, f_2 = {level[1].str(12)}: the orbit from (0, 0, 0) closes"
+    level = krawczyk(body, [arb(zero).mid() for zero in body.zeros])
+    yield (
+        f"{body.name}, f_1 = {level[0].str(12)}, f_2 = {level[1].str(12)}: the orbit from "
+        "(0, 0, 0) closes"
+    )
     pi = arb.pi()
-    flow = TorusFlow(level, slopes=False)
-    # twice as far: around the torus in the phase space, which covers this one
-    end = flow.image([arb(0), pi], first, ORDER_OF_OTHER)
-    miss = [end[0][0] - 2 * second * pi, end[1][0] - pi - 2 * third * pi]
+    flow = TorusFlow(body, level, slopes=False)
+    end = flow.image([arb(0), pi], first // 2, ORDER_OF_OTHER)
+    miss = [end[0][0] - second * pi, end[1][0] - pi - third * pi]
     yield f"that from (0, 0, π) misses by {miss[0].str(8)} and {miss[1].str(8)}"
     proven = any(not part.contains(arb(0)) for part in miss)
     yield f"not conjugate to a linear flow: {'proven' if proven else 'undecided'}"
@@ -253,7 +351,7 @@ def nonlinear_torus() -> Iterator[str]:
 
 def section_system(zeros: Sequence[float]) -> System:
     """The flow on the torus with φ_1 for the time: φ_1 is state and clock."""
-    system = torus_system([mass / 10 for mass in MASSES], list(zeros))
+    system = torus_system([float(mass) for mass in TOP.masses], list(zeros))
     clock, *others = system.symbols
     first, *rates = system.rates
     return System(
@@ -277,7 +375,7 @@ def section_points(
 
 def draw(returns: int = 16_000) -> Figure:
     """Sections of two levels: among those with closed orbits of 4 : 3 : 2, and away from them."""
-    resonant = [(float(a) + b) / 2 for a, b in zip(ZEROS, OTHER_ZEROS, strict=True)]
+    resonant = [(float(a) + b) / 2 for a, b in zip(TOP.zeros, OTHER_ZEROS, strict=True)]
     levels = {
         f"level with closed orbits, {returns} points each": (resonant, returns),
         "another level, 500 points each": (ANOTHER_LEVEL, 500),
@@ -299,8 +397,9 @@ def draw(returns: int = 16_000) -> Figure:
 
 def main() -> None:
     """Print the certificate and draw the section."""
-    for line in nonlinear_torus():
-        print(line)
+    for body in (TOP, MARBLE):
+        for line in nonlinear_torus(body):
+            print(line)
     if sys.argv[1:]:
         save(draw(), Path(sys.argv[1]))
 
