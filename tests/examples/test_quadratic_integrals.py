@@ -61,6 +61,16 @@ def test_search(example) -> None:
     assert example.dimension(example.GENERIC, 1, 3) == (70, 0)
 
 
+def test_independent_polynomials_are_those_that_are_no_multiples(example) -> None:
+    for in_u, in_gamma in re.findall(r"^\| (\d) \| (\d) \|", PAGE, re.MULTILINE):
+        sizes = [
+            len(example.exponents(4, int(in_u) - less))
+            * len(example.exponents(4, int(in_gamma) - less))
+            for less in (0, 1)
+        ]
+        assert f"| {in_u} | {in_gamma} | {sizes[0] - sizes[1]} |" in PAGE
+
+
 @pytest.mark.slow
 def test_further_search(example) -> None:
     assert example.dimension(BODY, 2, 4) == (270, 3)
