@@ -144,6 +144,21 @@ def test_the_torus_is_not_linear(torus, name: str, misses: tuple[str, str]) -> N
         assert miss in lines[1] and miss in PAGE
 
 
+@pytest.mark.slow
+def test_the_certificate_does_not_refute_what_is_linear(
+    torus, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # I_ij = a_i a_j: the β_k are products, and all orbits of a level close together
+    class Special(torus.Top):
+        def factor(self, first, second):
+            return (first * second).inverse()
+
+    monkeypatch.setattr(torus, "WINDING", (6, 3, 2))
+    zeros = ("0.79494381000195", "1.89705063492645")
+    body = Special("special", torus.TOP.masses, zeros, 400)
+    assert list(torus.nonlinear_torus(body))[-1].endswith("undecided")
+
+
 def test_what_the_page_shows_runs(capsys: pytest.CaptureFixture[str]) -> None:
     (step,) = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
     exec(compile(step, "quadratic-integrals.md", "exec"), {})
