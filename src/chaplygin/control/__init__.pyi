@@ -9,6 +9,13 @@ from .equations import (
     driftless_system as driftless_system,
     driven_system as driven_system,
 )
+from .path import (
+    PlanePath as PlanePath,
+    figure_of_eight as figure_of_eight,
+    path_through as path_through,
+)
+from .plan import MotionPlan as MotionPlan
+from .planner import motion_along as motion_along
 from .robot import (
     MovingMass as MovingMass,
     Rotor as Rotor,
