@@ -144,6 +144,31 @@ class Transcription:
         return coo_matrix((values, (rows, columns)), shape=shape).tocsr()
 
     @cached_property
+    def effort(self) -> csr_matrix:
+        """H of the effort ½(w, Hw) = ½ ∫ (|u|² + h²|u̇|²) dt / T in the unknowns w.
+
+        The second term, h the length of an interval, keeps the inputs from swinging from node to
+        node; a jump between two intervals counts as one that takes a node's share of the time.
+        """
+        c, a = radau(self.stages)
+        s, e, m = self.stages, self.intervals, self.rates.inputs
+        powers = np.arange(s)
+        inverse = np.linalg.inv(c[:, None] ** powers)
+        slope = (powers * c[:, None] ** np.maximum(powers - 1, 0)) @ inverse
+        inner = np.diag(a[-1]) + slope.T @ np.diag(a[-1]) @ slope
+        grid = np.kron(np.eye(e), self.step * inner)
+        jump = np.zeros((e - 1, e * s))
+        for k in range(1, e):
+            jump[k - 1, k * s : (k + 1) * s] = inverse[0]
+            jump[k - 1, k * s - 1] -= 1.0
+        total = coo_matrix((grid + self.step * s * jump.T @ jump) / self.path.period)
+        node, which = np.divmod(np.arange(len(total.data) * m), m)
+        n, w = self.rates.size, self.width
+        rows, columns = (n + index[node] * w + n + which for index in (total.row, total.col))
+        size = n + e * s * w
+        return coo_matrix((total.data[node], (rows, columns)), shape=(size, size)).tocsr()
+
+    @cached_property
     def _places(self) -> tuple[FloatArray, FloatArray]:
         """Rows and columns of the entries of the jacobian, in the order of its values."""
         n, s, e, w = self.rates.size, self.stages, self.intervals, self.width

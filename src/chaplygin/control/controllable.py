@@ -131,6 +131,8 @@ def controllability(robot: SphericalRobot) -> Controllability:
     exceptional = search.exceptional()
     planes = [_normal(form) for form in exceptional if form.total_degree() == 1]
     count = search.covered(planes)
+    if count and search.steps <= len(growth):
+        exceptional = []  # where one determinant vanishes another one of the same length does not
     there = tuple(_growth_on(fields, form) for form in exceptional)
     return Controllability(
         "controllable" if count else "undecided",

@@ -10,7 +10,7 @@ from functools import lru_cache
 import numpy as np
 import sympy as sp
 from scipy.optimize import NonlinearConstraint, OptimizeResult, minimize
-from scipy.sparse import bmat, csr_matrix, diags, identity
+from scipy.sparse import bmat, csr_matrix, identity
 from scipy.sparse.linalg import splu
 
 from ..arguments import arguments_checked
@@ -40,7 +40,7 @@ def motion_along(
     *,
     attitude: Sequence[float] | None = (1.0, 0.0, 0.0, 0.0),
     intervals: int = 40,
-    stages: int = 4,
+    stages: int = 6,
     iterations: int = 100,
 ) -> MotionPlan:
     """Plan inputs that lead the contact point along a path.
@@ -225,21 +225,18 @@ def _least_effort(
     problem: Transcription, guess: FloatArray, iterations: int
 ) -> tuple[FloatArray, int]:
     """The motion of least effort near a guess, and the number of iterations."""
-    n = problem.rates.size
-    table = np.zeros((len(problem.times), problem.width))
-    table[:, n:] = problem.weights[:, None] / problem.path.period
-    curvature = np.concatenate([np.zeros(n), table.ravel()])
-    curvature /= max(float(curvature @ guess**2), 1e-3)
+    curvature = problem.effort
+    curvature = curvature / max(float(guess @ (curvature @ guess)), 1e-3)
     empty = csr_matrix((len(guess), len(guess)))
 
     def enough(_: FloatArray, state: OptimizeResult) -> bool:
         return bool(state.constr_violation < FEASIBLE and state.optimality < OPTIMAL)
 
     found = minimize(
-        lambda w: 0.5 * float(curvature @ w**2),
+        lambda w: 0.5 * float(w @ (curvature @ w)),
         guess,
-        jac=lambda w: curvature * w,
-        hess=lambda _: diags(curvature).tocsr(),
+        jac=lambda w: curvature @ w,
+        hess=lambda _: curvature,
         constraints=[
             # the curvature of the equations is left out: near the path their slopes suffice
             NonlinearConstraint(
