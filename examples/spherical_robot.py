@@ -71,9 +71,7 @@ def with_rotors(count: int, contact: str = "marble") -> SphericalRobot:
 
 def with_pendulum() -> SphericalRobot:
     """A homogeneous shell of 1 kg with a bob of 1 kg, half a radius below the centre."""
-    return SphericalRobot(
-        1.0, (0.4, 0.4, 0.4), 1.0, moving_mass=pendulum(1.0, 0.5), gravity=9.81
-    )
+    return SphericalRobot(1.0, (0.4, 0.4, 0.4), 1.0, moving_mass=pendulum(1.0, 0.5), gravity=9.81)
 
 
 TASKS = (
@@ -129,7 +127,7 @@ def _frame(sheet: Axes, title: str, plan: MotionPlan, share: float) -> None:
     sheet.clear()
     sheet.set_axis_off()
     sheet.set_aspect("equal")
-    here = int(round(share * (len(plan.times) - 1)))
+    here = round(share * (len(plan.times) - 1))
     radius, state = plan.robot.radius, plan.motion[here]
     turn = rotation_matrices(state[:4])
     centre = np.array([*state[4:6], radius])
@@ -146,7 +144,7 @@ def _frame(sheet: Axes, title: str, plan: MotionPlan, share: float) -> None:
     _line(sheet, _on_ground(plan.motion[: here + 1, 4:6]), SERIES[1], 1.4)
     disc = np.linspace(0, 2 * np.pi, 97)
     shadow = np.stack([np.cos(disc), np.sin(disc), 0 * disc], axis=1) * 0.8 * radius
-    sheet.fill(*VIEW.project(shadow + [*state[4:6], 0.0]).T, color=INK, alpha=0.10, lw=0)
+    sheet.fill(*VIEW.project(np.add(shadow, [*state[4:6], 0.0])).T, color=INK, alpha=0.10, lw=0)
     middle = VIEW.project(centre)
     outline = middle + radius * np.stack([np.cos(disc), np.sin(disc)], axis=1)
     glass = plan.robot.moving_mass is not None
@@ -164,14 +162,21 @@ def _frame(sheet: Axes, title: str, plan: MotionPlan, share: float) -> None:
                 sheet.plot(*VIEW.project(side + centre), "o", color=SERIES[k], ms=4)
     if plan.robot.moving_mass is not None:
         theta, phi = state[-2:]
-        bob = 0.5 * np.array([-np.cos(phi) * np.sin(theta), np.sin(phi), -np.cos(phi) * np.cos(theta)])
+        bob = 0.5 * np.array(
+            [-np.cos(phi) * np.sin(theta), np.sin(phi), -np.cos(phi) * np.cos(theta)]
+        )
         rod = VIEW.project(np.stack([centre, centre + turn @ bob]))
         sheet.plot(*rod.T, color=INK, lw=1.6)
         sheet.plot(*rod[1], "o", color=INK, ms=9)
     sheet.plot(*outline.T, color=QUIET, lw=0.8)
     sheet.text(
-        0.03, 0.96, f"{title},  t = {plan.times[here]:4.1f} s", transform=sheet.transAxes,
-        va="top", color=INK, fontsize=9.5,
+        0.03,
+        0.96,
+        f"{title},  t = {plan.times[here]:4.1f} s",
+        transform=sheet.transAxes,
+        va="top",
+        color=INK,
+        fontsize=9.5,
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -30,7 +31,9 @@ EIGHT = figure_of_eight(0.8, 0.4, 8.0)
 
 
 def ball(count: int, contact: str = "marble") -> SphericalRobot:
-    return SphericalRobot(1.0, (0.4, 0.5, 0.6), 1.0, tuple(Rotor(e, 0.1) for e in E[:count]), contact)
+    return SphericalRobot(
+        1.0, (0.4, 0.5, 0.6), 1.0, tuple(Rotor(e, 0.1) for e in E[:count]), contact
+    )
 
 
 def shell() -> SphericalRobot:
@@ -39,7 +42,7 @@ def shell() -> SphericalRobot:
 
 @cache
 def small_plan(contact: str = "marble") -> MotionPlan:
-    return motion_along(ball(2, contact), EIGHT, intervals=12, stages=4, iterations=1)
+    return motion_along(ball(2, contact), EIGHT, intervals=8, stages=3, iterations=1)
 
 
 def hand_integrated(plan: MotionPlan, sign: float = 1.0) -> np.ndarray:
@@ -68,7 +71,7 @@ def hand_integrated(plan: MotionPlan, sign: float = 1.0) -> np.ndarray:
     state = np.concatenate([rotation(plan.start[:4]).ravel(), plan.start[4:6]])
     places = []
     edges = np.linspace(0, plan.path.period, plan.intervals + 1)
-    for begin, end in zip(edges[:-1], edges[1:], strict=True):
+    for begin, end in pairwise(edges):
         inner = (begin * (1 + 1e-15) + 1e-14, end * (1 - 1e-15))
         state = solve_ivp(rates, inner, state, method="DOP853", rtol=1e-9, atol=1e-11).y[:, -1]
         places.append(state[9:])
@@ -107,8 +110,8 @@ def test_the_tangents_of_the_collocation_are_exact(robot: SphericalRobot) -> Non
 def test_the_planned_speeds_lead_along_the_path(contact: str) -> None:
     plan = small_plan(contact)
     places = hand_integrated(plan)
-    edges = np.linspace(0, 8, 13)[1:]
-    assert np.linalg.norm(places - EIGHT.places(edges), axis=1).max() < 3e-4 * EIGHT.diameter
+    edges = np.linspace(0, 8, 9)[1:]
+    assert np.linalg.norm(places - EIGHT.places(edges), axis=1).max() < 1e-2 * EIGHT.diameter
     # what the plan says of its own motion is what comes out here
     own = plan.motion[8::8, 4:6]
     assert np.abs(own - places).max() < 1e-7
@@ -170,9 +173,7 @@ def test_a_plan_is_recorded_like_other_trajectories() -> None:
 def test_a_path_by_points_is_followed() -> None:
     angles = np.linspace(0, 2 * np.pi, 9)
     points = 0.2 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    plan = motion_along(
-        ball(3), path_through(points, 6.0), intervals=8, stages=3, iterations=1
-    )
+    plan = motion_along(ball(3), path_through(points, 6.0), intervals=8, stages=3, iterations=1)
     assert plan.relative_error < 1e-2
     assert np.allclose(plan.start[4:6], [0.2, 0.0])
 

@@ -28,7 +28,8 @@ def radau(stages: int) -> tuple[FloatArray, FloatArray]:
     powers = np.arange(stages)
     vandermonde = c[:, None] ** powers
     integrals = c[:, None] ** (powers + 1) / (powers + 1)
-    return c, np.linalg.solve(vandermonde.T, integrals.T).T
+    a = np.asarray(np.linalg.solve(vandermonde.T, integrals.T).T, dtype=np.float64)
+    return c.astype(np.float64), a
 
 
 @dataclass(frozen=True, eq=False)

@@ -169,7 +169,9 @@ def growth_vector(robot: SphericalRobot, vertical: Sequence[float]) -> tuple[int
     --------
     >>> from chaplygin.control import Rotor, SphericalRobot, growth_vector
     >>> axes = ((1, 0, 0), (0, 1, 0))
-    >>> robot = SphericalRobot(1.0, (0.4, 0.5, 0.6), 1.0, tuple(Rotor(e, 0.1) for e in axes), "rubber")
+    >>> robot = SphericalRobot(
+    ...     1.0, (0.4, 0.5, 0.6), 1.0, tuple(Rotor(e, 0.1) for e in axes), "rubber"
+    ... )
     >>> growth_vector(robot, (0, 0, 1)), growth_vector(robot, (3, 4, 0))
     ((2, 3, 5), (1, 2, 3, 4, 5))
     """
@@ -184,8 +186,8 @@ def _balanced(robot: SphericalRobot) -> SphericalRobot:
     if not robot.balanced:
         raise InputError(
             "spherical robot: growth vectors are those of a balanced ball with rotors; with a "
-            "moving mass, or a centre of mass beside the geometric centre, the motion from rest has "
-            "a drift"
+            "moving mass, or a centre of mass beside the geometric centre, the motion from rest "
+            "has a drift"
         )
     return robot
 
@@ -258,9 +260,9 @@ class _Search:
         if five not in self._forms:
             value = minor([self._rows[i] for i in five])
             form = homogeneous(value, value.total_degree())
-            while form != 0:
+            while not form.is_zero():
                 quotient, remainder = divmod(form, self._fields.scale)
-                if remainder != 0:
+                if not remainder.is_zero():
                     break
                 form = quotient
             self._forms[five] = form
@@ -345,7 +347,7 @@ def _formula(form: fmpq_mpoly) -> sp.Expr:
     return sp.Add(
         *(
             sp.Rational(int(number.p), int(number.q))
-            * sp.Mul(*(g**int(k) for g, k in zip(gamma, powers, strict=True)))
+            * sp.Mul(*(g ** int(k) for g, k in zip(gamma, powers, strict=True)))
             for powers, number in form.to_dict().items()
         )
     )

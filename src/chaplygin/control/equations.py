@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any, TypeAlias
 
 import sympy as sp
 
@@ -48,13 +49,11 @@ from ..mechanics.rolling.attitude import (
 from .controlled import TIME, ControlledSystem
 from .robot import SphericalRobot
 
-M, gamma, omega, b, rho, rhodot = (
-    Vector(n) for n in ("M", "gamma", "omega", "b", "rho", "rhodot")
-)
+M, gamma, omega, b, rho, rhodot = (Vector(n) for n in ("M", "gamma", "omega", "b", "rho", "rhodot"))
 place, A = Vector("place", 2), Symmetric("A")
 m, mu, R, g, Delta, ell = (real_symbol(n) for n in ("m", "mu", "R", "g", "Delta", "ell"))
 
-Column = sp.MatrixBase
+Column: TypeAlias = Any
 
 
 @dataclass(frozen=True)
@@ -189,10 +188,7 @@ def driven_system(robot: SphericalRobot, inputs: Mapping[str, str | sp.Expr]) ->
         (
             Observable("omega", omega, "angular velocity", "rad/s", "body"),
             Observable("gamma", gamma, "vertical", "", "body"),
-            *(
-                Observable(str(u), u, "speed of a rotor or joint", "rad/s")
-                for u in parts.inputs
-            ),
+            *(Observable(str(u), u, "speed of a rotor or joint", "rad/s") for u in parts.inputs),
         ),
         reconstruction=_motion_in_space(),
     )
@@ -284,7 +280,7 @@ def _formulas(robot: SphericalRobot, momentum: Column) -> _Formulas:
         known += ell * vertical
         torque -= torque.dot(vertical) * vertical
     definitions.append((omega, constant(list(cofactors * known / Delta))))
-    _check_names(robot, definitions)
+    _check_names(robot)
     rate = momentum.cross(turn) + torque
     return _Formulas(speeds, tuple(definitions), rate, joints, _parameters(robot, inertia))
 
@@ -310,9 +306,21 @@ def _parameters(robot: SphericalRobot, inertia: Diagonal | Symmetric) -> tuple[P
     return tuple(parameters)
 
 
-def _check_names(robot: SphericalRobot, definitions: Pairs) -> None:
-    taken = {"t", *(str(s) for v in (M, gamma, omega, b, rho, rhodot, attitude, place, A)
-                    for s in (v, *v.symbols)), "m", "mu", "R", "g", "Delta", "ell"}
+def _check_names(robot: SphericalRobot) -> None:
+    taken = {
+        "t",
+        *(
+            str(s)
+            for v in (M, gamma, omega, b, rho, rhodot, attitude, place, A)
+            for s in (v, *v.symbols)
+        ),
+        "m",
+        "mu",
+        "R",
+        "g",
+        "Delta",
+        "ell",
+    }
     taken |= {f"u_{a}" for a in range(1, 4)} | {f"I_{i}" for i in (1, 2, 3)}
     joints = robot.moving_mass.joints if robot.moving_mass else ()
     for name in joints:

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 from typing import TypeAlias
 
 from flint import Ordering, fmpq, fmpq_mat, fmpq_mpoly, fmpq_mpoly_ctx
@@ -118,14 +118,14 @@ def minor(fields: Sequence[Field]) -> fmpq_mpoly:
     """
     rows = [*fields, (ZERO, ZERO, ZERO, *GAMMA)]
 
-    @lru_cache(maxsize=None)
+    @cache
     def below(row: int, columns: tuple[int, ...]) -> fmpq_mpoly:
         if row == len(rows):
             return ONE
         total = ZERO
         for k, column in enumerate(columns):
             entry = rows[row][column]
-            if entry != 0:
+            if not entry.is_zero():
                 rest = below(row + 1, columns[:k] + columns[k + 1 :])
                 total += (-1) ** k * entry * rest
         return on_sphere(total)

@@ -88,7 +88,12 @@ def hanging(
         return _product(np.array([0.0, -y / radius, x / radius, 0.0]), q) / 2
 
     run = solve_ivp(
-        rolling, (0.0, path.period), attitude, method="DOP853", rtol=1e-9, atol=1e-9,
+        rolling,
+        (0.0, path.period),
+        attitude,
+        method="DOP853",
+        rtol=1e-9,
+        atol=1e-9,
         dense_output=True,
     )
     times = np.append(0.0, plan.times)
@@ -187,7 +192,8 @@ def unit_quaternion(attitude: object) -> FloatArray:
         numbers = np.empty(0)
     if numbers.shape != (4,) or not np.isfinite(numbers).all() or not numbers.any():
         raise InputError(
-            f"attitude {attitude}: it must be a quaternion, four finite numbers that are not all zero"
+            f"attitude {attitude}: it must be a quaternion, four finite numbers that are not all "
+            "zero"
         )
     result: FloatArray = numbers / np.linalg.norm(numbers)
     return result

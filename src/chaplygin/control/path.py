@@ -59,7 +59,9 @@ class PlanePath:
             raise InputError(f"path: the period {self.period} must be a positive finite number")
         for name in ("x", "y"):
             value = getattr(self, name)
-            formula = parse(value, {"t": TIME}, f"path, {name}") if isinstance(value, str) else value
+            formula = (
+                parse(value, {"t": TIME}, f"path, {name}") if isinstance(value, str) else value
+            )
             formula = sp.sympify(formula)
             if unknown := sorted(map(str, formula.free_symbols - {TIME})):
                 raise InputError(f"path, {name}: {', '.join(unknown)} is not known; it may use t")
@@ -69,7 +71,9 @@ class PlanePath:
             values = self._values(order, times)
             if not np.isfinite(values).all():
                 bad = times[~np.isfinite(values).all(axis=1)][0]
-                raise InputError(f"path: its {what} is not finite at t = {bad:g}; it must be smooth")
+                raise InputError(
+                    f"path: its {what} is not finite at t = {bad:g}; it must be smooth"
+                )
         if not self.diameter > 0:
             raise InputError("path: it is a single point; a path must lead somewhere")
         gap = float(np.linalg.norm(np.diff(self.places([0.0, self.period]), axis=0)))
@@ -132,7 +136,7 @@ def figure_of_eight(length: float, width: float, period: float) -> PlanePath:
     --------
     >>> from chaplygin.control import figure_of_eight
     >>> round(figure_of_eight(4.0, 2.0, 10.0).diameter, 3)
-    4.099
+    4.0
     """
     s = 2 * sp.pi * TIME / sp.nsimplify(str(period))
     tau = s - sp.sin(s)

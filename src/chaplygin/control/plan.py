@@ -78,9 +78,9 @@ class MotionPlan:
 
     def __str__(self) -> str:
         return (
-            f"{len(self.inputs)} inputs, effort {self.effort:.6g}, path error {self.path_error:.2g} m "
-            f"= {self.relative_error:.2g} of the diameter; {self.iterations} iterations, "
-            f"{self.seconds:.1f} s"
+            f"{len(self.inputs)} inputs, effort {self.effort:.6g}, path error "
+            f"{self.path_error:.2g} m = {self.relative_error:.2g} of the diameter; "
+            f"{self.iterations} iterations, {self.seconds:.1f} s"
         )
 
     def inputs_at(self, times: FloatArray) -> FloatArray:
@@ -130,7 +130,7 @@ class MotionPlan:
                 ),
                 "centre": (
                     ("time", "space"),
-                    contact + [0, 0, radius],
+                    np.add(contact, [0, 0, radius]),
                     {"long_name": "geometric centre", "units": "m"},
                 ),
                 "gamma": (
@@ -177,7 +177,8 @@ def integrated(
 
         def rates(t: float, z: FloatArray) -> FloatArray:
             point = np.append(z, speeds((t - begin) / plan.step))  # noqa: B023
-            return plan.rates.rates(point[None])[0]
+            rate: FloatArray = plan.rates.rates(point[None])[0]
+            return rate
 
         run = solve_ivp(
             rates,

@@ -90,7 +90,9 @@ def motion_along(
     _check(robot, intervals, stages, iterations)
     system = driftless_system(robot) if robot.balanced else controlled_system(robot)
     quaternion = unit_quaternion((1.0, 0.0, 0.0, 0.0) if attitude is None else attitude)
-    problem = _transcription(system, path, intervals, stages, None if attitude is None else quaternion)
+    problem = _transcription(
+        system, path, intervals, stages, None if attitude is None else quaternion
+    )
     if robot.moving_mass is not None:
         begin, states, inputs = hanging(robot, robot.moving_mass, problem, quaternion)
         guess, spent = problem.packed(begin, states, inputs), 0
@@ -102,7 +104,8 @@ def motion_along(
         raise RunError(
             f"spherical robot: no motion along the path was found; the equations are left with a "
             f"residual of {left:.1g} after {spent + more} iterations; a smaller path, a longer "
-            "period or more intervals may help"
+            "period or more intervals may help",
+            0.0,
         )
     start, points = problem.parted(unknowns)
     inputs = points[:, problem.rates.size :]
@@ -210,7 +213,8 @@ def _scaled(problem: Transcription, size: float) -> Transcription:
     factor = sp.Float(size)
     first = [sp.Float(x) for x in path.places([0.0])[0]]
     x, y = (
-        begin + factor * (sp.sympify(f) - begin) for begin, f in zip(first, (path.x, path.y), strict=True)
+        begin + factor * (sp.sympify(f) - begin)
+        for begin, f in zip(first, (path.x, path.y), strict=True)
     )
     return replace(problem, path=PlanePath(x, y, path.period))
 

@@ -8,7 +8,6 @@ import numpy as np
 import sympy as sp
 
 from ..core.arrays import FloatArray
-from ..core.parameters import parameter_values
 from ..formulas.compiled import CompiledTerms, SystemFormulas
 from .controlled import ControlledSystem
 
@@ -26,7 +25,7 @@ class Rates:
     def __init__(self, system: ControlledSystem) -> None:
         whole = system.whole
         self.size, self.inputs = len(system.state), len(system.inputs)
-        self._parameters = np.array([float(x) for x in parameter_values(whole, None).values()])
+        self._parameters = np.array([p.default for p in whole.parameters], dtype=float)
         formulas = SystemFormulas(whole)
         terms = [formulas.read(rate) for rate in whole.rates[: self.size]]
         self._rates = CompiledTerms(terms)

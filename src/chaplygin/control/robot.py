@@ -227,7 +227,9 @@ class SphericalRobot:
         if not math.isfinite(self.gravity):
             raise InputError(f"gravity {self.gravity}: it must be a finite number")
         if not self.rotors and self.moving_mass is None:
-            raise InputError("spherical robot: it has no rotor and no moving mass; give one of them")
+            raise InputError(
+                "spherical robot: it has no rotor and no moving mass; give one of them"
+            )
         if self.gyration.rank() < len(self.rotors):
             axes = ", ".join(str(rotor.axis) for rotor in self.rotors)
             raise InputError(
