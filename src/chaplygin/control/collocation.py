@@ -146,23 +146,23 @@ class Transcription:
 
     @cached_property
     def effort(self) -> csr_matrix:
-        """H of the effort ½(w, Hw) = ½ ∫ (|u|² + h²|u̇|²) dt / T in the unknowns w.
+        """H of the effort ½(w, Hw) = ½ ∫ (|u|² + δ²|u̇|²) dt / T in the unknowns w.
 
-        The second term, h the length of an interval, keeps the inputs from swinging from node to
-        node; a jump between two intervals counts as one that takes a node's share of the time.
+        The second term, δ the mean distance of two nodes in time, keeps the inputs from swinging
+        from node to node; a jump between two intervals counts as a change that takes δ.
         """
         c, a = radau(self.stages)
         s, e, m = self.stages, self.intervals, self.rates.inputs
         powers = np.arange(s)
         inverse = np.linalg.inv(c[:, None] ** powers)
         slope = (powers * c[:, None] ** np.maximum(powers - 1, 0)) @ inverse
-        inner = np.diag(a[-1]) + slope.T @ np.diag(a[-1]) @ slope
+        inner = np.diag(a[-1]) + slope.T @ np.diag(a[-1]) @ slope / s**2
         grid = np.kron(np.eye(e), self.step * inner)
         jump = np.zeros((e - 1, e * s))
         for k in range(1, e):
             jump[k - 1, k * s : (k + 1) * s] = inverse[0]
             jump[k - 1, k * s - 1] -= 1.0
-        total = coo_matrix((grid + self.step * s * jump.T @ jump) / self.path.period)
+        total = coo_matrix((grid + self.step / s * jump.T @ jump) / self.path.period)
         node, which = np.divmod(np.arange(len(total.data) * m), m)
         n, w = self.rates.size, self.width
         rows, columns = (n + index[node] * w + n + which for index in (total.row, total.col))
