@@ -18,6 +18,7 @@ from chaplygin.control import (
     driftless_system,
     figure_of_eight,
     motion_along,
+    motion_without_spin,
     path_through,
     pendulum,
 )
@@ -170,6 +171,7 @@ def test_a_plan_is_recorded_like_other_trajectories() -> None:
     assert all("units" in data[name].attrs for name in data)
 
 
+@pytest.mark.slow
 def test_a_path_by_points_is_followed() -> None:
     angles = np.linspace(0, 2 * np.pi, 9)
     points = 0.2 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
@@ -178,7 +180,22 @@ def test_a_path_by_points_is_followed() -> None:
     assert np.allclose(plan.start[4:6], [0.2, 0.0])
 
 
+@pytest.mark.slow
+def test_without_spin_three_rotors_have_speeds_in_closed_form() -> None:
+    path = figure_of_eight(2.0, 1.0, 8.0)
+    plan = motion_without_spin(ball(3), path, intervals=30, stages=6)
+    assert plan.relative_error < 1e-6
+    K = np.array(plan.robot.gyration, dtype=float)
+    for i in (40, 90, 130):
+        Q, v = rotation(plan.motion[i, :4]), path.velocities(plan.times[i : i + 1])[0]
+        w = np.array([-v[1], v[0], 0.0]) @ Q
+        speeds = -np.linalg.solve(K, (plan.robot.tensor + np.eye(3)) @ w)
+        assert np.abs(plan.inputs_at(plan.times[i : i + 1])[0] - speeds).max() < 1e-4
+
+
 MISTAKES = {
+    "spin of two rotors": (lambda: motion_without_spin(ball(2), EIGHT), "three rotors"),
+    "spin of rubber": (lambda: motion_without_spin(ball(3, "rubber"), EIGHT), "three rotors"),
     "one rotor": (lambda: motion_along(ball(1), EIGHT), "one input"),
     "eccentric": (
         lambda: motion_along(

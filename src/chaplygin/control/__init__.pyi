@@ -15,10 +15,11 @@ from .path import (
     path_through as path_through,
 )
 from .plan import MotionPlan as MotionPlan
-from .planner import motion_along as motion_along
+from .planner import motion_along as motion_along, motion_without_spin as motion_without_spin
 from .robot import (
     MovingMass as MovingMass,
     Rotor as Rotor,
     SphericalRobot as SphericalRobot,
     pendulum as pendulum,
 )
+from .start import driven_start as driven_start

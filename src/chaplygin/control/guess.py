@@ -14,13 +14,20 @@ from .robot import MovingMass, SphericalRobot
 SINGULAR = 1e-3
 """Share of the best ratio of velocity to inputs below which the inputs are given up."""
 TOLERANCE = 1e-8
+"""Of the integration of a guess."""
 
 
-def least_inputs(plan: Transcription, start: FloatArray) -> tuple[FloatArray, FloatArray, float]:
+def least_inputs(
+    plan: Transcription,
+    start: FloatArray,
+    spin: float | None = None,
+    tolerance: float = TOLERANCE,
+) -> tuple[FloatArray, FloatArray, float]:
     """States and inputs of a driftless system that follow a path with the least |u| at each time.
 
     With rates B(z) u, and the two rows B_xy of the output, u = B_xy⁺ v: the exact inputs where
-    there are only two, and those of least norm at each instant where there are more.
+    there are only two, and those of least norm at each instant where there are more.  A given spin
+    about the vertical adds a third row and determines three inputs.
 
     Returns
     -------
@@ -31,15 +38,22 @@ def least_inputs(plan: Transcription, start: FloatArray) -> tuple[FloatArray, Fl
         The time up to which this was possible; beyond it the last state is repeated, at rest.
     """
     rates, path = plan.rates, plan.path
-    best = float(np.linalg.svd(_fields(plan, start)[plan.output])[1][0])
+    wanted = [] if spin is None else [spin]
+
+    def rows(z: FloatArray) -> FloatArray:
+        fields = _fields(plan, z)
+        turns = _spins(z, fields)[None] if wanted else np.empty((0, rates.inputs))
+        return np.concatenate([fields[plan.output], turns])
+
+    best = float(np.linalg.svd(rows(start))[1][0])
 
     def least(t: float, z: FloatArray) -> FloatArray:
-        inverse = np.linalg.pinv(_fields(plan, z)[plan.output])
-        speeds: FloatArray = inverse @ path.velocities([t])[0]
+        inverse = np.linalg.pinv(rows(z))
+        speeds: FloatArray = inverse @ [*path.velocities([t])[0], *wanted]
         return speeds
 
     def margin(_: float, z: FloatArray) -> float:
-        return float(np.linalg.svd(_fields(plan, z)[plan.output])[1][-1]) - SINGULAR * best
+        return float(np.linalg.svd(rows(z))[1][-1]) - SINGULAR * best
 
     margin.terminal = True  # type: ignore[attr-defined]
     run = solve_ivp(
@@ -47,8 +61,8 @@ def least_inputs(plan: Transcription, start: FloatArray) -> tuple[FloatArray, Fl
         (0.0, path.period),
         start,
         method="DOP853",
-        rtol=TOLERANCE,
-        atol=TOLERANCE,
+        rtol=tolerance,
+        atol=tolerance,
         events=margin,
         dense_output=True,
     )
@@ -67,6 +81,13 @@ def _fields(plan: Transcription, state: FloatArray) -> FloatArray:
     """B of ż = B(z) u, for a driftless system."""
     points = np.hstack([np.tile(state, (plan.rates.inputs, 1)), np.eye(plan.rates.inputs)])
     return plan.rates.rates(points).T
+
+
+def _spins(state: FloatArray, fields: FloatArray) -> FloatArray:
+    """(ω, γ) of each field, from the rates of the quaternion."""
+    w, x, y, z = state[:4]
+    spins: FloatArray = 2 * (w * fields[3] - z * fields[0] + x * fields[2] - y * fields[1])
+    return spins
 
 
 def hanging(

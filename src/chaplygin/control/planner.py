@@ -29,6 +29,8 @@ OPTIMAL = 1e-6
 """Slope of the effort along the admissible motions, relative, below which to stop."""
 FEASIBLE = 1e-10
 """Residual of the equations, in units of the state, that a plan may have."""
+EXACT = 1e-12
+"""Tolerance of integrations that are not improved later."""
 SMALLEST = 1 / 64
 """Least step of the size of the path while it grows."""
 
@@ -107,23 +109,89 @@ def motion_along(
             "period or more intervals may help",
             0.0,
         )
+    return _checked_plan(robot, system, problem, unknowns, spent + more, began)
+
+
+@arguments_checked
+def motion_without_spin(
+    robot: SphericalRobot,
+    path: PlanePath,
+    *,
+    attitude: Sequence[float] = (1.0, 0.0, 0.0, 0.0),
+    intervals: int = 40,
+    stages: int = 6,
+) -> MotionPlan:
+    """The speeds u = −K⁻¹ A(γ) ω of three rotors that roll a marble along a path without spin.
+
+    The path and (ω, γ) = 0 determine ω, so that nothing is optimised: the attitude follows by
+    integration, the speeds at each instant in closed form.
+
+    Parameters
+    ----------
+    robot : SphericalRobot
+        Balanced, with three rotors and a marble contact.
+    path, attitude, intervals, stages
+        As of :func:`motion_along`.
+
+    Returns
+    -------
+    MotionPlan
+        With 0 iterations.
+
+    Raises
+    ------
+    InputError
+        If the robot is another one, or the attitude no quaternion.
+
+    Examples
+    --------
+    >>> from chaplygin.control import Rotor, SphericalRobot, figure_of_eight, motion_without_spin
+    >>> axes = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+    >>> robot = SphericalRobot(1.0, (0.4, 0.5, 0.6), 1.0, tuple(Rotor(e, 0.1) for e in axes))
+    >>> plan = motion_without_spin(robot, figure_of_eight(1.0, 0.5, 8.0), intervals=20)
+    >>> plan.iterations, plan.relative_error < 1e-5
+    (0, True)
+    """
+    began = clock.perf_counter()
+    _check(robot, intervals, stages, 1)
+    if len(robot.rotors) != 3 or robot.moving_mass or robot.contact != "marble":
+        raise InputError(
+            "spherical robot: speeds without spin are determined for a balanced marble with three "
+            "rotors; use motion_along"
+        )
+    system, quaternion = driftless_system(robot), unit_quaternion(attitude)
+    problem = _transcription(system, path, intervals, stages, quaternion)
+    start = np.concatenate([quaternion, path.places([0.0])[0]])
+    states, inputs, _ = least_inputs(problem, start, spin=0.0, tolerance=EXACT)
+    return _checked_plan(robot, system, problem, problem.packed(start, states, inputs), 0, began)
+
+
+def _checked_plan(
+    robot: SphericalRobot,
+    system: ControlledSystem,
+    problem: Transcription,
+    unknowns: FloatArray,
+    iterations: int,
+    began: float,
+) -> MotionPlan:
+    """A plan with its motion integrated anew."""
     start, points = problem.parted(unknowns)
     inputs = points[:, problem.rates.size :]
     times, motion = integrated(problem, start, inputs)
     return MotionPlan(
         robot,
-        path,
+        problem.path,
         tuple(map(str, system.inputs)),
         tuple(map(str, system.state)),
         start,
         problem.times,
         inputs,
-        intervals,
+        problem.intervals,
         _effort(problem, unknowns),
         times,
         motion,
-        float(distances(path, times, motion).max()),
-        spent + more,
+        float(distances(problem.path, times, motion).max()),
+        iterations,
         clock.perf_counter() - began,
     )
 
