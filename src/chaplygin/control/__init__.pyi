@@ -1,3 +1,4 @@
+from .accessible import Accessibility as Accessibility, accessibility as accessibility
 from .controllable import (
     Controllability as Controllability,
     controllability as controllability,
