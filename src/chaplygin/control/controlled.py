@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -11,12 +11,10 @@ import sympy as sp
 from ..arguments import Declared
 from ..core.named_formulas import as_pairs
 from ..core.system import Parameter, System, flat_pairs
-from ..core.vectors import real_symbol
 from ..errors import InputError
+from ..mechanics.lagrangian.mechanism import TIME
 from ..parsing import parse
 from ..parsing.exact_decimals import exactly
-
-TIME = real_symbol("t")
 
 
 @dataclass(frozen=True)
@@ -67,52 +65,48 @@ class ControlledSystem:
             self.relations,
         )
 
-    def with_inputs(self, inputs: Mapping[str, str | sp.Expr]) -> System:
-        """The System in which each input is a formula of the time t and the state.
 
-        Parameters
-        ----------
-        inputs : mapping of str to formula
-            One for each input, by its name.
+def input_formulas(
+    name: str,
+    inputs: Sequence[sp.Symbol],
+    state: Sequence[sp.Symbol],
+    given: Mapping[str, str | sp.Expr],
+) -> dict[sp.Symbol, sp.Expr]:
+    """Formulas of inputs by symbol, read and checked.
 
-        Raises
-        ------
-        InputError
-            If an input is missing or unknown, or a formula cannot be read.
-        """
-        formulas = self.input_formulas(inputs)
-        timed = any(formula.has(TIME) for formula in formulas.values())
-        return System(
-            self.name,
-            self.name,
-            (*self.field, *(((TIME, sp.S.One),) if timed else ())),
-            self.parameters,
-            (*formulas.items(), *self.definitions),
-            self.relations,
+    Parameters
+    ----------
+    name : str
+        Of the system, for messages.
+    inputs, state : sequence of Symbol
+    given : mapping of str to formula
+        One for each input, in the time t and the state.
+
+    Raises
+    ------
+    InputError
+        If an input is missing or unknown, or a formula cannot be read.
+    """
+    names = [str(u) for u in inputs]
+    if set(given) != set(names):
+        raise InputError(
+            f"{name}: the inputs are {', '.join(names)}, one formula for each; given are "
+            f"{', '.join(sorted(map(str, given))) or 'none'}"
         )
-
-    def input_formulas(self, inputs: Mapping[str, str | sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
-        """Formulas of the inputs by symbol, read and checked; see `with_inputs`."""
-        names = [str(u) for u in self.inputs]
-        if set(inputs) != set(names):
+    known = {str(s): s for s in (TIME, *state)}
+    formulas = {}
+    for symbol in inputs:
+        text = given[str(symbol)]
+        formula = (
+            parse(text, known, f"input {symbol}")
+            if isinstance(text, str)
+            else exactly(sp.sympify(text))
+        )
+        unknown = sorted(map(str, formula.free_symbols - set(known.values())))
+        if unknown:
             raise InputError(
-                f"{self.name}: the inputs are {', '.join(names)}, one formula for each; given are "
-                f"{', '.join(sorted(map(str, inputs))) or 'none'}"
+                f"{name}: the input {symbol} uses {', '.join(unknown)}; it may use the time t and "
+                f"the state {', '.join(map(str, state))}"
             )
-        known = {str(s): s for s in (TIME, *self.state)}
-        formulas = {}
-        for symbol in self.inputs:
-            given = inputs[str(symbol)]
-            formula = (
-                parse(given, known, f"input {symbol}")
-                if isinstance(given, str)
-                else exactly(sp.sympify(given))
-            )
-            unknown = sorted(map(str, formula.free_symbols - set(known.values())))
-            if unknown:
-                raise InputError(
-                    f"{self.name}: the input {symbol} uses {', '.join(unknown)}; it may use the "
-                    f"time t and the state {', '.join(map(str, self.state))}"
-                )
-            formulas[symbol] = formula
-        return formulas
+        formulas[symbol] = formula
+    return formulas

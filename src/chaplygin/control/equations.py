@@ -25,7 +25,7 @@ import sympy as sp
 from ..arguments import arguments_checked
 from ..core.laws import Integral
 from ..core.named_formulas import Pairs
-from ..core.system import Observable, Parameter, Reconstruction, System
+from ..core.system import Observable, Parameter, Reconstruction, System, flat_pairs
 from ..core.vectors import (
     Diagonal,
     Symmetric,
@@ -38,6 +38,7 @@ from ..core.vectors import (
     to_components,
 )
 from ..errors import InputError
+from ..mechanics.lagrangian.mechanism import TIME
 from ..mechanics.rolling.attitude import (
     attitude,
     attitude_observable,
@@ -46,7 +47,8 @@ from ..mechanics.rolling.attitude import (
     rotation,
     unit_length,
 )
-from .controlled import TIME, ControlledSystem
+from ..parsing.exact_decimals import exact_number
+from .controlled import ControlledSystem, input_formulas
 from .robot import SphericalRobot
 
 M, gamma, omega, b, rho, rhodot = (Vector(n) for n in ("M", "gamma", "omega", "b", "rho", "rhodot"))
@@ -167,10 +169,8 @@ def driven_system(robot: SphericalRobot, inputs: Mapping[str, str | sp.Expr]) ->
     )
     rubber = robot.contact == "rubber"
     relations = (norm_squared(gamma) - 1, *((dot(M, gamma),) if rubber else ()))
-    reduced = ControlledSystem(
-        "driven-ball", field, parts.inputs, parts.definitions, parts.parameters, relations, (m, m)
-    )
-    formulas = reduced.input_formulas(inputs)
+    state = tuple(symbol for symbol, _ in flat_pairs(field))
+    formulas = input_formulas("driven-ball", parts.inputs, state, inputs)
     timed = any(formula.has(TIME) for formula in formulas.values())
     laws: tuple[Integral, ...] = ()
     if robot.balanced:
@@ -238,7 +238,7 @@ def _formulas(robot: SphericalRobot, momentum: Column) -> _Formulas:
     inertia = Diagonal("I") if _principal(robot) else Symmetric("I")
     speeds = tuple(real_symbol(f"u_{a}") for a in range(1, len(robot.rotors) + 1))
     gyration = robot.gyration * sp.Matrix(speeds) if speeds else sp.zeros(3, 1)
-    offset = -sp.Matrix([sp.nsimplify(str(x)) for x in robot.centre])
+    offset = -sp.Matrix([exact_number(x) for x in robot.centre])
     tensor = sp.Matrix(inertia.entries)
     arm = R * vertical + offset
     # γ is a unit vector: with a = 0 this is m R²(1 − γγᵀ)

@@ -13,11 +13,11 @@ import sympy as sp
 
 from ..arguments import arguments_checked
 from ..core.arrays import FloatArray
-from ..core.vectors import real_symbol
 from ..errors import InputError
+from ..mechanics.lagrangian.mechanism import TIME
 from ..parsing import parse
+from ..parsing.exact_decimals import exact_number
 
-TIME = real_symbol("t")
 SAMPLES = 721
 """Instants at which a path is examined."""
 CLOSED = 1e-9
@@ -138,9 +138,9 @@ def figure_of_eight(length: float, width: float, period: float) -> PlanePath:
     >>> round(figure_of_eight(4.0, 2.0, 10.0).diameter, 3)
     4.0
     """
-    s = 2 * sp.pi * TIME / sp.nsimplify(str(period))
+    s = 2 * sp.pi * TIME / exact_number(period)
     tau = s - sp.sin(s)
-    half = [sp.nsimplify(str(x)) / 2 for x in (length, width)]
+    half = [exact_number(x) / 2 for x in (length, width)]
     return PlanePath(half[0] * sp.sin(tau), half[1] * sp.sin(2 * tau), period)
 
 

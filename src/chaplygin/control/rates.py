@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import sympy as sp
 
 from ..core.arrays import FloatArray
 from ..formulas.compiled import CompiledTerms, SystemFormulas
@@ -69,8 +68,3 @@ def _entries(
     ]
     code = CompiledTerms([table[i][j] for i, j in places])
     return code, ([i for i, _ in places], [j for _, j in places])
-
-
-def symbols_at(names: Sequence[sp.Symbol], among: Sequence[sp.Symbol]) -> list[int]:
-    """The places of symbols in a list."""
-    return [list(among).index(name) for name in names]

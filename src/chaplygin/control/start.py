@@ -12,7 +12,7 @@ from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
 from ..formulas.batch import Formulas
-from .controlled import TIME
+from ..mechanics.lagrangian.mechanism import TIME
 from .equations import A, M, b
 
 ROUNDING = 1e-12
