@@ -1,0 +1,122 @@
+"""A body about a fixed point under two constraints of Veselova: (ω, α) = d and (ω, β) = 0.
+
+The orthogonal directions α and β are fixed in space, and so is γ = α×β.  Then ω = dα + wγ, and the
+torque, perpendicular to γ, leaves
+
+    (γ, Iγ) ẇ = ((Iω + k)×ω + Kα×Iα, γ),    α̇ = w α×γ,    γ̇ = d γ×α.
+
+Any two values of (ω, n₁), (ω, n₂) are of this form, with α along the sum of the constant part of ω.
+For d = 0 the axis γ is fixed in the body too, the constraints are holonomic, and the body turns
+about it.  For d ≠ 0 they do work; h = ½w²(γ, Iγ) + ½(K − d²)(α, Iα) − d(k, α), the energy less
+d(Iω + k, α) up to a constant, is an integral, so that a field of strength K = d² is not felt in it.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ...core.laws import Integral, Law, Measure
+from ...core.system import Observable, Parameter, System
+from ...core.vectors import Diagonal, cross, dot, norm_squared, real_symbol, vectors
+from .. import e3
+from ..chaplygin_ball.chaplygin_bracket import ROTORS
+from ..entry import Entry, Numbers, Start
+from .veselova import moments
+
+omega, alpha, gamma, k = vectors("omega alpha gamma k")
+I = Diagonal("I")
+w, d, K = real_symbol("w"), real_symbol("d"), real_symbol("K")
+HALF = sp.Rational(1, 2)
+SOURCE = "§12, problem 1"
+
+TITLE = "Body under two constraints of Veselova"
+SUMMARY = (
+    "A rigid body with rotors turns about its centre of mass in the potential U = ½K(α, Iα); "
+    "the components of its angular velocity along two directions fixed in space are constant, "
+    "(ω, α) = d and (ω, β) = 0. For d = 0 it turns about a fixed axis."
+)
+
+
+def laws() -> tuple[Law, ...]:
+    """Energy integral and measure; for d = 0 the axis."""
+    energy = (
+        HALF * w**2 * dot(gamma, I * gamma)
+        + HALF * (K - d**2) * dot(alpha, I * alpha)
+        - d * dot(k, alpha)
+    )
+    return (
+        Integral(
+            "energy", energy, "energy less d times the momentum along α", source=SOURCE, unit="J"
+        ),
+        *(
+            Integral(
+                f"axis_{i}",
+                component,
+                f"component {i} of the axis",
+                on=(d,),
+                source=SOURCE,
+                unit="1",
+            )
+            for i, component in enumerate(gamma.symbols, 1)
+        ),
+        Measure(
+            "measure", {dot(gamma, I * gamma): HALF}, "invariant measure ρ dw d³α d³γ", source=SOURCE
+        ),
+    )
+
+
+def build(p: Numbers) -> System:
+    """With rotors, in the field."""
+    torque = cross(I * omega + k, omega) + K * cross(alpha, I * alpha)
+    return System(
+        name="two-veselova-constraints",
+        title=TITLE,
+        summary=SUMMARY,
+        source=SOURCE,
+        parameters=(
+            *e3.inertia_parameters(moments(p)),
+            *(
+                Parameter(item.symbol, item.meaning, p[str(item.symbol)], item.unit)
+                for item in ROTORS
+            ),
+            Parameter(K, "strength of the Bruns field", p["K"], "1/s^2"),
+            Parameter(d, "angular velocity along α", p["d"], "rad/s"),
+        ),
+        definitions={omega: d * alpha + w * gamma},
+        field={
+            w: dot(torque, gamma) / dot(gamma, I * gamma),
+            alpha: w * cross(alpha, gamma),
+            gamma: d * cross(gamma, alpha),
+        },
+        relations=(norm_squared(alpha) - 1, norm_squared(gamma) - 1, dot(alpha, gamma)),
+        laws=laws(),
+        observables=(Observable("omega", omega, "angular velocity", "rad/s", "body"),),
+    )
+
+
+ENTRIES = (
+    Entry(
+        name="two-veselova-constraints",
+        title=TITLE,
+        summary=SUMMARY,
+        source=SOURCE,
+        defaults={
+            **{"I_1": 1.0, "I_2": 1.5, "I_3": 2.1},
+            **{"k_1": 0.0, "k_2": 0.0, "k_3": 0.0, "K": 0.0, "d": 1.0},
+        },
+        build=build,
+        start=Start(
+            state={
+                "w": 0.7,
+                "alpha": (6 / 7, 2 / 7, -3 / 7),
+                "gamma": (3 / 7, -6 / 7, 2 / 7),
+            },
+            until=60.0,
+        ),
+        variables={
+            "w": ("angular velocity along γ", "rad/s"),
+            "alpha": ("first direction fixed in space", "1"),
+            "gamma": ("normal to both directions", "1"),
+        },
+    ),
+)
