@@ -1,14 +1,18 @@
-"""A body about a fixed point under two constraints of Veselova: (ω, α) = d and (ω, β) = 0.
+"""A body about a fixed point under two constraints of Veselova: (ω, n₁) and (ω, n₂) are constant.
 
-The orthogonal directions α and β are fixed in space, and so is γ = α×β.  Then ω = dα + wγ, and the
-torque, perpendicular to γ, leaves
+Let γ be the direction normal to n₁ and n₂, and dα, |α| = 1, any vector fixed in space whose products
+with n₁ and n₂ are the two constants.  Then ω = dα + wγ, and the torque of the constraints,
+perpendicular to γ, leaves
 
     (γ, Iγ) ẇ = ((Iω + k)×ω + Kα×Iα, γ),    α̇ = w α×γ,    γ̇ = d γ×α.
 
-Any two values of (ω, n₁), (ω, n₂) are of this form, with α along the sum of the constant part of ω.
-For d = 0 the axis γ is fixed in the body too, the constraints are holonomic, and the body turns
-about it.  For d ≠ 0 they do work; h = ½w²(γ, Iγ) + ½(K − d²)(α, Iα) − d(k, α), the energy less
-d(Iω + k, α) up to a constant, is an integral, so that a field of strength K = d² is not felt in it.
+The choice of α is free up to a multiple of γ, which changes w by a constant; so the angle between α
+and γ may be any, a right one as in the start below.  For d = 0 the axis γ is fixed in the body too,
+the constraints are holonomic, and the body turns about it.  For d ≠ 0 they do work, and
+
+    h = ½w²(γ, Iγ) + ½(K − d²)(α, Iα) − d(k, α),
+
+the energy less d(Iω + k, α), is constant: a field of strength K = d² is not felt in it.
 """
 
 from __future__ import annotations
@@ -32,8 +36,8 @@ SOURCE = "§12, problem 1"
 TITLE = "Body under two constraints of Veselova"
 SUMMARY = (
     "A rigid body with rotors turns about its centre of mass in the potential U = ½K(α, Iα); "
-    "the components of its angular velocity along two directions fixed in space are constant, "
-    "(ω, α) = d and (ω, β) = 0. For d = 0 it turns about a fixed axis."
+    "the components of its angular velocity along two directions fixed in space are constant, so that "
+    "ω = dα + wγ with the normal γ of both. For d = 0 it turns about a fixed axis."
 )
 
 
@@ -47,6 +51,9 @@ def laws() -> tuple[Law, ...]:
     return (
         Integral(
             "energy", energy, "energy less d times the momentum along α", source=SOURCE, unit="J"
+        ),
+        Integral(
+            "angle", dot(alpha, gamma), "cosine of the angle of α and γ", source=SOURCE, unit="1"
         ),
         *(
             Integral(
@@ -88,7 +95,7 @@ def build(p: Numbers) -> System:
             alpha: w * cross(alpha, gamma),
             gamma: d * cross(gamma, alpha),
         },
-        relations=(norm_squared(alpha) - 1, norm_squared(gamma) - 1, dot(alpha, gamma)),
+        relations=(norm_squared(alpha) - 1, norm_squared(gamma) - 1),
         laws=laws(),
         observables=(Observable("omega", omega, "angular velocity", "rad/s", "body"),),
     )
@@ -115,8 +122,8 @@ ENTRIES = (
         ),
         variables={
             "w": ("angular velocity along γ", "rad/s"),
-            "alpha": ("first direction fixed in space", "1"),
-            "gamma": ("normal to both directions", "1"),
+            "alpha": ("direction fixed in space", "1"),
+            "gamma": ("normal to the directions of both constraints", "1"),
         },
     ),
 )

@@ -42,7 +42,8 @@ SUMMARY = (
 SPINNING_TITLE = "Generalised Veselova system with rotors in Bruns' field"
 SPINNING_SUMMARY = (
     "A rigid body with rotors turns about its centre of mass in the potential U = ½K(γ, Iγ), and "
-    "the vertical component of its angular velocity is constant."
+    "the vertical component of its angular velocity is constant; it is integrable with the rotors "
+    "or in the field, as without them."
 )
 
 
@@ -154,7 +155,13 @@ def spinning(p: Numbers) -> System:
         parameters(p),
         BRUNS,
         (),
-        (spin(), energy_of_spinning(), momentum_with_rotors(), veselova.measure()),
+        (
+            spin(),
+            energy_of_spinning(),
+            momentum_with_rotors(),
+            momentum_in_field(),
+            veselova.measure(),
+        ),
         k,
     )
 
