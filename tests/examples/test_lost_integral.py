@@ -1,0 +1,21 @@
+"""Rotors and Bruns' field together lose the quadratic integral, at the rate that is stated."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+import chaplygin as ch
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "examples"))
+import lost_integral
+
+
+@pytest.mark.parametrize("name", lost_integral.cases())
+def test_the_integral_is_refuted_and_its_rate_proven(name: str) -> None:
+    system, lost, rate = lost_integral.cases()[name]
+    assert ch.prove(system, ch.Integral("lost", lost)).decision == "refuted"
+    assert ch.prove(system, ch.Identity("rate", ch.Rate(lost) - rate)).decision == "proven"
+    assert ch.prove(system, ch.Identity("rate", ch.Rate(lost) + rate)).decision == "refuted"
