@@ -3,9 +3,9 @@
 Every cell of the table is the outcome of one command; this script runs them all, keeps the outcomes
 in examples/combinations/verdicts.json, and writes docs/combinations.md.
 
-    python examples/combinations_table.py                      outcomes that are missing, and the page
-    python examples/combinations_table.py plane-11             the commands of one row and their outcomes
-    python examples/combinations_table.py --multiplier rubber  the reducing multiplier of a rolling ball
+    python examples/combinations_table.py                    missing outcomes, and the page
+    python examples/combinations_table.py plane-11           the commands of a row, their outcomes
+    python examples/combinations_table.py --multiplier rubber
 """
 
 from __future__ import annotations
@@ -501,7 +501,9 @@ def multiplier_of(key: str) -> tuple[dict[str, Any], str]:
         mechanism = ch.rolling_mechanism(replace(both, contact="rubber"))
     else:
         family, mark = key.rsplit("-", 1)
-        ball = both if mark[0] == "1" else replace(both, body=replace(both.body, gyrostat=(0, 0, 0)))
+        ball = (
+            both if mark[0] == "1" else replace(both, body=replace(both.body, gyrostat=(0, 0, 0)))
+        )
         ball = ball if mark[1] == "1" else replace(ball, field=ch.Forces())
         mechanism = ch.rolling_mechanism(ball)
         if family == "around":
@@ -527,7 +529,7 @@ def _fraction(number: float) -> Any:
 
 def read() -> dict[str, dict[str, Any]]:
     """Outcomes by command."""
-    return json.loads(FILE.read_text()) if FILE.exists() else {}
+    return json.loads(FILE.read_text(encoding="utf-8")) if FILE.exists() else {}
 
 
 def compute(rows: Sequence[Row], outcomes: dict[str, dict[str, Any]]) -> None:
@@ -537,21 +539,29 @@ def compute(rows: Sequence[Row], outcomes: dict[str, dict[str, Any]]) -> None:
             if command in outcomes:
                 continue
             outcomes[command] = outcome(command)
-            FILE.write_text(json.dumps(outcomes, ensure_ascii=False, indent=1) + "\n")
+            FILE.write_text(
+                json.dumps(outcomes, ensure_ascii=False, indent=1) + "\n", encoding="utf-8"
+            )
             print(f"{row.key}: {command}: {outcomes[command]}", flush=True)
 
 
 def cell(row: Row, column: str, outcomes: dict[str, dict[str, Any]]) -> str:
     """The words of one cell."""
-    command = row.commands[column]
-    if not command:
-        return "–"
-    found = outcomes[command]
+    found = outcomes[row.commands[column]]
     if column == "integrals":
         if found["verdict"] != "proven":
-            return "undecided"
-        return f"{found['count']} **proven**, further ones **refuted**"
-    words = f": {found['words']}" if found["words"] else ""
+            return "**undecided**"
+        known = "one" if found["count"] == 1 else str(found["count"])
+        over = f" over {found['divisors'] + 1} denominators" if found["divisors"] else ""
+        return f"{known} **proven**, any other **refuted** ({found['size']} coefficients{over})"
+    if column == "exponent":
+        value, error = found["value"], found["error"]
+        if value > 2 * error:
+            words = "chaos"
+        else:
+            words = "zero within its error" if value <= error else "not settled by this length"
+        return f"λ = {value:.3f} ± {error:.3f}, **observed**: {words}"
+    words = f": {found['words']}" if found["words"] not in ("", "solved") else ""
     return f"**{found['verdict']}**{words}"
 
 
@@ -564,22 +574,48 @@ def integrable(row: Row, outcomes: dict[str, dict[str, Any]]) -> str:
     return "**proven**" if missing <= 0 else f"**undecided**: {missing} integral short"
 
 
+LABELS = {
+    "measure": "measure",
+    "Poisson": "Poisson structure",
+    "integrals": "quadratic integrals",
+    "closed form": "closed form",
+    "exponent": "largest exponent",
+}
+
+
+def summary(outcomes: dict[str, dict[str, Any]]) -> str:
+    """One line for every row: the verdicts alone."""
+    lines = ["| row | measure | Poisson | integrable | λ |", "|---|---|---|---|---|"]
+    for row in ROWS.values():
+        exponent = outcomes[row.exponent]["value"] if row.exponent else None
+        cells = (
+            f"`{row.key}`",
+            outcomes[row.measure]["verdict"],
+            outcomes[row.poisson]["verdict"],
+            integrable(row, outcomes).split("**")[1],
+            "–" if exponent is None else f"{exponent:.3f}",
+        )
+        lines.append(f"| {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
 def page(outcomes: dict[str, dict[str, Any]]) -> str:
     """docs/combinations.md."""
-    parts = [(HERE / "combinations" / "preface.md").read_text().rstrip()]
+    parts = [(HERE / "combinations" / "preface.md").read_text(encoding="utf-8").rstrip()]
+    parts.append(f"## Overview\n\n{summary(outcomes)}")
     for family in FAMILIES:
         parts.append(f"## {family.title}\n\n{family.text}")
         for row in family.rows:
-            first, *_ = row.key.rsplit("-", 1)
-            lines = [f"**{row.words.capitalize()}** (`{row.key}`)", ""]
-            lines += [f"- measure: {cell(row, 'measure', outcomes)}"]
-            lines += [f"- Poisson structure: {cell(row, 'Poisson', outcomes)}"]
-            lines += [f"- quadratic integrals: {cell(row, 'integrals', outcomes)}"]
-            lines += [f"- integrable (Euler–Jacobi): {integrable(row, outcomes)}"]
-            if row.solution:
-                lines += [f"- closed form: {cell(row, 'closed form', outcomes)}"]
-            if row.exponent:
-                lines += [f"- largest exponent: {cell(row, 'exponent', outcomes)}"]
+            lines = [f"**{row.words.capitalize()}**, `{row.key}`", ""]
+            for column, command in row.commands.items():
+                if command:
+                    seconds = outcomes[command]["seconds"]
+                    lines.append(
+                        f"- {LABELS[column]}: {cell(row, column, outcomes)}  \n"
+                        f"  `{command}` ({seconds:g} s)"
+                    )
+                if column == "integrals":
+                    lines.append(f"- integrable by Euler and Jacobi: {integrable(row, outcomes)}")
             parts.append("\n".join(lines))
     return "\n\n".join(parts) + "\n"
 

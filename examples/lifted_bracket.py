@@ -1,10 +1,11 @@
 """Whether the Poisson bracket of a rolling ball can be lifted to its whole attitude: exactly.
 
-A ball in a ball bearing has the momentum M = Bω, B = I + tr P − P, P = Σ D a⊗a over the directions a
-of its supports, fixed in space; the Chaplygin ball is the case P = D γ⊗γ.  Sought is a conformally
-Hamiltonian form v = N {·, E} in which functions of the attitude commute and {M_i, a_j} depends on the
-attitude alone.  From ȧ = a×ω it follows that {L_i, a_j} = ε_ijk a_k with L = NM, from the Jacobi
-identity that {L_i, L_j} = ε_ijk (L_k + w_k) with w a function of the attitude, and from Ṁ = M×ω
+A ball in a ball bearing has the momentum M = Bω, B = I + tr P − P, P = Σ D a⊗a over the directions
+a of its supports, fixed in space; the Chaplygin ball is the case P = D γ⊗γ.  Sought is a
+conformally Hamiltonian form v = N {·, E} in which functions of the attitude commute and {M_i, a_j}
+depends on the attitude alone.  From ȧ = a×ω it follows that {L_i, a_j} = ε_ijk a_k with L = NM,
+from the Jacobi identity that {L_i, L_j} = ε_ijk (L_k + w_k) with w a function of the attitude, and
+from Ṁ = M×ω
 
     (M, ω) Θ − (Θ, ω) M = w×ω/N + Σ a×∂E/∂a    for every M,    Θ = Σ a×∂ ln N/∂a.
 
@@ -23,7 +24,7 @@ from fractions import Fraction
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from chaplygin.catalogue.chaplygin_ball.ball_bearing import SUPPORTS, M, alpha, beta, gamma, tensor
+from chaplygin.catalogue.chaplygin_ball.ball_bearing import SUPPORTS, alpha, beta, gamma, tensor
 from chaplygin.core.vectors import Diagonal, to_components
 
 #: The rows are orthonormal: α, β, γ in body axes, in sevenths.
@@ -51,7 +52,9 @@ def unknowns(moments: Sequence[Fraction], weights: Sequence[Fraction | int]) -> 
         D of the supporting balls in the directions α, β, γ, which are orthonormal.
     """
     values = dict(zip(Diagonal("I").symbols, map(sp.Rational, moments), strict=True))
-    values |= {weight: sp.Rational(value) for (weight, _), value in zip(SUPPORTS, weights, strict=True)}
+    values |= {
+        weight: sp.Rational(value) for (weight, _), value in zip(SUPPORTS, weights, strict=True)
+    }
     inertia = to_components(tensor()).xreplace(values)
     axes: tuple[MatrixExpr, ...] = (alpha, beta, gamma)
     here = {
@@ -76,7 +79,7 @@ def unknowns(moments: Sequence[Fraction], weights: Sequence[Fraction | int]) -> 
 
 
 def lifts(moments: Sequence[Fraction], weights: Sequence[Fraction | int]) -> bool:
-    """Whether the equations have a solution at :data:`ATTITUDE`; if not, there is no lifted bracket.
+    """Whether the equations have a solution at :data:`ATTITUDE`; if not, no bracket is lifted.
 
     Examples
     --------

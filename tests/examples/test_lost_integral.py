@@ -13,6 +13,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "examples"))
 import lost_integral
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", lost_integral.cases())
 def test_the_integral_is_refuted_and_its_rate_proven(name: str) -> None:
     system, lost, rate = lost_integral.cases()[name]

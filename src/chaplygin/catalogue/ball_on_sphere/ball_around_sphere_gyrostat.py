@@ -33,18 +33,31 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     if not (body.principal and any(body.gyrostat)):
         return ()
     measure = Measure("measure", {DET_IQ: -HALF}, "invariant measure ρ d³M d³γ", source=SOURCE)
-    if bruns_factor(field.potential) != K:
-        return (measure,)
-    momentum = Integral(
-        "momentum",
-        norm_squared(M + k),
-        "square of the momentum",
-        on=(K,),
-        source=SOURCE,
-        unit=MOMENTUM_UNIT,
-    )
-    return (momentum, measure)
+    if bruns_factor(field.potential) == K and not dict(field.values)[K]:
+        return (MOMENTUM, measure)
+    return (measure,)
 
+
+MOMENTUM = Integral(
+    "momentum",
+    norm_squared(M + k),
+    "square of the momentum",
+    on=(K,),
+    source=SOURCE,
+    unit=MOMENTUM_UNIT,
+)
+
+
+def general() -> System:
+    """With the integral of a ball without a field."""
+    system = build(NUMBERS).system("ball-around-sphere-gyrostat-bruns")
+    return replace(system, laws=(MOMENTUM,))
+
+
+NUMBERS = {
+    **ball_on_sphere.ENTRIES[1].defaults,
+    **{"k_1": 0.6, "k_2": 0.4, "k_3": -0.8, "K": 3.0},
+}
 
 ENTRIES = (
     Entry(
@@ -56,12 +69,10 @@ ENTRIES = (
             "left, also for k = −1."
         ),
         source=SOURCE,
-        defaults={
-            **ball_on_sphere.ENTRIES[1].defaults,
-            **{"k_1": 0.6, "k_2": 0.4, "k_3": -0.8, "K": 3.0},
-        },
+        defaults=NUMBERS,
         build=build,
         start=Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=60.0),
         laws=laws,
+        general=general,
     ),
 )

@@ -6,6 +6,8 @@ direction of the third supporting ball.  Without the field M + k is constant in 
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from ...core.laws import Integral, Law, Measure
@@ -23,6 +25,7 @@ from ...core.vectors import (
 from ...mechanics.rolling.body import check_inertia
 from ..e3 import inertia_parameters
 from ..entry import Entry, Numbers
+from ..parameter_conditions import holding
 from . import ball_bearing
 from .ball_bearing import MOMENTUM, SUPPORTS, tensor
 from .chaplygin_bracket import ROTORS
@@ -112,12 +115,19 @@ def build(p: Numbers) -> System:
             gamma: cross(gamma, omega),
         },
         relations=(norm_squared(alpha) - 1, norm_squared(beta) - 1, norm_squared(gamma) - 1),
-        laws=laws(),
+        laws=holding(laws(), p),
         observables=(Observable("omega", omega, "angular velocity", "rad/s", "body"),),
     )
 
 
 _BEARING = ball_bearing.ENTRIES[0]
+NUMBERS = {**_BEARING.defaults, "k_1": 0.6, "k_2": 0.4, "k_3": -0.8, "K": 3.0}
+
+
+def general() -> System:
+    """With the laws of a ball without a field."""
+    return replace(build(NUMBERS), laws=tuple(law for law in laws() if law.on))
+
 
 ENTRIES = (
     Entry(
@@ -125,9 +135,10 @@ ENTRIES = (
         title=TITLE,
         summary=SUMMARY,
         source=SOURCE,
-        defaults={**_BEARING.defaults, "k_1": 0.6, "k_2": 0.4, "k_3": -0.8, "K": 3.0},
+        defaults=NUMBERS,
         build=build,
         start=_BEARING.start,
         variables=_BEARING.variables,
+        general=general,
     ),
 )

@@ -5,11 +5,13 @@ tensor of the supports is D(E − γ⊗γ), γ = α×β, and the momentum become
 
     M = Iω + D(ω + (ω, γ)γ) = Jω + D(ω, γ)γ,    J = I + D,
 
-where the Chaplygin ball has −D(ω, γ)γ.  Every law of that ball holds with the sign of D changed, and
-the ball has a conformally Hamiltonian form, with rotors and in every potential U(γ).
+where the Chaplygin ball has −D(ω, γ)γ.  Every law of that ball holds with the sign of D changed in
+it, and the ball has a conformally Hamiltonian form, with rotors and in every potential U(γ).
 """
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import sympy as sp
 
@@ -29,6 +31,7 @@ from ...core.vectors import (
 from ...mechanics.rolling.body import check_inertia
 from ..e3 import inertia_parameters, lie_poisson
 from ..entry import Entry, Numbers, Start
+from ..parameter_conditions import holding
 from .chaplygin_bracket import DET_J, ROTORS, A, I, J
 
 M, gamma, k, omega = vectors("M gamma k omega")
@@ -86,9 +89,7 @@ def laws() -> tuple[Law, ...]:
             source=SOURCE,
             unit=unit,
         ),
-        Measure(
-            "measure", {DETERMINANT: -HALF}, "invariant measure ρ d³M d³γ", source=SOURCE
-        ),
+        Measure("measure", {DETERMINANT: -HALF}, "invariant measure ρ d³M d³γ", source=SOURCE),
         structure,
         ConformallyHamiltonian(
             "hamiltonian",
@@ -131,8 +132,19 @@ def build(p: Numbers) -> System:
             gamma: cross(gamma, omega),
         },
         relations=(norm_squared(gamma) - 1,),
-        laws=laws(),
+        laws=holding(laws(), p),
     )
+
+
+NUMBERS = {
+    **{"I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "D": 0.8},
+    **{"k_1": 0.6, "k_2": 0.4, "k_3": -0.8, "K": 3.0},
+}
+
+
+def general() -> System:
+    """With the laws of a ball without rotors or without a field."""
+    return replace(build(NUMBERS), laws=tuple(law for law in laws() if law.on))
 
 
 ENTRIES = (
@@ -141,10 +153,7 @@ ENTRIES = (
         title=TITLE,
         summary=SUMMARY,
         source=SOURCE,
-        defaults={
-            **{"I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "D": 0.8},
-            **{"k_1": 0.6, "k_2": 0.4, "k_3": -0.8, "K": 3.0},
-        },
+        defaults=NUMBERS,
         build=build,
         start=Start(
             state={"M": (1.2, -0.7, 1.9), "gamma": (2 / 7, -3 / 7, 6 / 7)},
@@ -154,5 +163,6 @@ ENTRIES = (
             "M": ("momentum of the ball and its supports", "kg m^2/s"),
             "gamma": ("normal to the directions of both balls", "1"),
         },
+        general=general,
     ),
 )

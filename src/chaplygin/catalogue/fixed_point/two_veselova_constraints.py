@@ -1,7 +1,7 @@
 """A body about a fixed point under two constraints of Veselova: (ω, n₁) and (ω, n₂) are constant.
 
-Let γ be the direction normal to n₁ and n₂, and dα, |α| = 1, any vector fixed in space whose products
-with n₁ and n₂ are the two constants.  Then ω = dα + wγ, and the torque of the constraints,
+Let γ be the direction normal to n₁ and n₂, and dα, |α| = 1, any vector fixed in space whose
+products with n₁ and n₂ are the two constants.  Then ω = dα + wγ, and the torque of the constraints,
 perpendicular to γ, leaves
 
     (γ, Iγ) ẇ = ((Iω + k)×ω + Kα×Iα, γ),    α̇ = w α×γ,    γ̇ = d γ×α.
@@ -17,6 +17,8 @@ the energy less d(Iω + k, α), is constant: a field of strength K = d² is not 
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from ...core.laws import Integral, Law, Measure
@@ -25,6 +27,7 @@ from ...core.vectors import Diagonal, cross, dot, norm_squared, real_symbol, vec
 from .. import e3
 from ..chaplygin_ball.chaplygin_bracket import ROTORS
 from ..entry import Entry, Numbers, Start
+from ..parameter_conditions import holding
 from .veselova import moments
 
 omega, alpha, gamma, k = vectors("omega alpha gamma k")
@@ -35,8 +38,8 @@ SOURCE = "§12, problem 1"
 
 TITLE = "Body under two constraints of Veselova"
 SUMMARY = (
-    "A rigid body with rotors turns about its centre of mass in the potential U = ½K(α, Iα); "
-    "the components of its angular velocity along two directions fixed in space are constant, so that "
+    "A rigid body with rotors turns about its centre of mass in the potential U = ½K(α, Iα); the "
+    "components of its angular velocity along two directions fixed in space are constant, so that "
     "ω = dα + wγ with the normal γ of both. For d = 0 it turns about a fixed axis."
 )
 
@@ -67,7 +70,10 @@ def laws() -> tuple[Law, ...]:
             for i, component in enumerate(gamma.symbols, 1)
         ),
         Measure(
-            "measure", {dot(gamma, I * gamma): HALF}, "invariant measure ρ dw d³α d³γ", source=SOURCE
+            "measure",
+            {dot(gamma, I * gamma): HALF},
+            "invariant measure ρ dw d³α d³γ",
+            source=SOURCE,
         ),
     )
 
@@ -96,9 +102,20 @@ def build(p: Numbers) -> System:
             gamma: d * cross(gamma, alpha),
         },
         relations=(norm_squared(alpha) - 1, norm_squared(gamma) - 1),
-        laws=laws(),
+        laws=holding(laws(), p),
         observables=(Observable("omega", omega, "angular velocity", "rad/s", "body"),),
     )
+
+
+NUMBERS = {
+    **{"I_1": 1.0, "I_2": 1.5, "I_3": 2.1},
+    **{"k_1": 0.0, "k_2": 0.0, "k_3": 0.0, "K": 0.0, "d": 1.0},
+}
+
+
+def general() -> System:
+    """With the laws of d = 0."""
+    return replace(build(NUMBERS), laws=tuple(law for law in laws() if law.on))
 
 
 ENTRIES = (
@@ -107,10 +124,7 @@ ENTRIES = (
         title=TITLE,
         summary=SUMMARY,
         source=SOURCE,
-        defaults={
-            **{"I_1": 1.0, "I_2": 1.5, "I_3": 2.1},
-            **{"k_1": 0.0, "k_2": 0.0, "k_3": 0.0, "K": 0.0, "d": 1.0},
-        },
+        defaults=NUMBERS,
         build=build,
         start=Start(
             state={
@@ -125,5 +139,6 @@ ENTRIES = (
             "alpha": ("direction fixed in space", "1"),
             "gamma": ("normal to the directions of both constraints", "1"),
         },
+        general=general,
     ),
 )

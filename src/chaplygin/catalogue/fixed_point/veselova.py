@@ -90,7 +90,9 @@ def turning(
     rotors : vector
         Constant momentum of rotors, body axes.
     """
-    torque = cross(I * omega, omega) + cross(rotors, omega) + cross(gamma, gradient(potential, gamma))
+    torque = (
+        cross(I * omega, omega) + cross(rotors, omega) + cross(gamma, gradient(potential, gamma))
+    )
     return System(
         name=name,
         title=title,

@@ -7,6 +7,8 @@ Theorem 7, which stays a Poisson bracket, since on a sphere every gyroscopic 2-f
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from ...core.laws import ConformallyHamiltonian, Integral, Law, PoissonStructure
@@ -24,6 +26,7 @@ from ...core.vectors import (
 from .. import e3
 from ..chaplygin_ball.chaplygin_bracket import ROTORS
 from ..entry import Entry, Numbers, Start
+from ..parameter_conditions import holding
 from . import veselova
 from .veselova import BRUNS, DENSITY, DET_I, KINETIC, K, U
 from .veselova_spinning import spin
@@ -51,10 +54,7 @@ def parameters(p: Numbers) -> tuple[Parameter, ...]:
     """Moments of inertia, rotors and strength of the field."""
     return (
         *e3.inertia_parameters(veselova.moments(p)),
-        *(
-            Parameter(item.symbol, item.meaning, p[str(item.symbol)], item.unit)
-            for item in ROTORS
-        ),
+        *(Parameter(item.symbol, item.meaning, p[str(item.symbol)], item.unit) for item in ROTORS),
         Parameter(K, "strength of the Bruns field", p["K"], "1/s^2"),
     )
 
@@ -81,6 +81,9 @@ def momentum_in_field() -> Integral:
         source="Remark 15",
         unit=veselova.MOMENTUM_UNIT,
     )
+
+
+MOMENTA = (momentum_with_rotors(), momentum_in_field())
 
 
 def bracket() -> PoissonStructure:
@@ -136,8 +139,7 @@ def build(p: Numbers) -> System:
         (dot(omega, gamma),),
         (
             veselova.energy(BRUNS),
-            momentum_with_rotors(),
-            momentum_in_field(),
+            *holding(MOMENTA, p),
             veselova.measure(),
             *conformally_hamiltonian(),
         ),
@@ -158,8 +160,7 @@ def spinning(p: Numbers) -> System:
         (
             spin(),
             energy_of_spinning(),
-            momentum_with_rotors(),
-            momentum_in_field(),
+            *holding(MOMENTA, p),
             veselova.measure(),
         ),
         k,
@@ -167,6 +168,17 @@ def spinning(p: Numbers) -> System:
 
 
 NUMBERS = {**veselova.NUMBERS, "k_1": 0.6, "k_2": 0.4, "k_3": -0.8, "K": 3.0}
+
+
+def general() -> System:
+    """With the integrals of a body without rotors or without a field."""
+    return replace(build(NUMBERS), laws=MOMENTA)
+
+
+def spinning_general() -> System:
+    """The same with (ω, γ) = d."""
+    return replace(spinning(NUMBERS), laws=MOMENTA)
+
 
 ENTRIES = (
     Entry(
@@ -177,6 +189,7 @@ ENTRIES = (
         defaults=NUMBERS,
         build=build,
         start=veselova.START,
+        general=general,
     ),
     Entry(
         name="veselova-spinning-gyrostat-bruns",
@@ -186,5 +199,6 @@ ENTRIES = (
         defaults=NUMBERS,
         build=spinning,
         start=Start(omega=(0.9, -0.5, 0.8), gamma=(0.2, -0.3, 0.93), until=60.0),
+        general=spinning_general,
     ),
 )
