@@ -4,46 +4,59 @@ from __future__ import annotations
 
 import shlex
 import sys
+from collections.abc import Iterator
 from pathlib import Path
+from types import ModuleType
+from typing import Any
 
 import pytest
 
 ROOT = Path(__file__).parents[2]
-sys.path.insert(0, str(ROOT / "examples"))
-import combinations_table as table
-
-OUTCOMES = table.read()
-COMMANDS = [c for row in table.ROWS.values() for c in row.commands.values() if c]
 
 
-def test_the_page_is_that_of_the_outcomes() -> None:
-    assert table.PAGE.read_text(encoding="utf-8") == table.page(OUTCOMES)
+@pytest.fixture(scope="module")
+def table() -> Iterator[ModuleType]:
+    sys.path.insert(0, str(ROOT / "examples"))
+    try:
+        import combinations_table
+
+        yield combinations_table
+    finally:
+        sys.path.remove(str(ROOT / "examples"))
 
 
-def test_every_outcome_is_of_a_command_of_the_table() -> None:
-    assert set(OUTCOMES) == set(COMMANDS)
+@pytest.fixture(scope="module")
+def outcomes(table: ModuleType) -> dict[str, Any]:
+    return table.read()
 
 
-def test_the_files_of_the_commands_are_there() -> None:
-    words = {word for command in COMMANDS for word in shlex.split(command)}
+def commands(table: ModuleType) -> list[str]:
+    return [c for row in table.ROWS.values() for c in row.commands.values() if c]
+
+
+def test_the_page_is_that_of_the_outcomes(table: ModuleType, outcomes: dict[str, Any]) -> None:
+    assert table.PAGE.read_text(encoding="utf-8") == table.page(outcomes)
+
+
+def test_every_outcome_is_of_a_command(table: ModuleType, outcomes: dict[str, Any]) -> None:
+    assert set(outcomes) == set(commands(table))
+
+
+def test_the_files_of_the_commands_are_there(table: ModuleType) -> None:
+    words = {word for command in commands(table) for word in shlex.split(command)}
     files = [word for word in words if word.endswith((".toml", ".py"))]
     assert files
     assert all((ROOT / word).exists() for word in files)
 
 
-@pytest.mark.parametrize("key", ["veselova-11", "two-balls-00"])
-def test_outcomes_are_repeated(key: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(ROOT)
-    command = table.ROWS[key].measure
-    again = table.outcome(command)
-    assert again["verdict"] == OUTCOMES[command]["verdict"] == "proven"
-
-
 @pytest.mark.slow
-@pytest.mark.parametrize("key", table.ROWS)
-def test_a_search_is_repeated(key: str, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("key", ["veselova-11", "two-balls-00", "rubber-around-00"])
+def test_outcomes_are_repeated(
+    table: ModuleType, outcomes: dict[str, Any], key: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.chdir(ROOT)
-    command = table.ROWS[key].integrals
-    again = table.outcome(command)
+    row = table.ROWS[key]
+    assert table.outcome(row.measure)["verdict"] == outcomes[row.measure]["verdict"] == "proven"
+    again = table.outcome(row.integrals)
     for name in ("verdict", "count", "size", "divisors"):
-        assert again[name] == OUTCOMES[command][name]
+        assert again[name] == outcomes[row.integrals][name]

@@ -26,9 +26,9 @@ from ...mechanics.rolling.body import check_inertia
 from ..e3 import inertia_parameters
 from ..entry import Entry, Numbers
 from ..parameter_conditions import holding
+from ..rotors_and_field import rotors_and_field
 from . import ball_bearing
 from .ball_bearing import MOMENTUM, SUPPORTS, tensor
-from .chaplygin_bracket import ROTORS
 
 M, omega, alpha, beta, gamma, k = vectors("M omega alpha beta gamma k")
 I = Diagonal("I")
@@ -96,11 +96,7 @@ def build(p: Numbers) -> System:
                 )
                 for i, (weight, _) in enumerate(SUPPORTS, 1)
             ),
-            *(
-                Parameter(item.symbol, item.meaning, p[str(item.symbol)], item.unit)
-                for item in ROTORS
-            ),
-            Parameter(K, "strength of the Bruns field", p["K"], "1/s^2"),
+            *rotors_and_field(p),
         ),
         definitions={
             B: tensor(),

@@ -32,7 +32,8 @@ from ...mechanics.rolling.body import check_inertia
 from ..e3 import inertia_parameters, lie_poisson
 from ..entry import Entry, Numbers, Start
 from ..parameter_conditions import holding
-from .chaplygin_bracket import DET_J, ROTORS, A, I, J
+from ..rotors_and_field import rotors_and_field
+from .chaplygin_bracket import DET_J, A, I, J
 
 M, gamma, k, omega = vectors("M gamma k omega")
 K, D, U = real_symbol("K"), real_symbol("D"), real_symbol("U")
@@ -115,11 +116,7 @@ def build(p: Numbers) -> System:
         parameters=(
             *inertia_parameters(moments),
             Parameter(D, "d R²/ρ² of a supporting ball", p["D"], "kg m^2", (D >= 0,)),
-            *(
-                Parameter(item.symbol, item.meaning, p[str(item.symbol)], item.unit)
-                for item in ROTORS
-            ),
-            Parameter(K, "strength of the Bruns field", p["K"], "1/s^2"),
+            *rotors_and_field(p),
         ),
         definitions={
             J: I + D * identity,

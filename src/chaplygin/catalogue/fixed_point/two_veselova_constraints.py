@@ -25,9 +25,9 @@ from ...core.laws import Integral, Law, Measure
 from ...core.system import Observable, Parameter, System
 from ...core.vectors import Diagonal, cross, dot, norm_squared, real_symbol, vectors
 from .. import e3
-from ..chaplygin_ball.chaplygin_bracket import ROTORS
 from ..entry import Entry, Numbers, Start
 from ..parameter_conditions import holding
+from ..rotors_and_field import rotors_and_field
 from .veselova import moments
 
 omega, alpha, gamma, k = vectors("omega alpha gamma k")
@@ -88,11 +88,7 @@ def build(p: Numbers) -> System:
         source=SOURCE,
         parameters=(
             *e3.inertia_parameters(moments(p)),
-            *(
-                Parameter(item.symbol, item.meaning, p[str(item.symbol)], item.unit)
-                for item in ROTORS
-            ),
-            Parameter(K, "strength of the Bruns field", p["K"], "1/s^2"),
+            *rotors_and_field(p),
             Parameter(d, "angular velocity along α", p["d"], "rad/s"),
         ),
         definitions={omega: d * alpha + w * gamma},

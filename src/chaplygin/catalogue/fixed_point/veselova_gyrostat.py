@@ -24,9 +24,9 @@ from ...core.vectors import (
     vectors,
 )
 from .. import e3
-from ..chaplygin_ball.chaplygin_bracket import ROTORS
 from ..entry import Entry, Numbers, Start
 from ..parameter_conditions import holding
+from ..rotors_and_field import rotors_and_field
 from . import veselova
 from .veselova import BRUNS, DENSITY, DET_I, KINETIC, K, U
 from .veselova_spinning import spin
@@ -54,8 +54,7 @@ def parameters(p: Numbers) -> tuple[Parameter, ...]:
     """Moments of inertia, rotors and strength of the field."""
     return (
         *e3.inertia_parameters(veselova.moments(p)),
-        *(Parameter(item.symbol, item.meaning, p[str(item.symbol)], item.unit) for item in ROTORS),
-        Parameter(K, "strength of the Bruns field", p["K"], "1/s^2"),
+        *rotors_and_field(p),
     )
 
 
