@@ -60,3 +60,14 @@ def test_outcomes_are_repeated(
     again = table.outcome(row.integrals)
     for name in ("verdict", "count", "size", "divisors"):
         assert again[name] == outcomes[row.integrals][name]
+
+
+@pytest.mark.slow
+def test_the_multiplier_in_the_field_is_that_of_the_free_ball(table: ModuleType) -> None:
+    """The Borisov–Fedorov problem on every level of its linear integral."""
+    (free, words), (field, more) = (table.multiplier_of(f"around-0{mark}") for mark in "01")
+    assert free["verdict"] == field["verdict"] == "proven"
+    denominators = [
+        text.partition("multiplier")[2].split("gyroscopic")[0] for text in (words, more)
+    ]
+    assert denominators[0] == denominators[1] != ""
