@@ -454,8 +454,7 @@ def _solved(code: int, output: str, complaint: str) -> dict[str, Any]:
 def _followed(code: int, output: str, complaint: str) -> dict[str, Any]:
     (first, *_) = json.loads(output)["exponents"] or ({"value": 0.0, "error": 0.0},)
     value, error = first["value"], first["error"]
-    apart = value > 2 * error
-    words = f"λ = {value:.3f} ± {error:.3f}" + ("" if apart else ": none seen")
+    words = f"λ = {value:.3f} ± {error:.3f}"
     return {"verdict": "observed", "words": words, "value": value, "error": error}
 
 
@@ -535,6 +534,17 @@ def _fraction(number: float) -> Any:
 def read() -> dict[str, dict[str, Any]]:
     """Outcomes by command."""
     return json.loads(FILE.read_text(encoding="utf-8")) if FILE.exists() else {}
+
+
+def keep(outcomes: dict[str, dict[str, Any]]) -> None:
+    """Write the outcomes to their file."""
+    FILE.write_text(json.dumps(outcomes, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
+
+
+def needed(outcomes: dict[str, dict[str, Any]]) -> dict[str, dict[str, Any]]:
+    """The outcomes of commands of the table, in its order."""
+    commands = [c for row in ROWS.values() for c in row.commands.values()]
+    return {command: outcomes[command] for command in commands if command in outcomes}
 
 
 def compute(rows: Sequence[Row], outcomes: dict[str, dict[str, Any]]) -> None:
@@ -639,7 +649,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     unknown = [key for key in asked.rows if key not in ROWS]
     if unknown:
         parser.error(f"ROW {unknown[0]}: it must be one of {', '.join(ROWS)}")
-    outcomes = read()
+    outcomes = needed(read())
     compute([ROWS[key] for key in asked.rows or ROWS], outcomes)
     for key in asked.rows:
         for column, command in ROWS[key].commands.items():
@@ -647,6 +657,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
                 print(f"{column}: {outcomes[command]['verdict']} {outcomes[command]['words']}")
                 print(f"    {command}")
     if not asked.rows:
+        keep(needed(outcomes))
         PAGE.write_text(page(outcomes), encoding="utf-8")
         print(f"wrote {PAGE}")
 
