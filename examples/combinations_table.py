@@ -311,7 +311,7 @@ def _two_constraints() -> tuple[Row, ...]:
             f"chaplygin show {name}",
             search(name, *(where or ("--at none",)), "--momenta w"),
             "",
-            follow(file, *numbers),
+            follow(file, *numbers) if mark[1] == "1" else "",
         )
         for mark, (where, numbers) in cases.items()
     )
@@ -481,7 +481,7 @@ def _script(arguments: Sequence[str]) -> dict[str, Any]:
         )
         return {
             "verdict": "refuted" if refuted else "undecided",
-            "words": "on the attitude; on (M, γ) none known",
+            "words": "for brackets of cotangent type",
         }
     return multiplier_of(arguments[-1])[0]
 
@@ -576,7 +576,7 @@ def cell(row: Row, column: str, outcomes: dict[str, dict[str, Any]]) -> str:
         else:
             words = "zero within its error" if value <= error else "not settled by this length"
         return f"λ = {value:.3f} ± {error:.3f}, **observed**: {words}"
-    words = f": {found['words']}" if found["words"] not in ("", "solved") else ""
+    words = f" ({found['words']})" if found["words"] not in ("", "solved") else ""
     return f"**{found['verdict']}**{words}"
 
 
@@ -586,7 +586,9 @@ def integrable(row: Row, outcomes: dict[str, dict[str, Any]]) -> str:
     if outcomes[row.measure]["verdict"] != "proven":
         return "**undecided**"
     missing = row.dimension - 2 - count
-    return "**proven**" if missing <= 0 else f"**undecided**: {missing} integral short"
+    if missing <= 0:
+        return "**proven**"
+    return f"**undecided**, {'one integral' if missing == 1 else f'{missing} integrals'} short"
 
 
 LABELS = {
@@ -621,7 +623,7 @@ def page(outcomes: dict[str, dict[str, Any]]) -> str:
     for family in FAMILIES:
         parts.append(f"## {family.title}\n\n{family.text}")
         for row in family.rows:
-            lines = [f"**{row.words.capitalize()}**, `{row.key}`", ""]
+            lines = [f"**{row.words[0].upper()}{row.words[1:]}**, `{row.key}`", ""]
             for column, command in row.commands.items():
                 if command:
                     seconds = outcomes[command]["seconds"]

@@ -131,6 +131,7 @@ INTEGRABLE = frozenset(
         *("chaplygin-ball-fedorov", "ball-around-sphere", "ball-around-sphere-hamiltonian"),
         *("rubber-ball-of-ratio", "rubber-ball-around-sphere", "power-potential-on-sphere"),
         *("rubber-ball-separated", "disk-on-ice", "smooth-disk", "ball-around-sphere-bruns"),
+        "two-veselova-constraints",
     )
 )
 

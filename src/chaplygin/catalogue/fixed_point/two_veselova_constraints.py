@@ -12,7 +12,9 @@ the constraints are holonomic, and the body turns about it.  For d ≠ 0 they do
 
     h = ½w²(γ, Iγ) + ½(K − d²)(α, Iα) − d(k, α),
 
-the energy less d(Iω + k, α), is constant: a field of strength K = d² is not felt in it.
+the energy less d(Iω + k, α), is constant: a field of strength K = d² is not felt in it.  Without a
+field the momentum (Iω + k, γ) is constant as well, since the reactions have no component along γ,
+and the motion is integrable by the theorem of Euler and Jacobi.
 """
 
 from __future__ import annotations
@@ -40,12 +42,13 @@ TITLE = "Body under two constraints of Veselova"
 SUMMARY = (
     "A rigid body with rotors turns about its centre of mass in the potential U = ½K(α, Iα); the "
     "components of its angular velocity along two directions fixed in space are constant, so that "
-    "ω = dα + wγ with the normal γ of both. For d = 0 it turns about a fixed axis."
+    "ω = dα + wγ with the normal γ of both. For d = 0 it turns about a fixed axis; without the "
+    "field it is integrable for every d."
 )
 
 
 def laws() -> tuple[Law, ...]:
-    """Energy integral and measure; for d = 0 the axis."""
+    """Energy integral and measure; momentum without a field; for d = 0 the axis."""
     energy = (
         HALF * w**2 * dot(gamma, I * gamma)
         + HALF * (K - d**2) * dot(alpha, I * alpha)
@@ -57,6 +60,14 @@ def laws() -> tuple[Law, ...]:
         ),
         Integral(
             "angle", dot(alpha, gamma), "cosine of the angle of α and γ", source=SOURCE, unit="1"
+        ),
+        Integral(
+            "momentum",
+            dot(I * omega + k, gamma),
+            "momentum along γ",
+            on=(K,),
+            source=SOURCE,
+            unit="kg m^2/s",
         ),
         *(
             Integral(
