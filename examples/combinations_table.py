@@ -341,8 +341,7 @@ FAMILIES = (
     ),
     Family(
         "Veselova system, and rubber ball on a plane",
-        "(ω, γ) = 0; the rubber ball has J = I + mR² for I and the field of strength K det I/det J "
-        "in the second integral.",
+        "(ω, γ) = 0; the rubber ball has J = I + mR² for I, and the same field up to a constant.",
         _veselova(),
     ),
     Family(
