@@ -43,6 +43,8 @@ HARMLESS = {
     "sliding-ball direction_y": {"value index"},
     "sliding-ball parabola": {"value index"},
     "sliding-ball (general) direction_x": {"value index"},
+    # the axis is at rest in the body: one component is as constant as another
+    **{f"two-veselova-constraints (general) axis_{i}": {"value index"} for i in (1, 2, 3)},
     # every function of the constant spin is constant
     "sliding-ball momentum_z": {"value exponent"},
     # every function of the constant height is constant

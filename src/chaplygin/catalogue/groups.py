@@ -35,6 +35,8 @@ GROUPS = (
             *("chaplygin-ball", "chaplygin-ball-bruns", "chaplygin-ball-gyrostat"),
             *("chaplygin-ball-gyrostat-bruns", "ball-on-sphere", "ball-around-sphere"),
             *("ball-around-sphere-bruns", "unbalanced-ball", "unbalanced-ball-on-sphere"),
+            *("ball-around-sphere-gyrostat-bruns", "ball-bearing-gyrostat-bruns"),
+            "ball-on-two-balls",
             *("chaplygin-suslov-ball", "straight-line-ball", "ball-bearing", "chaplygin-ball-4d"),
         ),
     ),
@@ -90,6 +92,8 @@ GROUPS = (
         (
             *("suslov", "suslov-quadratic", "suslov-bracket", "veselova", "veselova-bruns"),
             *("veselova-spinning", "veselova-geodesic-flow", "veselova-4d"),
+            *("veselova-gyrostat-bruns", "veselova-spinning-gyrostat-bruns"),
+            "two-veselova-constraints",
         ),
     ),
     Group(
@@ -127,6 +131,7 @@ INTEGRABLE = frozenset(
         *("chaplygin-ball-fedorov", "ball-around-sphere", "ball-around-sphere-hamiltonian"),
         *("rubber-ball-of-ratio", "rubber-ball-around-sphere", "power-potential-on-sphere"),
         *("rubber-ball-separated", "disk-on-ice", "smooth-disk", "ball-around-sphere-bruns"),
+        "two-veselova-constraints",
     )
 )
 

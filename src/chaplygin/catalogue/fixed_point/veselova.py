@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import (
@@ -27,6 +28,7 @@ from ...core.vectors import (
     real_symbol,
     to_components,
     vectors,
+    zero,
 )
 from ...mechanics.rolling.attitude import (
     attitude,
@@ -72,6 +74,7 @@ def turning(
     potential: sp.Expr,
     constraint: tuple[sp.Expr, ...],
     laws: tuple[Law, ...],
+    rotors: MatrixExpr = zero,
 ) -> System:
     """(6.1) in a potential, with the sign of λ₀ that keeps (ω, γ) constant.
 
@@ -84,8 +87,12 @@ def turning(
     constraint : tuple of sympy.Expr
         What vanishes besides γ² − 1: (ω, γ), or nothing.
     laws : tuple of Law
+    rotors : vector
+        Constant momentum of rotors, body axes.
     """
-    torque = cross(I * omega, omega) + cross(gamma, gradient(potential, gamma))
+    torque = (
+        cross(I * omega, omega) + cross(rotors, omega) + cross(gamma, gradient(potential, gamma))
+    )
     return System(
         name=name,
         title=title,

@@ -75,12 +75,14 @@ def energy(motion: ReducedMomenta, base: Base) -> Quadratic:
     return _on_base((u.T * moved)[0] / 2, motion.potential, moved, rate, base)
 
 
-def in_momenta(motion: ReducedMomenta, base: Base, form: sp.Matrix) -> Quadratic:
-    """½(m, Bm) for a constant symmetric matrix B."""
+def in_momenta(
+    motion: ReducedMomenta, base: Base, form: sp.Matrix, potential: sp.Expr
+) -> Quadratic:
+    """½(m, Bm) + φ(q) for a constant symmetric matrix B."""
     m = motion.momenta
     turned = motion.metric * form * m
     rate = motion.metric.applyfunc(motion.rate) * form * m + motion.metric * form * motion.force
-    return _on_base((m.T * form * m)[0] / 2, sp.S.Zero, turned, rate, base)
+    return _on_base((m.T * form * m)[0] / 2, potential, turned, rate, base)
 
 
 def _on_base(

@@ -76,21 +76,44 @@ def linear_integrals(mechanism: Mechanism, motion: ReducedMomenta, base: Base) -
     return []
 
 
+@dataclass(frozen=True)
+class QuadraticForm:
+    """An integral ½(m, Bm) + φ(q).
+
+    Attributes
+    ----------
+    matrix : Matrix
+        B, constant and symmetric.
+    potential : Expr
+        φ, in the coordinates of the mechanism.
+    """
+
+    matrix: sp.Matrix
+    potential: sp.Expr
+
+
 def quadratic_integrals(
     mechanism: Mechanism, motion: ReducedMomenta, base: Base
-) -> list[sp.Matrix]:
-    """Constant symmetric matrices B for which ½(m, Bm) is an integral."""
+) -> list[QuadraticForm]:
+    """Integrals ½(m, Bm) + φ(q) with B constant and φ of a degree of at most two."""
     size = len(motion.velocities)
     pairs = list(combinations_with_replacement(range(size), 2))
     m = motion.momenta
+    # without a potential there is no φ
+    functions = [] if motion.potential == 0 else _monomials(_functions(motion, base), DEGREE)
+    heights = [f for f in functions if f != 1]
+    terms = [*(m[a] * m[b] for a, b in pairs), *heights]
     forms = []
-    for chosen in _constants(mechanism, motion, base, [m[a] * m[b] for a, b in pairs]):
-        form = sp.zeros(size)
+    for chosen in _constants(mechanism, motion, base, terms):
+        form, potential = sp.zeros(size), sp.S.Zero
         for i, factor in chosen.items():
+            if i >= len(pairs):
+                potential += factor * heights[i - len(pairs)]
+                continue
             a, b = pairs[i]
             form[a, b] += factor
             form[b, a] += factor
-        forms.append(form)
+        forms.append(QuadraticForm(form, potential))
     return forms
 
 

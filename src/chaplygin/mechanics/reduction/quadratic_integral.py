@@ -18,7 +18,7 @@ from ...errors import InputError
 from ...printing.formula import text
 from ..lagrangian.mechanism import Mechanism
 from .horizontal_lift import Lift, Local, Point, Quadratic, energy, in_momenta
-from .integrals import quadratic_integrals, solutions
+from .integrals import QuadraticForm, quadratic_integrals, solutions
 from .momenta import ReducedMomenta
 from .rational_evaluation import Value, bare, point
 
@@ -73,7 +73,7 @@ def energy_like_integral(
         return EnergyLikeIntegral(first, "the energy")
     tied = base.motion.constraints.rows > 0
     forms = [] if tied else quadratic_integrals(mechanism, motion, base)
-    others = [in_momenta(motion, base, form) for form in forms]
+    others = [in_momenta(motion, base, form.matrix, form.potential) for form in forms]
     known = [first, *others]
     parts = _LinearParts([Local(lift, each, owner) for each in known])
     for chosen in solutions(mechanism, base, parts, len(known)):
@@ -98,17 +98,20 @@ def _regular(lift: Lift, integral: Quadratic, owner: str) -> bool:
     return bool(a * c != b * b)
 
 
-def _words(chosen: Mapping[int, sp.Expr], forms: Sequence[sp.Matrix]) -> str:
+def _words(chosen: Mapping[int, sp.Expr], forms: Sequence[QuadraticForm]) -> str:
     """The combination in the energy E and the momenta M."""
     E, M = real_symbol("E"), Vector("M")
     total = sp.S.Zero
     for i, factor in chosen.items():
         if i == 0:
             total += factor * E
-        elif forms[i - 1] == 2 * sp.eye(3):
+            continue
+        form = forms[i - 1]
+        if form.matrix == 2 * sp.eye(3):
             total += factor * norm_squared(M)
         else:
-            momenta = [real_symbol(f"M_{k + 1}") for k in range(forms[i - 1].rows)]
+            momenta = [real_symbol(f"M_{k + 1}") for k in range(form.matrix.rows)]
             column = sp.Matrix(momenta)
-            total += factor * sp.expand((column.T * forms[i - 1] * column)[0] / 2)
+            total += factor * sp.expand((column.T * form.matrix * column)[0] / 2)
+        total += factor * form.potential
     return text(total)
