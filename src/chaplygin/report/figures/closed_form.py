@@ -95,7 +95,7 @@ def _torus(axes: Axes, first: float, second: float) -> None:
 
 def frequencies_of(form: ClosedForm) -> tuple[float, float] | None:
     """The two frequencies among the figures of a closed form."""
-    values = {f.symbol: float(f.value.mid()) for f in form.figures}
+    values = {f.symbol: float(f.value.mid()) for f in form.constants}
     if "Omega_1" not in values or "Omega_2" not in values:
         return None
     return values["Omega_1"], values["Omega_2"]
@@ -103,7 +103,7 @@ def frequencies_of(form: ClosedForm) -> tuple[float, float] | None:
 
 def roots_of(form: ClosedForm) -> list[float]:
     """The roots of the curve among the figures of a closed form."""
-    return sorted(float(f.value.mid()) for f in form.figures if f.meaning.startswith("root"))
+    return sorted(float(f.value.mid()) for f in form.constants if f.meaning.startswith("root"))
 
 
 def _oval(
