@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import SupportsFloat, TypeAlias
+from typing import Any, Protocol, SupportsFloat, TypeAlias
 
 import sympy as sp
 
@@ -93,9 +93,8 @@ class Entry:
         Meanings of letters in the equations that this system alone has.
     plan : Plan, optional
         What is drawn of a mechanism in the plane.
-    family : callable, optional
-        Settings by name, among them ``dimension``, ↦ the entry of that dimension, whose numbers
-        are its defaults; where a system exists in every dimension.
+    family : Family, optional
+        Where a system exists in every dimension, what gives the entry of each.
     dimension : int, optional
         That of such an entry.
     """
@@ -113,12 +112,12 @@ class Entry:
     ball: Callable[[Numbers], RollingBall] | None = None
     letters: Mapping[str, str] = field(default_factory=dict)
     plan: Plan | None = None
-    family: Callable[[Mapping[str, object]], Entry] | None = None
+    family: Family | None = None
     dimension: int | None = None
 
     def member(self, parameters: Settings | None = None) -> Entry:
         """The entry of the dimension and with the numbers that settings give; else itself."""
-        return self if self.family is None else self.family(parameters or {})
+        return self if self.family is None else self.family.entry(parameters or {})
 
     def settings(self, parameters: Settings | None = None) -> dict[str, float]:
         """All parameters, and the dimension where there is one."""
@@ -171,6 +170,22 @@ class Entry:
         system = model.system(self.name, self.title)
         system = replace(system, source=self.source, summary=self.summary)
         return system.with_laws(*self.laws(model, system))
+
+
+class Family(Protocol):
+    """A system that exists in every dimension."""
+
+    @property
+    def constraint(self) -> str:
+        """What ω must fulfil, as a sentence; empty where it is free."""
+
+    def entry(self, given: Settings | None = None) -> Entry:
+        """The entry of the dimension and with the numbers that settings give."""
+
+    def admissible(
+        self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]
+    ) -> list[list[Any]]:
+        """The nearest ω that the constraint admits, as a skew matrix."""
 
 
 def lookup(catalogue: Mapping[str, Entry], name: str) -> Entry:

@@ -36,7 +36,7 @@ class Column(Vector):
         return tuple(real_symbol(f"{self.name}_{i}") for i in range(1, int(self.shape[0]) + 1))
 
 
-class _Matrix(sp.MatrixSymbol):
+class NamedMatrix(sp.MatrixSymbol):
     """A named n × n matrix with some independent entries."""
 
     def __new__(cls, name: str | Str, size: int, *_: object) -> Self:
@@ -74,7 +74,7 @@ class _Matrix(sp.MatrixSymbol):
         return formula_latex(self)
 
 
-class Skew(_Matrix):
+class Skew(NamedMatrix):
     """A named skew matrix, by its entries ``name_12``, ``name_13``, … above the diagonal."""
 
     @property
@@ -91,7 +91,7 @@ class Skew(_Matrix):
         )
 
 
-class SymmetricMatrix(_Matrix):
+class SymmetricMatrix(NamedMatrix):
     """A named symmetric matrix, by its entries ``name_11``, ``name_12``, …, ``name_nn``."""
 
     @property
@@ -106,7 +106,7 @@ class SymmetricMatrix(_Matrix):
         return Components(*self.shape, lambda i, j: table[min(i, j), max(i, j)])
 
 
-class SquareMatrix(_Matrix):
+class SquareMatrix(NamedMatrix):
     """A named n × n matrix with all entries independent."""
 
     @property

@@ -8,6 +8,7 @@ from ..catalogue import Entry, entry
 from ..core.system import System
 from .file.catalogue_models import CatalogueExperiment, StateExperiment, SystemExperiment
 from .initial_state import StartValues
+from .n_dimensional import NDimensionalSubject, start_with_defaults
 from .rolling import rolling_setting
 from .subject import BallSubject, BodySubject, Subject
 
@@ -50,10 +51,19 @@ def system_of_catalogue(experiment: StateExperiment) -> Subject:
     """
     item = _entry(experiment)
     with experiment.placing_errors("system", "parameters"):
+        item = item.member(experiment.system.parameters)
         system = item.system(experiment.system.parameters)
         ball = item.rolling_ball(experiment.system.parameters)
     system, until = _with_title(system, experiment), experiment.run.until or item.start.until
     values: StartValues = item.start.values | experiment.start
+    if item.family is not None:
+        return NDimensionalSubject(
+            system=system,
+            start_values=start_with_defaults(item, experiment.start),
+            until=until,
+            variables=item.variables,
+            item=item,
+        )
     if ball is None:
         return Subject(
             system=system,

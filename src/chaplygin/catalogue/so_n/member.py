@@ -6,6 +6,7 @@ import re
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from ...core.system import Parameter, System
 from ...core.vectors import real_symbol
@@ -56,6 +57,17 @@ class Family(ABC):
     def equations(self, inertia: Inertia, parameters: tuple[Parameter, ...]) -> System:
         """The system with this inertia; `parameters` are those of the ball besides."""
 
+    @property
+    def constraint(self) -> str:
+        """What ω must fulfil, as a sentence; empty where it is free."""
+        return ""
+
+    def admissible(
+        self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]
+    ) -> list[list[Any]]:
+        """The nearest ω that the constraint admits, as a skew matrix."""
+        return [list(row) for row in omega]
+
     @abstractmethod
     def start(self, dimension: int) -> Values:
         """A state worth starting from, by name."""
@@ -102,7 +114,7 @@ class Family(ABC):
             build=build,
             start=Start(state=self.start(n), until=60.0),
             variables=self.variables(),
-            family=self.entry,
+            family=self,
             dimension=n,
         )
 

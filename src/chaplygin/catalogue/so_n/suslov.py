@@ -15,9 +15,10 @@ positive density is invariant, and every continuous integral of ẇ is a functio
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from typing import Any
 
 import sympy as sp
 
@@ -49,6 +50,21 @@ class Suslov(Family):
             "w": ("angular velocity in planes with the last body axis", "rad/s"),
             "gamma": ("direction fixed in space, body axes", "1"),
         }
+
+    @property
+    def constraint(self) -> str:
+        """What ω must fulfil."""
+        return "it must turn in planes with the last body axis alone"
+
+    def admissible(
+        self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]
+    ) -> list[list[Any]]:
+        """Its last row and column alone."""
+        last = len(omega) - 1
+        return [
+            [x if last in (i, j) else 0 * x for j, x in enumerate(row)]
+            for i, row in enumerate(omega)
+        ]
 
     def equations(self, inertia: Inertia, parameters: tuple[Parameter, ...]) -> System:
         """The equations in w and γ."""

@@ -16,8 +16,9 @@ density (det B)^(−1/2) of an invariant measure belongs to every operator of in
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import sympy as sp
 
@@ -84,6 +85,18 @@ class Veselova(Family):
             "p": ("momentum in planes through γ", MOMENTUM),
             "gamma": (f"{fixed}, body axes", "1"),
         }
+
+    @property
+    def constraint(self) -> str:
+        """What ω must fulfil."""
+        return "it must turn in planes through gamma alone, omega = u gamma^T - gamma u^T"
+
+    def admissible(
+        self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]
+    ) -> list[list[Any]]:
+        """(ωγ) ∧ γ."""
+        u = [sum(x * y for x, y in zip(row, gamma, strict=True)) for row in omega]
+        return [[a * y - x * b for b, y in zip(u, gamma, strict=True)] for a, x in zip(u, gamma, strict=True)]
 
     def equations(self, inertia: Inertia, parameters: tuple[Parameter, ...]) -> System:
         """The equations on the cotangent bundle of the sphere, in p and γ."""
