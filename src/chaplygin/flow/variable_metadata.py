@@ -78,7 +78,8 @@ def dimensions_of(variable: Column | NamedMatrix) -> tuple[str, ...]:
             return ("pair",)
         case NamedMatrix():
             return "space_axis", "body_axis"
-    return ("plane_axis",) if str(variable) == "contact" else ("body_axis",)
+    known = {"contact": "plane_axis", "w": "w_component"}
+    return (known.get(str(variable), "body_axis"),)
 
 
 def labels_of(dimension: str, size: int) -> list[int] | list[str]:

@@ -193,6 +193,14 @@ class SystemTable(Table):
         others = {key: value for key, value in table.items() if key not in keys}
         return others | {"parameters": {key: table[key] for key in keys} | parameters}
 
+    @field_validator("parameters")
+    @classmethod
+    def _whole_dimension(cls, parameters: dict[str, Setting]) -> dict[str, Setting]:
+        given = parameters.get("dimension")
+        if isinstance(given, float) and given.is_integer():
+            return parameters | {"dimension": int(given)}
+        return parameters
+
 
 class _StartTable(Table):
     """Orientation and angular velocity of the body at the start."""
