@@ -26,7 +26,7 @@ from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
 from ...core.vectors import dot, norm_squared, outer, real_symbol, to_components
 from ..entry import Values
-from .elimination import elimination
+from .elimination import solution
 from .inertia import Inertia, MassTensor, Moments, pairs
 from .member import SOURCE, D, Family, R, cycle, direction
 from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
@@ -58,9 +58,7 @@ def by_moments(inertia: Moments) -> tuple[Pairs, Pairs]:
     free = sp.Matrix(
         n, n, lambda i, j: entries[i, j] / inertia.moment(i, j) if i != j else sp.S.Zero
     )
-    steps, determinant = elimination(
-        B.entries, list(free * to_components(gamma)), list(u.symbols)
-    )
+    steps = solution(B.entries, list(free * to_components(gamma)), list(u.symbols), Delta)
     turned = wedge(u, gamma)
     spin = sp.Matrix(
         n, n, lambda i, j: (entries[i, j] - D * turned[i, j]) / inertia.moment(i, j) if i != j else 0
@@ -70,7 +68,6 @@ def by_moments(inertia: Moments) -> tuple[Pairs, Pairs]:
         *inertia.definitions,
         (B, sp.ImmutableDenseMatrix(matrix)),
         *steps,
-        (Delta, determinant),
         (omega, sp.ImmutableDenseMatrix(spin)),
     )
     page = (
@@ -92,11 +89,9 @@ def by_mass_tensor(inertia: MassTensor) -> tuple[Pairs, Pairs]:
         unit[a, b], unit[b, a] = 1, -1
         image = T.entries * unit + unit * T.entries
         columns.append([image[i, j] for i, j in places])
-    steps, determinant = elimination(
-        sp.Matrix(columns).T, list(k.symbols), list(omega.symbols)
-    )
+    steps = solution(sp.Matrix(columns).T, list(k.symbols), list(omega.symbols), Delta)
     tensor = inertia.matrix + D * outer(gamma, gamma)
-    definitions = ((T, tensor), *steps, (Delta, determinant))
+    definitions = ((T, tensor), *steps)
     return definitions, ((k, T * omega + omega * T), (T, tensor))
 
 

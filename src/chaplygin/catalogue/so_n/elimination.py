@@ -1,4 +1,8 @@
-"""Symmetric linear equations B u = f solved by B = L D Lᵀ, step by step with a name for each."""
+"""Symmetric linear equations B u = f: small ones by minors, others by steps B = L D Lᵀ.
+
+Minors make formulas of which laws are proven fastest, where there are few of them; every step of an
+elimination has a name, so that nothing is expanded in any dimension.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +12,41 @@ import sympy as sp
 
 from ...core.named_formulas import Pairs
 from ...core.vectors import real_symbol
+
+
+#: Rows up to which the solution is written by minors.
+FEW = 4
+
+
+def solution(
+    matrix: sp.MatrixBase,
+    right: Sequence[sp.Expr],
+    unknown: Sequence[sp.Symbol],
+    determinant: sp.Symbol,
+) -> Pairs:
+    """The steps that solve symmetric positive equations, with the determinant among them.
+
+    Parameters
+    ----------
+    matrix : sympy.Matrix (N, N)
+        B, symmetric, of symbols.
+    right : sequence of N sympy.Expr
+        f.
+    unknown : sequence of N Symbol
+        The names of u.
+    determinant : Symbol
+        The name of the determinant.
+    """
+    if matrix.shape[0] > FEW:
+        steps, product = elimination(matrix, right, unknown)
+        return (*steps, (determinant, product))
+    named = [real_symbol(f"f_{i + 1}") for i in range(len(right))]
+    minors = matrix.adjugate() * sp.Matrix(named) / determinant
+    return (
+        (determinant, sp.expand(matrix.det(method="berkowitz"))),
+        *zip(named, right, strict=True),
+        *zip(unknown, minors, strict=True),
+    )
 
 
 def elimination(

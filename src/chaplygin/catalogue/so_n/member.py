@@ -68,6 +68,11 @@ class Family(ABC):
         """The nearest ω that the constraint admits, as a skew matrix."""
         return [list(row) for row in omega]
 
+    @property
+    def settings(self) -> tuple[str, ...]:
+        """The settings besides those of a ball."""
+        return ("dimension", "moments", "mass_tensor")
+
     @abstractmethod
     def start(self, dimension: int) -> Values:
         """A state worth starting from, by name."""
@@ -95,7 +100,7 @@ class Family(ABC):
         numbers |= self._ball(settings)
         n = inertia.dimension
         if settings:
-            known = ["dimension", "moments", "mass_tensor", *(["mass", "radius"] if self.rolls else [])]
+            known = [*self.settings, *(["mass", "radius"] if self.rolls else [])]
             wrong = next(iter(settings))
             raise InputError(
                 f"no parameter {wrong!r} in {self.name}{nearest(wrong, known)}; it has "
@@ -149,7 +154,7 @@ class Family(ABC):
             rows = generic_mass_tensor(n) if tensor is None else _rows(tensor)
             numbers = checked_mass_tensor(n, rows)
         else:
-            values = generic_moments(n) if moments is None else _list("moments", moments)
+            values = generic_moments(n) if moments is None else numbers_of("moments", moments)
             numbers = checked_moments(n, values)
         for name, value in entries.items():
             if name not in numbers:
@@ -202,7 +207,8 @@ def _number(name: str, value: object) -> float:
     return float(value)
 
 
-def _list(name: str, value: object) -> list[float]:
+def numbers_of(name: str, value: object) -> list[float]:
+    """Numbers in brackets, or an InputError that names them."""
     if isinstance(value, str) or not hasattr(value, "__iter__"):
         raise InputError(f"{name}: must be numbers in brackets, not {value!r}")
     return [_number(name, x) for x in value]
@@ -211,7 +217,7 @@ def _list(name: str, value: object) -> list[float]:
 def _rows(value: object) -> list[list[float]]:
     if isinstance(value, str) or not hasattr(value, "__iter__"):
         raise InputError(f"mass_tensor: must be rows of numbers in brackets, not {value!r}")
-    return [_list("mass_tensor", row) for row in value]
+    return [numbers_of("mass_tensor", row) for row in value]
 
 
 # --- starts --------------------------------------------------------------------------------

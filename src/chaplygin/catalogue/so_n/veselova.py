@@ -28,7 +28,7 @@ from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
 from ...core.vectors import dot, norm_squared, outer, real_symbol, to_components
 from ..entry import Values
-from .elimination import elimination
+from .elimination import solution
 from .inertia import Inertia, MassTensor, Moments, pairs
 from .member import SOURCE, D, Family, R, across, cycle, direction
 from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
@@ -104,14 +104,13 @@ class Veselova(Family):
         p, u, gamma, omega = Column("p", n), Column("u", n), gamma_of(n), omega_of(n)
         added = D if self.rolls else sp.S.Zero
         B = SymmetricMatrix("B", n)
-        steps, determinant = elimination(B.entries, list(p.symbols), list(u.symbols))
+        steps = solution(B.entries, list(p.symbols), list(u.symbols), Delta)
         turning = u * gamma.T - gamma * u.T
         momentum = inertia.image(omega) * gamma + added * u
         definitions: Pairs = (
             *inertia.definitions,
             (B, sp.ImmutableDenseMatrix(operator(inertia, added))),
             *steps,
-            (Delta, determinant),
             (omega, sp.ImmutableDenseMatrix(wedge(u, gamma))),
         )
         laws: tuple[Law, ...] = (
