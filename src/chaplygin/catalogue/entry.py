@@ -182,9 +182,7 @@ class Family(Protocol):
     def entry(self, given: Settings | None = None) -> Entry:
         """The entry of the dimension and with the numbers that settings give."""
 
-    def admissible(
-        self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]
-    ) -> list[list[Any]]:
+    def admissible(self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]) -> list[list[Any]]:
         """The nearest ω that the constraint admits, as a skew matrix."""
 
 

@@ -93,6 +93,14 @@ GROUPS = (
         ),
     ),
     Group(
+        "Bodies and balls of n dimensions",
+        "none",
+        (
+            *("suslov-nd", "veselova-nd", "special-veselova-nd", "chaplygin-ball-nd"),
+            *("special-chaplygin-ball-nd", "rubber-chaplygin-ball-nd", "special-rubber-ball-nd"),
+        ),
+    ),
+    Group(
         "Sleighs, vehicles and other mechanisms",
         "none",
         (

@@ -191,9 +191,7 @@ def _pfaffian(matrix: Components, rows: tuple[int, ...]) -> Scalar:
     first, *others = rows
     return sp.Add(
         *(
-            (-1) ** place
-            * matrix[first, j]
-            * _pfaffian(matrix, tuple(i for i in others if i != j))
+            (-1) ** place * matrix[first, j] * _pfaffian(matrix, tuple(i for i in others if i != j))
             for place, j in enumerate(others)
         )
     )

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 import mpmath
 
 from ..catalogue import Entry
 from ..catalogue.so_n.inertia import labels, pairs
-from ..core.system import flat_pairs
+from ..core.system import System, flat_pairs
 from ..errors import InputError
 from ..mechanics.rolling.initial_state import DIGITS, SLACK, evaluate
 from .initial_state import StartValues, initial_state_from_values
@@ -74,6 +74,9 @@ class NDimensionalSubject(Subject):
                     _reduced(self), {**values, GAMMA: [float(x) for x in attitude[-1]]}
                 )
             else:
+                if not self.system.start:
+                    names = ", ".join(str(v) for v in self.system.state)
+                    raise InputError(f"omega: does not determine this state; give {names}")
                 unknown = sorted(values)
                 if unknown:
                     raise InputError(
@@ -109,9 +112,10 @@ class NDimensionalSubject(Subject):
                 raise InputError("start: gamma or attitude is missing")
             return _upright(gamma)
         attitude = _rotation(given, n)
-        if gamma is not None and max(
-            abs(x - y) for x, y in zip(gamma, attitude[-1], strict=True)
-        ) > SLACK:
+        if (
+            gamma is not None
+            and max(abs(x - y) for x, y in zip(gamma, attitude[-1], strict=True)) > SLACK
+        ):
             raise InputError(
                 "gamma: must be the last row of the attitude; one of them may be left out"
             )
@@ -127,15 +131,11 @@ class NDimensionalSubject(Subject):
         n = len(gamma)
         names = labels(n)
         if not isinstance(given, Sequence) or len(given) != len(names):
-            raise InputError(
-                f"omega: must be {len(names)} finite numbers ({', '.join(names)})"
-            )
+            raise InputError(f"omega: must be {len(names)} finite numbers ({', '.join(names)})")
         omega = mpmath.zeros(n).tolist()
         for (i, j), x in zip(pairs(n), given, strict=True):
             if isinstance(x, Sequence) or not mpmath.isfinite(x):
-                raise InputError(
-                    f"omega: must be {len(names)} finite numbers ({', '.join(names)})"
-                )
+                raise InputError(f"omega: must be {len(names)} finite numbers ({', '.join(names)})")
             omega[i][j] = mpmath.mpf(repr(float(x)))
             omega[j][i] = -omega[i][j]
         if self.item.family is None:
@@ -161,9 +161,8 @@ def start_with_defaults(item: Entry, start: StartValues) -> StartValues:
     return {**values, **start}
 
 
-def _reduced(subject: Subject) -> object:
-    from dataclasses import replace
-
+def _reduced(subject: Subject) -> System:
+    """The system without its motion in space."""
     return replace(subject.system, reconstruction=None)
 
 

@@ -61,7 +61,9 @@ def by_moments(inertia: Moments) -> tuple[Pairs, Pairs]:
     steps = solution(B.entries, list(free * to_components(gamma)), list(u.symbols), Delta)
     turned = wedge(u, gamma)
     spin = sp.Matrix(
-        n, n, lambda i, j: (entries[i, j] - D * turned[i, j]) / inertia.moment(i, j) if i != j else 0
+        n,
+        n,
+        lambda i, j: (entries[i, j] - D * turned[i, j]) / inertia.moment(i, j) if i != j else 0,
     )
     around = outer(gamma, gamma)
     definitions = (
@@ -106,7 +108,9 @@ def invariants(k: Skew, gamma: Column) -> tuple[Pairs, tuple[Integral, ...]]:
     n = int(gamma.shape[0])
     definitions: list[tuple[sp.Basic, sp.Basic]] = []
     laws = [
-        Integral("square", MatrixProduct(k, k), "square of the momentum", source=SOURCE, unit=SQUARE)
+        Integral(
+            "square", MatrixProduct(k, k), "square of the momentum", source=SOURCE, unit=SQUARE
+        )
     ]
     if n >= 5:
         S = SymmetricMatrix("S", n)
@@ -132,9 +136,7 @@ def invariants(k: Skew, gamma: Column) -> tuple[Pairs, tuple[Integral, ...]]:
                 )
             )
     if n % 2 == 0:
-        laws.append(
-            Integral("pfaffian", Pfaffian(k), "Pfaffian of the momentum", source=SOURCE)
-        )
+        laws.append(Integral("pfaffian", Pfaffian(k), "Pfaffian of the momentum", source=SOURCE))
     last = gamma
     for degree in range(1, (n - 1) // 2 + 1):
         lever = Column("abcd"[degree - 1], n)

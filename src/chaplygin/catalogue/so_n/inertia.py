@@ -123,7 +123,9 @@ class ProductMoments(Moments):
     def parameters(self) -> tuple[Parameter, ...]:
         """The factors ``a_1``, …, ``a_n``."""
         return tuple(
-            Parameter(s, f"factor of the moments of body axis {i}", self.numbers[s.name], "", (s > 0,))
+            Parameter(
+                s, f"factor of the moments of body axis {i}", self.numbers[s.name], "", (s > 0,)
+            )
             for i, s in enumerate(self.factors, 1)
         )
 

@@ -50,7 +50,9 @@ def _unit(n: int, i: int) -> sp.Matrix:
 def _bivector(n: int, place: tuple[int, int]) -> sp.Matrix:
     """The skew matrix with 1 at a place above the diagonal."""
     i, j = place
-    return sp.Matrix(wedge(sp.ImmutableDenseMatrix(_unit(n, i)), sp.ImmutableDenseMatrix(_unit(n, j))))
+    return sp.Matrix(
+        wedge(sp.ImmutableDenseMatrix(_unit(n, i)), sp.ImmutableDenseMatrix(_unit(n, j)))
+    )
 
 
 def _named_operator(name: str, size: int) -> sp.Matrix:

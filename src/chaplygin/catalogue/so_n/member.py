@@ -62,9 +62,7 @@ class Family(ABC):
         """What ω must fulfil, as a sentence; empty where it is free."""
         return ""
 
-    def admissible(
-        self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]
-    ) -> list[list[Any]]:
+    def admissible(self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]) -> list[list[Any]]:
         """The nearest ω that the constraint admits, as a skew matrix."""
         return [list(row) for row in omega]
 
@@ -142,7 +140,11 @@ class Family(ABC):
             if re.fullmatch(r"[IJ]_[1-9][1-9]", name)
         }
         moments, tensor = settings.pop("moments", None), settings.pop("mass_tensor", None)
-        given = [name for name, value in (("moments", moments), ("mass_tensor", tensor)) if value is not None]
+        given = [
+            name
+            for name, value in (("moments", moments), ("mass_tensor", tensor))
+            if value is not None
+        ]
         letters = {name[0] for name in entries}
         if len(given) + len(letters - {{"moments": "I", "mass_tensor": "J"}[g] for g in given}) > 1:
             raise InputError("moments and mass_tensor are two ways to give the inertia; give one")
@@ -158,10 +160,15 @@ class Family(ABC):
             numbers = checked_moments(n, values)
         for name, value in entries.items():
             if name not in numbers:
-                raise InputError(f"no parameter {name!r} in {self.name}; it has {', '.join(numbers)}")
+                raise InputError(
+                    f"no parameter {name!r} in {self.name}; it has {', '.join(numbers)}"
+                )
             numbers[name] = value
         if entries and by_tensor:
-            full = [[numbers[f"J_{min(i, j)}{max(i, j)}"] for j in range(1, n + 1)] for i in range(1, n + 1)]
+            full = [
+                [numbers[f"J_{min(i, j)}{max(i, j)}"] for j in range(1, n + 1)]
+                for i in range(1, n + 1)
+            ]
             numbers = checked_mass_tensor(n, full)
         elif entries:
             numbers = checked_moments(n, list(numbers.values()))
@@ -176,7 +183,9 @@ class Family(ABC):
             rows = len(tensor) if isinstance(tensor, Sequence) else 0
             fits += [n for n in range(SMALLEST, LARGEST + 1) if n == rows]
             return fits[0] if fits else DEFAULT_DIMENSION
-        whole = isinstance(given, int | float) and not isinstance(given, bool) and given == int(given)
+        whole = (
+            isinstance(given, int | float) and not isinstance(given, bool) and given == int(given)
+        )
         if not whole or not SMALLEST <= int(given) <= LARGEST:
             raise InputError(
                 f"dimension: must be a whole number from {SMALLEST} to {LARGEST}, not {given!r}"

@@ -117,7 +117,9 @@ class Special(Family):
         n = self._dimension(settings.pop("dimension", None), None, given)
         values = list(self.example(n)) if given is None else numbers_of("factors", given)
         if len(values) != n:
-            raise InputError(f"factors: {n} numbers are needed in {n} dimensions, not {len(values)}")
+            raise InputError(
+                f"factors: {n} numbers are needed in {n} dimensions, not {len(values)}"
+            )
         numbers = {f"a_{i}": value for i, value in enumerate(values, 1)}
         for name in [name for name in settings if name in numbers]:
             numbers[name] = numbers_of(name, [settings.pop(name)])[0]
@@ -151,14 +153,10 @@ def quadratic_integrals(
     found = []
     for i in range(n):
         turns = (
-            (x[i] * y[j] - x[j] * y[i]) ** 2 / (factors[i] - factors[j])
-            for j in range(n)
-            if j != i
+            (x[i] * y[j] - x[j] * y[i]) ** 2 / (factors[i] - factors[j]) for j in range(n) if j != i
         )
         value = (sp.Add(*turns) - c[i] ** 2 / factors[i]) / below
-        found.append(
-            Integral(f"F_{i + 1}", value, f"quadratic integral F{i + 1}", source=SOURCE)
-        )
+        found.append(Integral(f"F_{i + 1}", value, f"quadratic integral F{i + 1}", source=SOURCE))
     return tuple(found)
 
 
@@ -198,7 +196,9 @@ class SpecialVeselova(Special):
         energy = HALF * dot(b, p) / W
         laws: tuple[Law, ...] = (
             Integral("energy", energy, "energy", source=SOURCE, unit="J"),
-            Integral("momentum", norm_squared(p), "square of the momentum", source=SOURCE, unit=SQUARE),
+            Integral(
+                "momentum", norm_squared(p), "square of the momentum", source=SOURCE, unit=SQUARE
+            ),
             *quadratic_integrals(p, gamma, a, p, dot(b, p)),
             *_hamiltonian(p, gamma, a, energy),
         )
@@ -253,7 +253,9 @@ class SpecialBall(Special):
         energy = HALF * (norm_squared(p) - dot(c, p) / W) / D
         laws: tuple[Law, ...] = (
             Integral("energy", energy, "energy", source=SOURCE, unit="J"),
-            Integral("momentum", norm_squared(p), "square of the momentum", source=SOURCE, unit=SQUARE),
+            Integral(
+                "momentum", norm_squared(p), "square of the momentum", source=SOURCE, unit=SQUARE
+            ),
             *_ball_integrals(p, gamma, a),
             *_hamiltonian(p, gamma, [1 / s for s in a], energy),
         )
@@ -283,9 +285,7 @@ def _ball_integrals(p: Vector, gamma: Vector, factors: Sequence[sp.Symbol]) -> t
             if j != i
         )
         value = (sp.Add(*turns) - norm_squared(p) * y[i] ** 2 / own) / W
-        found.append(
-            Integral(f"F_{i + 1}", value, f"quadratic integral F{i + 1}", source=SOURCE)
-        )
+        found.append(Integral(f"F_{i + 1}", value, f"quadratic integral F{i + 1}", source=SOURCE))
     return tuple(found)
 
 
@@ -309,9 +309,7 @@ def _hamiltonian(
         source=SOURCE,
     )
     return (
-        Measure(
-            "measure", {W: -sp.Rational(n - 2, 2)}, "invariant measure", source=SOURCE
-        ),
+        Measure("measure", {W: -sp.Rational(n - 2, 2)}, "invariant measure", source=SOURCE),
         structure,
         ConformallyHamiltonian(
             "hamiltonian",

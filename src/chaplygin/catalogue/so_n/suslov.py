@@ -56,9 +56,7 @@ class Suslov(Family):
         """What ω must fulfil."""
         return "it must turn in planes with the last body axis alone"
 
-    def admissible(
-        self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]
-    ) -> list[list[Any]]:
+    def admissible(self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]) -> list[list[Any]]:
         """Its last row and column alone."""
         last = len(omega) - 1
         return [
@@ -74,7 +72,9 @@ class Suslov(Family):
         for i, s in enumerate(w.symbols):
             spin[i, n - 1], spin[n - 1, i] = s, -s
         solved, page, rate, laws = (
-            _by_mass_tensor(inertia, w) if isinstance(inertia, MassTensor) else _principal(inertia, w)
+            _by_mass_tensor(inertia, w)
+            if isinstance(inertia, MassTensor)
+            else _principal(inertia, w)
         )
         return System(
             name=self.name,
@@ -125,9 +125,7 @@ def _by_mass_tensor(
     B, M = SymmetricMatrix("B", n - 1), Column("M", n - 1)
     block = Components(entries[: n - 1, : n - 1] + entries[n - 1, n - 1] * sp.eye(n - 1))
     torque = dot(j, w) * w - norm_squared(w) * j
-    steps, _ = elimination(
-        B.entries, list(to_components(torque)), list(acceleration.symbols)
-    )
+    steps, _ = elimination(B.entries, list(to_components(torque)), list(acceleration.symbols))
     first = (
         (j, Components(entries[: n - 1, n - 1])),
         (B, block),
@@ -151,16 +149,12 @@ def _by_mass_tensor(
     return (*first, *steps), page, acceleration, laws
 
 
-def _principal(
-    inertia: Inertia, w: Column
-) -> tuple[Pairs, Pairs, sp.MatrixExpr, tuple[Law, ...]]:
+def _principal(inertia: Inertia, w: Column) -> tuple[Pairs, Pairs, sp.MatrixExpr, tuple[Law, ...]]:
     """The same for moments in the coordinate planes: the last body axis is a principal axis."""
     if not isinstance(inertia, Moments):
         raise TypeError(type(inertia).__name__)
     n = inertia.dimension
-    energy = HALF * sp.Add(
-        *(inertia.moment(i, n - 1) * s**2 for i, s in enumerate(w.symbols))
-    )
+    energy = HALF * sp.Add(*(inertia.moment(i, n - 1) * s**2 for i, s in enumerate(w.symbols)))
     still = Components([0] * (n - 1))
     return inertia.definitions, inertia.definitions, still, (_energy(energy), _volume(()))
 

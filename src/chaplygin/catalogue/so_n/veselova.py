@@ -91,12 +91,13 @@ class Veselova(Family):
         """What ω must fulfil."""
         return "it must turn in planes through gamma alone, omega = u gamma^T - gamma u^T"
 
-    def admissible(
-        self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]
-    ) -> list[list[Any]]:
+    def admissible(self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]) -> list[list[Any]]:
         """(ωγ) ∧ γ."""
         u = [sum(x * y for x, y in zip(row, gamma, strict=True)) for row in omega]
-        return [[a * y - x * b for b, y in zip(u, gamma, strict=True)] for a, x in zip(u, gamma, strict=True)]
+        return [
+            [a * y - x * b for b, y in zip(u, gamma, strict=True)]
+            for a, x in zip(u, gamma, strict=True)
+        ]
 
     def equations(self, inertia: Inertia, parameters: tuple[Parameter, ...]) -> System:
         """The equations on the cotangent bundle of the sphere, in p and γ."""
@@ -115,7 +116,9 @@ class Veselova(Family):
         )
         laws: tuple[Law, ...] = (
             Integral("energy", HALF * dot(p, u), "energy", source=SOURCE, unit="J"),
-            Integral("momentum", norm_squared(p), "square of the momentum", source=SOURCE, unit=SQUARE),
+            Integral(
+                "momentum", norm_squared(p), "square of the momentum", source=SOURCE, unit=SQUARE
+            ),
             Measure("measure", {Delta: -HALF}, DENSITY, source=SOURCE),
         )
         return System(
