@@ -40,6 +40,7 @@ class NamedMatrix(sp.MatrixSymbol):
     """A named n × n matrix with some independent entries."""
 
     def __new__(cls, name: str | Str, size: int, *_: object) -> Self:
+        """Make the symbol; SymPy rebuilds expressions through here."""
         matrix: Self = sp.Basic.__new__(cls, Str(str(name)), sp.Integer(size), sp.Integer(size))
         return matrix
 

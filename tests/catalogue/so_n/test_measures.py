@@ -25,6 +25,14 @@ def test_the_measure_of_any_inertia_is_proven(identity, n):
     assert prove(identity(n), "measure").decision == "proven"
 
 
+@pytest.mark.parametrize("n", [3, 4, 5, 6])
+@pytest.mark.parametrize(
+    "identity", [measure_identity.energy_of_ball, measure_identity.energy_of_veselova]
+)
+def test_the_energy_is_constant_for_any_inertia(identity, n):
+    assert prove(identity(n), "energy").decision == "proven"
+
+
 @pytest.mark.parametrize("identity", IDENTITIES)
 @pytest.mark.parametrize("exponent", [sp.Rational(1, 2), -1, sp.Rational(-1, 3)])
 def test_another_exponent_is_refuted(identity, exponent):

@@ -24,7 +24,7 @@ from ...core.laws import Integral, Law, Measure
 from ...core.matrices import Column, Jacobian, MatrixProduct, Pfaffian, Skew, SymmetricMatrix, wedge
 from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
-from ...core.vectors import dot, norm_squared, outer, real_symbol, to_components
+from ...core.vectors import norm_squared, outer, real_symbol, to_components
 from ..entry import Values
 from .elimination import solution
 from .inertia import Inertia, MassTensor, Moments, pairs

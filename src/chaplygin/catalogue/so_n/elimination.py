@@ -13,7 +13,6 @@ import sympy as sp
 from ...core.named_formulas import Pairs
 from ...core.vectors import real_symbol
 
-
 #: Rows up to which the solution is written by minors.
 FEW = 4
 

@@ -210,7 +210,7 @@ def checked_mass_tensor(dimension: int, rows: Sequence[Sequence[float]]) -> dict
     sizes = {len(row) for row in rows}
     if len(rows) != dimension or sizes != {dimension}:
         raise InputError(
-            f"mass_tensor: a symmetric matrix with {dimension} rows of {dimension} numbers is needed"
+            f"mass_tensor: a symmetric matrix of {dimension} rows of {dimension} numbers is needed"
         )
     matrix = np.array(rows, dtype=float)
     if not np.isfinite(matrix).all():

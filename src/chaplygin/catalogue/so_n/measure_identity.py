@@ -1,16 +1,19 @@
 """The invariant measures of §12 for any inertia and any n, as identities that the prover certifies.
 
-Let A be a symmetric operator that depends on γ, S = A⁻¹.  From dS = −S dA S and d log det A = tr(S dA)
-the divergence of a field and the rate of log (det A)^(−1/2) are polynomials in S, dA/dγ and the
-velocities, and the density is that of an invariant measure if their sum vanishes.  It does so for
-*every* symmetric S, so that S need not be known: the identities below have its entries as
-independent parameters, and with them hold for every operator of inertia.
+Let A be a symmetric operator that depends on γ, S = A⁻¹.  From dS = −S dA S and
+d log det A = tr(S dA) the divergence of a field and the rate of log (det A)^(−1/2) are polynomials
+in S, dA/dγ and the velocities, and the density is that of an invariant measure if their sum
+vanishes.  It does so for *every* symmetric S, so that S need not be known: the identities below
+have its entries as independent parameters, and hold for every operator of inertia.
 
-**Chaplygin ball**, k = A ω with A = I + m R² pr, pr(ω) = ωΓ + Γω, k̇ = [k, ω], γ̇ = −ωγ.  For every n:
+The energy ½(k, Sk) or ½(p, Sp) is treated in the same way, its rate being a polynomial without S.
+
+**Chaplygin ball**, k = A ω with A = I + m R² pr, pr(ω) = ωΓ + Γω, k̇ = [k, ω], γ̇ = −ωγ.  For
+every n:
 
 * ∂/∂k contributes tr(−ad ω) + tr(ad k ∘ S) = 0, as ad k is skew and S symmetric;
-* with ∂ᵢpr(ω) = (ωeᵢ)∧γ + (ωγ)∧eᵢ the γ-part is D Σ (S(eᵢ∧γ), (ωeᵢ)∧γ + (ωγ)∧eᵢ), where the first sum
-  is the trace of a symmetric form with the skew matrix ω, hence zero;
+* with ∂ᵢpr(ω) = (ωeᵢ)∧γ + (ωγ)∧eᵢ the γ-part is D Σ (S(eᵢ∧γ), (ωeᵢ)∧γ + (ωγ)∧eᵢ), D = m R²,
+  where the first sum is the trace of a symmetric form with the skew matrix ω, hence zero;
 * pr along γ̇ = −v, v = ωγ, is X ↦ −(Xγ)∧v − (Xv)∧γ, and −½ tr of S with D times it is
   D Σ (S(eᵢ∧γ), eᵢ∧v), which cancels the second sum.
 
@@ -22,8 +25,8 @@ independent parameters, and with them hold for every operator of inertia.
 * what γγᵀ adds is 2(u, Sγ) + (u, γ) tr S, and ∂/∂p of (u, p)γ is 2(u, γ).  On the phase space
   (u, γ) = 0 and Bγ = γ, so that (u, Sγ) = (u, γ) = 0.
 
-These arguments hold for every n.  `chaplygin_ball` and `veselova` write the whole residual for one n,
-derivatives taken entry by entry, as a law of a system without motion, which
+These arguments hold for every n.  `chaplygin_ball` and `veselova` write the whole residual for one
+n, derivatives taken entry by entry, as a law of a system without motion, which
 :func:`chaplygin.prove` certifies.
 """
 
@@ -167,8 +170,7 @@ def veselova(n: int, exponent: sp.Rational = -HALF) -> System:
     u, gamma, S = Column("u", n), Column("gamma", n), SymmetricMatrix("S", n)
     inertia = _named_operator("I", len(places))
     x, y, inverse = (sp.Matrix(to_components(name)) for name in (u, gamma, S))
-    turns = [sp.Matrix(_above(_unit(n, a) * y.T - y * _unit(n, a).T)) for a in range(n)]
-    B = sp.Matrix(n, n, lambda a, b: (turns[a].T * inertia * turns[b])[0] + y[a] * y[b])
+    B = _operator_of_planes(inertia, y)
     slopes = [B.diff(s) for s in y]
     # ∂/∂γ of −u, with ∂u/∂γᵢ = −S ∂ᵢB u
     residual = sp.Add(*((inverse * slope * x)[i] for i, slope in enumerate(slopes)))
@@ -190,6 +192,68 @@ def veselova(n: int, exponent: sp.Rational = -HALF) -> System:
             ),
         ),
     )
+
+
+def energy_of_ball(n: int) -> System:
+    """The rate of the energy ½(k, Sk) of the Chaplygin ball, which vanishes for every inertia.
+
+    It is ([k, ω], ω) − ½(ω, Ȧω), as Ṡ = −SȦS.
+
+    Parameters
+    ----------
+    n : int
+        The dimension of space.
+    """
+    k, omega, gamma = Skew("k", n), Skew("omega", n), Column("gamma", n)
+    K, W, y = (sp.Matrix(to_components(name)) for name in (k, omega, gamma))
+    turning = -W * y
+    change = turning * y.T + y * turning.T
+    terms = zip(_above(K * W - W * K), _above(W), strict=True)
+    rate = sp.Add(*(a * b for a, b in terms))
+    pairing = zip(_above(W * change + change * W), _above(W), strict=True)
+    rate -= HALF * D * sp.Add(*(a * b for a, b in pairing))
+    law = Identity("energy", rate, "the energy is constant", source=SOURCE)
+    return System(
+        name="chaplygin-ball-energy",
+        title=f"The energy of the Chaplygin ball in {n} dimensions",
+        field={name: _still(name) for name in (k, omega, gamma)},
+        parameters=(Parameter(m, "mass", 1.0, "kg"), Parameter(R, "radius", 1.0, "m")),
+        laws=(law,),
+    )
+
+
+def energy_of_veselova(n: int) -> System:
+    """The rate of the energy ½(p, Sp) of the Veselova system, which vanishes for every inertia.
+
+    It is (ṗ, u) − ½(u, Ḃu) = (u, p)(u, γ) + ½ Σ uᵢ (u, ∂ᵢB u), of which what I adds vanishes and
+    γγᵀ adds u²(u, γ): both terms that are left have the factor (u, γ), zero on the phase space.
+
+    Parameters
+    ----------
+    n : int
+        The dimension of space.
+    """
+    u, gamma = Column("u", n), Column("gamma", n)
+    inertia = _named_operator("I", len(pairs(n)))
+    x, y = (sp.Matrix(to_components(name)) for name in (u, gamma))
+    B = _operator_of_planes(inertia, y)
+    rate = HALF * sp.Add(*(x[i] * (x.T * B.diff(y[i]) * x)[0] for i in range(n)))
+    vanishing = (x.T * x)[0] * (x.T * y)[0]
+    law = Identity("energy", rate - vanishing, "the energy is constant", source=SOURCE)
+    return System(
+        name="veselova-energy",
+        title=f"The energy of the Veselova system in {n} dimensions",
+        field={name: _still(name) for name in (u, gamma)},
+        parameters=_parameters(inertia, "entry of the operator of inertia"),
+        laws=(law,),
+    )
+
+
+def _operator_of_planes(inertia: sp.Matrix, y: sp.Matrix) -> sp.Matrix:
+    """B with (Bx, z) = (I(x∧γ), z∧γ) + (x, γ)(z, γ)."""
+    n = len(y)
+    turns = [sp.Matrix(_above(_unit(n, a) * y.T - y * _unit(n, a).T)) for a in range(n)]
+    return sp.Matrix(n, n, lambda a, b: (turns[a].T * inertia * turns[b])[0] + y[a] * y[b])
 
 
 def _still(name: sp.MatrixExpr) -> Components:

@@ -2,20 +2,22 @@
 
 With positive numbers a_i, A = diag(a_1, …, a_n):
 
-* Veselova system, I_ij = a_i a_j (Fedorov and Jovanović 2004): with W = (Aγ, γ)
+* Veselova system, I_ij = a_i a_j (Fedorov and Jovanović 2004): with W = (Aγ, γ),
 
       u = (A⁻¹p − (A⁻¹p, γ) γ) / W,    H = (A⁻¹p, p) / 2W,    ṗ = (u, p) γ,    γ̇ = −u.
 
 * Rubber ball, I_ij = a_i a_j − m R² (Jovanović 2010): the same equations.
 
-* Marble ball, I_ij = D a_i a_j / (D − a_i a_j) with D = m R² > a_i a_j, on the invariant level k = p ∧ γ
-  of momenta without turning about γ (Jovanović 2010): with W = (A⁻¹γ, γ)
+* Marble ball, I_ij = D a_i a_j / (D − a_i a_j) with D = m R² > a_i a_j, on the invariant level
+  k = p ∧ γ of momenta in planes through γ alone (Jovanović 2010): with W = (A⁻¹γ, γ),
 
-      D W ω = p ∧ A⁻¹γ − (Ap ∧ γ)/D,    H = (p² − (Ap, p)/(D W)) / 2D,    ṗ = −ωp,    γ̇ = −ωγ.
+      D W ω = p ∧ A⁻¹γ − (Ap ∧ γ)/D,    ṗ = −ωp,    γ̇ = −ωγ,
+      H = (p² − (Ap, p)/(D W)) / 2D.
 
 In all of them the time τ with dτ = W^(−1/2) dt makes the motion Hamiltonian on the cotangent bundle
-of the sphere, and n − 1 of the quadratic integrals, in involution, are independent.  For n = 3 every
-inertia is a product a_i a_j; for n ≥ 4 such operators belong to no rigid body in general.
+of the sphere.  The quadratic integrals F_i and p² are constant; n − 1 of them are independent.
+For n = 3 every inertia is a product a_i a_j; for n ≥ 4 such operators belong to no rigid body in
+general.
 """
 
 from __future__ import annotations
@@ -25,7 +27,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
-
 
 from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure, PoissonStructure
 from ...core.matrices import Column
@@ -66,8 +67,9 @@ class MarbleMoments(ProductMoments):
 def canonical_structure(p: Vector, gamma: Vector, weights: Sequence[sp.Expr]) -> sp.Matrix:
     """The canonical bracket of the sphere for q = −W^(−1/2) p, in p and γ.
 
-    With W = Σ weightsᵢ γᵢ²: {γᵢ, pⱼ} = −√W (δᵢⱼ − γᵢγⱼ) and {pᵢ, pⱼ} = −W^(−1/2) (pᵢ sⱼ − pⱼ sᵢ), where
-    sᵢ = weightsᵢ γᵢ; it belongs to {γᵢ, qⱼ} = δᵢⱼ − γᵢγⱼ, {qᵢ, qⱼ} = qᵢγⱼ − qⱼγᵢ.
+    With W = Σ weightsᵢ γᵢ² and sᵢ = weightsᵢ γᵢ: {γᵢ, pⱼ} = −√W (δᵢⱼ − γᵢγⱼ) and
+    {pᵢ, pⱼ} = −W^(−1/2) (pᵢ sⱼ − pⱼ sᵢ); it belongs to {γᵢ, qⱼ} = δᵢⱼ − γᵢγⱼ and
+    {qᵢ, qⱼ} = qᵢγⱼ − qⱼγᵢ.
     """
     n = len(weights)
     root = sp.sqrt(W)
@@ -147,7 +149,7 @@ def check_largest(numbers: Numbers, above: bool) -> None:
 def quadratic_integrals(
     p: Vector, gamma: Vector, factors: Sequence[sp.Symbol], last: Vector, below: sp.Expr
 ) -> tuple[Integral, ...]:
-    """F_i = (Σ (p_i γ_j − p_j γ_i)²/(a_i − a_j) − c_i²/a_i)/below over j ≠ i, c the vector `last`."""
+    """F_i = (Σ (p_i γ_j − p_j γ_i)²/(a_i − a_j) − c_i²/a_i)/below over j ≠ i, c being `last`."""
     x, y, c = p.symbols, gamma.symbols, last.symbols
     n = len(factors)
     found = []

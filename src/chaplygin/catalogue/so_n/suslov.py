@@ -1,7 +1,8 @@
-"""Suslov's problem in n dimensions (§12, problem 3): a body that turns only in planes with its n-th axis.
+"""Suslov's problem in n dimensions (§12, problem 3).
 
-With ω_ij = 0 for i, j < n and w_i = ω_in, a mass tensor J with the upper block J′ and the column
-j_i = J_in gives (Fedorov and Kozlov 1995)
+A body about a fixed point turns only in planes that contain its n-th axis.  With ω_ij = 0 for
+i, j < n and w_i = ω_in, a mass tensor J with the upper block J′ and the column j_i = J_in gives
+(Fedorov and Kozlov 1995)
 
     B ẇ = (j, w) w − w² j,    B = J′ + J_nn,    γ̇ = −ωγ.
 

@@ -6,8 +6,8 @@ with (u, γ) = 0, has the momentum p = I(ω) γ, which is constant in space but 
     ṗ = (u, p) γ,    γ̇ = −u                                   (Fedorov and Kozlov 1995)
 
 on the cotangent bundle of the sphere.  A ball that rolls on a hyperplane with normal γ, neither
-slipping nor twisting, is the same with the inertia I + m R² (Jovanović 2009): on such ω the operator
-ω ↦ ωΓ + Γω of the marble ball is the identity.
+slipping nor twisting, is the same with the inertia I + m R² (Jovanović 2009), as the operator
+ω ↦ ωΓ + Γω of the marble ball leaves such ω unchanged.
 
 u solves B u = p with a symmetric n × n matrix B, on which γγᵀ is added to make it regular.  The
 density (det B)^(−1/2) of an invariant measure belongs to every operator of inertia and every n: see
@@ -26,7 +26,7 @@ from ...core.laws import Integral, Law, Measure
 from ...core.matrices import Column, Jacobian, SymmetricMatrix, wedge
 from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
-from ...core.vectors import dot, norm_squared, outer, real_symbol, to_components
+from ...core.vectors import dot, norm_squared, real_symbol, to_components
 from ..entry import Values
 from .elimination import solution
 from .inertia import Inertia, MassTensor, Moments, pairs
