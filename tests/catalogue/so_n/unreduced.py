@@ -1,8 +1,8 @@
 """Bodies of n dimensions with all reactions: attitude, centre and Lagrange's multipliers.
 
 A body has the attitude g in SO(n), ġ = g ω, and the centre x; its momentum M = ∫ v∧r dm, where
-v = ω r, is I(ω) in body axes.  With z = (ω, ẋ) and ideal constraints A(g) z = 0 the principle of d'Alembert
-gives
+v = ω r, is I(ω) in body axes.  With z = (ω, ẋ) and ideal constraints A(g) z = 0 the principle of
+d'Alembert gives
 
     I(ω̇) = [I(ω), ω] + (Aᵀλ)_ω,    m ẍ = (Aᵀλ)_x,    A ż = −Ȧ z,
 

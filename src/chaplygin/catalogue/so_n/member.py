@@ -111,7 +111,7 @@ class Family(ABC):
         return Entry(
             name=self.name,
             title=self.title,
-            summary=self.summary,
+            summary=f"{self.summary} {inertia.words}",
             source=SOURCE,
             defaults=numbers,
             build=build,
