@@ -9,11 +9,11 @@ import pytest
 import sympy as sp
 
 from chaplygin.catalogue import from_catalogue
-from chaplygin.catalogue.so_n import measure_identity
+from chaplygin.catalogue.so_n import any_inertia
 from chaplygin.core.laws import Measure
 from chaplygin.proof.prover import prove
 
-IDENTITIES = (measure_identity.chaplygin_ball, measure_identity.veselova)
+IDENTITIES = (any_inertia.chaplygin_ball, any_inertia.veselova)
 STEP = 1e-30
 
 
@@ -26,11 +26,19 @@ def test_the_measure_of_any_inertia_is_proven(identity, n):
 
 
 @pytest.mark.parametrize("n", [3, 4, 5, 6])
-@pytest.mark.parametrize(
-    "identity", [measure_identity.energy_of_ball, measure_identity.energy_of_veselova]
-)
+@pytest.mark.parametrize("identity", [any_inertia.energy_of_ball, any_inertia.energy_of_veselova])
 def test_the_energy_is_constant_for_any_inertia(identity, n):
     assert prove(identity(n), "energy").decision == "proven"
+
+
+@pytest.mark.parametrize(
+    "n", [3, 4, pytest.param(5, marks=pytest.mark.slow), pytest.param(6, marks=pytest.mark.slow)]
+)
+def test_invariants_of_the_momentum_are_constant_for_any_inertia(n):
+    system = any_inertia.invariants_of_ball(n)
+    assert len(system.laws) == n - 1
+    for law in system.laws:
+        assert prove(system, law).decision == "proven"
 
 
 @pytest.mark.parametrize("identity", IDENTITIES)

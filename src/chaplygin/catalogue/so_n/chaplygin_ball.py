@@ -10,7 +10,7 @@ is constant in space (Fedorov and Kozlov 1995).  With moments I_ij, u = ωγ sol
 B u = f, where f = I⁻¹(k) γ; with a mass tensor, k = T ω + ω T where T = J + m R² Γ.
 
 The density (det B)^(−1/2) of an invariant measure belongs to every operator of inertia and every n:
-see :mod:`chaplygin.catalogue.so_n.measure_identity`.
+see :mod:`chaplygin.catalogue.so_n.any_inertia`.
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ from ...core.named_formulas import Pairs
 from ...core.vectors import real_symbol
 
 #: Rows up to which the solution is written by minors.
-FEW = 4
+FEW = 5
 
 
 def solution(

@@ -11,7 +11,7 @@ slipping nor twisting, is the same with the inertia I + m R² (Jovanović 2009),
 
 u solves B u = p with a symmetric n × n matrix B, on which γγᵀ is added to make it regular.  The
 density (det B)^(−1/2) of an invariant measure belongs to every operator of inertia and every n: see
-:mod:`chaplygin.catalogue.so_n.measure_identity`.
+:mod:`chaplygin.catalogue.so_n.any_inertia`.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The invariant measures of §12 for any inertia and any n, as identities that the prover certifies.
+"""Laws of n-dimensional systems for every operator of inertia, as identities for the prover.
 
 Let A be a symmetric operator that depends on γ, S = A⁻¹.  From dS = −S dA S and
 d log det A = tr(S dA) the divergence of a field and the rate of log (det A)^(−1/2) are polynomials
@@ -40,6 +40,7 @@ from ...core.laws import Identity
 from ...core.matrices import Column, Skew, SymmetricMatrix, wedge
 from ...core.system import Parameter, System
 from ...core.vectors import Components, real_symbol, to_components
+from .chaplygin_ball import invariants
 from .inertia import pairs
 from .member import SOURCE, D, R, m
 
@@ -191,6 +192,33 @@ def veselova(n: int, exponent: sp.Rational = -HALF) -> System:
                 source=SOURCE,
             ),
         ),
+    )
+
+
+def invariants_of_ball(n: int) -> System:
+    """The Chaplygin ball with ω left arbitrary, and the invariants of k and γ that it keeps.
+
+    They are constant whatever ω is, hence for every inertia.
+
+    Parameters
+    ----------
+    n : int
+        The dimension of space.
+
+    Returns
+    -------
+    System
+        k and γ move, the entries of ω are parameters.
+    """
+    k, omega, gamma = Skew("k", n), Skew("omega", n), Column("gamma", n)
+    definitions, laws = invariants(k, gamma)
+    return System(
+        name="chaplygin-ball-invariants",
+        title=f"Momentum and direction of the Chaplygin ball in {n} dimensions",
+        field={k: k * omega - omega * k, gamma: -omega * gamma},
+        parameters=tuple(Parameter(s, "angular velocity", 1.0, "rad/s") for s in omega.symbols),
+        definitions=definitions,
+        laws=laws,
     )
 
 
