@@ -25,7 +25,7 @@ from chaplygin.core.arrays import FloatArray
 from chaplygin.core.system import System
 from chaplygin.report.drawing.style import INK, SERIES, STYLE
 
-UNTIL, SAMPLES = 2000.0, 2**13
+UNTIL, SAMPLES = 2000.0, 2**15
 #: γ is shown for this long.
 SHOWN = 250.0
 GAMMA = np.array([0.2, -0.4, 0.8, -0.4])
@@ -86,7 +86,13 @@ def picture(motions: list[tuple[Case, FloatArray, FloatArray]]) -> Figure:
             above, below = rows[:, column]
             short = times <= SHOWN
             above.plot(gamma[short, 0], gamma[short, 3], color=SERIES[0], lw=0.4)
-            above.set(title=case.title, xlabel=r"$\gamma_1$", ylabel=r"$\gamma_4$", xlim=(-1, 1), ylim=(-1, 1))
+            above.set(
+                title=case.title,
+                xlabel=r"$\gamma_1$",
+                ylabel=r"$\gamma_4$",
+                xlim=(-1, 1),
+                ylim=(-1, 1),
+            )
             above.set_aspect("equal")
             frequency, amplitude = spectrum(times, gamma[:, 0])
             below.semilogy(frequency, np.maximum(amplitude, 1e-9), color=INK, lw=0.4)

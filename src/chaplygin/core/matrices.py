@@ -113,7 +113,8 @@ class SquareMatrix(NamedMatrix):
     @property
     def places(self) -> tuple[Place, ...]:
         """All places, row by row."""
-        return tuple(product(range(int(self.shape[0])), repeat=2))
+        rows = range(int(self.shape[0]))
+        return tuple(product(rows, rows))
 
     @property
     def entries(self) -> Components:

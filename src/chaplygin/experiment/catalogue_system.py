@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import cast
 
 from ..catalogue import Entry, entry
 from ..core.system import System
@@ -55,11 +56,13 @@ def system_of_catalogue(experiment: StateExperiment) -> Subject:
         system = item.system(experiment.system.parameters)
         ball = item.rolling_ball(experiment.system.parameters)
     system, until = _with_title(system, experiment), experiment.run.until or item.start.until
-    values: StartValues = item.start.values | experiment.start
+    # rows of an attitude are sequences like the others
+    start = cast(StartValues, experiment.start)
+    values: StartValues = {**item.start.values, **start}
     if item.family is not None:
         return NDimensionalSubject(
             system=system,
-            start_values=start_with_defaults(item, experiment.start),
+            start_values=start_with_defaults(item, start),
             until=until,
             variables=item.variables,
             item=item,

@@ -92,8 +92,9 @@ def to_dataset(
     sizes = {
         dim: size
         for dims, values, _ in variables.values()
-        for dim, size in zip(dims, np.shape(values), strict=False)
-        if isinstance(dims, tuple) and dim in N_DIMENSIONAL
+        if isinstance(values, np.ndarray) and isinstance(dims, tuple)
+        for dim, size in zip(dims, values.shape, strict=True)
+        if dim in N_DIMENSIONAL
     }
     coordinates: dict[str, Variable] = {
         "time": ("time", time, {"long_name": "time", "units": "s", "source": ""}),

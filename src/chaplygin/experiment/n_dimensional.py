@@ -140,7 +140,7 @@ class NDimensionalSubject(Subject):
             omega[j][i] = -omega[i][j]
         if self.item.family is None:
             return omega
-        nearest = self.item.family.admissible(omega, gamma)
+        nearest: Matrix = self.item.family.admissible(omega, gamma)
         size = max(abs(x) for row in omega for x in row)
         excess = max(abs(omega[i][j] - nearest[i][j]) for i, j in pairs(n))
         if excess > SLACK * size:

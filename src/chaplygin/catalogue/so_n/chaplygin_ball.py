@@ -155,6 +155,16 @@ def invariants(k: Skew, gamma: Column) -> tuple[Pairs, tuple[Integral, ...]]:
     return tuple(definitions), tuple(laws)
 
 
+def _solved(inertia: Inertia) -> tuple[Pairs, Pairs]:
+    """ω by the momentum: the steps, and what a page shows of them."""
+    match inertia:
+        case MassTensor():
+            return by_mass_tensor(inertia)
+        case Moments():
+            return by_moments(inertia)
+    raise TypeError(type(inertia).__name__)
+
+
 @dataclass(frozen=True, kw_only=True)
 class ChaplyginBall(Family):
     """The Chaplygin ball of every dimension."""
@@ -177,9 +187,7 @@ class ChaplyginBall(Family):
         """The equations reduced by the translations, in k and γ."""
         n = inertia.dimension
         k, omega, gamma = momentum_of(n), omega_of(n), gamma_of(n)
-        solved, page = (
-            by_mass_tensor(inertia) if isinstance(inertia, MassTensor) else by_moments(inertia)
-        )
+        solved, page = _solved(inertia)
         named, integrals = invariants(k, gamma)
         energy = HALF * MatrixProduct(k, omega)
         laws: tuple[Law, ...] = (

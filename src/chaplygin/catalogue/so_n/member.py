@@ -183,14 +183,15 @@ class Family(ABC):
             rows = len(tensor) if isinstance(tensor, Sequence) else 0
             fits += [n for n in range(SMALLEST, LARGEST + 1) if n == rows]
             return fits[0] if fits else DEFAULT_DIMENSION
-        whole = (
-            isinstance(given, int | float) and not isinstance(given, bool) and given == int(given)
-        )
-        if not whole or not SMALLEST <= int(given) <= LARGEST:
+        if isinstance(given, bool) or not isinstance(given, int | float) or given != int(given):
+            count = 0
+        else:
+            count = int(given)
+        if not SMALLEST <= count <= LARGEST:
             raise InputError(
                 f"dimension: must be a whole number from {SMALLEST} to {LARGEST}, not {given!r}"
             )
-        return int(given)
+        return count
 
     def _ball(self, settings: dict[str, object]) -> dict[str, float]:
         if not self.rolls:

@@ -23,11 +23,10 @@ class CatalogueExperiment(ExperimentBase):
         if not isinstance(tables, dict) or not isinstance(tables.get("parameters"), dict):
             return tables
         system = tables.get("system")
-        item = CATALOGUE.get(system.get("name", "")) if isinstance(system, dict) else None
-        if item is None or item.family is None:
+        if not isinstance(system, dict):
             return tables
-        own = system.get("parameters", {})
-        if not isinstance(own, dict):
+        item, own = CATALOGUE.get(str(system.get("name"))), system.get("parameters", {})
+        if item is None or item.family is None or not isinstance(own, dict):
             return tables
         others = {key: value for key, value in tables.items() if key != "parameters"}
         return others | {"system": system | {"parameters": own | tables["parameters"]}}
