@@ -135,6 +135,7 @@ INTEGRABLE = frozenset(
         *("chaplygin-ball-fedorov", "ball-around-sphere", "ball-around-sphere-hamiltonian"),
         *("rubber-ball-of-ratio", "rubber-ball-around-sphere", "power-potential-on-sphere"),
         *("rubber-ball-separated", "disk-on-ice", "smooth-disk", "ball-around-sphere-bruns"),
+        *("special-veselova-nd", "special-rubber-ball-nd", "special-chaplygin-ball-nd"),
     )
 )
 
