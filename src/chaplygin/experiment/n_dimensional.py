@@ -132,7 +132,7 @@ class NDimensionalSubject(Subject):
         names = labels(n)
         if not isinstance(given, Sequence) or len(given) != len(names):
             raise InputError(f"omega: must be {len(names)} finite numbers ({', '.join(names)})")
-        omega = mpmath.zeros(n).tolist()
+        omega: Matrix = mpmath.zeros(n).tolist()
         for (i, j), x in zip(pairs(n), given, strict=True):
             if isinstance(x, Sequence) or not mpmath.isfinite(x):
                 raise InputError(f"omega: must be {len(names)} finite numbers ({', '.join(names)})")
