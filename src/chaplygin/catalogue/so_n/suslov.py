@@ -10,8 +10,9 @@ An axis is principal if j = 0; then w is constant.  Otherwise
 
     (j, Bw)˙ = (j, w)² − j² w² = −Σ (j_a w_b − j_b w_a)² over a < b,
 
-so that every motion goes from the steady rotation w = sj, s > 0, to w = −sj: no measure with a continuous
-positive density is invariant, and every continuous integral of ẇ is a function of the energy.
+so that every motion goes from the steady rotation w = sj, s > 0, to w = −sj: no measure with a
+continuous positive density is invariant, and every continuous integral of ẇ is a function of the
+energy.
 """
 
 from __future__ import annotations
