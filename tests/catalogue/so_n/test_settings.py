@@ -9,6 +9,7 @@ from chaplygin.catalogue import entry, from_catalogue
 from chaplygin.errors import InputError
 from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.study import prepare
+from chaplygin.flow.integrator import integrate
 from chaplygin.formulas.evaluate import values
 
 FAMILIES = ("suslov-nd", "veselova-nd", "chaplygin-ball-nd", "rubber-chaplygin-ball-nd")
@@ -111,6 +112,17 @@ def test_a_start_is_the_last_row_of_the_attitude():
     assert state["attitude_34"] == 0.8
     # k = I(ω) + m R² (ωΓ + Γω), by hand for the pair 12, where Γ has no part
     assert state["k_12"] == pytest.approx(0.5 * 0.1)
+
+
+def test_python_starts_by_omega_and_gamma():
+    ball = from_catalogue("chaplygin-ball-nd", dimension=4)
+    start = {"omega": [0.1, 0.2, 0.3, 0.4, 0.5, 0.6], "gamma": [0.0, 0.0, -0.8, 0.6]}
+    motion = integrate(ball, start, [0.0, 1.0])
+    assert motion["omega"][0] == pytest.approx(start["omega"], abs=1e-14)
+    turn = motion["attitude"].reshape(-1, 4, 4)
+    assert turn[:, -1] == pytest.approx(motion["gamma"], abs=1e-14)
+    assert turn @ turn.transpose(0, 2, 1) == pytest.approx(np.array([np.eye(4)] * 2), abs=1e-14)
+    assert np.linalg.det(turn) == pytest.approx([1.0, 1.0])
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ import sympy as sp
 
 from ...core.system import System, flat_pairs
 from ...errors import InputError
+from ...flow.initial_states import upright_matrix
 from ...mechanics.rolling.initial_state import DIGITS, SLACK, evaluate
 from ..entry import Family
 from .inertia import labels, pairs
@@ -37,7 +38,7 @@ def take_attitude(values: Given, n: int) -> Matrix:
     if given is None:
         if gamma is None:
             raise InputError("start: gamma or attitude is missing")
-        return _upright(gamma)
+        return upright_matrix(gamma)
     attitude = _rotation(given, n)
     if gamma is None:
         return attitude
@@ -149,16 +150,3 @@ def _orthogonal(matrix: mpmath.matrix) -> mpmath.matrix:
         if change < mpmath.mpf(10) ** (5 - DIGITS):
             break
     return matrix
-
-
-def _upright(gamma: Sequence[mpmath.mpf]) -> Matrix:
-    """The shortest turn of γ (body) to the last axis of space."""
-    n, last = len(gamma), gamma[-1]
-    if 1 + last < mpmath.mpf(10) ** -20:
-        # opposite: a half turn in the plane of the first and the last axis
-        flipped = mpmath.diag([-1, *([1] * (n - 2)), -1])
-        return list(flipped.tolist())
-    total = mpmath.matrix([*gamma[:-1], last + 1])
-    up = mpmath.matrix([0] * (n - 1) + [1])
-    turn = mpmath.eye(n) - total * total.T / (1 + last) + 2 * up * mpmath.matrix(list(gamma)).T
-    return list(turn.tolist())
