@@ -8,7 +8,8 @@ import pytest
 from chaplygin.catalogue import entry, from_catalogue
 from chaplygin.errors import InputError
 from chaplygin.experiment.file.models import loads
-from chaplygin.experiment.study import prepare
+from chaplygin.experiment.formats import csv_text
+from chaplygin.experiment.study import dataset_of, prepare
 from chaplygin.flow.integrator import integrate
 from chaplygin.formulas.evaluate import values
 
@@ -112,6 +113,18 @@ def test_a_start_is_the_last_row_of_the_attitude():
     assert state["attitude_34"] == 0.8
     # k = I(ω) + m R² (ωΓ + Γω), by hand for the pair 12, where Γ has no part
     assert state["k_12"] == pytest.approx(0.5 * 0.1)
+
+
+def test_a_table_has_the_entries_of_the_attitude_by_row_and_column():
+    made = study('name = "suslov-nd"\ndimension = 3', "")
+    head = next(
+        line
+        for line in csv_text(dataset_of(made, made.trajectory())).splitlines()
+        if not line.startswith("#")
+    )
+    names = head.split(",")
+    assert names[:3] == ["time", "w_1", "w_2"]
+    assert {"attitude_11", "attitude_13", "attitude_33", "omega_12", "gamma_3"} <= set(names)
 
 
 def test_python_starts_by_omega_and_gamma():
