@@ -99,6 +99,10 @@ def _are_numbers(value: Any) -> bool:
     return kind in "iuf" or (kind == "O" and (iter(value) is value or all(map(_is_written, value))))
 
 
+def _is_row(value: Any) -> bool:
+    return _is_number(value) or _are_numbers(value)
+
+
 def _is_start(value: Any) -> bool:
     if isinstance(value, Mapping):
         return all(_is_written(v) or _are_numbers(v) for v in value.values())
@@ -175,6 +179,14 @@ Quantity: TypeAlias = Annotated[
     _Kind(
         "a name, a formula in quotes or a SymPy expression",
         lambda value: isinstance(value, str) or _is_formula(value),
+    ),
+]
+#: A parameter of a system of the catalogue: a number, or numbers in rows.
+Setting: TypeAlias = Annotated[
+    Any,
+    _Kind(
+        "a number, or numbers in a list",
+        lambda value: _is_number(value) or (_is_many(value) and all(map(_is_row, value))),
     ),
 ]
 #: Named quantities with their formulas, as a mapping or as pairs.

@@ -20,6 +20,7 @@ HARMLESS = {
     "lagrange-top energy": {"value sign"},
     # the energy is made of two integrals, one of which changes its sign
     "clebsch energy": {"value sign"},
+    "special-chaplygin-ball-nd energy": {"value sign"},
     "veselova-geodesic-flow energy": {"value sign"},
     # the edge is equally far from the centre of mass everywhere: the first base is constant
     "rubber-disk measure": {"density sign", "density power"},

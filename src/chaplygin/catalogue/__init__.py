@@ -17,7 +17,7 @@ import pkgutil
 import re
 from importlib import import_module
 
-from ..arguments import arguments_checked
+from ..arguments import Setting, arguments_checked
 from ..core.laws import Law
 from ..core.system import System
 from ..mechanics.rolling.equations import Rolling
@@ -52,7 +52,7 @@ def entry(name: str) -> Entry:
 
 
 @arguments_checked
-def from_catalogue(name: str, **parameters: float) -> System:
+def from_catalogue(name: str, **parameters: Setting) -> System:
     """A System of the catalogue, with some of its parameters given by symbol name.
 
     Parameters
@@ -60,7 +60,8 @@ def from_catalogue(name: str, **parameters: float) -> System:
     name : str
         Such as ``"chaplygin-ball"``; :data:`CATALOGUE` has all of them.
     **parameters : float
-        Values, in SI units, that replace the defaults: ``I_1=1.2``.
+        Values, in SI units, that replace the defaults: ``I_1=1.2``.  The systems of n dimensions
+        also take ``dimension``, ``moments`` or ``mass_tensor``, and balls ``mass`` and ``radius``.
 
     Returns
     -------

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TypeAlias
+from typing import Any, Protocol, SupportsFloat, TypeAlias
 
 import sympy as sp
 
@@ -17,6 +17,8 @@ from ..mechanics.lagrangian.plan import Plan
 from ..mechanics.rolling.equations import Rolling
 
 Numbers = Mapping[str, float]
+#: Parameters as a user gives them: numbers, or of a family also lists and rows of numbers.
+Settings: TypeAlias = Mapping[str, object]
 Triple: TypeAlias = tuple[float, float, float]
 #: Values of a state by the names of its variables: a number, or the components of a vector.
 Values: TypeAlias = Mapping[str, float | tuple[float, ...]]
@@ -91,6 +93,10 @@ class Entry:
         Meanings of letters in the equations that this system alone has.
     plan : Plan, optional
         What is drawn of a mechanism in the plane.
+    family : Family, optional
+        Where a system exists in every dimension, what gives the entry of each.
+    dimension : int, optional
+        That of such an entry.
     """
 
     name: str
@@ -106,8 +112,21 @@ class Entry:
     ball: Callable[[Numbers], RollingBall] | None = None
     letters: Mapping[str, str] = field(default_factory=dict)
     plan: Plan | None = None
+    family: Family | None = None
+    dimension: int | None = None
 
-    def numbers(self, parameters: Numbers | None = None) -> dict[str, float]:
+    def member(self, parameters: Settings | None = None) -> Entry:
+        """The entry of the dimension and with the numbers that settings give; else itself."""
+        return self if self.family is None else self.family.entry(parameters or {})
+
+    def settings(self, parameters: Settings | None = None) -> dict[str, float]:
+        """All parameters, and the dimension where there is one."""
+        numbers = self.numbers(parameters)
+        if self.family is None:
+            return numbers
+        return {"dimension": self.member(parameters).dimension or 0, **numbers}
+
+    def numbers(self, parameters: Settings | None = None) -> dict[str, float]:
         """All parameters, the given ones replacing the defaults.
 
         Raises
@@ -115,34 +134,56 @@ class Entry:
         InputError
             If a parameter is not one of this system's.
         """
-        replacements = dict(parameters or {})
-        for name in replacements:
+        if self.family is not None:
+            return dict(self.member(parameters).defaults)
+        replacements: dict[str, float] = {}
+        for name, value in (parameters or {}).items():
             if name not in self.defaults:
                 raise InputError(
                     f"no parameter {name!r} in {self.name}{_nearest(name, self.defaults)}; it has "
                     f"{', '.join(self.defaults)}"
                 )
+            if not isinstance(value, SupportsFloat):
+                raise InputError(f"{name}: must be a number, not {value!r}")
+            replacements[name] = value  # type: ignore[assignment]
         return {**self.defaults, **replacements}
 
-    def rolling(self, parameters: Numbers | None = None) -> Rolling | None:
+    def rolling(self, parameters: Settings | None = None) -> Rolling | None:
         """The rolling body and its surface; None for a body about a fixed point."""
+        if self.family is not None:
+            return None
         model = self.build(self.numbers(parameters))
         return model if isinstance(model, Rolling) else None
 
-    def rolling_ball(self, parameters: Numbers | None = None) -> RollingBall | None:
+    def rolling_ball(self, parameters: Settings | None = None) -> RollingBall | None:
         """The homogeneous ball and its surface; None where there is none."""
         return None if self.ball is None else self.ball(self.numbers(parameters))
 
-    def system(self, parameters: Numbers | None = None) -> System:
+    def system(self, parameters: Settings | None = None) -> System:
         """The System, with the laws that the paper names."""
         from dataclasses import replace
 
-        model = self.build(self.numbers(parameters))
+        member = self.member(parameters)
+        model = member.build(self.numbers(parameters))
         if isinstance(model, System):
             return model
         system = model.system(self.name, self.title)
         system = replace(system, source=self.source, summary=self.summary)
         return system.with_laws(*self.laws(model, system))
+
+
+class Family(Protocol):
+    """A system that exists in every dimension."""
+
+    @property
+    def constraint(self) -> str:
+        """What ω must fulfil, as a sentence; empty where it is free."""
+
+    def entry(self, given: Settings | None = None) -> Entry:
+        """The entry of the dimension and with the numbers that settings give."""
+
+    def admissible(self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]) -> list[list[Any]]:
+        """The nearest ω that the constraint admits, as a skew matrix."""
 
 
 def lookup(catalogue: Mapping[str, Entry], name: str) -> Entry:

@@ -97,6 +97,14 @@ GROUPS = (
         ),
     ),
     Group(
+        "Bodies and balls of n dimensions",
+        "none",
+        (
+            *("suslov-nd", "veselova-nd", "special-veselova-nd", "chaplygin-ball-nd"),
+            *("special-chaplygin-ball-nd", "rubber-chaplygin-ball-nd", "special-rubber-ball-nd"),
+        ),
+    ),
+    Group(
         "Sleighs, vehicles and other mechanisms",
         "none",
         (
@@ -132,6 +140,7 @@ INTEGRABLE = frozenset(
         *("rubber-ball-of-ratio", "rubber-ball-around-sphere", "power-potential-on-sphere"),
         *("rubber-ball-separated", "disk-on-ice", "smooth-disk", "ball-around-sphere-bruns"),
         "two-veselova-constraints",
+        *("special-veselova-nd", "special-rubber-ball-nd", "special-chaplygin-ball-nd"),
     )
 )
 

@@ -115,7 +115,7 @@ def _members(study: Study, starts: int, level: str | None, seed: int, over: list
 
 def given_start(study: Study) -> dict[str, Any]:
     """The start of the experiment: ω and γ, or the whole state."""
-    if set(study.start_values) == {"omega", "gamma"}:
+    if study.subject.starts_by_velocity and set(study.start_values) == {"omega", "gamma"}:
         return dict(study.start_values)
     size = len(study.system.symbols)
     return {"state": [float(value) for value in study.start[:size]]}

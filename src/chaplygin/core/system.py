@@ -185,6 +185,9 @@ class System(Displayed):
         Equation numbers in the paper.
     summary : str
         One or two sentences: what moves on what.
+    printed_definitions : pairs of quantity and formula
+        What a page shows in place of `definitions`: equations instead of the steps of their
+        solution.  Empty to show the definitions themselves.
     start : mapping of Vector to formula
         How state variables follow from ω and γ, in which a start is given; the others (γ itself,
         or ω where it belongs to the state) are taken as given.
@@ -219,11 +222,13 @@ class System(Displayed):
     source: str = ""
     summary: str = ""
     start: Declared = ()
+    printed_definitions: Declared = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "field", as_pairs(self.field))
         object.__setattr__(self, "definitions", as_pairs(self.definitions))
         object.__setattr__(self, "start", as_pairs(self.start))
+        object.__setattr__(self, "printed_definitions", as_pairs(self.printed_definitions))
         self._check_symbols()
 
     # --- flat view -------------------------------------------------------------------------

@@ -157,20 +157,33 @@ class Cross(MatrixExpr):
         return formula_latex(self)
 
 
-class Dot(sp.Expr):
-    """The scalar product (u, v); build it with :func:`dot`."""
+class ScalarOfTensors(sp.Expr):
+    """A scalar made of vectors or matrices, which it shows unevaluated."""
 
     is_commutative = True
     is_real = True
     precedence = PRECEDENCE["Atom"]
+
+    def explicit(self) -> Scalar:
+        """The same in components."""
+        raise NotImplementedError
+
+    def _latex(self, printer: LatexPrinter) -> str:
+        return formula_latex(self)
+
+
+class Dot(ScalarOfTensors):
+    """The scalar product (u, v); build it with :func:`dot`."""
 
     def __new__(cls, left: MatrixExpr, right: MatrixExpr) -> Dot:
         """Make the node as it stands, without evaluation."""
         node: Dot = sp.Basic.__new__(cls, left, right)
         return node
 
-    def _latex(self, printer: LatexPrinter) -> str:
-        return formula_latex(self)
+    def explicit(self) -> Scalar:
+        """The sum of the products of components."""
+        left, right = (to_components(arg) for arg in self.args)
+        return sp.Add(*(a * b for a, b in zip(left, right, strict=True)))
 
 
 class Gradient(MatrixExpr):
@@ -300,13 +313,8 @@ def to_components(expression: sp.Basic) -> sp.Basic:
         return Components(expression.applyfunc(to_components))
     if not isinstance(expression, MatrixExpr):
         # from the top down, so that products inside products are reached with their factors
-        return expression.xreplace({d: _explicit_dot(d) for d in expression.atoms(Dot)})
+        return expression.xreplace({d: d.explicit() for d in expression.atoms(ScalarOfTensors)})
     return _explicit_matrix(expression)
-
-
-def _explicit_dot(product: Dot) -> Scalar:
-    left, right = (to_components(arg) for arg in product.args)
-    return sp.Add(*(a * b for a, b in zip(left, right, strict=True)))
 
 
 def _explicit_matrix(expression: MatrixExpr) -> Components:

@@ -2,14 +2,92 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from typing import cast
+
+import mpmath
 
 from ..catalogue import Entry, entry
+from ..catalogue.entry import Family
+from ..catalogue.so_n.start import (
+    ATTITUDE,
+    GAMMA,
+    OMEGA,
+    state_of,
+    take_attitude,
+    take_contact,
+    take_spin,
+)
 from ..core.system import System
+from ..errors import InputError
+from ..mechanics.rolling.initial_state import DIGITS
 from .file.catalogue_models import CatalogueExperiment, StateExperiment, SystemExperiment
-from .initial_state import StartValues
+from .initial_state import StartValues, initial_state_from_values
 from .rolling import rolling_setting
 from .subject import BallSubject, BodySubject, Subject
+
+
+@dataclass(frozen=True, kw_only=True)
+class NDimensionalSubject(Subject):
+    """A body of n dimensions, whose start gives attitude and ω, or γ and ω, or its state.
+
+    Attributes
+    ----------
+    dimension : int
+        n.
+    family : Family
+        The system in every dimension, with its constraint.
+    """
+
+    dimension: int
+    family: Family
+
+    @property
+    def directions(self) -> set[str]:
+        """γ alone."""
+        return {GAMMA}
+
+    @property
+    def recorded_names(self) -> list[str]:
+        """The angular velocity."""
+        return [OMEGA]
+
+    def initial_state(self) -> tuple[mpmath.mpf, ...]:
+        """The state that follows from attitude and ω, on the phase space.
+
+        Raises
+        ------
+        InputError
+            If a shape is wrong, the attitude is no rotation, or ω breaks the constraint; the
+            message then names the nearest admissible ω.
+        """
+        values, n = dict(self.start_values), self.dimension
+        with mpmath.workdps(DIGITS):
+            attitude, contact = take_attitude(values, n), take_contact(values, n)
+            gamma = attitude[-1]
+            spin = take_spin(values, gamma, self.family)
+            if spin is None:
+                reduced = replace(self.system, reconstruction=None)
+                whole = {**values, GAMMA: [float(x) for x in gamma]}
+                state = list(initial_state_from_values(reduced, whole))
+            elif values:
+                name = next(iter(values))
+                raise InputError(f"{name}: follows from omega; give one of them")
+            else:
+                state = state_of(self.system, spin, gamma)
+            state += [x for row in attitude for x in row] + contact
+            # a body about a fixed point has no contact
+            return tuple(state[: len(self.system.lifted().symbols)])
+
+
+def _with_defaults(item: Entry, start: StartValues) -> StartValues:
+    """A start of an n-dimensional body, what it leaves out filled in from the catalogue."""
+    values = dict(item.start.values)
+    if OMEGA in start:
+        values = {GAMMA: values[GAMMA]}
+    if ATTITUDE in start:
+        values.pop(GAMMA)
+    return {**values, **start}
 
 
 def body_of_catalogue(experiment: SystemExperiment) -> BodySubject:
@@ -50,10 +128,22 @@ def system_of_catalogue(experiment: StateExperiment) -> Subject:
     """
     item = _entry(experiment)
     with experiment.placing_errors("system", "parameters"):
+        item = item.member(experiment.system.parameters)
         system = item.system(experiment.system.parameters)
         ball = item.rolling_ball(experiment.system.parameters)
     system, until = _with_title(system, experiment), experiment.run.until or item.start.until
-    values: StartValues = item.start.values | experiment.start
+    # rows of an attitude are sequences like the others
+    start = cast(StartValues, experiment.start)
+    values: StartValues = {**item.start.values, **start}
+    if item.family is not None:
+        return NDimensionalSubject(
+            system=system,
+            start_values=_with_defaults(item, start),
+            until=until,
+            variables=item.variables,
+            dimension=item.dimension or 0,
+            family=item.family,
+        )
     if ball is None:
         return Subject(
             system=system,

@@ -13,9 +13,17 @@ import xarray as xr
 
 from ..arguments import arguments_checked
 from ..core.arrays import FloatArray
+from ..core.matrices import SquareMatrix
 from ..errors import InputError
 from ..flow.integrator import Trajectory
-from ..flow.variable_metadata import FRAMES, LABELS, variable_metadata
+from ..flow.variable_metadata import (
+    FRAMES,
+    LABELS,
+    N_DIMENSIONAL,
+    dimensions_of,
+    labels_of,
+    variable_metadata,
+)
 from .formats import save
 
 #: Values along a trajectory: doubles, or numbers of 34 digits.
@@ -81,12 +89,27 @@ def to_dataset(
         if f"law_energy{part}" in variables:
             variables[f"energy{part}"] = variables[f"law_energy{part}"]
     time, low = _split(trajectory.times)
+    sizes = {
+        dim: size
+        for dims, values, _ in variables.values()
+        if isinstance(values, np.ndarray) and isinstance(dims, tuple)
+        for dim, size in zip(dims, values.shape, strict=True)
+        if dim in N_DIMENSIONAL
+    }
     coordinates: dict[str, Variable] = {
         "time": ("time", time, {"long_name": "time", "units": "s", "source": ""}),
         **{
             dim: (dim, list(labels), {"long_name": LABELS[dim], "units": "1", "source": ""})
             for dim, labels in FRAMES.values()
             if _is_dimension(variables, dim)
+        },
+        **{
+            dim: (
+                dim,
+                list(labels_of(dim, size)),
+                {"long_name": LABELS[dim], "units": "1", "source": ""},
+            )
+            for dim, size in sizes.items()
         },
     }
     if low is not None:
@@ -132,6 +155,17 @@ def _add_state(
     values = trajectory[name]
     size = values.shape[1] if values.ndim > 1 else 1
     meaning, units, source, frame = variable_metadata(trajectory.system, name, size, description)
+    variable = next(v for v in trajectory.system.state if str(v) == name)
+    if isinstance(variable, SquareMatrix):
+        dims = dimensions_of(variable)
+        matrix = values.reshape(len(values), *map(int, variable.shape))
+        high, low = _split(matrix)
+        notes = {"long_name": meaning, "units": units, "source": source}
+        variables[name] = (("time", *dims), high, notes)
+        if low is not None:
+            more = {**notes, "long_name": f"{meaning}, low part"}
+            variables[f"{name}_low"] = (("time", *dims), low, more)
+        return
     _add(variables, name, values, frame, meaning, units, source)
 
 

@@ -6,6 +6,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import cast
 
 from ..core.system import System
 from ..errors import InputError
@@ -69,7 +70,7 @@ def described_subject(
     instant: StartValues = {str(TIME): 0.0} if TIME in system.symbols else {}
     return DescribedSubject(
         system=system,
-        start_values={**instant, **experiment.start},
+        start_values={**instant, **cast(StartValues, experiment.start)},
         until=experiment.run.until,
         variables={name: (table.meaning, table.unit) for name, table in variables},
         plan=described_plan(experiment, system, mechanism),

@@ -7,6 +7,7 @@ import io
 import os
 import shutil
 import tempfile
+from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -98,10 +99,15 @@ def csv_text(dataset: xr.Dataset) -> str:
         if rows.ndim == 1:
             columns[str(name)] = rows.values
             continue
-        (axis,) = rows.dims[1:]
-        labels = dataset[axis].values if axis in dataset.coords else range(1, rows.shape[1] + 1)
+        # of a matrix the labels of row and column stand together
+        labels = [
+            dataset[axis].values if axis in dataset.coords else range(1, size + 1)
+            for axis, size in zip(rows.dims[1:], rows.shape[1:], strict=True)
+        ]
+        parts = rows.values.reshape(len(rows), -1).T
         columns |= {
-            f"{name}_{label}": part for label, part in zip(labels, rows.values.T, strict=True)
+            f"{name}_{''.join(map(str, label))}": part
+            for label, part in zip(product(*labels), parts, strict=True)
         }
     stream = io.StringIO()
     for text in lines:

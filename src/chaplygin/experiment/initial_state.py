@@ -188,7 +188,7 @@ def _size(name: Named) -> int:
 def _numbers(name: str, value: float | Sequence[float], size: int) -> list[mpmath.mpf]:
     listed = list(value) if isinstance(value, Sequence) else [value]
     fits = isinstance(value, Sequence) == (size > 0) and len(listed) == max(size, 1)
-    if not fits or not all(mpmath.isfinite(x) for x in listed):
+    if not fits or any(isinstance(x, Sequence) or not mpmath.isfinite(x) for x in listed):
         wanted = f"{size} finite numbers" if size else "a finite number"
         raise InputError(f"{name}: must be {wanted}, not {value_text(value)}")
     return [mpmath.mpf(repr(float(x))) for x in listed]

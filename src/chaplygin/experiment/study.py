@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import cast
 
 import mpmath
 import numpy as np
@@ -103,7 +104,7 @@ class Study(WithOverview):
             f"start.{name} has length {length:.9g}; it was normalised to "
             f"[{', '.join(f'{x:.17g}' for x in direction)}]"
             for name, (length, direction) in normalised_vectors(
-                values, self.subject.directions
+                cast(StartValues, values), self.subject.directions
             ).items()
         )
         return (*lengths, *self.subject.remarks)

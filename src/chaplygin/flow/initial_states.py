@@ -13,6 +13,7 @@ import sympy as sp
 
 from ..arguments import Parameters
 from ..core.arrays import FloatArray
+from ..core.matrices import Column, Skew, SquareMatrix
 from ..core.system import System, flat
 from ..core.vectors import Vector
 from ..errors import InputError
@@ -82,7 +83,10 @@ def whole_start(
     up = next((n for n in (Vector("zeta"), gamma) if n in system.state), None)
     state: list[WorkingNumber] = list(start)
     for name, _ in system.reconstruction.field:
-        if str(name) == "attitude":
+        if isinstance(name, SquareMatrix):
+            normal = [known[str(s)] for s in Column("gamma", int(name.shape[0])).symbols]
+            state += [x for row in upright_matrix(normal) for x in row]
+        elif str(name) == "attitude":
             state += upright([known[str(s)] for s in up.symbols]) if up else [1.0, 0.0, 0.0, 0.0]
         else:
             state += [0.0] * len(flat([name]))
@@ -100,6 +104,21 @@ def upright(vertical: Sequence[WorkingNumber]) -> list[mpmath.mpf]:
             turn = [mpmath.mpf(0), mpmath.mpf(1), mpmath.mpf(0), mpmath.mpf(0)]
         length = mpmath.norm(turn)
         return [part / length for part in turn]
+
+
+def upright_matrix(vertical: Sequence[WorkingNumber]) -> list[list[mpmath.mpf]]:
+    """The shortest turn of a unit vector (body) to the last axis of space, n-dimensional."""
+    with mpmath.workdps(_DIGITS):
+        decimals = (repr(float(v)) if isinstance(v, float) else v for v in vertical)
+        gamma = mpmath.matrix([mpmath.mpf(x) for x in decimals])
+        n, last = len(gamma), gamma[len(gamma) - 1]
+        if not 1 + last > _TURNED:
+            # opposite: a half turn in the plane of the first and the last axis
+            return list(mpmath.diag([-1, *([1] * (n - 2)), -1]).tolist())
+        up = mpmath.matrix([0] * (n - 1) + [1])
+        total = gamma + up
+        turn = mpmath.eye(n) - total * total.T / (1 + last) + 2 * up * gamma.T
+        return list(turn.tolist())
 
 
 def reduced_rows(system: System, rows: FloatArray) -> FloatArray:
@@ -197,8 +216,9 @@ def _of_spin(
         raise InputError(f"{system.name}: its state does not follow from omega; give the state")
     if "gamma" not in arrays:
         raise InputError(f"{system.name}: omega is given, but gamma is not")
-    turning = _checked_shape(system, "omega", arrays["omega"], 3)
-    normal = _checked_shape(system, "gamma", arrays["gamma"], 3)
+    spin, direction = _spin_and_direction(system)
+    turning = _checked_shape(system, "omega", arrays["omega"], len(spin.symbols))
+    normal = _checked_shape(system, "gamma", arrays["gamma"], len(direction.symbols))
     lengths = np.linalg.norm(normal, axis=1, keepdims=True)
     if not np.all(lengths > 0):
         raise InputError(f"{system.name}: gamma is zero: it must point along the normal")
@@ -209,17 +229,25 @@ def _of_spin(
     others = {name: array for name, array in arrays.items() if name not in ("omega", "gamma")}
     unchanged = {
         str(name): block
-        for name, block in ((omega, points[:, :3]), (gamma, points[:, 3:]))
+        for name, block in ((spin, turning), (direction, normal / lengths))
         if name in system.state
     }
     return {**following, **unchanged, **others}
 
 
+def _spin_and_direction(system: System) -> tuple[Vector | Skew, Vector]:
+    """The names of ω and γ: vectors, or of n dimensions a skew matrix and a column."""
+    direction = next((v for v in system.state if str(v) == "gamma"), gamma)
+    if not isinstance(direction, Column):
+        return omega, gamma
+    return Skew("omega", int(direction.shape[0])), direction
+
+
 @lru_cache(maxsize=16)
 def _spinning(system: System) -> tuple[System, tuple[sp.Symbol, ...]]:
     """A system with the state ω, γ, of which the other variables are definitions."""
-    state: Sequence[Vector | sp.Symbol] = (omega, gamma)
-    still = {name: sp.ImmutableMatrix([0, 0, 0]) for name in state}
+    state = _spin_and_direction(system)
+    still = {name: sp.ImmutableDenseMatrix.zeros(*name.shape) for name in state}
     known = flat(state)
     formulas = [formula for _, formula in system.start]
     before = system.required_definitions(formulas, known)

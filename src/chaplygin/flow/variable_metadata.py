@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import math
+from itertools import combinations
+
+from ..core.matrices import Column, NamedMatrix, Skew
 from ..core.system import System
 
 #: Frames in which vectors are given: the name of the axis, and what its places are called.
@@ -16,6 +20,19 @@ LABELS = {
     "axis": "body axis",
     "space": "space axis",
     "quaternion": "component of the quaternion",
+    "pair": "plane of two body axes",
+    "body_axis": "body axis",
+    "space_axis": "space axis",
+    "plane_axis": "coordinate of the hyperplane",
+}
+
+#: Dimensions of the vectors and matrices of n-dimensional systems.
+N_DIMENSIONAL = ("pair", "body_axis", "space_axis", "plane_axis")
+
+#: Variables of an n-dimensional lift to space: meaning, unit, dimensions.
+_N_DIMENSIONAL = {
+    "attitude": ("attitude, rows the space axes seen from the body", "1"),
+    "contact": ("contact point in the hyperplane, space axes", "m"),
 }
 
 #: Vectors of three components in body axes: meaning, unit, source.
@@ -54,6 +71,25 @@ def system_attributes(system: System) -> dict[str, str]:
     }
 
 
+def dimensions_of(variable: Column | NamedMatrix) -> tuple[str, ...]:
+    """The dimensions of a column or matrix in a dataset, besides the time."""
+    match variable:
+        case Skew():
+            return ("pair",)
+        case NamedMatrix():
+            return "space_axis", "body_axis"
+    known = {"contact": "plane_axis", "w": "w_component"}
+    return (known.get(str(variable), "body_axis"),)
+
+
+def labels_of(dimension: str, size: int) -> list[int] | list[str]:
+    """The places along such a dimension: 1, 2, … or 12, 13, …."""
+    if dimension != "pair":
+        return list(range(1, size + 1))
+    n = (1 + math.isqrt(1 + 8 * size)) // 2
+    return [f"{i}{j}" for i, j in combinations(range(1, n + 1), 2)]
+
+
 def variable_metadata(
     system: System, name: str, size: int, description: tuple[str, str] | None = None
 ) -> tuple[str, str, str, str]:
@@ -74,6 +110,11 @@ def variable_metadata(
         The frame is ``"body"`` or ``"quaternion"``, empty for a scalar, and
         ``"<name>_component"`` for a vector in no known frame.
     """
+    variable = next((v for v in system.state if str(v) == name), None)
+    if isinstance(variable, Column | NamedMatrix):
+        frame = dimensions_of(variable)[-1]
+        meaning, units = description or _N_DIMENSIONAL.get(name, (name, UNKNOWN))
+        return meaning, units, system.source, frame
     if name == "attitude":
         return "attitude quaternion, body to space", "", "", "quaternion"
     touching = any(item.name == "contact" for item in system.observables)

@@ -27,7 +27,8 @@ from sympy.matrices.expressions import (
 )
 
 from ..core.laws import Rate
-from ..core.vectors import Cross, Diagonal, Dot, Gradient, Symmetric, Vector
+from ..core.matrices import Image, Jacobian, MatrixProduct, Pfaffian
+from ..core.vectors import Cross, Dot, Gradient
 from .notation import LATEX, UNICODE, Fragment, Notation, Precedence
 from .ordering import (
     Factors,
@@ -183,6 +184,13 @@ class _Writer:
                 return notation.letter(letter_of(str(formula)), bold=False)
             case Dot():
                 return self._dot(formula, 1)
+            case MatrixProduct():
+                return self._matrix_product(formula)
+            case Pfaffian():
+                return notation.call("Pf", [self.piece(formula.args[0]).text])
+            case Jacobian():
+                image, argument = (self.piece(part).text for part in formula.args[:2])
+                return notation.call("det", [notation.gradient(image, argument).text])
             case sp.Pow():
                 return self._power(formula)
             case sp.Abs():
@@ -210,6 +218,13 @@ class _Writer:
         inside = ", ".join(self.piece(side).text for side in product.args)
         pair = Fragment(self.notation.brackets(inside))
         return pair if exponent == 1 else self.notation.power(pair, str(exponent))
+
+    def _matrix_product(self, product: MatrixProduct) -> Fragment:
+        """(A, B), and |A|² for (A, A)."""
+        left, right = (self.piece(side).text for side in product.args)
+        if left == right:
+            return self.notation.power(self.notation.norm(left), "2")
+        return Fragment(self.notation.brackets(f"{left}, {right}"))
 
     def _power(self, formula: sp.Pow) -> Fragment:
         base, exponent = formula.args
@@ -284,8 +299,12 @@ class _Writer:
         """A vector or tensor that is neither a sum nor a product."""
         notation = self.notation
         match formula:
-            case Vector() | Diagonal() | Symmetric():
+            case sp.MatrixSymbol():
                 return notation.letter(letter_of(formula.name), bold=True)
+            case Image():
+                operator, argument, _ = formula.args
+                head = notation.letter(letter_of(str(operator)), bold=True).text
+                return Fragment(f"{head}{notation.brackets(self.piece(argument).text)}")
             case Identity():
                 return notation.letter(SymbolName("E"), bold=True)
             case ZeroMatrix():

@@ -61,6 +61,10 @@ def _without(zeros: dict[sp.Symbol, sp.Basic], value: sp.Basic) -> sp.Basic:
 
 def _page_of(system: System) -> Layout:
     field, spelt_out = _with_rates_spelt_out(system, system.field)
+    if system.printed_definitions:
+        # a rate that is only a name has its equation among them
+        stated = tuple(pair for pair in field if str(pair[1]) != f"{pair[0]}dot")
+        return Layout(stated, system.printed_definitions, ())
     needed = _needed_definitions(system, [formula for _, formula in system.field])
     where = tuple(pair for pair in needed if pair[0] not in spelt_out)
     claims = [formula for law in system.laws for formula in formulas(law)]

@@ -222,7 +222,8 @@ def _start(study: Study, dataset: xr.Dataset) -> list[dict[str, object]]:
     """The start as given, by name: letter, value, unit and meaning."""
     rows: list[dict[str, object]] = []
     for name, value in study.start_values.items():
-        numbers = value if isinstance(value, (tuple, list)) else (value,)
+        listed = value if isinstance(value, (tuple, list)) else (value,)
+        numbers = [x for row in listed for x in (row if isinstance(row, tuple | list) else (row,))]
         letter = Vector(name) if len(numbers) == 3 else real_symbol(name)
         known = dataset[name].attrs if name in dataset else {}
         words_of = START_WORDS if isinstance(study.subject, ContactSubject) else {}

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
-from ...catalogue import entry
+from ...catalogue import CATALOGUE, entry
 from .base import ExperimentBase
 from .tables import StateTable, SystemRunTable, SystemStartTable, SystemTable
 
@@ -16,9 +16,24 @@ class CatalogueExperiment(ExperimentBase):
 
     system: SystemTable = Field(description="a table [system] with a name")
 
+    @model_validator(mode="before")
+    @classmethod
+    def _parameters_beside(cls, tables: object) -> object:
+        """[parameters] of a system of n dimensions belong to [system]."""
+        if not isinstance(tables, dict) or not isinstance(tables.get("parameters"), dict):
+            return tables
+        system = tables.get("system")
+        if not isinstance(system, dict):
+            return tables
+        item, own = CATALOGUE.get(str(system.get("name"))), system.get("parameters", {})
+        if item is None or item.family is None or not isinstance(own, dict):
+            return tables
+        others = {key: value for key, value in tables.items() if key != "parameters"}
+        return others | {"system": system | {"parameters": own | tables["parameters"]}}
+
     def complete_tables(self) -> dict[str, Any]:
         """All tables, with every parameter of the system."""
-        parameters = entry(self.system.name).numbers(self.system.parameters)
+        parameters = entry(self.system.name).settings(self.system.parameters)
         system = {"name": self.system.name, "parameters": parameters}
         return super().complete_tables() | {"system": system}
 

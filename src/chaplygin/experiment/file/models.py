@@ -30,6 +30,7 @@ from .described_models import EquationsExperiment, MechanismExperiment, OwnExper
 from .rolling_model import FrictionExperiment, RollingExperiment
 from .source import Source
 from .table import Table
+from .tables import OF_A_DIMENSION
 from .toml import Key, Tables
 from .validation import validation_messages
 
@@ -216,7 +217,8 @@ def _short(source: Source) -> dict[str, Key]:
         if isinstance(table, dict):
             paths |= {name: (*place, name) for name in table}
     if (item := _item(tables)) is not None:
-        paths |= {name: ("system", "parameters", name) for name in item.defaults}
+        names = [*item.defaults, *(OF_A_DIMENSION if item.family else ())]
+        paths |= {name: ("system", "parameters", name) for name in names}
     return paths
 
 

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import math
+from typing import TypeAlias
 
 from ...errors import InputError
 from ...parsing import parse
 from .validation import value_text
+
+#: A number, numbers in brackets, or rows of them.
+Setting: TypeAlias = float | tuple[float, ...] | tuple[tuple[float, ...], ...]
 
 
 def given_numbers(value: object, wanted: str) -> float | tuple[float, ...]:
@@ -30,6 +34,20 @@ def given_numbers(value: object, wanted: str) -> float | tuple[float, ...]:
     if not finite or len(finite) < len(listed):
         raise ValueError(f"must be {wanted}, not {value_text(value)}{_decimal(value)}")
     return finite if isinstance(value, list | tuple) else finite[0]
+
+
+def given_rows(value: object, wanted: str) -> Setting:
+    """A number, numbers in brackets, or rows of them.
+
+    Raises
+    ------
+    ValueError
+        If it is something else.
+    """
+    if isinstance(value, list | tuple) and value and isinstance(value[0], list | tuple):
+        rows = tuple(given_numbers(row, wanted) for row in value)
+        return tuple(row if isinstance(row, tuple) else (row,) for row in rows)
+    return given_numbers(value, wanted)
 
 
 def _finite(value: object) -> float | None:

@@ -21,7 +21,7 @@ from pydantic import (
 
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
-from .number_lists import given_numbers
+from .number_lists import Setting, given_rows
 from .shape_tables import ShapeTable
 from .table import (
     DIRECTION,
@@ -161,11 +161,45 @@ class FieldTable(FormulaTable):
         return text
 
 
+#: Keys of [system] that a system of n dimensions has besides its parameters.
+OF_A_DIMENSION = ("dimension", "moments", "mass_tensor", "factors", "mass", "radius")
+
+
+def _setting(value: object) -> Setting:
+    """A parameter: a number; of a system of n dimensions also numbers or rows of numbers."""
+    return given_rows(value, "a finite number")
+
+
 class SystemTable(Table):
     """A system of the catalogue, with parameters that differ from its defaults."""
 
     name: str = Field(description="the name of a system, in quotes", min_length=1)
-    parameters: dict[str, Number] = Field(default={}, description="a table of named numbers")
+    parameters: dict[str, Annotated[Setting, PlainValidator(_setting)]] = Field(
+        default={}, description="a table of named numbers"
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _settings(cls, table: object) -> object:
+        """The keys of n-dimensional systems are parameters, wherever they stand."""
+        if not isinstance(table, dict):
+            return table
+        keys = [key for key in OF_A_DIMENSION if key in table]
+        parameters = table.get("parameters", {})
+        if not keys or not isinstance(parameters, dict):
+            return table
+        if twice := [key for key in keys if key in parameters]:
+            raise ValueError(f"{twice[0]} is given twice, in [system] and in its parameters")
+        others = {key: value for key, value in table.items() if key not in keys}
+        return others | {"parameters": {key: table[key] for key in keys} | parameters}
+
+    @field_validator("parameters")
+    @classmethod
+    def _whole_dimension(cls, parameters: dict[str, Setting]) -> dict[str, Setting]:
+        given = parameters.get("dimension")
+        if isinstance(given, float) and given.is_integer():
+            return parameters | {"dimension": int(given)}
+        return parameters
 
 
 class _StartTable(Table):
@@ -202,12 +236,12 @@ class SystemStartTable(_StartTable):
     omega: Vector | None = Field(default=None, description=THREE)
 
 
-def _state_value(value: object) -> float | tuple[float, ...]:
-    """A number, or numbers in brackets, as the variable of the system needs."""
-    return given_numbers(value, STATE)
+def _state_value(value: object) -> Setting:
+    """A number, numbers in brackets, or rows of them, as the variable of the system needs."""
+    return given_rows(value, STATE)
 
 
-StateTable = dict[str, Annotated[float | tuple[float, ...], PlainValidator(_state_value)]]
+StateTable = dict[str, Annotated[Setting, PlainValidator(_state_value)]]
 """The start of a system that is not given by ω and γ: variables of its state by name."""
 
 

@@ -22,6 +22,9 @@ from .time_axis import marker, time_label, widen
 _TALL = 5
 """So many panels stand in one column; more in two."""
 
+_ROW = 5
+"""Entries in a row of a legend at most."""
+
 _PAGE = 8.6
 """Inches that panels take together at most: they fit on a page."""
 
@@ -95,7 +98,7 @@ def _panel(axes: Axes, dataset: xr.Dataset, group: Sequence[str]) -> None:
     axes.set_ylabel(with_unit(f"${_symbol(dataset, group)}$", unit_of(dataset, group[0])))
     widen(axes, np.concatenate([values for _, values in curves]))
     if len(curves) > 1:
-        axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(curves))
+        axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=min(len(curves), _ROW))
 
 
 def _curves(dataset: xr.Dataset, name: str) -> list[tuple[str, FloatArray]]:

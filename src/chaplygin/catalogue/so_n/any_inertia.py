@@ -1,0 +1,288 @@
+"""Laws of n-dimensional systems for every operator of inertia, as identities for the prover.
+
+Let A be a symmetric operator that depends on γ, S = A⁻¹.  From dS = −S dA S and
+d log det A = tr(S dA) the divergence of a field and the rate of log (det A)^(−1/2) are polynomials
+in S, dA/dγ and the velocities, and the density is that of an invariant measure if their sum
+vanishes.  It does so for *every* symmetric S, so that S need not be known: the identities below
+have its entries as independent parameters, and hold for every operator of inertia.
+
+The energy ½(k, Sk) or ½(p, Sp) is treated in the same way, its rate being a polynomial without S.
+
+**Chaplygin ball**, k = A ω with A = I + m R² pr, pr(ω) = ωΓ + Γω, k̇ = [k, ω], γ̇ = −ωγ.  For
+every n:
+
+* ∂/∂k contributes tr(−ad ω) + tr(ad k ∘ S) = 0, as ad k is skew and S symmetric;
+* with ∂ᵢpr(ω) = (ωeᵢ)∧γ + (ωγ)∧eᵢ the γ-part is D Σ (S(eᵢ∧γ), (ωeᵢ)∧γ + (ωγ)∧eᵢ), D = m R²,
+  where the first sum is the trace of a symmetric form with the skew matrix ω, hence zero;
+* pr along γ̇ = −v, v = ωγ, is X ↦ −(Xγ)∧v − (Xv)∧γ, and −½ tr of S with D times it is
+  D Σ (S(eᵢ∧γ), eᵢ∧v), which cancels the second sum.
+
+**Veselova system and rubber ball**, p = B u, (Bx, y) = (I(x∧γ), y∧γ) + (x, γ)(y, γ), γ̇ = −u,
+ṗ = (u, p)γ, S = B⁻¹.  For every n:
+
+* of I the divergence is Σ (I(u∧eᵢ), Seᵢ∧γ) + Σ (I(u∧γ), Seᵢ∧eᵢ), whose second sum vanishes, as S is
+  symmetric, and −½ tr(S Ḃ) = Σ (I(Seᵢ∧γ), eᵢ∧u) cancels the first;
+* what γγᵀ adds is 2(u, Sγ) + (u, γ) tr S, and ∂/∂p of (u, p)γ is 2(u, γ).  On the phase space
+  (u, γ) = 0 and Bγ = γ, so that (u, Sγ) = (u, γ) = 0.
+
+These arguments hold for every n.  `chaplygin_ball` and `veselova` write the whole residual for one
+n, derivatives taken entry by entry, as a law of a system without motion, which
+:func:`chaplygin.prove` certifies.
+"""
+
+from __future__ import annotations
+
+from itertools import combinations_with_replacement
+
+import sympy as sp
+
+from ...core.laws import Identity
+from ...core.matrices import Column, Skew, SymmetricMatrix, wedge
+from ...core.system import Parameter, System
+from ...core.vectors import Components, real_symbol, to_components
+from .chaplygin_ball import invariants
+from .inertia import pairs
+from .member import SOURCE, D, R, m
+
+HALF = sp.Rational(1, 2)
+
+
+def _unit(n: int, i: int) -> sp.Matrix:
+    return sp.Matrix([int(i == j) for j in range(n)])
+
+
+def _bivector(n: int, place: tuple[int, int]) -> sp.Matrix:
+    """The skew matrix with 1 at a place above the diagonal."""
+    i, j = place
+    return sp.Matrix(
+        wedge(sp.ImmutableDenseMatrix(_unit(n, i)), sp.ImmutableDenseMatrix(_unit(n, j)))
+    )
+
+
+def _named_operator(name: str, size: int) -> sp.Matrix:
+    """A symmetric matrix of symbols ``name_i_j``."""
+    return sp.Matrix(
+        size, size, lambda i, j: real_symbol(f"{name}_{min(i, j) + 1}_{max(i, j) + 1}")
+    )
+
+
+def _parameters(matrix: sp.Matrix, meaning: str) -> tuple[Parameter, ...]:
+    places = combinations_with_replacement(range(matrix.shape[0]), 2)
+    return tuple(Parameter(matrix[i, j], meaning, float(i == j)) for i, j in places)
+
+
+def _above(matrix: sp.MatrixBase) -> list[sp.Expr]:
+    return [matrix[i, j] for i, j in pairs(matrix.shape[0])]
+
+
+def chaplygin_ball(n: int, exponent: sp.Rational = -HALF) -> System:
+    """The residual of the density (det ∂k/∂ω)^exponent of the Chaplygin ball.
+
+    Parameters
+    ----------
+    n : int
+        The dimension of space.
+    exponent : sympy.Rational
+        −1/2 in the law that holds.
+
+    Returns
+    -------
+    System
+        k, ω, γ and the entries of S are independent; its law ``measure`` is the identity.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.prove(chaplygin_ball(3), "measure").decision
+    'proven'
+    """
+    places = pairs(n)
+    k, omega, gamma = Skew("k", n), Skew("omega", n), Column("gamma", n)
+    S = _named_operator("S", len(places))
+    K, W, y = (sp.Matrix(to_components(name)) for name in (k, omega, gamma))
+    around = y * y.T
+    residual = sp.S.Zero
+    # ∂/∂k of [k, ω], with ∂ω/∂k = S
+    for row, place in enumerate(places):
+        unit = _bivector(n, place)
+        turned = sp.zeros(n)
+        for column, other in enumerate(places):
+            turned += S[column, row] * _bivector(n, other)
+        rate = unit * W - W * unit + K * turned - turned * K
+        residual += rate[place]
+    slopes = []
+    for i in range(n):
+        around_i = around.diff(y[i])
+        columns = [
+            _above(D * (unit * around_i + around_i * unit))
+            for unit in (_bivector(n, place) for place in places)
+        ]
+        slopes.append(sp.Matrix(columns).T)
+    # ∂/∂γ of −ωγ, with ∂ω/∂γᵢ = −S ∂ᵢA ω; the factor γ itself gives tr ω = 0
+    for i, slope in enumerate(slopes):
+        change = -(S * (slope * sp.Matrix(_above(W))))
+        matrix = sp.zeros(n)
+        for value, place in zip(change, places, strict=True):
+            matrix += value * _bivector(n, place)
+        residual -= (matrix * y)[i]
+    velocity = -W * y
+    for i, slope in enumerate(slopes):
+        residual += exponent * velocity[i] * (S * slope).trace()
+    return System(
+        name="chaplygin-ball-measure",
+        title=f"The measure of the Chaplygin ball in {n} dimensions",
+        field={name: _still(name) for name in (k, omega, gamma)},
+        parameters=(
+            *_parameters(S, "entry of the inverse of the operator from ω to k"),
+            Parameter(m, "mass", 1.0, "kg"),
+            Parameter(R, "radius", 1.0, "m"),
+        ),
+        laws=(
+            Identity(
+                "measure", residual, "divergence and rate of the density cancel", source=SOURCE
+            ),
+        ),
+    )
+
+
+def veselova(n: int, exponent: sp.Rational = -HALF) -> System:
+    """The residual of the density (det B)^exponent of the Veselova system and the rubber ball.
+
+    Parameters
+    ----------
+    n : int
+        The dimension of space.
+    exponent : sympy.Rational
+        −1/2 in the law that holds.
+
+    Returns
+    -------
+    System
+        u, γ, the entries of S and those of I, a symmetric operator on so(n), are independent; its
+        law ``measure`` is the identity, what vanishes on the phase space subtracted.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.prove(veselova(3), "measure").decision
+    'proven'
+    """
+    places = pairs(n)
+    u, gamma, S = Column("u", n), Column("gamma", n), SymmetricMatrix("S", n)
+    inertia = _named_operator("I", len(places))
+    x, y, inverse = (sp.Matrix(to_components(name)) for name in (u, gamma, S))
+    B = _operator_of_planes(inertia, y)
+    slopes = [B.diff(s) for s in y]
+    # ∂/∂γ of −u, with ∂u/∂γᵢ = −S ∂ᵢB u
+    residual = sp.Add(*((inverse * slope * x)[i] for i, slope in enumerate(slopes)))
+    residual -= exponent * sp.Add(
+        *(x[i] * (inverse * slope).trace() for i, slope in enumerate(slopes))
+    )
+    vanishing = 2 * (x.T * inverse * y)[0] + (x.T * y)[0] * inverse.trace()
+    return System(
+        name="veselova-measure",
+        title=f"The measure of the Veselova system in {n} dimensions",
+        field={name: _still(name) for name in (u, gamma, S)},
+        parameters=_parameters(inertia, "entry of the operator of inertia"),
+        laws=(
+            Identity(
+                "measure",
+                residual - vanishing,
+                "divergence and rate of the density cancel",
+                source=SOURCE,
+            ),
+        ),
+    )
+
+
+def invariants_of_ball(n: int) -> System:
+    """The Chaplygin ball with ω left arbitrary, and the invariants of k and γ that it keeps.
+
+    They are constant whatever ω is, hence for every inertia.
+
+    Parameters
+    ----------
+    n : int
+        The dimension of space.
+
+    Returns
+    -------
+    System
+        k and γ move, the entries of ω are parameters.
+    """
+    k, omega, gamma = Skew("k", n), Skew("omega", n), Column("gamma", n)
+    definitions, laws = invariants(k, gamma)
+    return System(
+        name="chaplygin-ball-invariants",
+        title=f"Momentum and direction of the Chaplygin ball in {n} dimensions",
+        field={k: k * omega - omega * k, gamma: -omega * gamma},
+        parameters=tuple(Parameter(s, "angular velocity", 1.0, "rad/s") for s in omega.symbols),
+        definitions=definitions,
+        laws=laws,
+    )
+
+
+def energy_of_ball(n: int) -> System:
+    """The rate of the energy ½(k, Sk) of the Chaplygin ball, which vanishes for every inertia.
+
+    It is ([k, ω], ω) − ½(ω, Ȧω), as Ṡ = −SȦS.
+
+    Parameters
+    ----------
+    n : int
+        The dimension of space.
+    """
+    k, omega, gamma = Skew("k", n), Skew("omega", n), Column("gamma", n)
+    K, W, y = (sp.Matrix(to_components(name)) for name in (k, omega, gamma))
+    turning = -W * y
+    change = turning * y.T + y * turning.T
+    terms = zip(_above(K * W - W * K), _above(W), strict=True)
+    rate = sp.Add(*(a * b for a, b in terms))
+    pairing = zip(_above(W * change + change * W), _above(W), strict=True)
+    rate -= HALF * D * sp.Add(*(a * b for a, b in pairing))
+    law = Identity("energy", rate, "the energy is constant", source=SOURCE)
+    return System(
+        name="chaplygin-ball-energy",
+        title=f"The energy of the Chaplygin ball in {n} dimensions",
+        field={name: _still(name) for name in (k, omega, gamma)},
+        parameters=(Parameter(m, "mass", 1.0, "kg"), Parameter(R, "radius", 1.0, "m")),
+        laws=(law,),
+    )
+
+
+def energy_of_veselova(n: int) -> System:
+    """The rate of the energy ½(p, Sp) of the Veselova system, which vanishes for every inertia.
+
+    It is (ṗ, u) − ½(u, Ḃu) = (u, p)(u, γ) + ½ Σ uᵢ (u, ∂ᵢB u), of which what I adds vanishes and
+    γγᵀ adds u²(u, γ): both terms that are left have the factor (u, γ), zero on the phase space.
+
+    Parameters
+    ----------
+    n : int
+        The dimension of space.
+    """
+    u, gamma = Column("u", n), Column("gamma", n)
+    inertia = _named_operator("I", len(pairs(n)))
+    x, y = (sp.Matrix(to_components(name)) for name in (u, gamma))
+    B = _operator_of_planes(inertia, y)
+    rate = HALF * sp.Add(*(x[i] * (x.T * B.diff(y[i]) * x)[0] for i in range(n)))
+    vanishing = (x.T * x)[0] * (x.T * y)[0]
+    law = Identity("energy", rate - vanishing, "the energy is constant", source=SOURCE)
+    return System(
+        name="veselova-energy",
+        title=f"The energy of the Veselova system in {n} dimensions",
+        field={name: _still(name) for name in (u, gamma)},
+        parameters=_parameters(inertia, "entry of the operator of inertia"),
+        laws=(law,),
+    )
+
+
+def _operator_of_planes(inertia: sp.Matrix, y: sp.Matrix) -> sp.Matrix:
+    """B with (Bx, z) = (I(x∧γ), z∧γ) + (x, γ)(z, γ)."""
+    n = len(y)
+    turns = [sp.Matrix(_above(_unit(n, a) * y.T - y * _unit(n, a).T)) for a in range(n)]
+    return sp.Matrix(n, n, lambda a, b: (turns[a].T * inertia * turns[b])[0] + y[a] * y[b])
+
+
+def _still(name: sp.MatrixExpr) -> Components:
+    return Components.zeros(*name.shape)

@@ -1,0 +1,160 @@
+"""The Veselova system and the rubber ball in n dimensions (§12, problem 3).
+
+A body about a fixed point that turns only in planes through a direction γ fixed in space, ω = u ∧ γ
+with (u, γ) = 0, has the momentum p = I(ω) γ, which is constant in space but for the direction γ:
+
+    ṗ = (u, p) γ,    γ̇ = −u                                   (Fedorov and Kozlov 1995)
+
+on the cotangent bundle of the sphere.  A ball that rolls on a hyperplane with normal γ, neither
+slipping nor twisting, is the same with the inertia I + m R² (Jovanović 2009), as the operator
+ω ↦ ωΓ + Γω of the marble ball leaves such ω unchanged.
+
+u solves B u = p with a symmetric n × n matrix B, on which γγᵀ is added to make it regular.  The
+density (det B)^(−1/2) of an invariant measure belongs to every operator of inertia and every n: see
+:mod:`chaplygin.catalogue.so_n.any_inertia`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from ...core.laws import Integral, Law, Measure
+from ...core.matrices import Column, Jacobian, SymmetricMatrix, wedge
+from ...core.named_formulas import Pairs
+from ...core.system import Parameter, System
+from ...core.vectors import dot, norm_squared, real_symbol, to_components
+from ..entry import Values
+from .elimination import solution
+from .inertia import Inertia, MassTensor, Moments, pairs
+from .member import SOURCE, D, Family, R, across, cycle, direction
+from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
+
+HALF = sp.Rational(1, 2)
+MOMENTUM = "kg m^2/s"
+SQUARE = "kg^2 m^4/s^2"
+DENSITY = "invariant measure; Δ up to a constant factor"
+Delta = real_symbol("Delta")
+
+
+def operator(inertia: Inertia, added: sp.Expr) -> sp.Matrix:
+    """B with B e = (I(e∧γ) + added e∧γ) γ for e orthogonal to γ, and γγᵀ added."""
+    n = inertia.dimension
+    gamma = to_components(gamma_of(n))
+    if isinstance(inertia, MassTensor):
+        J = to_components(inertia.matrix) + added / 2 * sp.eye(n)
+        image = J * gamma
+        return (
+            J * (gamma.T * gamma)[0]
+            + (gamma.T * image)[0] * sp.eye(n)
+            - image * gamma.T
+            - gamma * image.T
+            + gamma * gamma.T
+        )
+    if not isinstance(inertia, Moments):
+        raise TypeError(type(inertia).__name__)
+    matrix = sp.Matrix(gamma * gamma.T)
+    for i, j in pairs(n):
+        heavier = inertia.moment(i, j) + added
+        matrix[i, i] += heavier * gamma[j] ** 2
+        matrix[j, j] += heavier * gamma[i] ** 2
+        matrix[i, j] -= heavier * gamma[i] * gamma[j]
+        matrix[j, i] = matrix[i, j]
+    return matrix
+
+
+@dataclass(frozen=True, kw_only=True)
+class Veselova(Family):
+    """The Veselova system of every dimension; the rubber ball where it rolls."""
+
+    def start(self, dimension: int) -> Values:
+        """A generic momentum across a generic direction."""
+        gamma = direction(dimension)
+        return {
+            "p": across(cycle((1.0, 0.7, 0.2, 0.2), dimension), gamma),
+            "gamma": gamma,
+        }
+
+    def variables(self) -> Mapping[str, tuple[str, str]]:
+        """Meaning and unit of the variables of the state."""
+        fixed = "normal of the hyperplane" if self.rolls else "direction fixed in space"
+        return {
+            "p": ("momentum in planes through γ", MOMENTUM),
+            "gamma": (f"{fixed}, body axes", "1"),
+        }
+
+    @property
+    def constraint(self) -> str:
+        """What ω must fulfil."""
+        return "it must turn in planes through gamma alone, omega = u gamma^T - gamma u^T"
+
+    def admissible(self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]) -> list[list[Any]]:
+        """(ωγ) ∧ γ."""
+        u = [sum(x * y for x, y in zip(row, gamma, strict=True)) for row in omega]
+        return [
+            [a * y - x * b for b, y in zip(u, gamma, strict=True)]
+            for a, x in zip(u, gamma, strict=True)
+        ]
+
+    def equations(self, inertia: Inertia, parameters: tuple[Parameter, ...]) -> System:
+        """The equations on the cotangent bundle of the sphere, in p and γ."""
+        n = inertia.dimension
+        p, u, gamma, omega = Column("p", n), Column("u", n), gamma_of(n), omega_of(n)
+        added = D if self.rolls else sp.S.Zero
+        B = SymmetricMatrix("B", n)
+        steps = solution(B.entries, list(p.symbols), list(u.symbols), Delta)
+        turning = u * gamma.T - gamma * u.T
+        momentum = inertia.image(omega) * gamma + added * u
+        definitions: Pairs = (
+            *inertia.definitions,
+            (B, sp.ImmutableDenseMatrix(operator(inertia, added))),
+            *steps,
+            (omega, sp.ImmutableDenseMatrix(wedge(u, gamma))),
+        )
+        laws: tuple[Law, ...] = (
+            Integral("energy", HALF * dot(p, u), "energy", source=SOURCE, unit="J"),
+            Integral(
+                "momentum", norm_squared(p), "square of the momentum", source=SOURCE, unit=SQUARE
+            ),
+            Measure("measure", {Delta: -HALF}, DENSITY, source=SOURCE),
+        )
+        return System(
+            name=self.name,
+            title=self.title,
+            summary=f"{self.summary} {inertia.words}",
+            source=SOURCE,
+            parameters=(*inertia.parameters, *parameters),
+            definitions=definitions,
+            printed_definitions=(
+                *inertia.definitions,
+                (omega, turning),
+                (p, momentum),
+                (Delta, Jacobian(p, u, Delta)),
+            ),
+            field={p: dot(u, p) * gamma, gamma: -u},
+            relations=(unit_length(gamma), sp.Add(*(a * b for a, b in zip(p, gamma, strict=True)))),
+            laws=laws,
+            observables=(angular_velocity(n),),
+            reconstruction=motion_in_space(n, R if self.rolls else None),
+            start={p: inertia.image(omega) * gamma + added * (omega * gamma)},
+        )
+
+
+VESELOVA = Veselova(
+    name="veselova-nd",
+    title="Veselova system in n dimensions",
+    summary="A rigid body in n-dimensional space turns about a fixed point, only in planes that "
+    "contain a direction fixed in space.",
+)
+RUBBER_BALL = Veselova(
+    name="rubber-chaplygin-ball-nd",
+    title="Rubber Chaplygin ball in n dimensions",
+    summary="A balanced, dynamically asymmetric ball in n-dimensional space rolls on a hyperplane "
+    "with neither slipping nor twisting.",
+    rolls=True,
+)
+
+ENTRIES = (VESELOVA.entry(), RUBBER_BALL.entry())
