@@ -7,6 +7,7 @@ import sympy as sp
 from ..catalogue import known_laws_of
 from ..mechanics.rolling.body import Body
 from ..mechanics.rolling.equations import Forces, Rolling
+from ..mechanics.rolling.fluid import fluids_of
 from ..mechanics.rolling.surfaces import Plane, Sphere, Surface
 from ..printing.numerals import number
 from .file.rolling_model import BodyOnSurface, RollingExperiment
@@ -31,7 +32,7 @@ def rolling_subject(experiment: RollingExperiment) -> BodySubject:
     start = experiment.start
     return BodySubject(
         system=system.with_laws(*known_laws_of(rolling, system)),
-        start_values={"omega": start.omega, "gamma": start.gamma},
+        start_values={"omega": start.omega, "gamma": start.gamma, **_fluid(experiment)},
         until=experiment.run.until,
         setting=rolling_setting(rolling),
         rolling=rolling,
@@ -59,7 +60,20 @@ def body_of(experiment: BodyOnSurface) -> Body:
         shape = experiment.body.shape.shape()
     table = experiment.body
     with experiment.placing_errors("body"):
-        return Body(table.mass, table.inertia, shape, table.gyrostat)
+        cavities = tuple(cavity.cavity() for cavity in table.cavity)
+        return Body(table.mass, table.inertia, shape, table.gyrostat, cavities)
+
+
+def _fluid(experiment: RollingExperiment) -> dict[str, tuple[float, ...]]:
+    """The motion of each fluid at the start, by the name of its variable."""
+    cavities = experiment.body.cavity
+    given = experiment.start.fluids or ((0.0, 0.0, 0.0),) * len(cavities)
+    several = len(cavities) > 1
+    return {
+        f"fluid{i if several else ''}": motion
+        for i, (cavity, motion) in enumerate(zip(cavities, given, strict=True), 1)
+        if cavity.mass
+    }
 
 
 def forces_of(experiment: BodyOnSurface) -> Forces:
@@ -80,7 +94,8 @@ def _title(rolling: Rolling) -> str:
     """A name for a body that the catalogue has none for."""
     ground = ground_words(rolling.surface)
     manner = "" if rolling.contact == "marble" else ", rubber contact"
-    return f"{shape_name(rolling.body.shape)} on {ground}{manner}"
+    filled = " with fluid" if fluids_of(rolling.body) else ""
+    return f"{shape_name(rolling.body.shape)}{filled} on {ground}{manner}"
 
 
 def ground_words(surface: Surface) -> str:
@@ -105,4 +120,18 @@ def rolling_setting(rolling: Rolling) -> str:
         field += ", a potential U(γ)"
     if any(rolling.body.gyrostat):
         field += "; with rotors"
+    field += cavity_words(rolling)
     return f"{shape_name(rolling.body.shape)} on {ground}, {manner}; {field}"
+
+
+def cavity_words(rolling: Rolling) -> str:
+    """The fluids in the cavities of a body, to end the line of its setting; empty without any."""
+    fluids = fluids_of(rolling.body)
+    if not fluids:
+        return ""
+    described = (
+        f"{number(fluid.cavity.mass, 6)} kg of ideal fluid in a cavity with the semi-axes "
+        f"{', '.join(number(b, 6) for b in fluid.cavity.axes)} m"
+        for fluid in fluids
+    )
+    return f"; {' and '.join(described)}"

@@ -92,6 +92,19 @@ class RollingExperiment(BodyOnSurface):
     start: StartTable = Field(description="a table [start] with gamma and omega")
     run: RunTable = Field(default=RunTable(), description="a table")
 
+    @field_validator("start")
+    @classmethod
+    def _fluid_in_cavities(cls, start: StartTable, info: ValidationInfo) -> StartTable:
+        body = info.data.get("body")
+        if body is None or start.fluid is None or len(start.fluids) == len(body.cavity):
+            return start
+        if not body.cavity:
+            raise ValueError("fluid is given, but the body has no cavity; add [body.cavity]")
+        raise ValueError(
+            f"fluid must be 3 finite numbers for each cavity; the body has {len(body.cavity)}, and "
+            f"fluid {len(start.fluids)}"
+        )
+
 
 class FrictionExperiment(BodyOnSurface):
     """A body on a support that it touches with friction, and may leave.
@@ -111,6 +124,16 @@ class FrictionExperiment(BodyOnSurface):
     contact: FrictionTable = Field(description="a table [contact] with the laws of friction")
     start: FrictionStartTable = Field(description=f"a table [start]; {WAYS}")
     run: FrictionRunTable = Field(default=FrictionRunTable(), description="a table")
+
+    @field_validator("body")
+    @classmethod
+    def _without_fluid(cls, body: BodyTable) -> BodyTable:
+        if body.cavity:
+            raise ValueError(
+                "a cavity with fluid needs a contact without friction; write contact.model = "
+                '"marble" or "rubber", or leave the cavity out'
+            )
+        return body
 
     @field_validator("field")
     @classmethod

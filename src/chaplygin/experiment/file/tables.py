@@ -21,6 +21,7 @@ from pydantic import (
 
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
+from .cavity_table import CavityTables
 from .number_lists import given_numbers
 from .shape_tables import ShapeTable
 from .table import (
@@ -39,6 +40,7 @@ from .table import (
 
 Inertia = Vector | tuple[Vector, Vector, Vector]
 
+FLUID = "3 finite numbers, or 3 for each of several cavities"
 STATE = "a finite number, or finite numbers in brackets"
 
 COARSEST, FINEST, FINEST_DOUBLE = 1e-3, 1e-30, 1e-16
@@ -47,13 +49,17 @@ MOST_SAMPLES = 10_000_000
 
 
 class BodyTable(Table):
-    """A rigid body; the origin of the body axes is its centre of mass."""
+    """A rigid body; the origin of the body axes is its centre of mass, without fluid."""
 
     mass: Positive = Field(description=POSITIVE)
     inertia: Inertia = Field(description="3 principal moments or a symmetric 3x3 matrix")
     gyrostat: Vector = Field(default=(0.0, 0.0, 0.0), description=THREE)
     """Constant momentum k of rotors, body axes: the total momentum is Iω + k."""
     shape: ShapeTable = Field(discriminator="kind", description="a table with the kind of shape")
+    cavity: CavityTables = Field(
+        default=(), description="a table with axes and mass, or [[body.cavity]] for each of several"
+    )
+    """Cavities filled with fluid; mass and inertia of the body are those without it."""
 
     @field_validator("inertia")
     @classmethod
@@ -193,6 +199,16 @@ class StartTable(_StartTable):
 
     gamma: Vector = Field(description=DIRECTION)
     omega: Vector = Field(description=THREE)
+    fluid: Vector | tuple[Vector, ...] | None = Field(default=None, description=FLUID)
+    """Motion ξ of the fluid in a cavity relative to the body, body axes; zero by default."""
+
+    @property
+    def fluids(self) -> tuple[Vector, ...]:
+        """The motion of each fluid, as given."""
+        if not self.fluid:
+            return ()
+        rows = self.fluid if isinstance(self.fluid[0], tuple) else (self.fluid,)
+        return rows  # type: ignore[return-value]
 
 
 class SystemStartTable(_StartTable):

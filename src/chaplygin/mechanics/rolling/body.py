@@ -5,14 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import ClassVar, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
 from ...arguments import arguments_checked
-from ...core.vectors import Vector, real_symbol
+from ...core.system import Parameter
+from ...core.vectors import Diagonal, Symmetric, Vector, real_symbol, to_components
 from ...errors import InputError
 from .cavity import Cavity
 from .cavity_fit import check_cavities
@@ -26,7 +27,12 @@ Inertia: TypeAlias = tuple[float, float, float] | tuple[tuple[float, ...], ...]
 class WithInertia:
     """What has principal moments, or a full tensor of inertia."""
 
+    mass: float
     inertia: Inertia
+    gyrostat: tuple[float, float, float]
+
+    buildable: ClassVar[bool] = True
+    """Whether a rigid body can have this inertia, which the triangle inequality decides."""
 
     @property
     def tensor(self) -> np.ndarray:
@@ -155,3 +161,27 @@ def check_inertia(inertia: Sequence[float] | Sequence[Sequence[float]]) -> None:
             f"({moments[2]:.12g} > {moments[0]:.12g} + {moments[1]:.12g}); each moment must be at "
             "most the sum of the other two"
         )
+
+
+def body_parameters(body: WithInertia, inertia: Diagonal | Symmetric) -> tuple[Parameter, ...]:
+    """Mass, inertia and gyrostatic momentum of a body, with their numbers."""
+    entries = inertia.independent(body.tensor)
+    moments = tuple(to_components(inertia).diagonal())
+    mass, axis = "mass", "moment of inertia about body axis"
+    inequalities = triangle_inequalities(moments)
+    if not body.principal:
+        axis = "entry of the inertia tensor"
+    if not body.buildable:
+        mass, axis = "mass of body and fluid", axis.replace("inertia", "equivalent inertia")
+        inequalities = {moment: (moment > 0,) for moment in moments}
+    parameters = [Parameter(m, mass, body.mass, "kg", (m > 0,))]
+    for symbol, value in zip(inertia.symbols, entries, strict=True):
+        label = str(symbol).removeprefix("I_")
+        conditions = inequalities.get(symbol, ())
+        parameters.append(Parameter(symbol, f"{axis} {label}", float(value), "kg m^2", conditions))
+    if any(body.gyrostat):
+        parameters += [
+            Parameter(s, f"gyrostatic momentum, body axis {i}", x, "kg m^2/s")
+            for i, (s, x) in enumerate(zip(k.symbols, body.gyrostat, strict=True), 1)
+        ]
+    return tuple(parameters)

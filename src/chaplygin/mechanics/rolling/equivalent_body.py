@@ -7,16 +7,13 @@ is K(E − C²) of :mod:`chaplygin.mechanics.rolling.cavity`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 import sympy as sp
 
-from ...core.system import Parameter
-from ...core.vectors import Diagonal, Symmetric, to_components
 from ...parsing.exact_decimals import exact_number
-from .body import Body, Inertia, WithInertia, as_tuple, k, m, triangle_inequalities
+from .body import Body, Inertia, WithInertia, as_tuple
 from .shapes import Shape
 
 
@@ -43,6 +40,8 @@ class EquivalentBody(WithInertia):
     inertia: Inertia
     shape: Shape
     gyrostat: tuple[float, float, float]
+
+    buildable = False
 
 
 AnyBody = Body | EquivalentBody
@@ -74,35 +73,4 @@ def equivalent_body(body: AnyBody) -> AnyBody:
         as_tuple(moments),
         replace(body.shape, centre=tuple(float(x) for x in offset)),
         body.gyrostat,
-    )
-
-
-def body_parameters(body: AnyBody, inertia: Diagonal | Symmetric) -> tuple[Parameter, ...]:
-    """Mass, inertia and gyrostatic momentum of a body, with their numbers."""
-    entries = inertia.independent(body.tensor)
-    moments = tuple(to_components(inertia).diagonal())
-    if isinstance(body, EquivalentBody):
-        mass, equivalent = "mass of body and fluid", "equivalent "
-        conditions = {moment: (moment > 0,) for moment in moments}
-    else:
-        mass, equivalent = "mass", ""
-        conditions = triangle_inequalities(moments)
-    axis = f"{equivalent}moment of inertia about body axis"
-    if not body.principal:
-        axis = f"entry of the {equivalent}inertia tensor"
-    parameters = [Parameter(m, mass, body.mass, "kg", (m > 0,))]
-    for symbol, value in zip(inertia.symbols, entries, strict=True):
-        label = str(symbol).removeprefix("I_")
-        admissible = conditions.get(symbol, ())
-        parameters.append(Parameter(symbol, f"{axis} {label}", float(value), "kg m^2", admissible))
-    return (*parameters, *gyrostat_parameters(body.gyrostat))
-
-
-def gyrostat_parameters(gyrostat: Sequence[float]) -> tuple[Parameter, ...]:
-    """The momentum of the rotors; empty without any."""
-    if not any(gyrostat):
-        return ()
-    return tuple(
-        Parameter(s, f"gyrostatic momentum, body axis {i}", x, "kg m^2/s")
-        for i, (s, x) in enumerate(zip(k.symbols, gyrostat, strict=True), 1)
     )
