@@ -87,7 +87,7 @@ class Fluid:
                 f"inertia of the fluid in {which}, solid",
                 "kg m^2",
             ),
-            (self.C, self.cavity.coupling, f"coupling of the fluid in {which}", ""),
+            (self.C, self.cavity.coupling, f"coupling of the fluid in {which}", "1"),
         )
         return tuple(
             Parameter(
