@@ -39,6 +39,7 @@ def rolling_subject(experiment: RollingExperiment) -> BodySubject:
         from_catalogue=False,
         heading=start.heading,
         normal=start.normal,
+        letters=_letters(rolling),
     )
 
 
@@ -62,6 +63,28 @@ def body_of(experiment: BodyOnSurface) -> Body:
     with experiment.placing_errors("body"):
         cavities = tuple(cavity.cavity() for cavity in table.cavity)
         return Body(table.mass, table.inertia, shape, table.gyrostat, cavities)
+
+
+def _letters(rolling: Rolling) -> dict[str, str]:
+    """Meanings that letters have in the equations of a body with fluid; empty without."""
+    fluids = fluids_of(rolling.body)
+    if not fluids:
+        return {}
+    letters = {
+        "M": "momentum of body and fluid about the contact point",
+        "I": "inertia tensor of the equivalent rigid body about the common centre of mass",
+        "r": "from the common centre of mass to the contact point",
+        "c": "from the common centre of mass to the geometric centre",
+        "f": "contact force",
+    }
+    for fluid in fluids:
+        where = f" in cavity {fluid.number}" if fluid.number else ""
+        letters |= {
+            str(fluid.N): f"circulation vector of the fluid{where}",
+            str(fluid.C): f"coupling of the body to the fluid{where}",
+            str(fluid.W): f"inverse of the inertia that the fluid{where} would have as a solid",
+        }
+    return letters
 
 
 def _fluid(experiment: RollingExperiment) -> dict[str, tuple[float, ...]]:

@@ -199,7 +199,6 @@ def _balance(whole: AnyBody, surface: Surface, field: Forces) -> Balance:
         *touch.definitions,
         (J, inertia + m * touch.square * identity),
         (A, J**-1),
-        *(pair for fluid in fluids for pair in fluid.inverse),
     )
 
     def solve(vector: MatrixExpr) -> MatrixExpr:

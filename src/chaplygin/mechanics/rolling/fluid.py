@@ -4,7 +4,7 @@ With the momentum N = ∂T/∂ξ = K(ξ + Cω), which is conjugate to the motion
 the body, the momentum of body and fluid is Iω + CN, where I is the inertia of the equivalent rigid
 body, and
 
-    T = ½(ω, Iω) + ½(N, K⁻¹N),      Ṅ = ξ×N,      ξ = K⁻¹N − Cω.
+    T = ½(ω, Iω) + ½(N, WN),      Ṅ = ξ×N,      ξ = WN − Cω,      W = K⁻¹.
 
 The components of N along the axes of the cavity are the circulations along the three principal
 sections of its wall times m/(5π): Ṅ = ξ×N is Helmholtz's theorem, and N² = const. is Kelvin's.
@@ -58,18 +58,13 @@ class Fluid:
         return Vector(f"fluid{self.number}")
 
     @property
-    def K(self) -> Diagonal | Symmetric:
-        """Inertia tensor of the fluid if it were solid."""
-        return self._tensor("K")
-
-    @property
     def C(self) -> Diagonal | Symmetric:
         """The tensor that couples ω and N."""
         return self._tensor("C")
 
     @property
     def W(self) -> Diagonal | Symmetric:
-        """K⁻¹."""
+        """K⁻¹, the inverse of the inertia tensor that the fluid would have if it were solid."""
         return self._tensor("W")
 
     def _tensor(self, name: str) -> Diagonal | Symmetric:
@@ -78,16 +73,12 @@ class Fluid:
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """The entries of K and C."""
-        which = f"cavity {self.number}" if self.number else "the cavity"
+        """The entries of W = K⁻¹ and C; with K⁻¹ for K the laws have shorter proofs."""
+        where = f"cavity {self.number}" if self.number else "the cavity"
+        solid = f"inverse of the inertia that the fluid in {where} would have as a solid"
         described = (
-            (
-                self.K,
-                self.cavity.solid_inertia,
-                f"inertia of the fluid in {which}, solid",
-                "kg m^2",
-            ),
-            (self.C, self.cavity.coupling, f"coupling of the fluid in {which}", "1"),
+            (self.W, self.cavity.solid_inertia.inv(), solid, "1/(kg m^2)"),
+            (self.C, self.cavity.coupling, f"coupling of the body to the fluid in {where}", "1"),
         )
         return tuple(
             Parameter(
@@ -100,11 +91,6 @@ class Fluid:
             for tensor, matrix, meaning, unit in described
             for s, value in zip(tensor.symbols, tensor.independent(matrix), strict=True)
         )
-
-    @property
-    def inverse(self) -> Pairs:
-        """K⁻¹, which no motion changes."""
-        return ((self.W, self.K**-1),)
 
     @property
     def motion(self) -> Pairs:
@@ -123,13 +109,24 @@ class Fluid:
 
     @property
     def energy(self) -> sp.Expr:
-        """½(N, K⁻¹N), what the fluid adds to the energy of the equivalent body."""
+        """½(N, WN), what the fluid adds to the energy of the equivalent body."""
         return HALF * dot(self.N, self.W * self.N)
+
+    @property
+    def solid_inertia(self) -> Pairs:
+        """K, for the kinetic energy in velocities."""
+        return ((self._tensor("K"), self.W**-1),)
+
+    @property
+    def kinetic_energy(self) -> sp.Expr:
+        """`energy` in the velocities ω and ξ."""
+        turning = self.xi + self.C * omega
+        return HALF * dot(turning, self._tensor("K") * turning)
 
     @property
     def initial(self) -> MatrixExpr:
         """N = K(ξ + Cω) from the ω and ξ of a start."""
-        return self.K * (self.start + self.C * omega)
+        return self.W**-1 * (self.start + self.C * omega)
 
     @property
     def circulation(self) -> Integral:
