@@ -26,7 +26,7 @@ from ..mechanics.rolling.shapes import Ball
 from ..mechanics.rolling.surfaces import Plane
 
 M, gamma, k = Vector("M"), Vector("gamma"), Vector("k")
-m, R, ratio = real_symbol("m"), real_symbol("R"), real_symbol("k")
+ratio = real_symbol("k")
 HALF = sp.Rational(1, 2)
 SOURCE = "docs/fluid.md"
 SQUARE, SPIN = "kg^2 m^4/s^2", "kg m^2/s"
@@ -44,8 +44,7 @@ def laws_with_fluid(rolling: Rolling) -> tuple[Law, ...]:
         total = M + k if any(body.gyrostat) else M + zero
         of_contact = _marble_ball if rolling.contact == "marble" else _rubber_ball
         known += of_contact(total, plane, free)
-        tensor = Diagonal("A") if body.principal else Symmetric("A")
-        known += _measure(rolling, dot(gamma, tensor * gamma), plane, field.gravity > 0)
+        known += _measure(rolling, Diagonal if body.principal else Symmetric, plane)
     for fluid in fluids_of(rolling.body):
         if len(set(fluid.cavity.axes)) == 1:
             known += _of_sphere(fluid, plane, balanced and free and rolling.contact == "marble")
@@ -66,15 +65,16 @@ def _rubber_ball(total: sp.MatrixExpr, plane: bool, free: bool) -> Iterator[Law]
         yield Integral("momentum", square, meaning, source=SOURCE, unit=SQUARE)
 
 
-def _measure(rolling: Rolling, inverse: sp.Expr, plane: bool, heavy: bool) -> Iterator[Law]:
-    """The measure of the equivalent balanced ball."""
+def _measure(
+    rolling: Rolling, kind: type[Diagonal] | type[Symmetric], plane: bool
+) -> Iterator[Law]:
+    """The measure of the equivalent balanced ball; on γ² = 1 is (Iγ, Aγ) = 1 − mR²(γ, Aγ)."""
+    I, A = kind("I"), kind("A")
     if rolling.contact == "rubber":
         exponent = HALF if plane else HALF / ratio
-        density, meaning = {inverse: exponent}, "invariant measure in ω, γ, N"
-    elif plane or not (heavy or rolling.field.potential != 0):
-        density, meaning = {1 - m * R**2 * inverse: -HALF}, "invariant measure in M, γ, N"
+        density, meaning = {dot(gamma, A * gamma): exponent}, "invariant measure in ω, γ, N"
     else:
-        return
+        density, meaning = {dot(I * gamma, A * gamma): -HALF}, "invariant measure in M, γ, N"
     yield Measure("measure", density, meaning, source=SOURCE)
 
 
