@@ -193,7 +193,7 @@ def _system(
         guards += (
             Guard("contact", dot(reaction, gamma), "the normal force changes sign", lift_off=True),
         )
-    if balance.vertical is zeta and balance.force != zero:
+    if balance.vertical == zeta and balance.force != zero:
         field += ((zeta, cross(zeta, omega)),)
         relations += (norm_squared(zeta) - 1,)
     field += tuple((fluid.N, fluid.rate) for fluid in fluids)
