@@ -49,10 +49,11 @@ def figure() -> Figure:
         for panel, (name, axes) in zip(panels, CAVITIES.items(), strict=True):
             path = directions(axes)
             _draw(panel, path)
-            wandering = np.degrees(np.arccos(np.clip(path @ path[0], -1, 1)).max())
+            chords = np.linalg.norm(path - path[0], axis=1)
+            wandering = np.degrees(2 * np.arcsin(np.minimum(chords / 2, 1)).max())
             sizes = " × ".join(f"{b:g}" for b in axes)
             panel.set_title(f"{name}, {sizes} m")
-            panel.text(0, -1.2, f"turns by up to {wandering:.3g}°", ha="center", color=QUIET)
+            panel.text(0, -1.2, f"it turns by up to {wandering:.2g}°", ha="center", color=QUIET)
         return picture
 
 

@@ -81,9 +81,11 @@ def _measure(
 def _of_sphere(fluid: Fluid, plane: bool, momentum_fixed: bool) -> Iterator[Law]:
     """A spherical cavity: the vorticity of its fluid is fixed in space."""
     where, name = fluid.number and f" in cavity {fluid.number}", fluid.number
+    first, *others = fluid.W.symbols
+    level = (*(s - 1 for s in fluid.C.symbols), *(first - s for s in others))
     if plane:
         value, meaning = dot(fluid.N, gamma), f"vertical vorticity of the fluid{where}"
-        yield Integral(f"vorticity{name}", value, meaning, source=SOURCE, unit=SPIN)
+        yield Integral(f"vorticity{name}", value, meaning, on=level, source=SOURCE, unit=SPIN)
     if plane and momentum_fixed:
         value, meaning = dot(fluid.N, M), f"angle of momentum and vorticity of the fluid{where}"
-        yield Integral(f"angle{name}", value, meaning, source=SOURCE, unit=SQUARE)
+        yield Integral(f"angle{name}", value, meaning, on=level, source=SOURCE, unit=SQUARE)
