@@ -61,7 +61,7 @@ def body_of(experiment: BodyOnSurface) -> Body:
         shape = experiment.body.shape.shape()
     table = experiment.body
     with experiment.placing_errors("body"):
-        cavities = tuple(cavity.cavity() for cavity in table.cavity)
+        cavities = tuple(cavity.cavity() for cavity in table.cavities)
         return Body(table.mass, table.inertia, shape, table.gyrostat, cavities)
 
 
@@ -89,7 +89,7 @@ def _letters(rolling: Rolling) -> dict[str, str]:
 
 def _fluid(experiment: RollingExperiment) -> dict[str, tuple[float, ...]]:
     """The motion of each fluid at the start, by the name of its variable."""
-    cavities = experiment.body.cavity
+    cavities = experiment.body.cavities
     given = experiment.start.fluids or ((0.0, 0.0, 0.0),) * len(cavities)
     several = len(cavities) > 1
     return {

@@ -71,7 +71,7 @@ def _is_homogeneous_ball(body: BodyTable) -> bool:
         and not shape.hollow
         and not any(shape.centre)
         and not any(body.gyrostat)
-        and not body.cavity
+        and not body.cavities
         and moment(body) is not None
     )
 

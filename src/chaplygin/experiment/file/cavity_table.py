@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import BeforeValidator, Field, PlainSerializer, field_validator
+from pydantic import Field, field_validator
 
 from ...mechanics.rolling.cavity import UNTURNED, Cavity
 from .table import THREE, Number, Table, Vector
@@ -40,18 +40,12 @@ class CavityTable(Table):
         return Cavity(self.axes, self.mass, self.turn, self.centre)
 
 
-def _as_several(value: object) -> object:
-    """One table as a list of one."""
+def as_several(value: object) -> object:
+    """One table as a list of one: ``[body.cavity]`` as ``[[body.cavity]]``."""
     return [value] if isinstance(value, dict | CavityTable) else value
 
 
-def _as_written(cavities: tuple[CavityTable, ...]) -> object:
+def as_written(cavities: tuple[CavityTable, ...] | None) -> object:
     """A list of one as one table."""
-    tables = [cavity.model_dump() for cavity in cavities]
-    return tables[0] if len(tables) == 1 else tables or None
-
-
-CavityTables = Annotated[
-    tuple[CavityTable, ...], BeforeValidator(_as_several), PlainSerializer(_as_written)
-]
-"""``[body.cavity]`` for one cavity, ``[[body.cavity]]`` for each of several."""
+    tables = [cavity.model_dump() for cavity in cavities or ()]
+    return tables[0] if len(tables) == 1 else tables

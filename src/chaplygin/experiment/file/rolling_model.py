@@ -96,13 +96,13 @@ class RollingExperiment(BodyOnSurface):
     @classmethod
     def _fluid_in_cavities(cls, start: StartTable, info: ValidationInfo) -> StartTable:
         body = info.data.get("body")
-        if body is None or start.fluid is None or len(start.fluids) == len(body.cavity):
+        if body is None or start.fluid is None or len(start.fluids) == len(body.cavities):
             return start
-        if not body.cavity:
+        if not body.cavities:
             raise ValueError("fluid is given, but the body has no cavity; add [body.cavity]")
         raise ValueError(
-            f"fluid must be 3 finite numbers for each cavity; the body has {len(body.cavity)}, and "
-            f"fluid {len(start.fluids)}"
+            "fluid must be 3 finite numbers for each cavity; the body has "
+            f"{len(body.cavities)}, and fluid {len(start.fluids)}"
         )
 
 
@@ -128,7 +128,7 @@ class FrictionExperiment(BodyOnSurface):
     @field_validator("body")
     @classmethod
     def _without_fluid(cls, body: BodyTable) -> BodyTable:
-        if body.cavity:
+        if body.cavities:
             raise ValueError(
                 "a cavity with fluid needs a contact without friction; write contact.model = "
                 '"marble" or "rubber", or leave the cavity out'

@@ -15,13 +15,14 @@ from pydantic import (
     StrictBool,
     StrictInt,
     ValidationInfo,
+    field_serializer,
     field_validator,
     model_validator,
 )
 
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
-from .cavity_table import CavityTables
+from .cavity_table import CavityTable, as_several, as_written
 from .number_lists import given_numbers
 from .shape_tables import ShapeTable
 from .table import (
@@ -56,10 +57,25 @@ class BodyTable(Table):
     gyrostat: Vector = Field(default=(0.0, 0.0, 0.0), description=THREE)
     """Constant momentum k of rotors, body axes: the total momentum is Iω + k."""
     shape: ShapeTable = Field(discriminator="kind", description="a table with the kind of shape")
-    cavity: CavityTables = Field(
-        default=(), description="a table with axes and mass, or [[body.cavity]] for each of several"
+    cavity: tuple[CavityTable, ...] | None = Field(
+        default=None,
+        description="a table with axes and mass, or [[body.cavity]] for each of several",
     )
     """Cavities filled with fluid; mass and inertia of the body are those without it."""
+
+    @property
+    def cavities(self) -> tuple[CavityTable, ...]:
+        """The cavities, none by default."""
+        return self.cavity or ()
+
+    @field_validator("cavity", mode="before")
+    @classmethod
+    def _one_or_several(cls, value: object) -> object:
+        return as_several(value)
+
+    @field_serializer("cavity")
+    def _one_as_a_table(self, cavities: tuple[CavityTable, ...] | None) -> object:
+        return as_written(cavities)
 
     @field_validator("inertia")
     @classmethod
