@@ -9,6 +9,7 @@ from chaplygin.errors import InputError
 from chaplygin.experiment.dataset import to_dataset
 from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.study import prepare
+from chaplygin.proof.prover import prove
 
 BODY = """
 [body]
@@ -90,8 +91,8 @@ MISTAKES = {
     ),
     "no table": (
         BODY + "cavity = 3\n" + START,
-        "<text>, line 6, body.cavity: must be a table with axes and mass, or [[body.cavity]] for "
-        "each of several, not 3",
+        "<text>, line 6, body.cavity: must be a table with axes and mass, or one in double "
+        "brackets for each of several, not 3",
     ),
     "the second of two": (
         TWO.replace("mass = 0.3", "mass = -0.3"),
@@ -104,12 +105,12 @@ MISTAKES = {
     ),
     "fluid without a cavity": (
         BODY + START + "fluid = [1.0, 0.0, 0.0]\n",
-        "<text>, line 9, start: fluid is given, but the body has no cavity; add [body.cavity]",
+        "<text>, line 9, start: fluid is given, but there is no cavity; add [body.cavity]",
     ),
     "one fluid for two cavities": (
         TWO + "fluid = [1.0, 0.0, 0.0]\n",
-        "<text>, line 17, start: fluid must be 3 finite numbers for each cavity; the body has 2, "
-        "and fluid 1",
+        "<text>, line 17, start: fluid must be 3 finite numbers for each cavity; there are 2 "
+        "of these, and 1 in fluid",
     ),
     "two numbers": (
         ONE + "fluid = [1.0, 0.0]\n",
@@ -127,6 +128,62 @@ MISTAKES = {
 @pytest.mark.parametrize("case", MISTAKES)
 def test_a_mistake_is_one_sentence(case):
     text, sentence = MISTAKES[case]
+    with pytest.raises(InputError) as caught:
+        prepare(loads(text))
+    assert str(caught.value) == sentence
+
+
+SYSTEM = 'system = {{name = "{}", cavity = {{axes = [0.5, 0.4, 0.3], mass = 0.7}}}}\n'
+
+
+@pytest.mark.slow(every=3)
+@pytest.mark.parametrize(
+    "name", ["veselova", "suslov", "chaplygin-ball", "rubber-chaplygin-ball", "ball-on-sphere"]
+)
+def test_a_body_of_the_catalogue_is_filled(name):
+    study = prepare(loads(SYSTEM.format(name) + "start = {fluid = [1.0, 2.0, 3.0]}\n"))
+    assert study.system.title.endswith("with fluid")
+    assert str(study.system.state[-1]) == "N"
+    assert {"energy", "circulation"} <= {law.name for law in study.system.integrals}
+    assert all(prove(study.system, law) for law in study.system.laws)
+    assert prepare(loads(study.complete_toml())).system == study.system
+
+
+SYSTEM_MISTAKES = {
+    "fluid without a cavity": (
+        'system = {name = "veselova"}\nstart = {fluid = [1.0, 2.0, 3.0]}\n',
+        "<text>, line 2, start: fluid is given, but there is no cavity; add [system.cavity]",
+    ),
+    "turned": (
+        SYSTEM.format("veselova").replace("0.7", "0.7, turn = [1.0, 0.5, 0.0, 0.0]"),
+        "<text>, line 1, system.cavity: its axes must be along the body axes; leave out turn",
+    ),
+    "off the fixed point": (
+        SYSTEM.format("suslov").replace("0.7", "0.7, centre = [0.1, 0.0, 0.0]"),
+        "<text>, line 1, system.cavity: its centre (0.1, 0.0, 0.0) must be the fixed point, "
+        "[0, 0, 0]",
+    ),
+    "another body": (
+        SYSTEM.format("suslov-quadratic"),
+        "<text>, line 1, system.cavity: suslov-quadratic cannot hold fluid; a rolling body, "
+        "veselova and suslov can",
+    ),
+    "no body": (
+        SYSTEM.format("chaplygin-sleigh"),
+        "<text>, line 1, system: chaplygin-sleigh cannot hold fluid; a rolling body, veselova and "
+        "suslov can",
+    ),
+    "too large for the ball": (
+        SYSTEM.format("chaplygin-ball").replace("0.5", "1.5"),
+        "<text>, line 1, system: the cavity with the semi-axes 1.5, 0.4, 0.3 does not fit into the "
+        "body; make it smaller, or move its centre",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", SYSTEM_MISTAKES)
+def test_a_mistake_with_the_catalogue_is_one_sentence(case):
+    text, sentence = SYSTEM_MISTAKES[case]
     with pytest.raises(InputError) as caught:
         prepare(loads(text))
     assert str(caught.value) == sentence

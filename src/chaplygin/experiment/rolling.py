@@ -7,7 +7,7 @@ import sympy as sp
 from ..catalogue import known_laws_of
 from ..mechanics.rolling.body import Body
 from ..mechanics.rolling.equations import Forces, Rolling
-from ..mechanics.rolling.fluid import fluids_of
+from ..mechanics.rolling.fluid import Fluid, fluids_of
 from ..mechanics.rolling.surfaces import Plane, Sphere, Surface
 from ..printing.numerals import number
 from .file.rolling_model import BodyOnSurface, RollingExperiment
@@ -32,14 +32,18 @@ def rolling_subject(experiment: RollingExperiment) -> BodySubject:
     start = experiment.start
     return BodySubject(
         system=system.with_laws(*known_laws_of(rolling, system)),
-        start_values={"omega": start.omega, "gamma": start.gamma, **_fluid(experiment)},
+        start_values={
+            "omega": start.omega,
+            "gamma": start.gamma,
+            **start.motion_of_fluids(experiment.body.cavities),
+        },
         until=experiment.run.until,
         setting=rolling_setting(rolling),
         rolling=rolling,
         from_catalogue=False,
         heading=start.heading,
         normal=start.normal,
-        letters=_letters(rolling),
+        letters=letters_with_fluid(fluids_of(rolling.body)),
     )
 
 
@@ -61,13 +65,11 @@ def body_of(experiment: BodyOnSurface) -> Body:
         shape = experiment.body.shape.shape()
     table = experiment.body
     with experiment.placing_errors("body"):
-        cavities = tuple(cavity.cavity() for cavity in table.cavities)
-        return Body(table.mass, table.inertia, shape, table.gyrostat, cavities)
+        return Body(table.mass, table.inertia, shape, table.gyrostat, table.cavities)
 
 
-def _letters(rolling: Rolling) -> dict[str, str]:
+def letters_with_fluid(fluids: tuple[Fluid, ...]) -> dict[str, str]:
     """Meanings that letters have in the equations of a body with fluid; empty without."""
-    fluids = fluids_of(rolling.body)
     if not fluids:
         return {}
     letters = {
@@ -85,18 +87,6 @@ def _letters(rolling: Rolling) -> dict[str, str]:
             str(fluid.W): f"inverse of the inertia that the fluid{where} would have as a solid",
         }
     return letters
-
-
-def _fluid(experiment: RollingExperiment) -> dict[str, tuple[float, ...]]:
-    """The motion of each fluid at the start, by the name of its variable."""
-    cavities = experiment.body.cavities
-    given = experiment.start.fluids or ((0.0, 0.0, 0.0),) * len(cavities)
-    several = len(cavities) > 1
-    return {
-        f"fluid{i if several else ''}": motion
-        for i, (cavity, motion) in enumerate(zip(cavities, given, strict=True), 1)
-        if cavity.mass
-    }
 
 
 def forces_of(experiment: BodyOnSurface) -> Forces:

@@ -198,3 +198,40 @@ class Filled:
             ),
             "centre": X + turn @ common,
         }
+
+
+@dataclass
+class FilledTop:
+    """A body with fluid about a fixed point, free or with (omega, n) = 0 for a direction n.
+
+    n is gamma, the vertical in body axes, or a direction of the body; the cavity is about the
+    fixed point.
+    """
+
+    inertia: Array
+    chamber: Chamber
+    #: n in body axes; None for the vertical
+    axis: Array | None = None
+
+    def rates(self, _: float, state: Array) -> Array:
+        """The rates of gamma, omega and the vorticity."""
+        gamma, omega, w = state.reshape(3, 3)
+        c = self.chamber
+        wdot = c.flow(c.xi(omega, w)) @ w
+        of_w = c.of_xi @ np.linalg.inv(c.curl)
+        of_spin = c.of_omega - 2 * of_w
+        momentum = self.inertia @ omega + of_spin @ omega + of_w @ w
+        n = gamma if self.axis is None else self.axis
+        matrix = np.zeros((4, 4))
+        matrix[:3, :3], matrix[:3, 3], matrix[3, :3] = self.inertia + of_spin, -n, n
+        # (omega, gamma') = 0 for the vertical, too
+        right = np.concatenate([-np.cross(omega, momentum) - of_w @ wdot, [0.0]])
+        return np.concatenate([np.cross(gamma, omega), np.linalg.solve(matrix, right)[:3], wdot])
+
+    def end(self, omega: Array, gamma: Array, xi: Array, until: float) -> tuple[Array, ...]:
+        """Omega, gamma and xi at the end of a motion."""
+        c = self.chamber
+        start = np.concatenate([gamma, omega, 2 * omega + c.curl @ xi])
+        end = solve_ivp(self.rates, (0.0, until), start, "DOP853", rtol=3e-14, atol=1e-15)
+        gamma, omega, w = end.y[:, -1].reshape(3, 3)
+        return omega, gamma, c.xi(omega, w)

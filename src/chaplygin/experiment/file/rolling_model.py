@@ -96,14 +96,9 @@ class RollingExperiment(BodyOnSurface):
     @classmethod
     def _fluid_in_cavities(cls, start: StartTable, info: ValidationInfo) -> StartTable:
         body = info.data.get("body")
-        if body is None or start.fluid is None or len(start.fluids) == len(body.cavities):
-            return start
-        if not body.cavities:
-            raise ValueError("fluid is given, but the body has no cavity; add [body.cavity]")
-        raise ValueError(
-            "fluid must be 3 finite numbers for each cavity; the body has "
-            f"{len(body.cavities)}, and fluid {len(start.fluids)}"
-        )
+        if body is not None:
+            start.require_cavities(body.cavities, "body")
+        return start
 
 
 class FrictionExperiment(BodyOnSurface):

@@ -15,14 +15,13 @@ from pydantic import (
     StrictBool,
     StrictInt,
     ValidationInfo,
-    field_serializer,
     field_validator,
     model_validator,
 )
 
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
-from .cavity_table import CavityTable, as_several, as_written
+from .cavity_table import CavitiesTable, FluidStartTable
 from .number_lists import given_numbers
 from .shape_tables import ShapeTable
 from .table import (
@@ -41,7 +40,6 @@ from .table import (
 
 Inertia = Vector | tuple[Vector, Vector, Vector]
 
-FLUID = "3 finite numbers, or 3 for each of several cavities"
 STATE = "a finite number, or finite numbers in brackets"
 
 COARSEST, FINEST, FINEST_DOUBLE = 1e-3, 1e-30, 1e-16
@@ -49,7 +47,7 @@ DEFAULT_TOLERANCE = 1e-15
 MOST_SAMPLES = 10_000_000
 
 
-class BodyTable(Table):
+class BodyTable(CavitiesTable):
     """A rigid body; the origin of the body axes is its centre of mass, without fluid."""
 
     mass: Positive = Field(description=POSITIVE)
@@ -57,25 +55,6 @@ class BodyTable(Table):
     gyrostat: Vector = Field(default=(0.0, 0.0, 0.0), description=THREE)
     """Constant momentum k of rotors, body axes: the total momentum is Iω + k."""
     shape: ShapeTable = Field(discriminator="kind", description="a table with the kind of shape")
-    cavity: tuple[CavityTable, ...] | None = Field(
-        default=None,
-        description="a table with axes and mass, or [[body.cavity]] for each of several",
-    )
-    """Cavities filled with fluid; mass and inertia of the body are those without it."""
-
-    @property
-    def cavities(self) -> tuple[CavityTable, ...]:
-        """The cavities, none by default."""
-        return self.cavity or ()
-
-    @field_validator("cavity", mode="before")
-    @classmethod
-    def _one_or_several(cls, value: object) -> object:
-        return as_several(value)
-
-    @field_serializer("cavity")
-    def _one_as_a_table(self, cavities: tuple[CavityTable, ...] | None) -> object:
-        return as_written(cavities)
 
     @field_validator("inertia")
     @classmethod
@@ -183,14 +162,14 @@ class FieldTable(FormulaTable):
         return text
 
 
-class SystemTable(Table):
+class SystemTable(CavitiesTable):
     """A system of the catalogue, with parameters that differ from its defaults."""
 
     name: str = Field(description="the name of a system, in quotes", min_length=1)
     parameters: dict[str, Number] = Field(default={}, description="a table of named numbers")
 
 
-class _StartTable(Table):
+class _StartTable(FluidStartTable):
     """Orientation and angular velocity of the body at the start."""
 
     gamma: Vector | None
@@ -215,16 +194,6 @@ class StartTable(_StartTable):
 
     gamma: Vector = Field(description=DIRECTION)
     omega: Vector = Field(description=THREE)
-    fluid: Vector | tuple[Vector, ...] | None = Field(default=None, description=FLUID)
-    """Motion ξ of the fluid in a cavity relative to the body, body axes; zero by default."""
-
-    @property
-    def fluids(self) -> tuple[Vector, ...]:
-        """The motion of each fluid, as given."""
-        if not self.fluid:
-            return ()
-        rows = self.fluid if isinstance(self.fluid[0], tuple) else (self.fluid,)
-        return rows  # type: ignore[return-value]
 
 
 class SystemStartTable(_StartTable):

@@ -109,10 +109,13 @@ class Body(WithInertia):
         return any(cavity.mass for cavity in self.cavities)
 
 
-def as_tuple(inertia: npt.ArrayLike) -> tuple[object, ...]:
+def as_tuple(inertia: npt.ArrayLike) -> Inertia:
     """Moments or a tensor as tuples of floats."""
     array = np.asarray(inertia, dtype=float)
-    return tuple(tuple(map(float, row)) if array.ndim == 2 else float(row) for row in array)
+    if array.ndim == 2:
+        return tuple(tuple(map(float, row)) for row in array)
+    first, second, third = map(float, array)
+    return first, second, third
 
 
 def _numbers(inertia: Sequence[float] | Sequence[Sequence[float]]) -> np.ndarray:

@@ -51,8 +51,9 @@ def check_cavities(shape: Shape, cavities: Sequence[Cavity]) -> None:
 def _support(cavity: Cavity, normals: FloatArray) -> FloatArray:
     """How far a cavity reaches along unit vectors (n, 3), from the centre of mass."""
     turn = np.array(cavity.rotation.tolist(), dtype=float)
-    lengths: FloatArray = np.linalg.norm((normals @ turn) * np.array(cavity.axes), axis=1)
-    return normals @ np.array(cavity.centre) + lengths
+    lengths = np.linalg.norm((normals @ turn) * np.array(cavity.axes), axis=1)
+    heights: FloatArray = normals @ np.array(cavity.centre) + lengths
+    return heights
 
 
 def _reaches_out(shape: Shape, cavity: Cavity) -> bool:
@@ -60,18 +61,21 @@ def _reaches_out(shape: Shape, cavity: Cavity) -> bool:
     if isinstance(shape, Ball):
 
         def body(normals: FloatArray) -> FloatArray:
-            return normals @ np.array(shape.centre) + shape.radius
+            heights: FloatArray = normals @ np.array(shape.centre) + shape.radius
+            return heights
 
     else:
         points = contact_points(shape)
 
         def body(normals: FloatArray) -> FloatArray:
-            return np.einsum("ni,ni->n", points(-normals), normals)
+            heights: FloatArray = np.einsum("ni,ni->n", points(-normals), normals)
+            return heights
 
     def excess(normals: FloatArray) -> FloatArray:
         with np.errstate(all="ignore"):
             # a direction without contact point (a flat face) tells nothing
-            return np.nan_to_num(_support(cavity, normals) - body(normals), nan=-np.inf)
+            out: FloatArray = np.nan_to_num(_support(cavity, normals) - body(normals), nan=-np.inf)
+            return out
 
     return _greatest(excess) > SLACK * max(cavity.axes)
 

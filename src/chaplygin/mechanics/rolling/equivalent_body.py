@@ -71,6 +71,6 @@ def equivalent_body(body: AnyBody) -> AnyBody:
     return EquivalentBody(
         float(mass),
         as_tuple(moments),
-        replace(body.shape, centre=tuple(float(x) for x in offset)),
+        replace(body.shape, centre=(float(offset[0]), float(offset[1]), float(offset[2]))),
         body.gyrostat,
     )

@@ -12,6 +12,7 @@ sections of its wall times m/(5π): Ṅ = ξ×N is Helmholtz's theorem, and N² 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -152,12 +153,15 @@ class Fluid:
 
 def fluids_of(body: AnyBody) -> tuple[Fluid, ...]:
     """The fluids in the cavities of a body that are not empty, numbered if it has several."""
-    if isinstance(body, EquivalentBody):
-        return ()
-    several = len(body.cavities) > 1
+    return () if isinstance(body, EquivalentBody) else fluids_of_cavities(body.cavities)
+
+
+def fluids_of_cavities(cavities: Sequence[Cavity]) -> tuple[Fluid, ...]:
+    """The fluids in the cavities that are not empty, numbered if there are several cavities."""
+    several = len(cavities) > 1
     return tuple(
         Fluid(cavity, str(i) if several else "")
-        for i, cavity in enumerate(body.cavities, 1)
+        for i, cavity in enumerate(cavities, 1)
         if cavity.mass
     )
 
