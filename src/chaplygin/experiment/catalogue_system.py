@@ -7,6 +7,7 @@ from dataclasses import replace
 from ..catalogue import Entry, entry, known_laws_of
 from ..catalogue.fixed_point.with_fluid import with_fluid
 from ..core.system import System
+from ..mechanics.rolling.body import Body
 from ..mechanics.rolling.fluid import fluids_of_cavities
 from .file.catalogue_models import CatalogueExperiment, StateExperiment, SystemExperiment
 from .initial_state import StartValues
@@ -30,7 +31,7 @@ def body_of_catalogue(experiment: SystemExperiment) -> BodySubject:
     with experiment.placing_errors("system"):
         if rolling is None:
             system = with_fluid(system, cavities)
-        elif cavities:
+        elif cavities and isinstance(rolling.body, Body):
             rolling = replace(rolling, body=replace(rolling.body, cavity=cavities))
             system = rolling.system(system.name, f"{system.title} with fluid")
             system = system.with_laws(*known_laws_of(rolling, system))
