@@ -148,7 +148,7 @@ EXISTENCE = {
         Rolling(
             Body(
                 1.0,
-                (2.0, 2.0, 2.4),
+                (0.4, 0.4, 0.6),
                 Ellipsoid((1.0, 1.0, 0.8)),
                 cavity=Cavity((0.5, 0.5, 0.3), 0.8),
             ),
@@ -161,7 +161,7 @@ EXISTENCE = {
         Rolling(
             Body(
                 1.0,
-                (2.0, 2.0, 2.4),
+                (0.4, 0.4, 0.6),
                 Ellipsoid((1.0, 1.0, 0.8)),
                 cavity=Cavity((0.5, 0.4, 0.3), 0.8),
             ),
