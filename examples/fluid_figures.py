@@ -53,7 +53,7 @@ def figure() -> Figure:
             wandering = np.degrees(2 * np.arcsin(np.minimum(chords / 2, 1)).max())
             sizes = " × ".join(f"{b:g}" for b in axes)
             panel.set_title(f"{name}, {sizes} m")
-            panel.text(0, -1.2, f"it turns by up to {wandering:.2g}°", ha="center", color=QUIET)
+            panel.text(0, -1.2, f"it turns by up to {wandering:.3g}°", ha="center", color=QUIET)
         return picture
 
 
