@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from chaplygin.errors import InputError
+from chaplygin.experiment.closed_form import solution_of_study
 from chaplygin.experiment.dataset import to_dataset
 from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.study import prepare
@@ -187,3 +188,10 @@ def test_a_mistake_with_the_catalogue_is_one_sentence(case):
     with pytest.raises(InputError) as caught:
         prepare(loads(text))
     assert str(caught.value) == sentence
+
+
+def test_no_closed_form_of_the_rigid_body_is_taken_for_it():
+    text = SYSTEM.format("rubber-body-of-revolution").replace("0.5, 0.4, 0.3", "0.1, 0.1, 0.1")
+    study = prepare(loads(text))
+    with pytest.raises(InputError, match="a body with fluid in a cavity is not solved"):
+        solution_of_study(study)
