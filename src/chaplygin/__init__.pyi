@@ -46,6 +46,7 @@ from .mechanics.lagrangian.sympy_import import (
 )
 from .mechanics.reduction.chaplygin import chaplygin_form as chaplygin_form
 from .mechanics.rolling.body import Body as Body
+from .mechanics.rolling.cavity import Cavity as Cavity
 from .mechanics.rolling.equations import Forces as Forces, Rolling as Rolling, roll as roll
 from .mechanics.rolling.initial_state import initial_state as initial_state
 from .mechanics.rolling.mechanism import rolling_mechanism as rolling_mechanism

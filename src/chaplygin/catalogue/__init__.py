@@ -21,7 +21,9 @@ from ..arguments import Setting, arguments_checked
 from ..core.laws import Law
 from ..core.system import System
 from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.fluid import fluids_of
 from .entry import Entry, Start, known_laws, lookup
+from .fluid_laws import laws_with_fluid
 
 __all__ = ["CATALOGUE", "Entry", "Start", "entry", "from_catalogue", "known_laws_of"]
 
@@ -85,4 +87,6 @@ def from_catalogue(name: str, **parameters: Setting) -> System:
 
 def known_laws_of(rolling: Rolling, made: System) -> tuple[Law, ...]:
     """The laws that the catalogue knows of a body, whether or not it was named."""
+    if fluids_of(rolling.body):
+        return laws_with_fluid(rolling)
     return known_laws(CATALOGUE.values(), rolling, made)

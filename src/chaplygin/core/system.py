@@ -231,6 +231,15 @@ class System(Displayed):
         object.__setattr__(self, "printed_definitions", as_pairs(self.printed_definitions))
         self._check_symbols()
 
+    @cached_property
+    def start_vectors(self) -> tuple[Vector, ...]:
+        """The vectors besides ω and γ from which the state follows at a start."""
+        known = {s for s, _ in self.scalar_definitions} | {p.symbol for p in self.parameters}
+        known |= {s for s, _ in flat_pairs(self.start)} | set(self.symbols)
+        used = {s for _, formula in flat_pairs(self.start) for s in formula.free_symbols} - known
+        names = dict.fromkeys(sorted(str(s).rpartition("_")[0] for s in used))
+        return tuple(Vector(name) for name in names if name not in ("omega", "gamma"))
+
     # --- flat view -------------------------------------------------------------------------
 
     @cached_property

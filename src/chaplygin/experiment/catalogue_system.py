@@ -7,8 +7,9 @@ from typing import cast
 
 import mpmath
 
-from ..catalogue import Entry, entry
+from ..catalogue import Entry, entry, known_laws_of
 from ..catalogue.entry import Family
+from ..catalogue.fixed_point.with_fluid import with_fluid
 from ..catalogue.so_n.start import (
     ATTITUDE,
     GAMMA,
@@ -20,10 +21,12 @@ from ..catalogue.so_n.start import (
 )
 from ..core.system import System
 from ..errors import InputError
+from ..mechanics.rolling.body import Body
+from ..mechanics.rolling.fluid import fluids_of_cavities
 from ..mechanics.rolling.initial_state import DIGITS
 from .file.catalogue_models import CatalogueExperiment, StateExperiment, SystemExperiment
 from .initial_state import StartValues, initial_state_from_values
-from .rolling import rolling_setting
+from .rolling import letters_with_fluid, rolling_setting
 from .subject import BallSubject, BodySubject, Subject
 
 
@@ -102,8 +105,15 @@ def body_of_catalogue(experiment: SystemExperiment) -> BodySubject:
     with experiment.placing_errors("system", "parameters"):
         system = item.system(experiment.system.parameters)
         rolling = item.rolling(experiment.system.parameters)
-    start = experiment.start
-    values = {"omega": start.omega, "gamma": start.gamma}
+    start, cavities = experiment.start, experiment.system.cavities
+    with experiment.placing_errors("system"):
+        if rolling is None:
+            system = with_fluid(system, cavities)
+        elif cavities and isinstance(rolling.body, Body):
+            rolling = replace(rolling, body=replace(rolling.body, cavity=cavities))
+            system = rolling.system(system.name, f"{system.title} with fluid")
+            system = system.with_laws(*known_laws_of(rolling, system))
+    values = {"omega": start.omega, "gamma": start.gamma, **start.motion_of_fluids(cavities)}
     return BodySubject(
         system=_with_title(system, experiment),
         start_values=item.start.values | {n: v for n, v in values.items() if v is not None},
@@ -114,7 +124,7 @@ def body_of_catalogue(experiment: SystemExperiment) -> BodySubject:
         rolling=rolling,
         heading=start.heading,
         normal=start.normal,
-        letters=item.letters,
+        letters={**item.letters, **letters_with_fluid(fluids_of_cavities(cavities))},
     )
 
 

@@ -7,6 +7,7 @@ import sympy as sp
 from ..catalogue import known_laws_of
 from ..mechanics.rolling.body import Body
 from ..mechanics.rolling.equations import Forces, Rolling
+from ..mechanics.rolling.fluid import Fluid, fluids_of
 from ..mechanics.rolling.surfaces import Plane, Sphere, Surface
 from ..printing.numerals import number
 from .file.rolling_model import BodyOnSurface, RollingExperiment
@@ -31,13 +32,18 @@ def rolling_subject(experiment: RollingExperiment) -> BodySubject:
     start = experiment.start
     return BodySubject(
         system=system.with_laws(*known_laws_of(rolling, system)),
-        start_values={"omega": start.omega, "gamma": start.gamma},
+        start_values={
+            "omega": start.omega,
+            "gamma": start.gamma,
+            **start.motion_of_fluids(experiment.body.cavities),
+        },
         until=experiment.run.until,
         setting=rolling_setting(rolling),
         rolling=rolling,
         from_catalogue=False,
         heading=start.heading,
         normal=start.normal,
+        letters=letters_with_fluid(fluids_of(rolling.body)),
     )
 
 
@@ -59,7 +65,28 @@ def body_of(experiment: BodyOnSurface) -> Body:
         shape = experiment.body.shape.shape()
     table = experiment.body
     with experiment.placing_errors("body"):
-        return Body(table.mass, table.inertia, shape, table.gyrostat)
+        return Body(table.mass, table.inertia, shape, table.gyrostat, table.cavities)
+
+
+def letters_with_fluid(fluids: tuple[Fluid, ...]) -> dict[str, str]:
+    """Meanings that letters have in the equations of a body with fluid; empty without."""
+    if not fluids:
+        return {}
+    letters = {
+        "M": "momentum of body and fluid about the contact point",
+        "I": "inertia tensor of the equivalent rigid body about the common centre of mass",
+        "r": "from the common centre of mass to the contact point",
+        "c": "from the common centre of mass to the geometric centre",
+        "f": "contact force",
+    }
+    for fluid in fluids:
+        where = f" in cavity {fluid.number}" if fluid.number else ""
+        letters |= {
+            str(fluid.N): f"circulation vector of the fluid{where}",
+            str(fluid.C): f"coupling of the body to the fluid{where}",
+            str(fluid.W): f"inverse of the inertia that the fluid{where} would have as a solid",
+        }
+    return letters
 
 
 def forces_of(experiment: BodyOnSurface) -> Forces:
@@ -80,7 +107,8 @@ def _title(rolling: Rolling) -> str:
     """A name for a body that the catalogue has none for."""
     ground = ground_words(rolling.surface)
     manner = "" if rolling.contact == "marble" else ", rubber contact"
-    return f"{shape_name(rolling.body.shape)} on {ground}{manner}"
+    filled = " with fluid" if fluids_of(rolling.body) else ""
+    return f"{shape_name(rolling.body.shape)}{filled} on {ground}{manner}"
 
 
 def ground_words(surface: Surface) -> str:
@@ -105,4 +133,18 @@ def rolling_setting(rolling: Rolling) -> str:
         field += ", a potential U(γ)"
     if any(rolling.body.gyrostat):
         field += "; with rotors"
+    field += cavity_words(rolling)
     return f"{shape_name(rolling.body.shape)} on {ground}, {manner}; {field}"
+
+
+def cavity_words(rolling: Rolling) -> str:
+    """The fluids in the cavities of a body, to end the line of its setting; empty without any."""
+    fluids = fluids_of(rolling.body)
+    if not fluids:
+        return ""
+    described = (
+        f"{number(fluid.cavity.mass, 6)} kg of ideal fluid in a cavity with the semi-axes "
+        f"{', '.join(number(b, 6) for b in fluid.cavity.axes)} m"
+        for fluid in fluids
+    )
+    return f"; {' and '.join(described)}"

@@ -244,7 +244,7 @@ class BodySubject(Subject):
         """Whether the centre of mass lies outside the body that the user describes."""
         if self.from_catalogue or self.rolling is None:
             return ()
-        outside = centre_outside(self.rolling.body.shape)
+        outside = centre_outside(self.rolling.equivalent.body.shape)
         return ("body.shape.centre puts the centre of mass outside the body",) if outside else ()
 
     @property
@@ -260,6 +260,7 @@ class BodySubject(Subject):
             self.start_vector("gamma"),
             heading=self.heading,
             normal=self.normal,
+            fluid=[self.start_vector(str(name)) for name in self.system.start_vectors],
         )
 
     @property
@@ -272,7 +273,7 @@ class BodySubject(Subject):
         """m g of a rolling body under gravity."""
         if self.rolling is None or not self.rolling.field.gravity:
             return None
-        return self.rolling.body.mass * self.rolling.field.gravity
+        return self.rolling.equivalent.body.mass * self.rolling.field.gravity
 
     @property
     def two_sided(self) -> bool:

@@ -28,6 +28,7 @@ from ..core.vectors import real_symbol, to_components
 from ..formulas.balls import ball, ball_values
 from ..formulas.relative_zero import RESOLUTION, ROUNDED
 from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.fluid import fluids_of
 from .base.no_closed_form import Condition, degenerate, refusal
 from .base.problem import Problem, exact, rational, same_field
 from .base.solution import Solution
@@ -60,6 +61,8 @@ def solution_of(problem: Problem) -> Solution:
         If none is known; the message says what is.
     """
     problem = problem.well_posed()
+    if problem.rolling is not None and fluids_of(problem.rolling.body):
+        raise refusal(problem)
     if problem.rolling is None:
         problem = replace(problem, rolling=rolling_of(problem.system, problem.parameters))
     for recogniser in RECOGNISERS:

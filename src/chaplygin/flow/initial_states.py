@@ -153,7 +153,8 @@ def flat_starts(
     given : mapping of str to array
         ``state`` (n, size), the whole state; or variables of the state, (n, components) for
         vectors and (n,) for scalars, or single components; or ``omega`` and ``gamma``, (n, 3) in
-        body axes, from which the system says how the state follows (γ is normalised then).
+        body axes, from which the system says how the state follows (γ is normalised then), with
+        ``fluid`` for the motion of a fluid relative to the body, at rest there by default.
     parameters : mapping of str to number or array (n,), optional
         Values that replace the defaults.
 
@@ -222,11 +223,16 @@ def _of_spin(
     lengths = np.linalg.norm(normal, axis=1, keepdims=True)
     if not np.all(lengths > 0):
         raise InputError(f"{system.name}: gamma is zero: it must point along the normal")
-    points = np.column_stack([turning, normal / lengths])
+    further = [
+        _checked_shape(system, str(v), arrays.get(str(v), np.zeros_like(turning)), 3)
+        for v in system.start_vectors
+    ]
+    points = np.column_stack([turning, normal / lengths, *further])
     auxiliary, symbols = _spinning(system)
     numbers = values(auxiliary, symbols, points, parameters)
     following = {str(s): numbers[:, i] for i, s in enumerate(symbols)}
-    others = {name: array for name, array in arrays.items() if name not in ("omega", "gamma")}
+    read = ("omega", "gamma", *map(str, system.start_vectors))
+    others = {name: array for name, array in arrays.items() if name not in read}
     unchanged = {
         str(name): block
         for name, block in ((spin, turning), (direction, normal / lengths))
@@ -246,7 +252,7 @@ def _spin_and_direction(system: System) -> tuple[Vector | Skew, Vector]:
 @lru_cache(maxsize=16)
 def _spinning(system: System) -> tuple[System, tuple[sp.Symbol, ...]]:
     """A system with the state ω, γ, of which the other variables are definitions."""
-    state = _spin_and_direction(system)
+    state = (*_spin_and_direction(system), *system.start_vectors)
     still = {name: sp.ImmutableDenseMatrix.zeros(*name.shape) for name in state}
     known = flat(state)
     formulas = [formula for _, formula in system.start]

@@ -119,9 +119,17 @@ def variable_metadata(
         return "attitude quaternion, body to space", "", "", "quaternion"
     touching = any(item.name == "contact" for item in system.observables)
     known = (_TOUCHING if touching else _BODY) if size == 3 else {}
+    if name in _circulation_vectors(system):
+        known = {name: ("circulation vector of the fluid", "kg m^2/s", "")}
     meaning, units, source = (
         (*description, "") if description else known.get(name, (name, UNKNOWN, ""))
     )
     if name in known:
         return meaning, units, source, "body"
     return meaning, units, source, "" if size == 1 else f"{name}_component"
+
+
+def _circulation_vectors(system: System) -> set[str]:
+    """Names of the circulation vectors of fluids in cavities: N, or N1, N2, … of several."""
+    names = [item.name for item in system.observables if item.frame == "body"]
+    return {"N" + name.removeprefix("fluid") for name in names if name.startswith("fluid")}

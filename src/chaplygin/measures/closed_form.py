@@ -126,10 +126,22 @@ def closed_form(rolling: Rolling, form: OneForm, numbers: Sequence[sp.Expr]) -> 
             exponents = [Fraction(float(e)).limit_denominator(DENOMINATOR) for e in solution]
             if max(abs(float(e) - x) for e, x in zip(exponents, solution, strict=True)) < AGREE:
                 return tuple(
-                    (to_components(bases[i]), form.scale * sp.Rational(e.numerator, e.denominator))
+                    (
+                        _sign(form, bases[i], tuple(numbers)) * to_components(bases[i]),
+                        form.scale * sp.Rational(e.numerator, e.denominator),
+                    )
                     for i, e in zip(chosen, exponents, strict=True)
                 )
     return None
+
+
+def _sign(form: OneForm, base: sp.Expr, level: tuple[sp.Expr, ...]) -> int:
+    """−1 for a base that is negative for this body, at one normal and so at all."""
+    ground = LevelSet(form.system, level)
+    with ball_precision():
+        values, _ = ground.point(random.Random(SEED))
+        value = ground.partial(Balls(values))(to_components(base)).value
+    return -1 if value < 0 else 1
 
 
 def _samples(

@@ -12,11 +12,13 @@ from dataclasses import replace
 
 from ..core.laws import Measure
 from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.fluid import fluids_of
 from ..mechanics.rolling.shapes import Disk, Implicit, Torus
 from ..proof.fields.budget import EFFORT
 from ..proof.prover import prove
 from ..proof.verdict import Verdict
 from .closed_form import closed_form, density
+from .fluid_theorem import THEOREM, lemma
 from .implicit_shapes import log_density_on_surface
 from .known_families import Level, criterion, levels
 from .one_form import OneForm, Powers, one_form
@@ -39,6 +41,8 @@ def decide_body(rolling: Rolling, name: str, effort: int) -> Existence:
     effort : int
         Term operations after which a proof is given up.
     """
+    if fluids_of(rolling.body):
+        return _with_fluid(rolling, name, effort)
     form = one_form(rolling)
     theorem = criterion(rolling)
     levels_tried = tuple(levels(rolling, form.system.parameters))
@@ -69,6 +73,20 @@ def decide_body(rolling: Rolling, name: str, effort: int) -> Existence:
                 replace(existence, verdicts=proofs), rolling, form, level, effort
             )
     return replace(existence, decision="undecided", reason=proofs[-1].words, verdicts=proofs)
+
+
+def _with_fluid(rolling: Rolling, name: str, effort: int) -> Existence:
+    """The decision for the equivalent rigid body, and the lemma that it is that for the body."""
+    rigid = decide_body(rolling.equivalent, name, effort)
+    verdict = lemma()
+    decision = rigid.decision if verdict else "undecided"
+    return replace(
+        rigid,
+        decision=decision,
+        system=rigid.system and rolling.system(name),
+        criterion=f"{THEOREM}; {rigid.criterion}",
+        verdicts=(verdict, *rigid.verdicts),
+    )
 
 
 def _proofs(form: OneForm, level: Level, effort: int) -> Iterator[Verdict]:

@@ -13,6 +13,7 @@ from ...core.system import System
 from ...core.vectors import dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
+from ...mechanics.rolling.equivalent_body import AnyBody
 from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
 from ...mechanics.rolling.surfaces import Plane
 from ..entry import Entry, Numbers, Start
@@ -49,7 +50,7 @@ def _rubber(p: Numbers, shape: Ball | Disk | Ellipsoid) -> Rolling:
     return Rolling(body, contact="rubber", field=Forces(p["g"]))
 
 
-def _symmetric(body: Body) -> bool:
+def _symmetric(body: AnyBody) -> bool:
     """Whether shape and inertia are those of a body of revolution about body axis 3."""
     shape = body.shape
     if isinstance(shape, Implicit) or not body.principal or any(shape.centre[:2]):

@@ -56,6 +56,11 @@ class FrictionalContact:
     def __post_init__(self) -> None:
         object.__setattr__(self, "laws", tuple(self.laws))
         require_compatible(self.laws)
+        if self.body.filled:
+            raise InputError(
+                "cavity: a body with fluid inside rolls by a marble or rubber contact alone; with "
+                "friction there may be none"
+            )
         if self.field.potential != 0 and isinstance(self.surface, Sphere):
             raise InputError(
                 "potential: with friction on a sphere there may be none, as it would act on the "

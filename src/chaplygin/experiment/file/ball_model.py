@@ -44,8 +44,8 @@ class BallExperiment(ExperimentBase):
         if surface is not None and not _is_homogeneous_ball(body):
             raise ValueError(
                 f"on the surface {surface.kind!r} only a homogeneous ball rolls (shape ball, not "
-                "hollow, three equal moments of inertia, centre [0, 0, 0], no gyrostat); any "
-                "other body needs a plane or a sphere and a start by gamma"
+                "hollow, three equal moments of inertia, centre [0, 0, 0], no gyrostat and no "
+                "cavity); any other body needs a plane or a sphere and a start by gamma"
             )
         return body
 
@@ -71,6 +71,7 @@ def _is_homogeneous_ball(body: BodyTable) -> bool:
         and not shape.hollow
         and not any(shape.centre)
         and not any(body.gyrostat)
+        and not body.cavities
         and moment(body) is not None
     )
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from pydantic import Field, model_validator
+from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from ...catalogue import CATALOGUE, entry
 from .base import ExperimentBase
@@ -34,7 +34,7 @@ class CatalogueExperiment(ExperimentBase):
     def complete_tables(self) -> dict[str, Any]:
         """All tables, with every parameter of the system."""
         parameters = entry(self.system.name).settings(self.system.parameters)
-        system = {"name": self.system.name, "parameters": parameters}
+        system = {**self.system.model_dump(), "parameters": parameters}
         return super().complete_tables() | {"system": system}
 
 
@@ -50,6 +50,14 @@ class SystemExperiment(CatalogueExperiment):
     start: SystemStartTable = Field(default=SystemStartTable(), description="a table")
     run: SystemRunTable = Field(default=SystemRunTable(), description="a table")
 
+    @field_validator("start")
+    @classmethod
+    def _fluid_in_cavities(cls, start: SystemStartTable, info: ValidationInfo) -> SystemStartTable:
+        system = info.data.get("system")
+        if system is not None:
+            start.require_cavities(system.cavities, "system")
+        return start
+
 
 class StateExperiment(CatalogueExperiment):
     """A system of the catalogue whose start is given by the names of its state.
@@ -62,3 +70,12 @@ class StateExperiment(CatalogueExperiment):
 
     start: StateTable = Field(default={}, description="a table of named values")
     run: SystemRunTable = Field(default=SystemRunTable(), description="a table")
+
+    @field_validator("system")
+    @classmethod
+    def _without_fluid(cls, system: SystemTable) -> SystemTable:
+        if system.cavity:
+            raise ValueError(
+                f"{system.name} cannot hold fluid; a rolling body, veselova and suslov can"
+            )
+        return system

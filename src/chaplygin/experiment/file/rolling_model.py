@@ -92,6 +92,14 @@ class RollingExperiment(BodyOnSurface):
     start: StartTable = Field(description="a table [start] with gamma and omega")
     run: RunTable = Field(default=RunTable(), description="a table")
 
+    @field_validator("start")
+    @classmethod
+    def _fluid_in_cavities(cls, start: StartTable, info: ValidationInfo) -> StartTable:
+        body = info.data.get("body")
+        if body is not None:
+            start.require_cavities(body.cavities, "body")
+        return start
+
 
 class FrictionExperiment(BodyOnSurface):
     """A body on a support that it touches with friction, and may leave.
@@ -111,6 +119,16 @@ class FrictionExperiment(BodyOnSurface):
     contact: FrictionTable = Field(description="a table [contact] with the laws of friction")
     start: FrictionStartTable = Field(description=f"a table [start]; {WAYS}")
     run: FrictionRunTable = Field(default=FrictionRunTable(), description="a table")
+
+    @field_validator("body")
+    @classmethod
+    def _without_fluid(cls, body: BodyTable) -> BodyTable:
+        if body.cavities:
+            raise ValueError(
+                "a cavity with fluid needs a contact without friction; write contact.model = "
+                '"marble" or "rubber", or leave the cavity out'
+            )
+        return body
 
     @field_validator("field")
     @classmethod

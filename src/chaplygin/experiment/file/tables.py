@@ -21,6 +21,7 @@ from pydantic import (
 
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
+from .cavity_table import CavitiesTable, FluidStartTable
 from .number_lists import Setting, given_rows
 from .shape_tables import ShapeTable
 from .table import (
@@ -46,8 +47,8 @@ DEFAULT_TOLERANCE = 1e-15
 MOST_SAMPLES = 10_000_000
 
 
-class BodyTable(Table):
-    """A rigid body; the origin of the body axes is its centre of mass."""
+class BodyTable(CavitiesTable):
+    """A rigid body; the origin of the body axes is its centre of mass, without fluid."""
 
     mass: Positive = Field(description=POSITIVE)
     inertia: Inertia = Field(description="3 principal moments or a symmetric 3x3 matrix")
@@ -170,7 +171,7 @@ def _setting(value: object) -> Setting:
     return given_rows(value, "a finite number")
 
 
-class SystemTable(Table):
+class SystemTable(CavitiesTable):
     """A system of the catalogue, with parameters that differ from its defaults."""
 
     name: str = Field(description="the name of a system, in quotes", min_length=1)
@@ -202,7 +203,7 @@ class SystemTable(Table):
         return parameters
 
 
-class _StartTable(Table):
+class _StartTable(FluidStartTable):
     """Orientation and angular velocity of the body at the start."""
 
     gamma: Vector | None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TypeAlias
 
@@ -39,13 +40,18 @@ def key_lines(text: str) -> dict[Key, int]:
     -------
     dict
         Dotted path of a table or key ↦ number of its line, counted from 1. Keys within an inline
-        table or an array are left out; their owner tells the line.
+        table or an array are left out; their owner tells the line. Of several tables [[a]] the
+        second has the path a.2, and so on.
     """
     lines: dict[Key, int] = {}
     table: Key = ()
+    count: Counter[Key] = Counter()
     for number, statement in _statements(text):
         path = _path(statement)
         if statement.startswith("["):
+            if statement.startswith("[["):
+                count[path] += 1
+                path = path if count[path] == 1 else (*path, str(count[path]))
             table = path
         else:
             path = table + path
@@ -95,7 +101,7 @@ def _path(statement: str) -> Key:
 
 
 def dumps(tables: Mapping[str, object]) -> str:
-    """TOML of nested tables with numbers, truth values, texts and arrays of numbers.
+    """TOML of nested tables with numbers, truth values, texts, arrays of numbers and of tables.
 
     Parameters
     ----------
@@ -118,13 +124,26 @@ def dotted_key(key: Key) -> str:
 
 def _blocks(path: Key, table: Mapping[str, object]) -> Iterator[str]:
     """A table and then its sub-tables, each with its header."""
-    inner = {key: value for key, value in table.items() if isinstance(value, Mapping)}
+    inner = {key: value for key, value in table.items() if _tables(value)}
     lines = [_assignment(key, value) for key, value in table.items() if key not in inner]
     if lines:
         header = [f"[{dotted_key(path)}]"] if path else []
         yield "\n".join(header + lines)
     for key, value in inner.items():
-        yield from _blocks((*path, key), value)
+        for one in _tables(value):
+            blocks = _blocks((*path, key), one)
+            if isinstance(value, Mapping):
+                yield from blocks
+            else:
+                yield from (block.replace("[", "[[", 1).replace("]", "]]", 1) for block in blocks)
+
+
+def _tables(value: object) -> list[Mapping[str, object]]:
+    """The tables that a value is made of: itself, or those of an array; empty for other values."""
+    if isinstance(value, Mapping):
+        return [value]
+    several = isinstance(value, list | tuple) and value and isinstance(value[0], Mapping)
+    return list(value) if several else []  # type: ignore[call-overload]
 
 
 def _assignment(key: str, value: object) -> str:

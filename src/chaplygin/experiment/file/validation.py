@@ -110,6 +110,11 @@ def _locate(model: type[BaseModel], steps: tuple[int | str, ...]) -> _Place:
         elif _is_table(table):
             place = _Place((*place.key, step), table, table.model_fields.get(step))
             table = _present(place.field.annotation) if place.field else None
+        elif get_origin(table) is tuple and _is_table(get_args(table)[0]):
+            # of several tables [[a]] the second is called a.2
+            key = place.key if step == "0" else (*place.key, str(int(step) + 1))
+            place = _Place(key, table=get_args(table)[0])
+            table = get_args(table)[0]
         elif get_origin(table) is dict:
             table = get_args(table)[1]
             place = _Place((*place.key, step), table=table)
@@ -137,6 +142,11 @@ def _is_choice(annotation: object) -> bool:
 
 def _value(data: object, key: Key) -> object:
     for part in key:
+        if isinstance(data, list) and part.isdecimal() and 0 < int(part) <= len(data):
+            data = data[int(part) - 1]
+            continue
+        if isinstance(data, list) and data:
+            data = data[0]
         if not isinstance(data, Mapping) or part not in data:
             return None
         data = data[part]

@@ -13,6 +13,7 @@ from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure
 from ...errors import InputError
 from ...formulas.relative_zero import ROUNDED
 from ...mechanics.rolling.equations import Rolling
+from ...mechanics.rolling.fluid import fluids_of
 from ...mechanics.rolling.shapes import Ball
 from ...mechanics.rolling.surfaces import Sphere
 from ...printing.formula import text
@@ -153,6 +154,12 @@ def _title_in_sentence(title: str) -> str:
 Rule = Callable[[Problem, Rolling], _Obstacle | None]
 
 
+def _fluid(problem: Problem, rolling: Rolling) -> _Obstacle | None:
+    if not fluids_of(rolling.body):
+        return None
+    return _Obstacle("a body with fluid in a cavity", "may be the same body without fluid")
+
+
 def _rotors(problem: Problem, rolling: Rolling) -> _Obstacle | None:
     if not any(rolling.body.gyrostat):
         return None
@@ -197,7 +204,7 @@ def _ratio(problem: Problem, rolling: Rolling) -> _Obstacle | None:
     )
 
 
-_RULES: tuple[Rule, ...] = (_shape, _rotors, _potential, _gravity_on_sphere, _ratio)
+_RULES: tuple[Rule, ...] = (_fluid, _shape, _rotors, _potential, _gravity_on_sphere, _ratio)
 
 
 def _body(rolling: Rolling) -> str:

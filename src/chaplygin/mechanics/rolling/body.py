@@ -1,66 +1,38 @@
-"""A rigid body: mass, inertia, shape, gyrostat."""
+"""A rigid body: mass, inertia, shape, gyrostat, cavities filled with fluid."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import ClassVar, TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 
 from ...arguments import arguments_checked
 from ...core.system import Parameter
 from ...core.vectors import Diagonal, Symmetric, Vector, real_symbol, to_components
 from ...errors import InputError
+from .cavity import Cavity
+from .cavity_fit import check_cavities
 from .shapes import Shape
 
 m, k = real_symbol("m"), Vector("k")
 
+Inertia: TypeAlias = tuple[float, float, float] | tuple[tuple[float, ...], ...]
 
-@arguments_checked
-@dataclass(frozen=True)
-class Body:
-    """A rigid body, described in body axes with the centre of mass as origin.
 
-    Parameters
-    ----------
-    mass : float
-        m > 0, in kg.
-    inertia : 3 floats or 3×3 floats
-        Principal moments about the centre of mass, if the body axes are principal axes, or the
-        full symmetric inertia tensor in the body axes (kg m²).
-    shape : Shape
-        Its surface, with the geometric centre relative to the centre of mass.
-    gyrostat : 3 floats
-        Constant momentum k of symmetric rotors, body axes (kg m²/s); the total momentum is Iω + k.
-
-    Raises
-    ------
-    InputError
-        If the mass is not positive, or the inertia tensor is not symmetric, not positive
-        definite, or breaks the triangle inequality I₁ + I₂ ≥ I₃.
-
-    Examples
-    --------
-    >>> import chaplygin as ch
-    >>> ball = ch.Body(1.0, (0.4, 0.5, 0.6), ch.Ball(1.0), gyrostat=(0.0, 0.0, 0.2))
-    >>> ch.roll(ball).defaults
-    {m: 1.0, I_1: 0.4, I_2: 0.5, I_3: 0.6, k_1: 0.0, k_2: 0.0, k_3: 0.2, R: 1.0}
-    """
+class WithInertia:
+    """What has principal moments, or a full tensor of inertia."""
 
     mass: float
-    inertia: tuple[float, float, float] | tuple[tuple[float, ...], ...]
-    shape: Shape
-    gyrostat: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    inertia: Inertia
+    gyrostat: tuple[float, float, float]
 
-    def __post_init__(self) -> None:
-        check_mass(self.mass)
-        check_inertia(self.inertia)
-        object.__setattr__(self, "inertia", _as_tuple(self.inertia))
-        object.__setattr__(self, "gyrostat", tuple(float(x) for x in self.gyrostat))
-        if len(self.gyrostat) != 3 or not all(map(math.isfinite, self.gyrostat)):
-            raise InputError(f"gyrostat {self.gyrostat}: it must be three finite numbers")
+    buildable: ClassVar[bool] = True
+    """Whether a rigid body can have this inertia, which the triangle inequality decides."""
 
     @property
     def tensor(self) -> np.ndarray:
@@ -75,9 +47,75 @@ class Body:
         return bool(np.all(tensor == np.diag(np.diag(tensor))))
 
 
-def _as_tuple(inertia: Sequence[float] | Sequence[Sequence[float]]) -> tuple[object, ...]:
+@arguments_checked
+@dataclass(frozen=True)
+class Body(WithInertia):
+    """A rigid body, described in body axes with the centre of mass as origin.
+
+    Parameters
+    ----------
+    mass : float
+        m > 0, in kg.
+    inertia : 3 floats or 3×3 floats
+        Principal moments about the centre of mass, if the body axes are principal axes, or the
+        full symmetric inertia tensor in the body axes (kg m²).
+    shape : Shape
+        Its surface, with the geometric centre relative to the centre of mass.
+    gyrostat : 3 floats
+        Constant momentum k of symmetric rotors, body axes (kg m²/s); the total momentum is Iω + k.
+    cavity : Cavity or sequence of Cavity
+        Ellipsoidal cavities filled with an ideal fluid.  Mass, inertia and the centre of mass from
+        which everything is measured are those of the solid body, without the fluid.
+
+    Raises
+    ------
+    InputError
+        If the mass is not positive, the inertia tensor is not symmetric, not positive definite,
+        or breaks the triangle inequality I₁ + I₂ ≥ I₃, or a cavity does not fit into the shape.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.Body(1.0, (0.4, 0.5, 0.6), ch.Ball(1.0), gyrostat=(0.0, 0.0, 0.2))
+    >>> ch.roll(ball).defaults
+    {m: 1.0, I_1: 0.4, I_2: 0.5, I_3: 0.6, k_1: 0.0, k_2: 0.0, k_3: 0.2, R: 1.0}
+    """
+
+    mass: float
+    inertia: Inertia
+    shape: Shape
+    gyrostat: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    cavity: Cavity | Sequence[Cavity] = ()
+
+    def __post_init__(self) -> None:
+        check_mass(self.mass)
+        check_inertia(self.inertia)
+        object.__setattr__(self, "inertia", as_tuple(self.inertia))
+        object.__setattr__(self, "gyrostat", tuple(float(x) for x in self.gyrostat))
+        if len(self.gyrostat) != 3 or not all(map(math.isfinite, self.gyrostat)):
+            raise InputError(f"gyrostat {self.gyrostat}: it must be three finite numbers")
+        if not isinstance(self.cavity, Cavity):
+            object.__setattr__(self, "cavity", tuple(self.cavity))
+        check_cavities(self.shape, self.cavities)
+
+    @property
+    def cavities(self) -> tuple[Cavity, ...]:
+        """All cavities, also empty ones."""
+        return (self.cavity,) if isinstance(self.cavity, Cavity) else tuple(self.cavity)
+
+    @property
+    def filled(self) -> bool:
+        """Whether a cavity holds fluid."""
+        return any(cavity.mass for cavity in self.cavities)
+
+
+def as_tuple(inertia: npt.ArrayLike) -> Inertia:
+    """Moments or a tensor as tuples of floats."""
     array = np.asarray(inertia, dtype=float)
-    return tuple(tuple(map(float, row)) if array.ndim == 2 else float(row) for row in array)
+    if array.ndim == 2:
+        return tuple(tuple(map(float, row)) for row in array)
+    first, second, third = map(float, array)
+    return first, second, third
 
 
 def _numbers(inertia: Sequence[float] | Sequence[Sequence[float]]) -> np.ndarray:
@@ -128,12 +166,18 @@ def check_inertia(inertia: Sequence[float] | Sequence[Sequence[float]]) -> None:
         )
 
 
-def body_parameters(body: Body, inertia: Diagonal | Symmetric) -> tuple[Parameter, ...]:
+def body_parameters(body: WithInertia, inertia: Diagonal | Symmetric) -> tuple[Parameter, ...]:
     """Mass, inertia and gyrostatic momentum of a body, with their numbers."""
     entries = inertia.independent(body.tensor)
-    axis = "moment of inertia about body axis" if body.principal else "entry of the inertia tensor"
-    parameters = [Parameter(m, "mass", body.mass, "kg", (m > 0,))]
-    inequalities = triangle_inequalities(tuple(to_components(inertia).diagonal()))
+    moments = tuple(to_components(inertia).diagonal())
+    mass, axis = "mass", "moment of inertia about body axis"
+    inequalities = triangle_inequalities(moments)
+    if not body.principal:
+        axis = "entry of the inertia tensor"
+    if not body.buildable:
+        mass, axis = "mass of body and fluid", axis.replace("inertia", "equivalent inertia")
+        inequalities = {moment: (moment > 0,) for moment in moments}
+    parameters = [Parameter(m, mass, body.mass, "kg", (m > 0,))]
     for symbol, value in zip(inertia.symbols, entries, strict=True):
         label = str(symbol).removeprefix("I_")
         conditions = inequalities.get(symbol, ())

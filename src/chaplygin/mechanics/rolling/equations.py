@@ -10,13 +10,14 @@ the contact point,
 
     Ṁ = (M + k)×ω + m ṙ×(ω×r) − r×F + τ + λ₀ γ.
 
+Fluid in a cavity of the body adds to M and has an equation of its own; see
+:mod:`chaplygin.mechanics.rolling.fluid` and :mod:`chaplygin.mechanics.rolling.contact_models`.
 The kinematics depends on shape and surface; see :mod:`chaplygin.mechanics.rolling.contact`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -24,9 +25,7 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ...arguments import arguments_checked
-from ...core.laws import Integral
-from ...core.named_formulas import Pairs
-from ...core.system import Guard, Observable, Parameter, System
+from ...core.system import Parameter, System
 from ...core.vectors import (
     Diagonal,
     Symmetric,
@@ -36,23 +35,22 @@ from ...core.vectors import (
     dot,
     gradient,
     identity,
-    norm_squared,
     real_symbol,
     zero,
 )
 from ...errors import InputError
-from .body import Body, body_parameters
-from .contact import Contact, contact as contact_of, definitions_by_velocity
-from .motion_in_space import motion_in_space
+from .body import body_parameters
+from .contact import contact as contact_of
+from .contact_models import Balance, marble, rubber
+from .equivalent_body import AnyBody, equivalent_body
+from .fluid import fluids_of
 from .shape_base import check_values, real_values
 from .surfaces import Plane, Surface
 
 ContactModel = Literal["marble", "rubber"]
 
-M, omega, gamma, zeta = (Vector(name) for name in ("M", "omega", "gamma", "zeta"))
-k, X, omegadot, N, F = (Vector(name) for name in ("k", "X", "omegadot", "N", "F"))
-place = Vector("place", 2)
-m, g, a, U, lambda_0 = (real_symbol(name) for name in ("m", "g", "a", "U", "lambda_0"))
+gamma, zeta, k = (Vector(name) for name in ("gamma", "zeta", "k"))
+m, g, a, U = (real_symbol(name) for name in ("m", "g", "a", "U"))
 
 
 @arguments_checked
@@ -106,35 +104,27 @@ class Rolling:
     'none'
     """
 
-    body: Body
+    body: AnyBody
     surface: Surface = Plane()  # noqa: RUF009  (immutable)
     contact: ContactModel = "marble"
     field: Forces = Forces()
+
+    @property
+    def equivalent(self) -> Rolling:
+        """The same with the rigid body that is equivalent to the body with its fluid at rest.
+
+        At rest means in potential flow (Zhukovsky); without fluid it is the body itself.
+        """
+        return replace(self, body=equivalent_body(self.body))
 
     def system(self, name: str = "rolling-body", title: str = "Rolling body") -> System:
         """The equations of motion; see :func:`roll`."""
         return roll(self.body, self.surface, self.contact, self.field, name, title)
 
 
-@dataclass(frozen=True)
-class _Balance:
-    """Tensors, forces and definitions, which both contact models share."""
-
-    touch: Contact
-    definitions: Pairs
-    inertia: MatrixExpr
-    solve: Callable[[MatrixExpr], MatrixExpr]
-    force: MatrixExpr
-    torque: MatrixExpr
-    rotors: MatrixExpr
-    energy: sp.Expr
-    parameters: tuple[Parameter, ...]
-    vertical: MatrixExpr
-
-
 @arguments_checked
 def roll(
-    body: Body,
+    body: AnyBody,
     surface: Surface = Plane(),  # noqa: B008  (immutable)
     contact: ContactModel = "marble",
     field: Forces = Forces(),
@@ -146,8 +136,9 @@ def roll(
     Parameters
     ----------
     body : Body
-        Mass, inertia, shape and gyrostat; its numbers become the defaults of the parameters.
-        A centre offset or gyrostat that is exactly zero is left out of the equations.
+        Mass, inertia, shape, gyrostat and cavities; its numbers become the defaults of the
+        parameters.  A centre offset or gyrostat that is exactly zero is left out of the equations.
+        With fluid the parameters m, I and c are those of the equivalent rigid body.
     surface : Plane or Sphere
         What it rolls on.
     contact : ``"marble"`` or ``"rubber"``
@@ -161,7 +152,8 @@ def roll(
     -------
     System
         State M, γ (marble) or ω, γ (rubber), in body axes; r instead of γ for an implicit shape;
-        and ζ, the vertical in body axes, under gravity on a sphere.  It carries the energy
+        and ζ, the vertical in body axes, under gravity on a sphere; and the circulation vector N
+        of a fluid (N1, N2, … of several).  It carries the energy
         integral, the contact force as observables, its domain as guards, and the motion in space.
 
     Raises
@@ -185,17 +177,20 @@ def roll(
             f"{contact} contact rolls on a support at rest"
         )
     balance = _balance(body, surface, field)
-    build = _marble if contact == "marble" else _rubber
+    build = marble if contact == "marble" else rubber
     return build(balance, surface, name, title)
 
 
 # --- forces and tensors --------------------------------------------------------------------
 
 
-def _balance(body: Body, surface: Surface, field: Forces) -> _Balance:
+def _balance(whole: AnyBody, surface: Surface, field: Forces) -> Balance:
+    fluids = fluids_of(whole)
+    body = equivalent_body(whole)
     touch = contact_of(body.shape, surface)
     inertia = Diagonal("I") if body.principal else Symmetric("I")
-    parameters = body_parameters(body, inertia) + touch.parameters
+    of_fluids = tuple(p for fluid in fluids for p in fluid.parameters)
+    parameters = body_parameters(body, inertia) + of_fluids + touch.parameters
     r, rotors = touch.r, k if any(body.gyrostat) else zero
 
     # the inverse of I + m r² − m r⊗r, by Sherman and Morrison from the one of J = I + m r²
@@ -227,7 +222,7 @@ def _balance(body: Body, surface: Surface, field: Forces) -> _Balance:
         definitions += ((U, potential),)
         energy = energy + U
         torque = cross(gamma, touch.pull(gradient(potential, gamma)))
-    return _Balance(
+    return Balance(
         touch=touch,
         definitions=definitions,
         inertia=inertia,
@@ -238,6 +233,7 @@ def _balance(body: Body, surface: Surface, field: Forces) -> _Balance:
         energy=energy,
         parameters=parameters,
         vertical=vertical,
+        fluids=fluids,
     )
 
 
@@ -249,152 +245,3 @@ def _check_potential(potential: sp.Expr, parameters: tuple[Parameter, ...]) -> N
             f"potential {potential}: {', '.join(sorted(map(str, unknown)))} is not known; it may "
             f"use gamma_1, gamma_2, gamma_3 and {', '.join(allowed)}"
         )
-
-
-def _momentum(balance: _Balance, spin: MatrixExpr = omega) -> MatrixExpr:
-    """M = Iω + m r×(ω×r), the momentum of the body about the contact point."""
-    touch = balance.touch
-    return balance.inertia * spin + m * cross(touch.r, cross(spin, touch.r))
-
-
-# --- the two contact models ----------------------------------------------------------------
-
-
-def _marble(balance: _Balance, surface: Surface, name: str, title: str) -> System:
-    touch = balance.touch
-    r, rdot = touch.r, touch.rdot
-    rate = (
-        cross(M, omega)
-        + cross(balance.rotors, omega)
-        + m * cross(rdot, cross(omega, r))
-        - cross(r, balance.force)
-        + balance.torque
-    )
-    # definitions of the position that use ω come after it
-    before, after = definitions_by_velocity(touch.definitions)
-    tensors = tuple(pair for pair in balance.definitions if pair not in touch.definitions)
-    body_tensors = tuple(pair for pair in tensors if pair[0] != U)
-    definitions = (
-        *before,
-        *body_tensors,
-        (omega, balance.solve(M)),
-        *after,
-        *(pair for pair in tensors if pair[0] == U),
-        (X, _free_torque(balance)),
-        (omegadot, balance.solve(X)),
-    )
-    return _system(
-        balance,
-        surface,
-        name,
-        title,
-        field=((M, rate), *touch.state),
-        definitions=definitions,
-        relations=touch.relations,
-        momentum=M,
-        start=((M, _momentum(balance)),),
-        contact_law="without slipping (marble contact)",
-        observables=(Observable("omega", omega, "angular velocity", "rad/s", "body"),),
-        source="(1.17), (10.1)",
-    )
-
-
-def _rubber(balance: _Balance, surface: Surface, name: str, title: str) -> System:
-    touch = balance.touch
-    B, acceleration = Vector("gammatilde"), balance.solve(X)
-    spin_rate = dot(omega, touch.gammadot) if not isinstance(surface, Plane) else sp.S.Zero
-    definitions = (
-        *balance.definitions,
-        (M, _momentum(balance)),
-        (X, _free_torque(balance)),
-        (B, balance.solve(gamma)),
-        (lambda_0, -(dot(B, X) + spin_rate) / dot(B, gamma)),
-        (omegadot, acceleration + lambda_0 * B),
-    )
-    return _system(
-        balance,
-        surface,
-        name,
-        title,
-        field=((omega, omegadot), *touch.state),
-        definitions=definitions,
-        relations=(*touch.relations, dot(omega, gamma)),
-        momentum=M,
-        start=(),
-        contact_law="with neither slipping nor spinning (rubber contact)",
-        observables=(
-            Observable("M", M, "angular momentum about the contact point", "kg m^2/s", "body"),
-            Observable("spin_torque", lambda_0, "torque about the normal", "N m", source="(1.19)"),
-        ),
-        source="(1.18), (1.23)",
-    )
-
-
-def _free_torque(balance: _Balance) -> MatrixExpr:
-    """Right-hand side of Ĩ ω̇ without the torque λ₀γ, (1.18)."""
-    touch = balance.touch
-    return (
-        cross(M, omega)
-        + cross(balance.rotors, omega)
-        - m * cross(touch.r, cross(omega, touch.rdot))
-        - cross(touch.r, balance.force)
-        + balance.torque
-    )
-
-
-# --- energy, contact force, motion in space ------------------------------------------------
-
-
-def _system(
-    balance: _Balance,
-    surface: Surface,
-    name: str,
-    title: str,
-    *,
-    field: Pairs,
-    definitions: Pairs,
-    relations: tuple[sp.Expr, ...],
-    momentum: MatrixExpr,
-    start: Pairs,
-    contact_law: str,
-    observables: tuple[Observable, ...],
-    source: str,
-) -> System:
-    touch = balance.touch
-    r = touch.r
-    kinetic = sp.Rational(1, 2) * dot(momentum, omega)
-    acceleration = cross(touch.rdot, omega) + cross(r, omegadot) + cross(omega, cross(r, omega))
-    definitions += ((N, m * acceleration - balance.force),)
-    guards = touch.guards
-    if balance.force != zero:
-        guards += (Guard("contact", dot(N, gamma), "the normal force changes sign", lift_off=True),)
-    if balance.vertical is zeta and balance.force != zero:
-        field += ((zeta, cross(zeta, omega)),)
-        relations += (norm_squared(zeta) - 1,)
-    normal = Observable("gamma", gamma, "normal of the surface at the contact", "", "body")
-    shown = {name for name, _ in field}
-    return System(
-        name=name,
-        title=title,
-        field=field,
-        parameters=balance.parameters,
-        definitions=definitions,
-        relations=relations,
-        laws=(
-            Integral(
-                "energy", kinetic + balance.energy, "energy", source="(3.3), Theorem 1", unit="J"
-            ),
-        ),
-        observables=(
-            *(item for item in (*observables, normal) if item.value not in shown),
-            Observable("normal_force", dot(N, gamma), "normal force", "N", source="(1.17)"),
-            Observable(
-                "friction_force", N - dot(N, gamma) * gamma, "friction force", "N", "body", "(1.17)"
-            ),
-        ),
-        guards=guards,
-        reconstruction=motion_in_space(touch, surface, tilting=balance.force != zero),
-        source=source,
-        summary=f"A rigid body rolls {contact_law} on {surface.words}.",
-        start=start,
-    )

@@ -7,7 +7,7 @@ numbers in which it is given; a decimal such as 0.1 means one tenth at any preci
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, SupportsFloat
 
 import mpmath
 import numpy as np
@@ -41,6 +41,7 @@ def initial_state(
     heading: float = 0.0,
     normal: Sequence[float] = (0.0, 0.0, 1.0),
     parameters: Parameters = None,
+    fluid: Sequence[float] | Sequence[Sequence[float]] = (),
 ) -> tuple[Any, ...]:
     """The state of a system, lifted to space, that begins with given ω and γ.
 
@@ -58,6 +59,10 @@ def initial_state(
         The same normal in space axes; (0, 0, 1) on a plane.
     parameters : mapping of Symbol to number, optional
         Values that replace the system's defaults.
+    fluid : 3 floats, or a sequence of these
+        Motion ξ of the fluid in a cavity relative to the body, body axes (rad/s): its velocity
+        there is A(ξ×A⁻¹x).  For several cavities one for each; empty for fluids at rest in the
+        body.
 
     Returns
     -------
@@ -70,7 +75,7 @@ def initial_state(
     InputError
         If γ or the normal is zero or outside the domain of the equations (a body lying flat), or
         ω breaks the constraint (ω, γ) = 0 of a rubber contact; the message then names the
-        nearest admissible ω.
+        nearest admissible ω; or if `fluid` does not fit the cavities.
 
     Examples
     --------
@@ -87,6 +92,7 @@ def initial_state(
         up = _direction(gamma, "gamma")
         _check_spin(system, spin, up)
         known |= dict(zip(_OMEGA, spin, strict=True)) | dict(zip(_GAMMA, up, strict=True))
+        known |= _moving_fluids(system, fluid)
         if r in system.state:
             known |= dict(zip(r.symbols, _contact_point(system, up, known), strict=True))
         turn = attitude_of_normal(up, _direction(normal, "normal"), _number(heading))
@@ -104,6 +110,27 @@ def initial_state(
 
 
 _OMEGA, _GAMMA = omega.symbols, gamma.symbols
+
+
+def _moving_fluids(system: System, fluid: Sequence[Any]) -> dict[sp.Symbol, mpmath.mpf]:
+    """The motion of each fluid relative to the body, by component."""
+    names = system.start_vectors
+    plain = all(isinstance(x, SupportsFloat) for x in fluid)
+    rows = list(fluid) if not plain else [fluid] if len(fluid) else []
+    if rows and not names:
+        raise InputError("fluid: the body has no cavity with fluid in it; leave it out")
+    if rows and len(rows) != len(names):
+        several = "s" if len(names) > 1 else ""
+        raise InputError(
+            f"fluid: {len(names)} vector{several} of three numbers are needed, one for each cavity "
+            f"with fluid in it, not {len(rows)}"
+        )
+    rows = rows or [[0.0, 0.0, 0.0]] * len(names)
+    return {
+        s: x
+        for name, row in zip(names, rows, strict=True)
+        for s, x in zip(name.symbols, _vector(row, "fluid"), strict=True)
+    }
 
 
 def _number(value: object) -> mpmath.mpf:

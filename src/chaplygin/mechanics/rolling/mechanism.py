@@ -4,7 +4,8 @@ The quasi-velocities are ω and the velocity v of the centre of mass, both in bo
 brackets (1.12); the constraints are v + ω×r = 0 (1.14) and, for a rubber body, (ω, γ) = 0 (1.15).
 Place and heading are cyclic.  On a plane the height R₃ of the centre of mass stays a coordinate,
 so that the multipliers are the contact force itself, gravity apart; on a sphere the centre of mass
-X (body axes, from the centre of the sphere) does the same.
+X (body axes, from the centre of the sphere) does the same.  Fluid in a cavity adds the velocity
+ξ of its motion relative to the body, whose brackets have the sign opposite to those of ω.
 """
 
 from __future__ import annotations
@@ -24,9 +25,10 @@ from ...core.vectors import (
     real_symbol,
     to_components,
 )
-from ..lagrangian.mechanism import Frame, Mechanism, euclidean
+from ..lagrangian.mechanism import Frame, Mechanism, StructureConstants, euclidean, rotations
 from .contact import contact as contact_of, definitions_by_velocity
 from .equations import Rolling
+from .fluid import Fluid, fluids_of
 from .surfaces import Plane
 
 omega, v, gamma, zeta, X, k = (Vector(n) for n in ("omega", "v", "gamma", "zeta", "X", "k"))
@@ -62,7 +64,8 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
     >>> ch.nonholonomy(mechanism).growth
     (2, 3, 5)
     """
-    body, field = rolling.body, rolling.field
+    body, field = rolling.equivalent.body, rolling.field
+    fluids = fluids_of(rolling.body)
     touch = contact_of(body.shape, rolling.surface)
     place, moving = definitions_by_velocity(touch.definitions)
     swinging = dict(flat_pairs(moving))
@@ -71,6 +74,7 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
     kinetic = HALF * m * norm_squared(v) + HALF * dot(omega, spin)
     if any(body.gyrostat):
         kinetic = kinetic + dot(k, omega)
+    kinetic = sp.Add(kinetic, *(fluid.kinetic_energy for fluid in fluids))
     rates = {
         n: expand(to_components(rate), swinging) if swinging else rate for n, rate in touch.state
     }
@@ -90,14 +94,28 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
     return Mechanism(
         name=name,
         title="Rolling body",
-        frame=Frame(rates, (omega, v), relations, euclidean(omega, v)),
+        frame=Frame(
+            rates,
+            (omega, v, *(fluid.xi for fluid in fluids)),
+            relations,
+            {**euclidean(omega, v), **_brackets(fluids)},
+        ),
         lagrangian=kinetic - potential - field.potential,
         constraints=constraints,
-        definitions=place,
+        definitions=(*place, *(pair for fluid in fluids for pair in fluid.solid_inertia)),
         parameters=_parameters(rolling, inertia, touch.parameters),
         guards=tuple(_guard(guard, swinging) for guard in touch.guards),
         source="(1.9), (1.14), (1.15)",
     )
+
+
+def _brackets(fluids: tuple[Fluid, ...]) -> StructureConstants:
+    """Those of the motions of the fluids: a fluid turns in the cavity from the other side."""
+    return {
+        pair: {s: -constant for s, constant in row.items()}
+        for fluid in fluids
+        for pair, row in rotations(fluid.xi).items()
+    }
 
 
 def _guard(guard: Guard, swinging: dict[sp.Symbol, sp.Expr]) -> Guard:
@@ -109,7 +127,7 @@ def _guard(guard: Guard, swinging: dict[sp.Symbol, sp.Expr]) -> Guard:
 def _parameters(
     rolling: Rolling, inertia: Diagonal | Symmetric, touch: tuple[Parameter, ...]
 ) -> tuple[Parameter, ...]:
-    body, field = rolling.body, rolling.field
+    body, field = rolling.equivalent.body, rolling.field
     parameters = [Parameter(m, "mass", body.mass, "kg", (m > 0,))]
     for s, value in zip(inertia.symbols, inertia.independent(body.tensor), strict=True):
         parameters.append(Parameter(s, "entry of the inertia tensor", float(value), "kg m^2"))
@@ -118,6 +136,7 @@ def _parameters(
             Parameter(s, "gyrostatic momentum, body axes", x, "kg m^2/s")
             for s, x in zip(k.symbols, body.gyrostat, strict=True)
         ]
+    parameters += [p for fluid in fluids_of(rolling.body) for p in fluid.parameters]
     if field.gravity:
         parameters.append(Parameter(g, "acceleration of gravity", field.gravity, "m/s^2"))
     parameters += [Parameter(s, "parameter of the potential", x, "SI") for s, x in field.values]

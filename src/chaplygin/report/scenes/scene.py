@@ -38,7 +38,9 @@ def scene_of(rolling: Rolling | FrictionalContact) -> Scene:
     """The scene of a body that rolls or slides on a plane or a sphere."""
     surface = rolling.surface
     ground = PlaneGround() if isinstance(surface, Plane) else SphereGround(surface.signed_radius)
-    return Scene(outline_from_contact(contact_points(rolling.body.shape)), ground)
+    # the recorded centre is that of body and fluid
+    body = rolling.equivalent.body if isinstance(rolling, Rolling) else rolling.body
+    return Scene(outline_from_contact(contact_points(body.shape)), ground)
 
 
 def ball_scene_of(ball: RollingBall) -> BallScene:
