@@ -20,10 +20,9 @@ from .compiled import (
     WORK,
     CompiledContact,
     ContactNumbers,
-    ModeIntegrator,
-    with_values,
 )
 from .events import ContactEvent, EventKind
+from .mode_integrator import ModeIntegrator, with_values
 from .near_rest import (
     dry_friction,
 )

@@ -26,7 +26,7 @@ from ...core.vectors import (
     zero,
 )
 from ...mechanics.rolling.attitude import rotation
-from ...mechanics.rolling.body import body_parameters
+from ...mechanics.rolling.body import Body, body_parameters
 from ...mechanics.rolling.contact import Contact, contact
 from ...mechanics.rolling.surfaces import Sphere, Surface
 from ..friction.symbols import (
@@ -153,11 +153,10 @@ def free_body(situation: FrictionalContact, touching: bool) -> FreeBody:
         ),
     )
     kinetic = sp.Rational(1, 2) * (m * norm_squared(v) + dot(inertia * omega, omega))
-    parameters = body_parameters(body, inertia) + touch.parameters
     return FreeBody(
         touch=touch,
         definitions=definitions,
-        parameters=parameters + moving_support.parameters + field.parameters,
+        parameters=_parameters(body, touch, moving_support, field),
         inverse_inertia=inverse,
         mobility=mobility,
         vertical=vertical,
@@ -165,6 +164,24 @@ def free_body(situation: FrictionalContact, touching: bool) -> FreeBody:
         turning=moving_support.turn,
         kinetic=kinetic,
         potential=field.potential,
+    )
+
+
+def free_body_parameters(situation: FrictionalContact) -> tuple[Parameter, ...]:
+    """The parameters of a body and its support with their values; those of `free_body`."""
+    surface = situation.surface
+    touch = _touch(situation, touching=True)
+    vertical: MatrixExpr = zeta if isinstance(surface, Sphere) else gamma
+    field = _applied(situation, vertical, touch)
+    return _parameters(situation.body, touch, _support(surface, vertical), field)
+
+
+def _parameters(
+    body: Body, touch: Contact, support: _Support, field: _Applied
+) -> tuple[Parameter, ...]:
+    inertia = Diagonal("I") if body.principal else Symmetric("I")
+    return (
+        body_parameters(body, inertia) + touch.parameters + support.parameters + field.parameters
     )
 
 

@@ -1,4 +1,9 @@
-"""The last moment of sliding, in the logarithm of the slip."""
+"""The last moment of sliding, in the logarithm of the slip.
+
+At a point dX is a linear function of the direction over B = c − μ (d, n), what the normal
+acceleration answers to the normal force.  In the clock P with dt = B dP the slip turns as in an
+impact with the matrix −μ (a dᵀ − b_n A), and its compiled equations are those of `impact_slide`.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +13,8 @@ import numpy as np
 
 from ...core.arrays import FloatArray
 from ...errors import InputError, RunError
-from .frozen_slip import FrozenSlip, growth_and_turning
+from ..impact.impact_slide import Ends, Linear, slide, slide_integrator
+from .frozen_slip import FrozenSlip, PointSlip, growth_and_turning
 
 #: The logarithm of the slip down to which its turning is followed.
 END = -40.0
@@ -20,6 +26,10 @@ GROWN = 5.0
 LONGEST = 1e5
 #: Relative accuracy of the integration.
 TOLERANCE = 1e-13
+
+#: A slide at a point ends by itself alone.
+_NEVER = Linear(-1.0, 0.0, np.zeros(2))
+_NO_ENDS = Ends(True, 0.0, 0.0, 0.0, -1.0, None, None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,6 +106,8 @@ def finish_stop(slip: FrozenSlip, direction: FloatArray, size: float) -> Stop:
         raise InputError(f"size {size} of the slip: it must be positive")
     n = np.asarray(direction, dtype=float)
     n = n / np.linalg.norm(n)
+    if isinstance(slip, PointSlip):
+        return _stop_at_point(slip, n, size)
     width = len(n)
     state = _followed(slip, n, min(END - float(np.log(size)), 0.0))
     last = state[:width] / np.linalg.norm(state[:width])
@@ -105,6 +117,42 @@ def finish_stop(slip: FrozenSlip, direction: FloatArray, size: float) -> Stop:
     rest = np.exp(state[width]) / -growth * _row(slip, last)
     duration, normal, *friction, couple = (size * (state[width + 1 :] + rest)).tolist()
     return Stop(duration, last, normal, np.array(friction), couple)
+
+
+def _stop_at_point(slip: PointSlip, n: FloatArray, size: float) -> Stop:
+    """The last moment of sliding at a point."""
+    beta, A = slip.response.tangential
+    constant, slope = slip.response.normal
+    pressing = -slip.normal
+    unit = float(np.linalg.norm(slip.rate(n)))
+    steady = (constant * slip.tangential + pressing * beta) / unit
+    matrix = (np.outer(slip.tangential, slope) + pressing * A) / unit
+    integrator = slide_integrator()
+    logarithm, clock, friction = 0.0, 0.0, np.zeros(2)
+    last = min(END - float(np.log(size)), 0.0)
+    while True:
+        growth, turning = growth_and_turning(slip, n)
+        if float(np.linalg.norm(turning)) <= STRAIGHT * abs(growth) or logarithm <= last:
+            break
+        if slip.force(n)[0] <= 0:
+            raise RunError("the slip does not shrink to zero", 0.0)
+        try:
+            part = slide(integrator, steady, matrix, slip.mu, n, _NEVER, _NO_ENDS)
+        except RunError:
+            raise RunError("the slip does not shrink to zero", 0.0) from None
+        speed = float(np.exp(logarithm))
+        clock, friction = clock + speed * part.clock, friction + speed * part.friction
+        n, logarithm = part.direction / np.hypot(*part.direction), logarithm + np.log(part.speed)
+    if growth >= 0:
+        raise RunError("the slip does not shrink to zero", 0.0)
+    clock, friction = clock / unit, friction / unit
+    rest = np.exp(logarithm) / -growth * _row(slip, n)
+    duration = constant * clock + float(slope @ friction)
+    normal = pressing * clock
+    held = slip.response.couple
+    couple = held[0] * normal + pressing * float(held[1] @ friction) + slip.couple * duration
+    row = size * (rest + np.array([duration, normal, *(pressing * friction), couple]))
+    return Stop(float(row[0]), n, float(row[1]), row[2:4], float(row[4]))
 
 
 def _row(slip: FrozenSlip, n: FloatArray) -> FloatArray:
@@ -139,8 +187,8 @@ def _followed(slip: FrozenSlip, n: FloatArray, end: float) -> FloatArray:
     if straight(0.0, state) <= 0 or end == 0:
         return state
     for event in (straight, gone):
-        event.terminal = True  # type: ignore[attr-defined]
-    found = solve_ivp(
+        setattr(event, "terminal", True)  # noqa: B010  (a function has no such attribute)
+    solution = solve_ivp(
         rates,
         (0.0, LONGEST),
         state,
@@ -149,7 +197,7 @@ def _followed(slip: FrozenSlip, n: FloatArray, end: float) -> FloatArray:
         atol=TOLERANCE,
         events=(straight, gone),
     )
-    last: FloatArray = found.y[:, -1]
-    if found.status != 1 or last[width] > 0.5 * GROWN:
+    last: FloatArray = solution.y[:, -1]
+    if solution.status != 1 or last[width] > 0.5 * GROWN:
         raise RunError("the slip does not shrink to zero", 0.0)
     return last
