@@ -15,27 +15,23 @@ from ..contact.course.compiled import OMEGA, VELOCITY, CompiledContact
 from ..contact.course.rules import Rules
 from ..contact.equations.equations_of_motion import equations_of_motion
 from ..contact.equations.situation import FrictionalContact
-from ..contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
-from ..contact.friction.friction_law import FrictionLaw
+from ..contact.friction.dry_friction import ContensouErismann
 from ..contact.friction.modes import Mode
-from ..contact.friction.rolling_friction import ContourResistance, RollingResistance, ViscousRolling
-from ..contact.friction.user_friction import UserFriction
-from ..contact.friction.viscous_friction import NormalViscous, PowerFriction, Viscous
-from ..contact.starts import SLACK, clearance, start_in_contact, start_in_space
+from ..contact.starts import SLACK, clearance
 from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
 from ..mechanics.rolling.gauss_map import centre_outside
-from ..mechanics.rolling.surfaces import Plane, Sphere
+from ..mechanics.rolling.surfaces import Sphere
 from ..printing.numerals import number
 from .contact.dataset import work_meanings
+from .contact.situation import contact_and_rules, start_of
 from .contact.trajectory import ContactTrajectory, contact_trajectory
-from .file.contact_tables import FrictionTable
 from .file.rolling_model import FrictionExperiment
 from .file.shape_tables import shape_name
 from .file.tables import CommonRunTable
 from .mechanism import identifier
-from .rolling import body_of, forces_of, ground_words
+from .rolling import ground_words
 from .subject import Subject
 
 _LEGEND = (
@@ -113,10 +109,7 @@ class ContactSubject(Subject):
         return tuple(map(mpmath.mpf, self._state().tolist()))
 
     def _state(self) -> FloatArray:
-        start = dict(self.start_values)
-        if "position" in start:
-            return start_in_space(self.contact, **start)  # type: ignore[arg-type]
-        return start_in_contact(self.contact, **start)  # type: ignore[arg-type]
+        return start_of(self.contact, self.start_values)
 
     @property
     def legend(self) -> str:
@@ -190,22 +183,8 @@ def contact_subject(experiment: FrictionExperiment) -> ContactSubject:
     InputError
         If its parts do not fit together; the message names the place in the file.
     """
-    body = body_of(experiment)
-    table = experiment.surface
-    surface = (
-        Plane(table.turntable)
-        if table.kind == "plane"
-        else Sphere(table.radius, table.side, table.turntable)
-    )
-    field = forces_of(experiment)
-    with experiment.placing_errors("contact"):
-        contact = FrictionalContact(body, surface, _laws(experiment.contact), field)
-        rules = Rules(
-            experiment.contact.restitution,
-            experiment.contact.impact_law,
-            experiment.run.on_liftoff,
-            experiment.contact.on_paradox,
-        )
+    contact, rules = contact_and_rules(experiment)
+    body, surface = contact.body, contact.surface
     ground = ground_words(surface)
     title = experiment.title or f"{shape_name(body.shape)} on {ground}, with friction"
     with experiment.placing_errors("body"):
@@ -219,32 +198,6 @@ def contact_subject(experiment: FrictionExperiment) -> ContactSubject:
         contact=contact,
         rules=rules,
     )
-
-
-def _laws(table: FrictionTable) -> tuple[FrictionLaw, ...]:
-    """The laws of a table; coefficients of zero make none."""
-    laws: list[FrictionLaw] = []
-    if table.patch is not None and table.mu is not None:
-        laws.append(ContensouErismann(table.mu, table.patch))
-    elif table.mu:
-        laws.append(Coulomb(table.mu))
-    if table.spin_arm:
-        laws.append(SpinFriction(table.spin_arm))
-    if table.viscous or table.spin_viscous:
-        laws.append(Viscous(table.viscous or 0.0, table.spin_viscous or 0.0))
-    if table.slip and table.slip_order not in (None, 1.0):
-        laws.append(PowerFriction(table.slip, table.slip_order))
-    elif table.slip:
-        laws.append(NormalViscous(table.slip))
-    if table.force is not None:
-        laws.append(UserFriction(table.force, table.couple or 0, table.mu_static, table.values))
-    if table.rolling:
-        laws.append(RollingResistance(table.rolling))
-    if table.rolling_viscous:
-        laws.append(ViscousRolling(table.rolling_viscous))
-    if table.contour:
-        laws.append(ContourResistance(table.contour))
-    return tuple(laws)
 
 
 def _setting(contact: FrictionalContact) -> str:

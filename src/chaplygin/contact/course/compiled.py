@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import threading
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -131,9 +132,9 @@ class CompiledContact:
         """The integrator of a mode, of the situation or of one with other laws of friction."""
         situation = situation or self.situation
         if (situation, mode) not in self._modes:
-            prepared = _prepared_mode(SharedEquations(situation), mode, self.tolerance)
-            own = replace(prepared, stepper=copy.copy(prepared.stepper))
-            self._modes[situation, mode] = with_values(own, self._values_of(situation))
+            equations, thread = SharedEquations(situation), threading.get_ident()
+            prepared = _mode_of_thread(equations, mode, self.tolerance, thread)
+            self._modes[situation, mode] = with_values(prepared, self._values_of(situation))
         return self._modes[situation, mode]
 
     def _values_of(self, situation: FrictionalContact) -> dict[str, float]:
@@ -181,6 +182,15 @@ class CompiledContact:
             rates_of_place=rates,
             mobility=touch,
         )
+
+
+@lru_cache(maxsize=512)
+def _mode_of_thread(
+    equations: SharedEquations, mode: Mode, tolerance: float, _: int
+) -> ModeIntegrator:
+    """A mode with an integrator of one thread, which changes as it is used."""
+    prepared = _prepared_mode(equations, mode, tolerance)
+    return replace(prepared, stepper=copy.copy(prepared.stepper))
 
 
 @lru_cache(maxsize=256)

@@ -21,6 +21,7 @@ from .compiled import (
     CompiledContact,
     ContactNumbers,
 )
+from .endings import EndError, Ending
 from .events import ContactEvent, EventKind
 from .mode_integrator import ModeIntegrator, with_values
 from .near_rest import (
@@ -63,10 +64,6 @@ class Piece:
     states: FloatArray
 
 
-class EndError(Exception):
-    """A motion that cannot go on, with the reason."""
-
-
 class CourseState:
     """What is known of a motion while it is computed, and what every transition needs.
 
@@ -89,6 +86,7 @@ class CourseState:
         self.pieces: list[Piece] = []
         self.events: list[ContactEvent] = []
         self.steps, self.reason = 0, ""
+        self.ending: Ending = ""
         self._dry = dry_friction(contact.situation)
         self._spin_sign = 1.0
         self._next_moment = self._idle = 0
@@ -100,9 +98,9 @@ class CourseState:
         slip = float(np.linalg.norm(known.slip))
         self._speed = max(fall, turning, slip, float(np.linalg.norm(state[VELOCITY])))
 
-    def _end(self, reason: str) -> None:
+    def _end(self, ending: Ending, reason: str) -> None:
         """End before the last moment, with the state there as the last sample."""
-        self.reason = reason
+        self.ending, self.reason = ending, reason
         if not self.pieces:
             self._add_piece(self._integrator(self.mode), self.time, self.state[None])
             return
@@ -122,9 +120,13 @@ class CourseState:
         self._idle = 0 if outcome.time > self.time else self._idle + 1
         self.time, self.state = outcome.time, outcome.state
         if outcome.guard == "failure":
-            raise EndError("the motion comes to a singular end: its state stops being a number")
+            raise EndError(
+                "singular", "the motion comes to a singular end: its state stops being a number"
+            )
         if self._idle > _STUCK or len(self.events) > self.rules.most_events:
-            raise EndError(f"{len(self.events)} events up to t = {self.time:.9g}: too many")
+            raise EndError(
+                "many events", f"{len(self.events)} events up to t = {self.time:.9g}: too many"
+            )
         return outcome.guard
 
     def _add_piece(self, integrator: ModeIntegrator, end: float, states: FloatArray) -> None:

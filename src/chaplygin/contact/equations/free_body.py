@@ -180,9 +180,7 @@ def _parameters(
     body: Body, touch: Contact, support: _Support, field: _Applied
 ) -> tuple[Parameter, ...]:
     inertia = Diagonal("I") if body.principal else Symmetric("I")
-    return (
-        body_parameters(body, inertia) + touch.parameters + support.parameters + field.parameters
-    )
+    return body_parameters(body, inertia) + touch.parameters + support.parameters + field.parameters
 
 
 def _touch(situation: FrictionalContact, touching: bool) -> Contact:

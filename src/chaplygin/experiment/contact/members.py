@@ -1,0 +1,98 @@
+"""Motions with friction of many members, each an experiment with other numbers."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from pydantic import ValidationError
+
+from ...analysis.scans.grid import INADMISSIBLE, NO_STATE
+from ...contact.course.compiled import CompiledContact
+from ...contact.course.endings import ENDINGS
+from ...contact.equations.situation import FrictionalContact
+from ...contact.motion import ContactMotion, contact_motion
+from ...core.arrays import FloatArray
+from ...errors import InputError
+from ..file.models import loads
+from ..file.rolling_model import FrictionExperiment
+from .file_numbers import FileNumbers
+from .situation import contact_and_rules, start_of
+
+#: Codes of the endings in datasets, in the order of `ENDINGS`.
+CODES = {ending: code for code, ending in enumerate(ENDINGS)}
+
+
+@dataclass(frozen=True, eq=False)
+class MemberMotion:
+    """A motion of a member, or the reason why there is none.
+
+    Attributes
+    ----------
+    outcome : int
+        The code of its ending, 0 if the last time was reached; negative if there is no motion.
+    motion : ContactMotion or None
+    reason : str
+    """
+
+    outcome: int
+    motion: ContactMotion | None
+    reason: str = ""
+
+
+def member_motion(
+    experiment: str, values: Mapping[str, float | FloatArray], times: FloatArray, tolerance: float
+) -> MemberMotion:
+    """The motion of an experiment with some of its numbers replaced.
+
+    Parameters
+    ----------
+    experiment : str
+        The text of the file.
+    values : mapping of str to float or array
+        See :class:`FileNumbers`.
+    times : array (n,)
+    tolerance : float
+    """
+    try:
+        changed = FrictionExperiment.model_validate(_numbers(experiment).tables_with(values))
+        contact, rules = contact_and_rules(changed)
+    except ValidationError as error:
+        return MemberMotion(INADMISSIBLE, None, str(error.errors()[0]["msg"]))
+    except InputError as error:
+        return MemberMotion(INADMISSIBLE, None, error.message)
+    try:
+        start = start_of(contact, changed.start.model_dump(exclude_none=True))
+        compiled = _compiled(contact, tolerance, threading.get_ident())
+        motion = contact_motion(compiled, start, times, rules)
+    except InputError as error:
+        return MemberMotion(NO_STATE, None, error.message)
+    return MemberMotion(CODES[motion.ending], motion, motion.reason)
+
+
+def samples_reached(motion: ContactMotion, times: FloatArray) -> int:
+    """How many of the sample times a motion reached."""
+    count = min(len(motion.times), len(times))
+    return int(np.count_nonzero(motion.times[:count] == times[:count]))
+
+
+@lru_cache(maxsize=8)
+def _numbers(text: str) -> FileNumbers:
+    return FileNumbers(friction_experiment(text))
+
+
+@lru_cache(maxsize=8)
+def friction_experiment(text: str) -> FrictionExperiment:
+    """The experiment with friction of a text."""
+    experiment = loads(text)
+    assert isinstance(experiment, FrictionExperiment)
+    return experiment
+
+
+@lru_cache(maxsize=16)
+def _compiled(contact: FrictionalContact, tolerance: float, _: int) -> CompiledContact:
+    """A compiled contact of a thread, whose integrators change as they are used."""
+    return CompiledContact(contact, tolerance)
