@@ -176,6 +176,8 @@ def test_a_ball_that_never_slips_rolls_with_the_law_of_marble(loaded: CompiledCo
     np.testing.assert_allclose(motion.end_state[10:13], marble.recorded["omega"][-1], atol=1e-12)
     np.testing.assert_allclose(values["gamma"][-1], marble.states[-1, 3:6], atol=1e-12)
     assert not motion.events
+    with pytest.raises(ch.InputError, match="mu = inf the contact cannot slip"):
+        contact_motion(ideal, drop(0.7, -np.cross(omega, r) + [0.1, 0, 0], omega), [0.0, 1.0])
 
 
 @pytest.mark.slow

@@ -41,7 +41,7 @@ FORM = ClosedForm(
     title="A turning ball",
     motion="periodic",
     equations=((sp.Symbol("y") ** 2, sp.Symbol("z") - 1),),
-    figures=(
+    constants=(
         NamedConstant("e_1", arb(1), "root of the curve"),
         NamedConstant("e_2", arb(2, 1e-20), "root of the curve"),
         NamedConstant("Omega_1", arb(0.25), "frequency of z_1", "1/s"),
@@ -116,8 +116,8 @@ def test_the_start_is_recorded_whatever_the_times() -> None:
 def test_numbers_with_error_bars() -> None:
     assert ball(arb(1) / 4, 15) == ("0.250000000000000", "0")
     assert ball(arb(0, 1e-20), 15)[0] == "0"
-    assert number(FORM.figures[1]).startswith("2.0000000000000")
-    assert number(FORM.figures[2]) == "0.25000000000000000000 1/s"
+    assert number(FORM.constants[1]).startswith("2.0000000000000")
+    assert number(FORM.constants[2]) == "0.25000000000000000000 1/s"
     value, radius = ball(arb(2).sqrt(), 10)
     assert arb(value, radius).contains(arb(2).sqrt())
 
@@ -147,7 +147,7 @@ def test_the_section() -> None:
 
 
 @pytest.mark.parametrize(
-    "figures", [FORM.figures, (*FORM.figures, NamedConstant("Omega_2", arb(-0.6), "frequency"))]
+    "figures", [FORM.constants, (*FORM.constants, NamedConstant("Omega_2", arb(-0.6), "frequency"))]
 )
 def test_the_figure(figures: tuple[NamedConstant, ...]) -> None:
     form = ClosedForm("t", "m", (), figures, FORM.ovals)

@@ -94,9 +94,9 @@ def test_neumann(diagrams):
     assert sorted(region.tori for region in diagram.regions if region.tori) == [2, 2, 2, 4]
     (four,) = (region for region in diagram.regions if region.tori == 4)
     (family,) = four.families
-    assert (family.kept, family.two_way) == ((1,), False)
+    assert (family.nonvanishing, family.two_way) == ((1,), False)
     around = next(region for region in diagram.regions if region.families[0].two_way)
-    assert around.families[0].kept == (1,)
+    assert around.families[0].nonvanishing == (1,)
     (parabola,) = (b for b in diagram.boundaries if b.pole == 0)
     c = sp.Rational("0.8")
     z = sp.Symbol("z")
@@ -241,7 +241,7 @@ def test_a_vertical_boundary_is_refused():
     """With f = x + I₁y and h = y the motions with Γ₁ = 0 lie on a line x = const."""
     plane = plane_named("neumann")
     first = sp.Symbol("I_1", real=True)
-    sheared = plane.rest.subs({f: h + first * f, h: f}, simultaneous=True)
+    sheared = plane.cofactor.subs({f: h + first * f, h: f}, simultaneous=True)
     with pytest.raises(InputError, match="across a vertical line"):
         bifurcation_diagram(replace(plane, rest=sheared))
 

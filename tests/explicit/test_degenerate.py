@@ -133,7 +133,7 @@ def test_other_motions_are_not_degenerate() -> None:
 def test_form_tells_curve_and_frequencies() -> None:
     found, _, _ = solved(veselova(), MOMENTS, SPIN, ACROSS)
     assert "asymptotic" in found.form.motion
-    figures = {figure.symbol: figure.value for figure in found.form.figures}
+    figures = {figure.symbol: figure.value for figure in found.form.constants}
     assert figures["e"].contains(2)
     (low, middle), (again, high) = found.form.ovals
     assert (low, middle, again, high) == (1.0, 2.0, 2.0, 2.25)

@@ -68,7 +68,7 @@ def test_later_times_cost_no_accuracy() -> None:
 
 
 def test_figures_have_error_bounds() -> None:
-    found = {figure.symbol: figure.value for figure in turning_body().form.figures}
+    found = {figure.symbol: figure.value for figure in turning_body().form.constants}
     assert all(isinstance(value, arb) for value in found.values())
     assert found["V_1/V_2"].rad() < arb("1e-60")
     roots = [found[f"e_{i}"] for i in range(1, 6)]

@@ -123,7 +123,7 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
     facts.add_column(style="bold", no_wrap=True)
     facts.add_column(no_wrap=True)
     facts.add_column(style="dim")
-    for item in form.figures:
+    for item in form.constants:
         facts.add_row(escape(letters(item.symbol)), number(item), escape(letters(item.meaning)))
     shown_on.print(facts)
     shown = _moments_shown(moments)
@@ -235,7 +235,7 @@ def _record(
 
     form = solution.form
     values = []
-    for figure in form.figures:
+    for figure in form.constants:
         middle, radius = ball(figure.value, digits or 17)
         values.append(
             {

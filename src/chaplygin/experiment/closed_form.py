@@ -196,7 +196,7 @@ def closed_form_section(solution: Solution, trajectory: Trajectory) -> ClosedFor
         ),
         rows=tuple(
             (_symbol(figure.symbol), typeset_value(number(figure)), letters(figure.meaning))
-            for figure in form.figures
+            for figure in form.constants
         ),
         ovals=tuple(typographic_signs(f"[{low:.12g}, {high:.12g}]") for low, high in form.ovals),
         caption=_CAPTION if len(form.ovals) > 1 else _CAPTION_OF_ONE,

@@ -168,7 +168,7 @@ def _form(solution: GenusTwo) -> ClosedForm:
             (z_1 * d[0] / y_1 + z_2 * d[1] / y_2, sp.sympify(b) * d[2]),
             (d[3] / d[2], components(separable.clock)[0]),
         ),
-        figures=tuple(figures),
+        constants=tuple(figures),
         ovals=tuple((number(low), number(high)) for low, high in ends),
         source=separable.source,
     )

@@ -26,7 +26,7 @@ POLES = (fmpq(1), fmpq(2), fmpq(3))
 )
 def test_a_pair_of_ovals(first, second, tori, kept, two_way):
     found = family(Oval(*first), Oval(*second))
-    assert (found.tori, found.kept, found.two_way) == (tori, kept, two_way)
+    assert (found.tori, found.nonvanishing, found.two_way) == (tori, kept, two_way)
 
 
 def test_group():

@@ -55,7 +55,7 @@ def test_a_motion_lies_where_its_integrals_say(diagram: Diagram) -> None:
     state = initial_state(DISK.system(), (0.3, 1.0, 1.0), (1.0, -0.3, 0.0))
     solution = solve_rolling(DISK, DISK.system(), state)
     assert solution is not None
-    h, K, *_ = (float(figure.value) for figure in solution.form.figures)
+    h, K, *_ = (float(figure.value) for figure in solution.form.constants)
     column = revolution_diagram(DISK, [abs(K)]).columns[0]
     assert motions_at(column, h) == 1
 

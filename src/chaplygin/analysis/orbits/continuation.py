@@ -129,7 +129,7 @@ class _BranchTracer:
 
 
 def continue_orbit(
-    made: Map,
+    section_map: Map,
     orbit: Orbit,
     varied: str,
     until: float,
@@ -143,7 +143,7 @@ def continue_orbit(
 
     Parameters
     ----------
-    made : Map
+    section_map : Map
     orbit : Orbit
         The first orbit.
     varied : str
@@ -163,11 +163,13 @@ def continue_orbit(
     InputError
         If a name is unknown, or if orbits are a family of more dimensions than one.
     """
-    values = held_values(made, orbit.points[0], hold)
-    start = held_values(made, orbit.points[0], [varied])[varied]
+    values = held_values(section_map, orbit.points[0], hold)
+    start = held_values(section_map, orbit.points[0], [varied])[varied]
     if varied in values:
         raise InputError(f"hold: {varied} cannot be held and varied")
-    follower = _BranchTracer(Equations(made, values, made.sizes(orbit.points)), varied)
+    follower = _BranchTracer(
+        Equations(section_map, values, section_map.sizes(orbit.points)), varied
+    )
     here = follower.place(orbit.points, orbit.error, None)
     if (until - start) * here.speed < 0:
         here = _BranchPoint(here.orbit, -here.tangent, -here.speed)

@@ -81,30 +81,32 @@ def stability(values: FloatArray, errors: FloatArray) -> str:
     return "saddle and elliptic" if inside.any() and outside.any() else "undecided"
 
 
-def multipliers(made: Map, point: FloatArray, slope: FloatArray) -> Multipliers:
+def multipliers(section_map: Map, point: FloatArray, slope: FloatArray) -> Multipliers:
     """The multipliers of an orbit.
 
     Parameters
     ----------
-    made : Map
+    section_map : Map
     point : array (size,)
         A point of the orbit.
     slope : array (size, size)
         The derivative there of the return to this point.
     """
-    sizes = made.sizes(point[None])
+    sizes = section_map.sizes(point[None])
     slope = slope * sizes / sizes[:, None]
     _, domain = normalised(
-        np.zeros(len(made.domain.names)), made.domain.slopes(point[None])[0], sizes
+        np.zeros(len(section_map.domain.names)), section_map.domain.slopes(point[None])[0], sizes
     )
     basis = complement(domain)
-    forced = list(made.forced)
+    forced = list(section_map.forced)
     defect = float(np.finfo(float).eps) * max(1.0, float(np.linalg.norm(slope))) * len(point)
     for gradient in domain:
         left = gradient @ slope @ basis
         defect = max(defect, float(np.linalg.norm(left) / np.linalg.norm(gradient)))
     for name, gradient in zip(
-        made.integrals.names, made.integrals.slopes(point[None])[0] * sizes, strict=True
+        section_map.integrals.names,
+        section_map.integrals.slopes(point[None])[0] * sizes,
+        strict=True,
     ):
         across = gradient @ basis
         size = float(np.linalg.norm(across))

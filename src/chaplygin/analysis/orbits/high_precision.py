@@ -47,13 +47,13 @@ class RefinedOrbit:
 
 
 def refine_orbit(
-    made: ReturnMap, orbit: Orbit, hold: Mapping[str, float] | Iterable[str] = ()
+    section_map: ReturnMap, orbit: Orbit, hold: Mapping[str, float] | Iterable[str] = ()
 ) -> RefinedOrbit:
     """An orbit to 30 digits.
 
     Parameters
     ----------
-    made : Returns
+    section_map : Returns
         The map of which it was found; parameters are taken as they are given, a float as the
         double that it is.
     orbit : Orbit
@@ -65,9 +65,9 @@ def refine_orbit(
     NoOrbitError
         If the iteration does not converge.
     """
-    values = held_values(made, orbit.points[0], hold)
-    sizes = np.append(made.sizes(orbit.points[:1]), orbit.duration)
-    problem = _Problem(made, values, sizes)
+    values = held_values(section_map, orbit.points[0], hold)
+    sizes = np.append(section_map.sizes(orbit.points[:1]), orbit.duration)
+    problem = _Problem(section_map, values, sizes)
     with mpmath.workdps(_DIGITS):
         point = [mpmath.mpf(float(x)) for x in orbit.points[0]]
         duration = mpmath.mpf(orbit.duration)
@@ -94,13 +94,13 @@ class _Problem:
     Point and duration are measured by `sizes`.
     """
 
-    made: ReturnMap
+    section_map: ReturnMap
     held: Mapping[str, float]
     sizes: FloatArray
 
     def step(self, point: list[mpmath.mpf], duration: mpmath.mpf) -> FloatArray:
         """The shortest step of point and duration to first order, in doubles."""
-        section = self.made.section
+        section = self.section_map.section
         system, size = section.system, section.size
         parameters = section.parameters
         rough = np.array([float(x) for x in point])
@@ -117,7 +117,9 @@ class _Problem:
         remainder = duration - mpmath.mpf(whole)
         # the flow for what the duration is longer than a double
         misses = [e + remainder * r - x for e, r, x in zip(end, rates, point, strict=True)]
-        turns = periodic_difference(np.array([float(m) for m in misses]), self.made.periods)[1]
+        turns = periodic_difference(np.array([float(m) for m in misses]), self.section_map.periods)[
+            1
+        ]
         whole_turns = [
             mpmath.mpf(0) if t == 0 else int(t) * self._period(i) for i, t in enumerate(turns)
         ]
@@ -133,12 +135,12 @@ class _Problem:
 
     def _period(self, index: int) -> mpmath.mpf:
         """A period with all digits, where it is a turn."""
-        period = float(self.made.periods[index])
+        period = float(self.section_map.periods[index])
         return 2 * mpmath.pi if period == 2 * np.pi else mpmath.mpf(period)
 
     def _levels(self, point: list[mpmath.mpf]) -> tuple[FloatArray, FloatArray]:
         """Relations, the section and integrals less their values, with slopes."""
-        section = self.made.section
+        section = self.section_map.section
         laws = {law.name: law.value for law in section.system.integrals}
         wanted = [*section.system.relations, section.section.value, *(laws[n] for n in self.held)]
         values, rows = self._numbers([to_components(f) for f in wanted], point)
@@ -151,7 +153,7 @@ class _Problem:
         self, formulas: Sequence[sp.Expr], point: Sequence[mpmath.mpf] | npt.NDArray[np.object_]
     ) -> tuple[mpmath.matrix, mpmath.matrix]:
         """Formulas and their slopes with all digits."""
-        section = self.made.section
+        section = self.section_map.section
         parameters = {str(name): value for name, value in section.parameters.items()}
         constants = {
             s: mpmath.mpmathify(parameters.get(str(s), default))

@@ -144,7 +144,7 @@ def periodic_difference(
 
 
 def held_values(
-    made: Map, point: FloatArray, hold: Mapping[str, float] | Iterable[str]
+    section_map: Map, point: FloatArray, hold: Mapping[str, float] | Iterable[str]
 ) -> dict[str, float]:
     """Values of the integrals that are held: those given, or those at a point.
 
@@ -154,7 +154,11 @@ def held_values(
         If a name is not that of an integral of the map.
     """
     known = dict(
-        zip(made.integrals.names, made.integrals.values(point[None])[0].tolist(), strict=True)
+        zip(
+            section_map.integrals.names,
+            section_map.integrals.values(point[None])[0].tolist(),
+            strict=True,
+        )
     )
     for name in hold:
         if name not in known:
@@ -171,10 +175,12 @@ def shortest(slopes: FloatArray, residuals: FloatArray) -> FloatArray:
     return np.asarray(solution, dtype=np.float64)
 
 
-def onto(made: Map, points: FloatArray, sizes: FloatArray) -> FloatArray:
+def onto(section_map: Map, points: FloatArray, sizes: FloatArray) -> FloatArray:
     """The points of the domain of a map that are next to given ones, to rounding."""
     for _ in range(8):
-        misses, slopes = normalised(made.domain.values(points), made.domain.slopes(points), sizes)
+        misses, slopes = normalised(
+            section_map.domain.values(points), section_map.domain.slopes(points), sizes
+        )
         if not misses.size or np.abs(misses).max() < 1e-15:
             break
         inverse = np.linalg.pinv(slopes, rcond=FAMILY)
@@ -254,7 +260,7 @@ def _damped_step(
 
 
 def find_periodic(
-    made: Map,
+    section_map: Map,
     guess: FloatArray,
     period: int = 1,
     hold: Mapping[str, float] | Iterable[str] = (),
@@ -263,7 +269,7 @@ def find_periodic(
 
     Parameters
     ----------
-    made : Map
+    section_map : Map
     guess : array (size,) or (period, size)
         A point near the orbit, or one near each of its points.
     period : int
@@ -294,37 +300,38 @@ def find_periodic(
     points = np.atleast_2d(np.asarray(guess, dtype=float))
     if period < 1:
         raise InputError(f"period = {period}: it must be at least 1")
-    if points.shape[1] != len(made.names) or len(points) not in (1, period):
+    names = section_map.names
+    if points.shape[1] != len(names) or len(points) not in (1, period):
         raise InputError(
-            f"guess: its shape {points.shape} must be ({len(made.names)},) or "
-            f"({period}, {len(made.names)}) for the coordinates {', '.join(made.names)}"
+            f"guess: its shape {points.shape} must be ({len(names)},) or ({period}, {len(names)}) "
+            f"for the coordinates {', '.join(names)}"
         )
-    sizes = made.sizes(points)
-    points = onto(made, points, sizes)
-    values = held_values(made, points[0], hold)
+    sizes = section_map.sizes(points)
+    points = onto(section_map, points, sizes)
+    values = held_values(section_map, points[0], hold)
     while len(points) < period:
-        points = np.concatenate([points, made.image(points[-1:]).points])
-    points, error = newton_solution(Equations(made, values, sizes), points)
-    return orbit_from_points(made, points, error)
+        points = np.concatenate([points, section_map.image(points[-1:]).points])
+    points, error = newton_solution(Equations(section_map, values, sizes), points)
+    return orbit_from_points(section_map, points, error)
 
 
-def orbit_from_points(made: Map, points: FloatArray, error: float) -> Orbit:
+def orbit_from_points(section_map: Map, points: FloatArray, error: float) -> Orbit:
     """An orbit with all that is known of it, from its points."""
-    image = made.image(points, slopes=True)
+    image = section_map.image(points, slopes=True)
     assert image.slopes is not None
-    gaps, _ = periodic_difference(np.roll(points, -1, axis=0) - image.points, made.periods)
-    _, turns = periodic_difference((image.points - points).sum(axis=0), made.periods)
+    gaps, _ = periodic_difference(np.roll(points, -1, axis=0) - image.points, section_map.periods)
+    _, turns = periodic_difference((image.points - points).sum(axis=0), section_map.periods)
     slope = np.eye(points.shape[1])
     for local in image.slopes:
         slope = local @ slope
-    values = made.integrals.values(points[:1])[0].tolist()
+    values = section_map.integrals.values(points[:1])[0].tolist()
     return Orbit(
-        names=made.names,
+        names=section_map.names,
         points=points,
         duration=float(image.times.sum()),
         turns=turns.astype(int),
-        values=dict(zip(made.integrals.names, values, strict=True)),
-        multipliers=multipliers(made, points[0], slope),
+        values=dict(zip(section_map.integrals.names, values, strict=True)),
+        multipliers=multipliers(section_map, points[0], slope),
         gap=float(np.abs(gaps).max()),
         error=error,
     )

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...core.arrays import FloatArray
-from ...errors import RunError
+from ...errors import InputError, RunError
 from ..friction.contensou import held_range_of
 from ..friction.modes import FLIGHT, Mode, Range
 from ..impact.impact import Impact, zeno_closure
@@ -294,7 +294,14 @@ class Course(RollingCourse):
 
     def _stay(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
         """Go on in contact without normal velocity."""
-        self._project(Mode(range=self._range_of(self._known())))
+        known = self._known()
+        # without bound, friction has no equations of sliding, and stops a slip in the impact
+        if not self._dry.never_slips:
+            self._project(Mode(range=self._range_of(known)))
+        elif float(np.linalg.norm(known.slip)) <= NO_SLIP * self._speed:
+            self._project(Mode(sliding=False))
+        else:
+            raise InputError("state: with mu = inf the contact cannot slip; its slip must be zero")
         self._settle(kind, before, *impacts)
 
     def _stick(self) -> None:

@@ -57,7 +57,7 @@ class ClosedForm:
         permanent rotation", …
     equations : tuple of (left, right)
         SymPy formulas: the curve, the differential equations, the clock.
-    figures : tuple of NamedConstant
+    constants : tuple of NamedConstant
         Constants, roots, frequencies, periods, rotation number.
     ovals : tuple of (low, high)
         Where the separated variables live (floats).
@@ -67,7 +67,7 @@ class ClosedForm:
     title: str
     motion: str
     equations: tuple[tuple[sp.Expr, sp.Expr], ...]
-    figures: tuple[NamedConstant, ...]
+    constants: tuple[NamedConstant, ...]
     ovals: tuple[tuple[float, float], ...] = ()
     source: str = ""
 
@@ -132,7 +132,7 @@ class Solution(WithOverview):
     >>> import chaplygin as ch
     >>> disk = ch.from_catalogue("rubber-disk")
     >>> solution = ch.solve(disk, ch.CATALOGUE["rubber-disk"].start.values)
-    >>> [one] = [one for one in solution.form.figures if one.symbol == "T"]
+    >>> [one] = [one for one in solution.form.constants if one.symbol == "T"]
     >>> round(float(one.value), 6), one.meaning
     (1.255333, 'period of the nutation')
     """
@@ -185,7 +185,7 @@ class Solution(WithOverview):
             (
                 ("source", form.source),
                 ("separated variables in", ovals),
-                *((one.symbol, one.text()) for one in form.figures),
+                *((one.symbol, one.text()) for one in form.constants),
                 ("left open", self.left_open),
             ),
         )

@@ -42,8 +42,8 @@ class Diagram:
         Increasing.
     order : three int
         The body axes that they belong to.
-    rest : fmpq_mpoly
-        The curve is y² = ∏(z − e_i) · rest, in x, y (the integrals) and z.
+    cofactor : fmpq_mpoly
+        The curve is y² = ∏(z − e_i) · cofactor, in x, y (the integrals) and z.
     regions : tuple of Region
         Those with motions first, in the order of their numbers; then those without.
     """
@@ -52,7 +52,7 @@ class Diagram:
     parameters: Mapping[sp.Symbol, Fraction]
     poles: tuple[fmpq, fmpq, fmpq]
     order: tuple[int, int, int]
-    rest: fmpq_mpoly
+    cofactor: fmpq_mpoly
     arrangement: Arrangement
     regions: tuple[Region, ...]
     boundaries: tuple[Boundary, ...]
@@ -141,23 +141,23 @@ def bifurcation_diagram(
         plane = plane_of(subject) if isinstance(subject, SeparatedSystem) else subject
     values = numbers(plane, parameters or {})
     poles, order = _poles(plane, values)
-    rest = _curve(plane, plane.rest, values)
+    cofactor = _curve(plane, plane.cofactor, values)
     bounds = tuple(_curve(plane, bound.formula, values) for bound in plane.bounds)
-    discriminant = rest.discriminant("z")
-    at_poles = [rest.subs({"z": pole}) for pole in poles]
+    discriminant = cofactor.discriminant("z")
+    at_poles = [cofactor.subs({"z": pole}) for pole in poles]
     if discriminant.is_zero() or any(value.is_zero() for value in at_poles):
         raise InputError(
             f"{plane.name}: with these parameters two roots of the curve coincide on every level; "
             "a diagram needs others"
         )
     cut = arrangement([discriminant, *at_poles, *bounds])
-    kinds = Kinds(plane, poles, order, rest, bounds, cut)
+    kinds = Kinds(plane, poles, order, cofactor, bounds, cut)
     return Diagram(
         plane=plane,
         parameters=values,
         poles=poles,
         order=order,
-        rest=rest,
+        cofactor=cofactor,
         arrangement=cut,
         regions=kinds.regions(),
         boundaries=kinds.boundaries(),

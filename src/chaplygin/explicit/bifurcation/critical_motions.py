@@ -92,7 +92,7 @@ def with_enough_digits(question: Callable[[], T]) -> T:
 
 
 def circles_at_a_pole(
-    arc: Arc, poles: Sequence[fmpq], rest: fmpq_mpoly, number: int
+    arc: Arc, poles: Sequence[fmpq], cofactor: fmpq_mpoly, number: int
 ) -> tuple[Circles, ...]:
     """The motions with νᵢ = 0 where a root meets the pole e_i, i = `number`."""
     pole = poles[number - 1]
@@ -100,7 +100,7 @@ def circles_at_a_pole(
     first, last = {1: (1, 2), 2: (0, 2), 3: (0, 1)}[number]
 
     def answer() -> tuple[Circles, ...]:
-        left = _quotient(arc.restriction(rest), arb(pole))
+        left = _quotient(arc.restriction(cofactor), arb(pole))
         curvature = left
         for other in others:
             curvature = curvature * arb_poly([-arb(other), 1])
@@ -117,12 +117,12 @@ def circles_at_a_pole(
 
 
 def circles_at_a_double_root(
-    arc: Arc, poles: Sequence[fmpq], rest: fmpq_mpoly
+    arc: Arc, poles: Sequence[fmpq], cofactor: fmpq_mpoly
 ) -> tuple[Circles, ...]:
     """The motions on which a coordinate rests at a double root apart from the poles."""
 
     def answer() -> tuple[Circles, ...]:
-        whole = arc.restriction(rest)
+        whole = arc.restriction(cofactor)
         place = _double(whole)
         if place is None:
             return ()
@@ -199,15 +199,19 @@ def _real_roots(polynomial: arb_poly) -> list[arb]:
 
 
 def _allowed_ovals(
-    sign: arb_poly, rest: arb_poly, poles: Sequence[fmpq], between: tuple[int, int], skipped: int
+    sign: arb_poly,
+    cofactor: arb_poly,
+    poles: Sequence[fmpq],
+    between: tuple[int, int],
+    skipped: int,
 ) -> tuple[Oval, ...]:
-    """The ovals between two poles in which `sign` is positive; its roots are those of `rest`."""
+    """The ovals between two poles where `sign`, with the roots of `cofactor`, is positive."""
     first, last = between
     low, high = poles[first], poles[last]
     roots: list[tuple[arb, int]] = [
         (arb(pole), n) for n, pole in enumerate(poles, 1) if low <= pole <= high and n != skipped
     ]
-    for root in _real_roots(rest):
+    for root in _real_roots(cofactor):
         if _positive(root - arb(low)) and not _positive(root - arb(high)):
             roots.append((root, 0))
     roots.sort(key=lambda pair: exact(pair[0]))

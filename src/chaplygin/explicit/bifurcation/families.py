@@ -91,7 +91,7 @@ class Bound:
 
 @dataclass(frozen=True, kw_only=True)
 class IntegralPlane:
-    """A plane of integrals, and its curves y² = ∏(z − e_i) · rest(z).
+    """A plane of integrals, and its curves y² = ∏(z − e_i) · cofactor(z).
 
     Attributes
     ----------
@@ -100,7 +100,7 @@ class IntegralPlane:
     axes : (Axis, Axis)
     poles : three formulas
         e_i, in parameters; the i-th belongs to the body axis i.
-    rest : formula
+    cofactor : formula
         In parameters, the symbols of the axes and :data:`Z`.
     held : pairs of Symbol to float
         Constants of the motion that the plane holds fixed, with the values they have by default.
@@ -114,7 +114,7 @@ class IntegralPlane:
     level: tuple[sp.Expr, ...] = ()
     axes: tuple[Axis, Axis]
     poles: tuple[sp.Expr, sp.Expr, sp.Expr]
-    rest: sp.Expr
+    cofactor: sp.Expr
     bounds: tuple[Bound, ...] = ()
     held: tuple[tuple[sp.Symbol, float], ...] = ()
     resting: str = UNSAID
@@ -146,7 +146,7 @@ def plane_of(separable: SeparatedSystem) -> IntegralPlane:
         level=separable.level,
         axes=(_axis(x, first, separable.system), _axis(y, second, separable.system)),
         poles=separable.poles,
-        rest=(separable.leading * movable).subs(abbreviations[::-1]),
+        cofactor=(separable.leading * movable).subs(abbreviations[::-1]),
         resting=RESTING.get(separable.name, UNSAID),
     )
 
@@ -183,7 +183,7 @@ def chaplygin_ball_with_area() -> IntegralPlane:
         level=(f - norm_squared(M),),
         axes=(_axis(h, dot(M, omega) / 2, ball), _axis(g, dot(M, gamma), ball)),
         poles=(poles[0], poles[1], poles[2]),
-        rest=-4 * Z * ((2 * h * Z - f) * (Z - D) - D * g**2),
+        cofactor=-4 * Z * ((2 * h * Z - f) * (Z - D) - D * g**2),
         bounds=(Bound(f - g**2, "motion with the momentum M vertical"),),
         held=((f, 1.0),),
         resting=ROTATION,

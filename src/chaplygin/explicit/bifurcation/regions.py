@@ -103,18 +103,18 @@ class Kinds:
         Increasing.
     order : three int
         The body axes that they belong to.
-    rest : fmpq_mpoly
-        The curve is y² = ∏(z − e_i) · rest.
+    cofactor : fmpq_mpoly
+        The curve is y² = ∏(z − e_i) · cofactor.
     bounds : tuple of fmpq_mpoly
         Positive over the motions.
     cut : Arrangement
-        Along the discriminant, the values of `rest` at the poles and the bounds.
+        Along the discriminant, the values of `cofactor` at the poles and the bounds.
     """
 
     plane: IntegralPlane
     poles: tuple[fmpq, fmpq, fmpq]
     order: tuple[int, int, int]
-    rest: fmpq_mpoly
+    cofactor: fmpq_mpoly
     bounds: tuple[fmpq_mpoly, ...]
     cut: Arrangement
 
@@ -126,7 +126,7 @@ class Kinds:
     def _tori(self, x: fmpq, y: fmpq) -> tuple[Family, ...]:
         if any(_over_point(bound, x, y)(0) < 0 for bound in self.bounds):
             return ()
-        return families(self.poles, _over_point(self.rest, x, y))
+        return families(self.poles, _over_point(self.cofactor, x, y))
 
     @cached_property
     def motions(self) -> dict[Cell, frozenset[tuple[str, int, bool, int]]]:
@@ -162,10 +162,10 @@ class Kinds:
         place = Arc(self.cut.curves, self.cut.samples[column], rank)
         circles: list[Circles] = []
         for number, pole in enumerate(self.poles, 1):
-            if _divides(curve, _value_at(self.rest, pole)):
-                circles += circles_at_a_pole(place, self.poles, self.rest, number)
-        if _divides(curve, self.rest.discriminant("z")):
-            circles += circles_at_a_double_root(place, self.poles, self.rest)
+            if _divides(curve, _value_at(self.cofactor, pole)):
+                circles += circles_at_a_pole(place, self.poles, self.cofactor, number)
+        if _divides(curve, self.cofactor.discriminant("z")):
+            circles += circles_at_a_double_root(place, self.poles, self.cofactor)
         return circles
 
     def regions(self) -> tuple[Region, ...]:
@@ -231,10 +231,10 @@ class Kinds:
 
     def _equilibrium(self, first: int, second: int) -> Equilibrium | None:
         poles = self.poles
-        place = _crossing(*(_value_at(self.rest, poles[n]) for n in (first, second)))
+        place = _crossing(*(_value_at(self.cofactor, poles[n]) for n in (first, second)))
         if place is None:
             return None
-        left = _over_point(self.rest, *place)
+        left = _over_point(self.cofactor, *place)
         for n in (first, second):
             left //= fmpq_poly([-poles[n], 1])
         third = 3 - first - second

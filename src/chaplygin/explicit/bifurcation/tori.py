@@ -63,7 +63,7 @@ class Family:
         Where z₁ and z₂ move.
     tori : int
         Number of tori in the phase space on every level of the region.
-    kept : tuple of int
+    nonvanishing : tuple of int
         Components of ν (1, 2, 3) that never vanish on these tori.
     two_way : bool
         Whether a torus contains the motions with ν′ reversed as well.
@@ -72,7 +72,7 @@ class Family:
     first: Oval
     second: Oval
     tori: int
-    kept: tuple[int, ...]
+    nonvanishing: tuple[int, ...]
     two_way: bool
 
 
@@ -98,19 +98,19 @@ def family(first: Oval, second: Oval) -> Family:
     return Family(first, second, SHEETS // len(reached), nonvanishing, reversal in reached)
 
 
-def families(poles: Sequence[fmpq], rest: fmpq_poly) -> tuple[Family, ...]:
-    """The tori of a level with the curve y² = ∏(z − e_i) · rest(z).
+def families(poles: Sequence[fmpq], cofactor: fmpq_poly) -> tuple[Family, ...]:
+    """The tori of a level with the curve y² = ∏(z − e_i) · cofactor(z).
 
     Parameters
     ----------
     poles : three fmpq
         Increasing.
-    rest : fmpq_poly
+    cofactor : fmpq_poly
         With simple roots, none of them a pole.
     """
     lines = [fmpq_poly([-pole, 1]) for pole in poles]
-    whole = lines[0] * lines[1] * lines[2] * rest
-    roots = ordered_roots([rest, *lines])
+    whole = lines[0] * lines[1] * lines[2] * cofactor
+    roots = ordered_roots([cofactor, *lines])
     low, middle, high = (next(n for n, r in enumerate(roots) if r[1] == i) for i in (1, 2, 3))
     first, second = (
         ovals(roots[a : b + 1], lambda z: whole(z) > 0) for a, b in ((low, middle), (middle, high))

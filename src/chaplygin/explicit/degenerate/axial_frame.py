@@ -182,7 +182,7 @@ def _form(start: AxialStart, axial: Axial, motion: QuadratureMotion) -> ClosedFo
         title=start.title + ", two equal moments",
         motion="the axis of symmetry is periodic in space, the body turns about it",
         equations=axial.equations,
-        figures=constants,
+        constants=constants,
         ovals=((low, high),),
         source=start.source,
     )

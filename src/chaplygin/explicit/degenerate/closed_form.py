@@ -75,7 +75,7 @@ def form_of(
             *equations,
             (d[4] / d[3], components(separable.clock)[0]),
         ),
-        figures=tuple(constants),
+        constants=tuple(constants),
         ovals=tuple((number(x), number(y)) for x, y in _ovals(start, motion, e)),
         source=separable.source,
     )

@@ -192,7 +192,7 @@ def _solution(
         title=system.lifted().title if in_space else system.title,
         motion="uniform rotation" if moving else "rest",
         equations=((sp.Symbol("x"), sp.Symbol("exp(-t*Omega)") * sp.Symbol("x_0")),),
-        figures=figures,
+        constants=figures,
     )
     return UniformSolution(
         system.lifted() if in_space else system,

@@ -55,7 +55,7 @@ def _base(diagram: Diagram) -> tuple[Fraction, Fraction]:
     In a field the boundaries run close to each other along this line.  Without one they are rays
     that need no such help.
     """
-    terms = diagram.rest.subs({"z": diagram.poles[1]}).to_dict()
+    terms = diagram.cofactor.subs({"z": diagram.poles[1]}).to_dict()
     if not diagram.equilibria or terms.get((0, 1, 0), 0) == 0:
         return Fraction(0), Fraction(0)
     slope, offset = (-terms.get(p, fmpq(0)) / terms[0, 1, 0] for p in ((1, 0, 0), (0, 0, 0)))
