@@ -19,8 +19,7 @@ from ...flow.variable_metadata import cf_attributes
 from ...parsing import nearest, parse
 from ..contact_subject import ContactSubject, contact_subject
 from ..study import Study
-from .dataset import mode_flags
-from .ensemble import outcome_attributes
+from .ensemble import mode_attributes, outcome_attributes
 from .event_numbers import EVENT_NUMBERS, MotionNumber, motion_number
 from .file_numbers import FileNumbers
 from .members import friction_experiment, member_motion
@@ -213,7 +212,7 @@ def contact_chart_task(chart: ContactChart, title: str) -> Task:
     notes: dict[str, Mapping[str, object]] = {
         name: cf_attributes(item.meaning, item.unit) for name, item in EVENT_NUMBERS.items()
     }
-    notes["final_mode"] = mode_flags("mode at the end")
+    notes["final_mode"] = mode_attributes("mode at the end")
     if chart.of.word not in notes:
         notes[chart.of.word] = cf_attributes(chart.of.title, chart.of.unit(system))
     notes["ended"] = cf_attributes("time reached", "s")

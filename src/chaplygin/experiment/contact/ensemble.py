@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from ...analysis.scans.grid import INADMISSIBLE, NO_STATE
 from ...contact.course.endings import ENDINGS
+from ...contact.friction.modes import MODE_NAMES
 from ...core.arrays import FloatArray
 from ...core.system import System
 from ...core.vectors import to_components
@@ -42,6 +43,11 @@ OUTCOMES: dict[int, str] = {
     NO_STATE: "the start cannot be used",
     INADMISSIBLE: "the body or the contact is not admissible",
 }
+
+
+def mode_attributes(meaning: str) -> dict[str, object]:
+    """Flags of the modes, with numbers that a store can hold."""
+    return {**mode_flags(meaning), "flag_values": list(range(len(MODE_NAMES)))}
 
 
 def outcome_attributes(more: dict[int, str] | None = None) -> dict[str, object]:
@@ -254,11 +260,11 @@ def ensemble_variables(
         else:
             *about, frame = variable_metadata(system, name, 3)
             variables[name] = sampled_variable(moments, 3, frame, *about)
-    flags = mode_flags("mode of the contact")
+    flags = mode_attributes("mode of the contact")
     variables["mode"] = Variable(("time",), (moments,), "int8", flags)
     for name, number in EVENT_NUMBERS.items():
         variables[name] = Variable(attributes=cf_attributes(number.meaning, number.unit))
-    variables["final_mode"] = Variable(attributes=mode_flags("mode at the end"))
+    variables["final_mode"] = Variable(attributes=mode_attributes("mode at the end"))
     variables["lowest_gap"] = Variable(attributes=cf_attributes("lowest gap at the samples", "m"))
     variables["outcome"] = Variable(dtype="int8", attributes=outcome_attributes())
     variables["steps"] = Variable(dtype="int64", attributes=cf_attributes("steps", "1"))
