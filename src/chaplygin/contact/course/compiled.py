@@ -125,6 +125,7 @@ class CompiledContact:
         self.size = len(self._names)
         self._numbers = _prepared_numbers(SharedEquations(situation))
         self._values = self._numbers.values_of(self._values_of(situation))
+        self._last: tuple[bytes, ContactNumbers] | None = None
         self._mass = situation.body.mass
         self._inverse_inertia = inverse_of(situation.body.tensor)
 
@@ -146,7 +147,13 @@ class CompiledContact:
         return self._names.index(str(work_symbol(law)))
 
     def numbers(self, state: FloatArray) -> ContactNumbers:
-        """What is known of the contact at a state."""
+        """What is known of the contact at a state; the same is often asked for again."""
+        key = state[:WORK].tobytes()
+        if self._last is None or self._last[0] != key:
+            self._last = (key, self._computed_numbers(state))
+        return self._last[1]
+
+    def _computed_numbers(self, state: FloatArray) -> ContactNumbers:
         padded = np.zeros(self._numbers.size)
         padded[:WORK] = state[:WORK]
         function = self._numbers.function

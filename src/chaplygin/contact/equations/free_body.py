@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
@@ -28,6 +29,7 @@ from ...core.vectors import (
 from ...mechanics.rolling.attitude import rotation
 from ...mechanics.rolling.body import Body, body_parameters
 from ...mechanics.rolling.contact import Contact, contact
+from ...mechanics.rolling.shapes import Shape
 from ...mechanics.rolling.surfaces import Sphere, Surface
 from ..friction.symbols import (
     contact_velocity,
@@ -169,25 +171,35 @@ def free_body(situation: FrictionalContact, touching: bool) -> FreeBody:
 
 def free_body_parameters(situation: FrictionalContact) -> tuple[Parameter, ...]:
     """The parameters of a body and its support with their values; those of `free_body`."""
-    surface = situation.surface
-    touch = _touch(situation, touching=True)
+    body, surface = situation.body, situation.surface
+    touch = _contact(body.shape, surface)
     vertical: MatrixExpr = zeta if isinstance(surface, Sphere) else gamma
     field = _applied(situation, vertical, touch)
-    return _parameters(situation.body, touch, _support(surface, vertical), field)
+    return _parameters(body, touch, _support(surface, vertical), field)
+
+
+@lru_cache(maxsize=64)
+def _contact(shape: Shape, surface: Surface) -> Contact:
+    """The contact of a body that touches its support."""
+    return contact(shape, surface, contact_velocity)
 
 
 def _parameters(
     body: Body, touch: Contact, support: _Support, field: _Applied
 ) -> tuple[Parameter, ...]:
-    inertia = Diagonal("I") if body.principal else Symmetric("I")
-    return body_parameters(body, inertia) + touch.parameters + support.parameters + field.parameters
+    return _of_body(body) + touch.parameters + support.parameters + field.parameters
+
+
+@lru_cache(maxsize=64)
+def _of_body(body: Body) -> tuple[Parameter, ...]:
+    return body_parameters(body, Diagonal("I") if body.principal else Symmetric("I"))
 
 
 def _touch(situation: FrictionalContact, touching: bool) -> Contact:
     """The contact, or the point of the body nearest to the support."""
     shape, surface = situation.body.shape, situation.surface
     if touching:
-        return contact(shape, surface, contact_velocity)
+        return _contact(shape, surface)
     # the support through the nearest point, concentric or parallel to it
     tangential = contact_velocity - dot(gamma, contact_velocity) * gamma
     return contact(shape, surface, tangential, a + gap)

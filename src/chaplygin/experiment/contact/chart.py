@@ -17,12 +17,12 @@ from ...errors import InputError
 from ...flow.ensemble.task import Coordinate, Task, Variable
 from ...flow.variable_metadata import cf_attributes
 from ...parsing import nearest, parse
-from ..contact_subject import ContactSubject, contact_subject
+from ..contact_subject import ContactSubject
 from ..study import Study
 from .ensemble import mode_attributes, outcome_attributes
 from .event_numbers import EVENT_NUMBERS, MotionNumber, motion_number
 from .file_numbers import FileNumbers
-from .members import friction_experiment, member_motion
+from .members import friction_experiment, friction_subject, member_motion
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class ContactChart:
         names = dict.fromkeys((*EVENT_NUMBERS, self.of.word, "ended"))
         arrays: dict[str, npt.NDArray[np.number]] = {n: np.full(shape, np.nan) for n in names}
         arrays["outcome"] = np.zeros(shape, np.int16)
-        system = contact_subject(friction_experiment(self.experiment)).system
+        system = friction_subject(self.experiment).system
         times = np.array(self.times)
         for row, column in np.ndindex(shape):
             place = {
@@ -207,7 +207,7 @@ def contact_chart_task(chart: ContactChart, title: str) -> Task:
         Its result has the dimensions of y and x, the number asked for, those of `EVENT_NUMBERS`,
         ``outcome`` (see its ``flag_meanings``) and ``ended`` (the time reached).
     """
-    system = contact_subject(friction_experiment(chart.experiment)).system
+    system = friction_subject(chart.experiment).system
     columns, shape = (chart.x.name,), (chart.x.count,)
     notes: dict[str, Mapping[str, object]] = {
         name: cf_attributes(item.meaning, item.unit) for name, item in EVENT_NUMBERS.items()

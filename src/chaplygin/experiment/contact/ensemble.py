@@ -21,12 +21,18 @@ from ...flow.ensemble.members import ListedMembers, Members
 from ...flow.ensemble.run import sample_coordinates, sampled_variable
 from ...flow.ensemble.task import Arrays, Task, Variable
 from ...flow.variable_metadata import cf_attributes, system_attributes, variable_metadata
-from ..contact_subject import ContactSubject, contact_subject
+from ..contact_subject import ContactSubject
 from ..study import Study
 from .dataset import mode_flags, work_meanings
 from .event_numbers import EVENT_NUMBERS, recorded_values
 from .file_numbers import FileNumbers
-from .members import MemberMotion, friction_experiment, member_motion, samples_reached
+from .members import (
+    MemberMotion,
+    friction_experiment,
+    friction_subject,
+    member_motion,
+    samples_reached,
+)
 from .random_starts import DIRECTIONS
 from .trajectory import BALANCE
 
@@ -88,7 +94,7 @@ class ContactEnsembleWork:
 
     def __call__(self, first: int, last: int) -> Arrays:
         """Motions first, …, last − 1; arrays by name, a row for each."""
-        subject = contact_subject(friction_experiment(self.experiment))
+        subject = friction_subject(self.experiment)
         rows, _ = self.members.rows(first - self.offset, last - self.offset)
         times = np.array(self.times)
         arrays: dict[str, npt.NDArray[np.number]] = {

@@ -174,8 +174,7 @@ def motion_number(text: str, system: System) -> MotionNumber:
     if word not in words:
         raise InputError(
             f"{word}: no number of a motion with friction has this name{nearest(word, words)}; "
-            f"there are {', '.join(EVENT_NUMBERS)}, first:EVENT, count:EVENT and "
-            f"{', '.join(f'{word}:FORMULA' for word in _OF_FORMULA)}"
+            "some are written with an event or a formula, as in first:slip and lowest:gamma_3"
         )
     if word in EVENT_NUMBERS:
         if colon:
@@ -188,10 +187,7 @@ def motion_number(text: str, system: System) -> MotionNumber:
         kind = subject.replace("-", " ").replace("_", " ")
         kind = "lift-off" if kind == "lift off" else kind
         if kind not in _KINDS:
-            raise InputError(
-                f"{text}: no kind of event is called {subject}{nearest(subject, _KINDS)}; there "
-                f"are {', '.join(_KINDS)}"
-            )
+            raise InputError(f"{text}: no event is called {subject}{nearest(subject, _KINDS)}")
         return MotionNumber(word, kind)
     _function(subject, tuple(_columns(system)))
     return MotionNumber(word, subject)

@@ -96,7 +96,9 @@ class FileNumbers:
             for place, (label, inner) in enumerate(zip(labels, value, strict=False)):
                 if isinstance(inner, float | int):
                     self._name((*path, place), f"_{label}", paths)
-        elif (isinstance(value, float | int) and not isinstance(value, bool)) or (value is None and path[0] == "contact" and path[-1] not in ("force", "couple")):
+        elif (isinstance(value, float | int) and not isinstance(value, bool)) or (
+            value is None and path[0] == "contact" and path[-1] not in ("force", "couple")
+        ):
             self._name(path, "", paths)
 
     def _name(self, path: Path, label: str, paths: dict[str, list[Path]]) -> None:

@@ -17,8 +17,10 @@ from ...contact.equations.situation import FrictionalContact
 from ...contact.motion import ContactMotion, contact_motion
 from ...core.arrays import FloatArray
 from ...errors import InputError
+from ..contact_subject import ContactSubject, contact_subject
 from ..file.models import loads
 from ..file.rolling_model import FrictionExperiment
+from ..file.validation import validation_messages
 from .file_numbers import FileNumbers
 from .situation import contact_and_rules, start_of
 
@@ -57,11 +59,13 @@ def member_motion(
     times : array (n,)
     tolerance : float
     """
+    tables = _numbers(experiment).tables_with(values)
     try:
-        changed = FrictionExperiment.model_validate(_numbers(experiment).tables_with(values))
+        changed = FrictionExperiment.model_validate(tables)
         contact, rules = contact_and_rules(changed)
     except ValidationError as error:
-        return MemberMotion(INADMISSIBLE, None, str(error.errors()[0]["msg"]))
+        (key, sentence), *_ = validation_messages(error, FrictionExperiment, tables).items()
+        return MemberMotion(INADMISSIBLE, None, f"{'.'.join(key)} {sentence}")
     except InputError as error:
         return MemberMotion(INADMISSIBLE, None, error.message)
     try:
@@ -90,6 +94,12 @@ def friction_experiment(text: str) -> FrictionExperiment:
     experiment = loads(text)
     assert isinstance(experiment, FrictionExperiment)
     return experiment
+
+
+@lru_cache(maxsize=8)
+def friction_subject(text: str) -> ContactSubject:
+    """The body with friction of a text, once for all its members."""
+    return contact_subject(friction_experiment(text))
 
 
 @lru_cache(maxsize=16)
