@@ -166,6 +166,7 @@ def _followed(slip: FrozenSlip, n: FloatArray, end: float) -> FloatArray:
     from scipy.integrate import solve_ivp
 
     width, unit = len(n), float(np.linalg.norm(slip.rate(n)))
+    whole = max(float(np.linalg.norm(slip.rate(axis))) for axis in np.eye(width))
 
     def parts(state: FloatArray) -> tuple[FloatArray, float, FloatArray]:
         now = state[:width] / np.linalg.norm(state[:width])
@@ -177,8 +178,10 @@ def _followed(slip: FrozenSlip, n: FloatArray, end: float) -> FloatArray:
         return np.concatenate([turning, [growth], gain]) / unit
 
     def straight(_: float, state: FloatArray) -> float:
+        # on a small patch the spin outlives the slip: a growth far below the rates of turning,
+        # whose rounding must not hide that the direction has settled
         growth, turning = parts(state)[1:]
-        return float(np.linalg.norm(turning)) - STRAIGHT * abs(growth)
+        return float(np.linalg.norm(turning)) - STRAIGHT * max(abs(growth), whole)
 
     def gone(_: float, state: FloatArray) -> float:
         return float((state[width] - end) * (GROWN - state[width]))
