@@ -13,7 +13,7 @@ from ...errors import InputError, RunError
 from ..friction.contensou import held_range_of
 from ..friction.modes import FLIGHT, Mode, Range
 from ..impact.impact import Impact, zeno_closure
-from ..slip.stopping import finish_stop
+from ..slip.stopping import WEAK, finish_stop
 from .beginning import Beginning, beginning
 from .compiled import (
     OMEGA,
@@ -35,6 +35,9 @@ _LEVEL = 1e-9
 
 #: Smallest factor by which the floor of the slip is lowered for a slip that passes close by zero.
 _LOWEST = 1e-6
+
+#: Likewise for a slip that ends slowly.
+_WEAK_FLOOR = 1e-3
 
 
 class Course(RollingCourse):
@@ -321,6 +324,11 @@ class Course(RollingCourse):
                 raise EndError(
                     "no end", "the slip stays at rounding size without coming to an end"
                 ) from None
+            return
+        weak = -stop.growth < WEAK * stop.greatest_rate
+        if weak and not self._dry.patch and self._floor_factor > _WEAK_FLOOR:
+            # it takes so long that the rest of the state changes: follow it further
+            self._floor_factor *= 1e-2
             return
         self._floor_factor = 1.0
         self.state = state_after_stop(known, self._dry, self.state, stop)

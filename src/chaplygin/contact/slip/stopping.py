@@ -20,6 +20,9 @@ from .frozen_slip import FrozenSlip, PointSlip, growth_and_turning
 END = -40.0
 #: Turning below this part of the whole rate is none: the slip goes straight.
 STRAIGHT = 1e-11
+#: A slip that shrinks more slowly than this part of the greatest rate turns into its last direction
+#: long before it ends; turning below the second part of that rate has nearly done so.
+WEAK, SETTLED = 1e-2, 1e-3
 #: Growth of the logarithm after which a slip is not about to stop.
 GROWN = 5.0
 #: Longest way in θ, in units of the rate at its start.
@@ -42,6 +45,10 @@ class Stop:
         Time until the slip is zero.
     direction : (2,) or (3,) array
         Of the slip at its end.
+    growth : float
+        H: the rate of its size at the end, negative.
+    greatest_rate : float
+        Of the slip in any direction.
     normal_impulse : float
         Of the normal force in this time.
     friction_impulse : (2,) array
@@ -52,6 +59,8 @@ class Stop:
 
     duration: float
     direction: FloatArray
+    growth: float
+    greatest_rate: float
     normal_impulse: float
     friction_impulse: FloatArray
     couple_impulse: float
@@ -116,7 +125,8 @@ def finish_stop(slip: FrozenSlip, direction: FloatArray, size: float) -> Stop:
         raise RunError("the slip does not shrink to zero", 0.0)
     rest = np.exp(state[width]) / -growth * _row(slip, last)
     duration, normal, *friction, couple = (size * (state[width + 1 :] + rest)).tolist()
-    return Stop(duration, last, normal, np.array(friction), couple)
+    greatest = _greatest_rate(slip, width)
+    return Stop(duration, last, growth, greatest, normal, np.array(friction), couple)
 
 
 def _stop_at_point(slip: PointSlip, n: FloatArray, size: float) -> Stop:
@@ -124,7 +134,7 @@ def _stop_at_point(slip: PointSlip, n: FloatArray, size: float) -> Stop:
     beta, A = slip.response.tangential
     constant, slope = slip.response.normal
     pressing = -slip.normal
-    unit = float(np.linalg.norm(slip.rate(n)))
+    unit = _greatest_rate(slip, 2)
     steady = (constant * slip.tangential + pressing * beta) / unit
     matrix = (np.outer(slip.tangential, slope) + pressing * A) / unit
     integrator = slide_integrator()
@@ -134,6 +144,12 @@ def _stop_at_point(slip: PointSlip, n: FloatArray, size: float) -> Stop:
         growth, turning = growth_and_turning(slip, n)
         if float(np.linalg.norm(turning)) <= STRAIGHT * abs(growth) or logarithm <= last:
             break
+        if abs(growth) <= WEAK * unit and float(np.linalg.norm(turning)) <= SETTLED * unit:
+            settled = _settled_direction(slip, n)
+            if settled is not None:
+                n = settled
+                growth, _ = growth_and_turning(slip, n)
+                break
         if slip.force(n)[0] <= 0:
             raise RunError("the slip does not shrink to zero", 0.0)
         try:
@@ -152,7 +168,33 @@ def _stop_at_point(slip: PointSlip, n: FloatArray, size: float) -> Stop:
     held = slip.response.couple
     couple = held[0] * normal + pressing * float(held[1] @ friction) + slip.couple * duration
     row = size * (rest + np.array([duration, normal, *(pressing * friction), couple]))
-    return Stop(float(row[0]), n, float(row[1]), row[2:4], float(row[4]))
+    return Stop(float(row[0]), n, growth, unit, float(row[1]), row[2:4], float(row[4]))
+
+
+def _greatest_rate(slip: FrozenSlip, width: int) -> float:
+    """The greatest rate of the slip along the axes of its directions."""
+    return max(float(np.linalg.norm(slip.rate(axis))) for axis in np.eye(width))
+
+
+def _settled_direction(slip: PointSlip, n: FloatArray) -> FloatArray | None:
+    """The direction near n that the slip keeps and that attracts; None if there is none."""
+
+    def turning(angle: float) -> float:
+        x, y = np.cos(angle), np.sin(angle)
+        rate = slip.rate(np.array([x, y]))
+        return float(x * rate[1] - y * rate[0])
+
+    start = angle = float(np.arctan2(n[1], n[0]))
+    slope = 0.0
+    for _ in range(20):
+        slope = (turning(angle + 1e-6) - turning(angle - 1e-6)) / 2e-6
+        step = turning(angle) / slope if slope else np.inf
+        if abs(angle - step - start) > 10 * SETTLED:
+            return None
+        angle -= step
+        if abs(step) < 1e-15:
+            break
+    return np.array([np.cos(angle), np.sin(angle)]) if slope < 0 else None
 
 
 def _row(slip: FrozenSlip, n: FloatArray) -> FloatArray:
@@ -166,7 +208,7 @@ def _followed(slip: FrozenSlip, n: FloatArray, end: float) -> FloatArray:
     from scipy.integrate import solve_ivp
 
     width, unit = len(n), float(np.linalg.norm(slip.rate(n)))
-    whole = max(float(np.linalg.norm(slip.rate(axis))) for axis in np.eye(width))
+    whole = _greatest_rate(slip, width)
 
     def parts(state: FloatArray) -> tuple[FloatArray, float, FloatArray]:
         now = state[:width] / np.linalg.norm(state[:width])
