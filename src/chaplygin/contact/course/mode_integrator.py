@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import heyoka as hy
@@ -162,6 +162,32 @@ class ModeIntegrator:
             guard = "failure"
         samples = np.concatenate([first, values[1 : len(moments) - at_start + 1]])
         return Outcome(float(stepper.time), np.array(stepper.state), guard, samples, steps)
+
+    def series(
+        self, time: float, state: FloatArray, end: float
+    ) -> Iterator[hy.continuous_output_dbl]:
+        """Continuous outputs that together cover a time without an event, but for its end.
+
+        Parameters
+        ----------
+        time : float
+        state : array (size,)
+        end : float
+        """
+        stepper = self.stepper
+        count = min(len(self.values), len(stepper.pars))
+        stepper.pars[:count] = self.values[:count]
+        if self.code.watched:
+            stepper.pars[count:] = self._event_scales(state)
+            stepper.reset_cooldowns()
+        stepper.time = time
+        stepper.state[:] = state
+        while stepper.time < end:
+            begun = stepper.time
+            output = stepper.propagate_until(end, c_output=True)[4]
+            if output is None or stepper.time <= begun:
+                return
+            yield output
 
     def _event_scales(self, state: FloatArray) -> list[float]:
         """Powers of two that scale large guards to one."""

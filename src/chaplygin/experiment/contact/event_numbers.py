@@ -11,6 +11,7 @@ import numpy as np
 import sympy as sp
 
 from ...contact.course.events import EventKind
+from ...contact.course.mode_integrator import ModeIntegrator
 from ...contact.friction.modes import MODE_NAMES
 from ...contact.motion import ContactMotion
 from ...core.arrays import FloatArray
@@ -219,6 +220,42 @@ def values_of_formula(text: str, motion: ContactMotion, system: System) -> Float
     return values
 
 
+def require_formula(text: str, system: System) -> None:
+    """Raise InputError unless a text is a formula in recorded quantities."""
+    _function(text, tuple(_columns(system)))
+
+
+def formula_at(text: str, mode: ModeIntegrator, states: FloatArray, system: System) -> FloatArray:
+    """A formula in recorded quantities at states (n, columns) of a mode, (n,)."""
+    columns = _columns(system)
+    function, used = _function(text, tuple(columns))
+    needed = {columns[name][0] for name in used}
+    places = _state_places(system)
+    values = mode.outputs(states) if needed - places.keys() else {}
+    arguments = []
+    for name in used:
+        variable, place = columns[name]
+        if variable in places:
+            arguments.append(states[:, places[variable] + max(place, 0)])
+        else:
+            block = values[variable]
+            arguments.append(block if place < 0 else block[:, place])
+    with np.errstate(all="ignore"):
+        result: FloatArray = np.broadcast_to(function(*arguments), (len(states),))
+    return result
+
+
+@lru_cache(maxsize=8)
+def _state_places(system: System) -> dict[str, int]:
+    """The first column of each variable of the state."""
+    places, first = {}, 0
+    for name in system.state:
+        places[str(name)] = first
+        first += len(flat([name]))
+    return places
+
+
+@lru_cache(maxsize=8)
 def _columns(system: System) -> dict[str, tuple[str, int]]:
     """Recorded scalars and components: their variable, and the place in it (−1 for a scalar)."""
     columns: dict[str, tuple[str, int]] = {}

@@ -13,6 +13,7 @@ from pydantic import ValidationError
 from ...analysis.scans.grid import INADMISSIBLE, NO_STATE
 from ...contact.course.compiled import CompiledContact
 from ...contact.course.endings import ENDINGS
+from ...contact.course.rules import Rules
 from ...contact.equations.situation import FrictionalContact
 from ...contact.motion import ContactMotion, contact_motion
 from ...core.arrays import FloatArray
@@ -59,22 +60,32 @@ def member_motion(
     times : array (n,)
     tolerance : float
     """
+    outcome, start = member_start(experiment, values, tolerance)
+    if isinstance(start, str):
+        return MemberMotion(outcome, None, start)
+    compiled, state, rules = start
+    motion = contact_motion(compiled, state, times, rules)
+    return MemberMotion(CODES[motion.ending], motion, motion.reason)
+
+
+def member_start(
+    experiment: str, values: Mapping[str, float | FloatArray], tolerance: float
+) -> tuple[int, tuple[CompiledContact, FloatArray, Rules] | str]:
+    """The contact, the start and the rules of a member; or why there are none, with its code."""
     tables = _numbers(experiment).tables_with(values)
     try:
         changed = FrictionExperiment.model_validate(tables)
         contact, rules = contact_and_rules(changed)
     except ValidationError as error:
         (key, sentence), *_ = validation_messages(error, FrictionExperiment, tables).items()
-        return MemberMotion(INADMISSIBLE, None, f"{'.'.join(key)} {sentence}")
+        return INADMISSIBLE, f"{'.'.join(key)} {sentence}"
     except InputError as error:
-        return MemberMotion(INADMISSIBLE, None, error.message)
+        return INADMISSIBLE, error.message
     try:
-        start = start_of(contact, changed.start.model_dump(exclude_none=True))
-        compiled = _compiled(contact, tolerance, threading.get_ident())
-        motion = contact_motion(compiled, start, times, rules)
+        state = start_of(contact, changed.start.model_dump(exclude_none=True))
     except InputError as error:
-        return MemberMotion(NO_STATE, None, error.message)
-    return MemberMotion(CODES[motion.ending], motion, motion.reason)
+        return NO_STATE, error.message
+    return 0, (_compiled(contact, tolerance, threading.get_ident()), state, rules)
 
 
 def samples_reached(motion: ContactMotion, times: FloatArray) -> int:
