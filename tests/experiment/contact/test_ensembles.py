@@ -180,7 +180,7 @@ def test_other_mistakes(billiard: Study) -> None:
     with pytest.raises(InputError, match=r"write body\.shape\.radius or surface\.radius"):
         numbers.path("radius")
     assert numbers.value("surface.radius") == 2.0
-    with pytest.raises(InputError, match="body.mass must be a positive finite number, not -1"):
+    with pytest.raises(InputError, match="mass must be a positive finite number, not -1"):
         contact_ensemble_task(billiard, grid(mass=[-1.0, 1.0]))
     with pytest.raises(InputError, match="no spinn to be recorded"):
         contact_ensemble_task(billiard, grid(mu=[0.1]), record=["spinn"])

@@ -78,6 +78,7 @@ class CrossingCourse(Course):
     ) -> None:
         super().__init__(contact, state, moments, rules)
         self.crossings: list[Crossing] = []
+        self._first_time = float(moments[0])
         self._quantity, self._accepted, self._count = quantity, accepted, count
 
     def _integrate(self) -> str:
@@ -128,7 +129,8 @@ class CrossingCourse(Course):
                 time = middle + half * self._polished(series, integrator, middle, half, x, slope)
                 if result and time - result[-1].time <= 1e-12 * (last - first):
                     continue
-                if self.crossings and time <= self.crossings[-1].time:
+                # a start on the section is no return to it
+                if time <= max([self._first_time, *(c.time for c in self.crossings[-1:])]):
                     continue
                 rising = bool(np.polynomial.chebyshev.chebval(x, slope) > 0)
                 state = series(np.array([time]))[0].copy()
