@@ -110,9 +110,7 @@ def test_a_chart_and_a_section(ask: Ask, billiard: Path) -> None:
     assert code == 0, error
     assert "time of the first stick" in output
     assert Path("c.png").is_file()
-    given = CASES["billiard ball"]["start"]
-    ahead = given["position"][0] + 0.05 * given["velocity"][0]
-    place = ("--on", "position_1", "--value", ahead, "--points", 1, "--direction", "both")
+    place = ("--on", "position_1", "--value", -0.005, "--points", 1, "--direction", "falling")
     code, output, error = ask("section", billiard, *place, "-o", "s.zarr")
     assert code == 0, error
     assert "1 of 1 motion" in output

@@ -123,7 +123,7 @@ class CrossingCourse(Course):
             if abs(coefficients[0]) > np.abs(coefficients[1:]).sum():
                 continue
             roots = np.polynomial.chebyshev.chebroots(np.trim_zeros(coefficients, "b"))
-            slope = np.polynomial.chebyshev.chebder(coefficients)
+            slope: FloatArray = np.polynomial.chebyshev.chebder(coefficients).astype(np.float64)
             real = np.sort(roots.real[(np.abs(roots.imag) < 1e-6) & (np.abs(roots.real) <= 1)])
             for x in real.tolist():
                 time = middle + half * self._polished(series, integrator, middle, half, x, slope)

@@ -78,9 +78,9 @@ class ContactChart:
                 arrays["outcome"][row, column] = NO_NUMBER
         return arrays
 
-    def values(self, place: Mapping[str, float]) -> dict[str, float | FloatArray]:
+    def values(self, place: Mapping[str, float]) -> Mapping[str, float | FloatArray]:
         """The numbers of the file at a place of the plane."""
-        known = _known(self.experiment) | place
+        known = {**_known(self.experiment), **place}
         given = {name for name, _ in self.formulas}
         used = {name for _, text in self.formulas for name in _names_in(text, tuple(known))}
         direct = {n: v for n, v in place.items() if n not in used or n in _known(self.experiment)}

@@ -165,8 +165,8 @@ class FileNumbers:
                 owner, key, table = table, part, table[part]
             if isinstance(last, int):
                 numbers = list(table)
-                numbers[last] = float(value)  # type: ignore[arg-type]
+                numbers[last] = float(value)
                 owner[key] = tuple(numbers)  # type: ignore[index]
             else:
-                table[last] = float(value)  # type: ignore[arg-type]
+                table[last] = float(value)
         return tables
