@@ -38,8 +38,8 @@ _LEGEND = (
     "In body axes: v velocity of the centre of mass, ω angular velocity, γ outward normal of the "
     "support, r from the centre of mass to the contact point, slip velocity of the contact point "
     "over the support, u its length, spin angular velocity about γ, rolling the rest of ω, ωₜ its "
-    "length, N normal force, friction tangential force and couple couple of the support, W the work "
-    "lost to each law; position is that of the centre of mass in space."
+    "length, N normal force, friction tangential force and couple couple of the support, W the "
+    "work lost to each law; position is that of the centre of mass in space."
 )
 
 _ONE_MODE = (
