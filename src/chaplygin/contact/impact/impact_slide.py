@@ -23,6 +23,9 @@ from ...flow.kernel import code_cache
 #: A slide is followed down to this part of its speed in one go.
 LEAST = float(np.exp(-8.0))
 
+#: Restitution of less than this part of the work of the slide is none.
+LEAST_RETURN = 1e-18
+
 #: Duration in θ, and steps, of a slide at most.
 _LONGEST, _STEPS = 1e9, 2000
 
@@ -168,6 +171,9 @@ def slide(
     pars[11:15] = ends.work * clock * scale, ends.clock * clock, ends.normal * scale, ends.offset
     size = float(np.abs(pars[11:15]).max())
     pars[11:15] = pars[11:15] / size if size else (0, 0, 0, -1)
+    if not ends.compressing and normal.constant == 0 and -LEAST_RETURN < pars[14] < 0:
+        # an end so near that rounding hides it: there is nothing to give back
+        return Slide("returned", slip / speed, speed, 0.0, np.zeros(2), 0.0)
     pars[15] = 1.0
     if ends.spin is not None:
         size = max(abs(ends.spin.constant), abs(ends.spin.normal) * clock, 1e-300)
