@@ -34,7 +34,7 @@ from chaplygin.contact import (
     contact_motion,
 )
 from chaplygin.contact.starts import start_in_contact
-from chaplygin.experiment.contact.chart import contact_chart, contact_chart_task
+from chaplygin.experiment.friction_ensembles.chart import contact_chart, contact_chart_task
 from chaplygin.flow.ensemble.compute import compute
 from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
 

@@ -62,7 +62,7 @@ def command(
     formulas = dict(_assignment(item) for item in let or ())
     study = study_of(what, overrides)
     from ..analysis.scans.grid import axis
-    from ..experiment.chart_task import chart_task
+    from ..experiment.friction_ensembles.chart_task import chart_task
     from ..flow.ensemble.compute import compute
     from ..report.drawing.files import save
     from ..report.figures.scan import chart as drawn

@@ -68,7 +68,7 @@ def command(
     from ..flow.ensemble.compute import compute
 
     if study.subject.changes_equations:
-        from ..experiment.contact.ensemble import contact_ensemble_task
+        from ..experiment.friction_ensembles.ensemble import contact_ensemble_task
 
         task = contact_ensemble_task(
             study,
@@ -143,7 +143,7 @@ def _numbers(
 
     from ..analysis.scans.grid import axis
     from ..errors import InputError
-    from ..experiment.contact.random_starts import random_numbers
+    from ..experiment.friction_ensembles.random_starts import random_numbers
     from ..flow.ensemble.run import grid
 
     if level is not None:

@@ -108,7 +108,7 @@ def command(
     place = Place(on, value, direction, angle, tuple(_slab(text) for text in within or ()))
     chosen = Starts(starts, None if level is None else level_of(level), seed)
     if study.subject.changes_equations:
-        from ..experiment.contact.section import contact_section_task
+        from ..experiment.friction_ensembles.section import contact_section_task
 
         if starts != 1 or level is not None:
             raise InputError(

@@ -19,7 +19,7 @@ from ...core.system import System, flat
 from ...core.vectors import to_components
 from ...errors import InputError
 from ...parsing import nearest, parse
-from .trajectory import work_names
+from ..contact.trajectory import work_names
 
 #: The part of a motion whose mean is ``late_mean``.
 LATE = 0.2
@@ -165,7 +165,7 @@ def motion_number(text: str, system: System) -> MotionNumber:
     >>> from chaplygin.contact import FrictionalContact
     >>> from chaplygin.contact.equations.equations_of_motion import equations_of_motion
     >>> from chaplygin.contact.friction.modes import Mode
-    >>> from chaplygin.experiment.contact.event_numbers import motion_number
+    >>> from chaplygin.experiment.friction_ensembles.event_numbers import motion_number
     >>> ball = FrictionalContact(ch.Body(1.0, (0.4, 0.4, 0.4), ch.Ball(1.0)))
     >>> motion_number("first:spin-stop", equations_of_motion(ball, Mode())).title
     'time of the first spin stop'

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
-from ..analysis.scans.grid import Axis
-from ..analysis.scans.scan_task import scan
-from ..errors import InputError
-from ..flow.ensemble.task import Task
-from .contact.chart import contact_chart, contact_chart_task
-from .scan import chart_of
-from .study import Study
+from ...analysis.scans.grid import Axis
+from ...analysis.scans.scan_task import scan
+from ...errors import InputError
+from ...flow.ensemble.task import Task
+from ..scan import chart_of
+from ..study import Study
+from .chart import contact_chart, contact_chart_task
 
 
 def chart_task(
@@ -29,7 +29,7 @@ def chart_task(
     ----------
     study, of, x, y, until, formulas, held
         See :func:`chaplygin.experiment.scan.chart_of`; with friction
-        :func:`chaplygin.experiment.contact.chart.contact_chart`, where nothing is held.
+        :func:`chaplygin.experiment.friction_ensembles.chart.contact_chart`, where nothing is held.
 
     Raises
     ------

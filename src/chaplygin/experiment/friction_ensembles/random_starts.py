@@ -57,7 +57,7 @@ def random_numbers(count: int, ranges: Mapping[str, Range], seed: int = 0) -> Me
 
     Examples
     --------
-    >>> from chaplygin.experiment.contact.random_starts import random_numbers
+    >>> from chaplygin.experiment.friction_ensembles.random_starts import random_numbers
     >>> print(random_numbers(3, {"omega_3": (0.0, 5.0), "attitude": None}, seed=2))
     3 with omega_3 from 0 to 5 and any attitude (seed 2)
     """

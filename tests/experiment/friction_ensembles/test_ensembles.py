@@ -11,11 +11,11 @@ import pytest
 import chaplygin as ch
 from chaplygin.analysis.scans.grid import NO_NUMBER, NO_STATE, axis
 from chaplygin.errors import InputError
-from chaplygin.experiment.contact.chart import contact_chart, contact_chart_task
-from chaplygin.experiment.contact.ensemble import contact_ensemble_task
-from chaplygin.experiment.contact.event_numbers import motion_number
-from chaplygin.experiment.contact.file_numbers import FileNumbers
-from chaplygin.experiment.contact.random_starts import random_numbers
+from chaplygin.experiment.friction_ensembles.chart import contact_chart, contact_chart_task
+from chaplygin.experiment.friction_ensembles.ensemble import contact_ensemble_task
+from chaplygin.experiment.friction_ensembles.event_numbers import motion_number
+from chaplygin.experiment.friction_ensembles.file_numbers import FileNumbers
+from chaplygin.experiment.friction_ensembles.random_starts import random_numbers
 from chaplygin.experiment.study import Study
 from chaplygin.flow.ensemble.compute import compute
 from chaplygin.flow.ensemble.members import from_lists

@@ -21,9 +21,10 @@ from ...flow.ensemble.members import ListedMembers, Members
 from ...flow.ensemble.run import sample_coordinates, sampled_variable
 from ...flow.ensemble.task import Arrays, Task, Variable
 from ...flow.variable_metadata import cf_attributes, system_attributes, variable_metadata
+from ..contact.dataset import mode_flags, work_meanings
+from ..contact.trajectory import BALANCE
 from ..contact_subject import ContactSubject
 from ..study import Study
-from .dataset import mode_flags, work_meanings
 from .event_numbers import EVENT_NUMBERS, recorded_values
 from .file_numbers import FileNumbers
 from .members import (
@@ -34,7 +35,6 @@ from .members import (
     samples_reached,
 )
 from .random_starts import DIRECTIONS
-from .trajectory import BALANCE
 
 #: Members that are computed, written and lost at once: a few seconds of work.
 BLOCK = 16
@@ -157,7 +157,7 @@ def contact_ensemble_task(
         Its times are those of all motions.
     members : Members
         Numbers of the file by name, by :func:`chaplygin.flow.ensemble.members.from_lists` and the
-        like, or :func:`chaplygin.experiment.contact.random_starts.random_numbers`.
+        like, or :func:`chaplygin.experiment.friction_ensembles.random_starts.random_numbers`.
     record : sequence of str
         Observables recorded besides the state, such as ``slip`` or ``normal_force``.
     tolerance : float

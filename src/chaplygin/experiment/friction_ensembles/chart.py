@@ -122,7 +122,7 @@ def contact_chart(
     ----------
     study : Study
     of : str
-        The number; see :func:`chaplygin.experiment.contact.event_numbers.motion_number`.
+        The number; see :func:`chaplygin.experiment.friction_ensembles.event_numbers.motion_number`.
     x, y : Axis
         A number of the file, such as ``mu`` or ``omega_3``, or a new name that `formulas` use.
     until : float, optional

@@ -58,7 +58,7 @@ class FileNumbers:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> from chaplygin.experiment.contact.file_numbers import FileNumbers
+    >>> from chaplygin.experiment.friction_ensembles.file_numbers import FileNumbers
     >>> experiment = ch.loads('''
     ... body = {mass = 1, inertia = [0.4, 0.4, 0.4], shape = {kind = "ball", radius = 1}}
     ... contact = {model = "friction", mu = 0.3}

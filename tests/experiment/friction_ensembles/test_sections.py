@@ -10,13 +10,13 @@ import pytest
 import chaplygin as ch
 from chaplygin.contact import contact_motion
 from chaplygin.errors import InputError
-from chaplygin.experiment.contact.section import contact_section_task
 from chaplygin.experiment.contact_subject import ContactSubject
+from chaplygin.experiment.friction_ensembles.section import contact_section_task
 from chaplygin.experiment.poincare import Place
 from chaplygin.experiment.study import Study
 from chaplygin.flow.ensemble.compute import compute
 from chaplygin.flow.ensemble.run import grid
-from experiment.contact.test_ensembles import BILLIARD, sticking
+from experiment.friction_ensembles.test_ensembles import BILLIARD, sticking
 
 
 @pytest.fixture(scope="module")

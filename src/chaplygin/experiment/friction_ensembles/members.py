@@ -18,12 +18,12 @@ from ...contact.equations.situation import FrictionalContact
 from ...contact.motion import ContactMotion, contact_motion
 from ...core.arrays import FloatArray
 from ...errors import InputError
+from ..contact.situation import contact_and_rules, start_of
 from ..contact_subject import ContactSubject, contact_subject
 from ..file.models import loads
 from ..file.rolling_model import FrictionExperiment
 from ..file.validation import validation_messages
 from .file_numbers import FileNumbers
-from .situation import contact_and_rules, start_of
 
 #: Codes of the endings in datasets, in the order of `ENDINGS`.
 CODES = {ending: code for code, ending in enumerate(ENDINGS)}
