@@ -22,7 +22,6 @@ from .course_state import NO_SLIP, SLIP_FLOOR
 from .endings import EndError
 from .events import EventKind
 from .near_rest import (
-    Departure,
     departure,
     first_direction,
     frozen_slip,
@@ -166,18 +165,6 @@ class Course(RollingCourse):
         if kind:
             self._record(kind, before, *impacts, unique=choice.unique)
         self._begin(choice.direction)
-
-    def _hold(self, choice: Departure) -> None:
-        if self._dry.patch:
-            span = held_range_of(
-                choice.couple / self._dry.patch, self._dry.mu * choice.normal_force
-            )
-            self.mode = Mode(sliding=False, spinning=False, range=span)
-            self._spin_sign = math.copysign(1.0, choice.couple)
-            return
-        spinning = bool(choice.spin_sign) or not self._dry.spin_arm
-        self.mode = Mode(sliding=False, spinning=spinning)
-        self._spin_sign = choice.spin_sign or self._spin_sign
 
     def _leave_support(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
         """Leave a support that a contact without slip presses no longer."""

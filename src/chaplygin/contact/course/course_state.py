@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ...core.arrays import FloatArray
-from ..friction.contensou import range_of
+from ..friction.contensou import held_range_of, range_of
 from ..friction.modes import Mode, Range
 from ..impact.impact import Impact, impact
 from .compiled import (
@@ -25,6 +25,7 @@ from .endings import EndError, Ending
 from .events import ContactEvent, EventKind
 from .mode_integrator import ModeIntegrator, with_values
 from .near_rest import (
+    Departure,
     dry_friction,
 )
 from .rules import Rules
@@ -228,3 +229,15 @@ class CourseState:
         state[OMEGA] += touch.angular_velocity_jump(impulse, couple_impulse)
         state[WORK] += known.energy - self.contact.numbers(state).energy
         self.state = state
+
+    def _hold(self, choice: Departure) -> None:
+        if self._dry.patch:
+            span = held_range_of(
+                choice.couple / self._dry.patch, self._dry.mu * choice.normal_force
+            )
+            self.mode = Mode(sliding=False, spinning=False, range=span)
+            self._spin_sign = math.copysign(1.0, choice.couple)
+            return
+        spinning = bool(choice.spin_sign) or not self._dry.spin_arm
+        self.mode = Mode(sliding=False, spinning=spinning)
+        self._spin_sign = choice.spin_sign or self._spin_sign

@@ -18,8 +18,7 @@ from ...contact.equations.situation import FrictionalContact
 from ...contact.motion import ContactMotion, contact_motion
 from ...core.arrays import FloatArray
 from ...errors import InputError
-from ..contact.situation import contact_and_rules, start_of
-from ..contact_subject import ContactSubject, contact_subject
+from ..contact_subject import ContactSubject, contact_and_rules, contact_subject, start_of
 from ..file.models import loads
 from ..file.rolling_model import FrictionExperiment
 from ..file.validation import validation_messages
