@@ -13,15 +13,16 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+import xarray as xr
 from matplotlib.figure import Figure
 from scipy.optimize import brentq
 
 import chaplygin as ch
+from chaplygin.analysis.scans.grid import axis
 from chaplygin.contact import (
     CompiledContact,
     ContactMotion,
@@ -33,6 +34,8 @@ from chaplygin.contact import (
     contact_motion,
 )
 from chaplygin.contact.starts import start_in_contact
+from chaplygin.experiment.friction_ensembles.chart import contact_chart, contact_chart_task
+from chaplygin.flow.ensemble.compute import compute
 from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
 
 #: The top of Leine and Glocker (2003): kg, kg m², m; its eccentricity α and spin (rad/s).
@@ -115,23 +118,6 @@ def least_spin(eccentricity: float, lean: float = 0.0) -> float:
 # --- what the computer finds ---------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Chart:
-    """γ₃ at the end, for tops of several eccentricities and spins.
-
-    Attributes
-    ----------
-    eccentricities : array (m,)
-    spins : array (n,)
-        At the start (rad/s).
-    ends : array (m, n)
-    """
-
-    eccentricities: np.ndarray
-    spins: np.ndarray
-    ends: np.ndarray
-
-
 def end(contact: CompiledContact, spin: float, until: float = CHART_TIME) -> float:
     """γ₃ of a top, started with a spin, on average over the last fifth of its time.
 
@@ -142,13 +128,18 @@ def end(contact: CompiledContact, spin: float, until: float = CHART_TIME) -> flo
     return float(motion.states[1:, GAMMA_3].mean())
 
 
-def chart(eccentricities: Sequence[float], spins: Sequence[float]) -> Chart:
-    """How far tops have turned over at the end."""
-    rows = []
-    for eccentricity in eccentricities:
-        contact = CompiledContact(top(CHART_LAW, eccentricity), 1e-12)
-        rows.append([end(contact, spin) for spin in spins])
-    return Chart(np.array(eccentricities), np.array(spins), np.array(rows))
+def chart(cells: int) -> xr.DataArray:
+    """γ₃ over the last fifth of the time, for tops of several eccentricities alpha and spins."""
+    study = ch.prepare(ch.load(Path(__file__).with_name("tippe_tops.toml")))
+    start = {
+        "centre_3": "radius*alpha",
+        "omega_1": f"-spin*sin({LEAN})",
+        "omega_3": f"spin*cos({LEAN})",
+        "slip_2": f"radius*alpha*spin*sin({LEAN})",
+    }
+    spins, eccentricities = axis(f"spin=40:260:{cells}"), axis(f"alpha=0.1:0.4:{cells}")
+    plane = contact_chart(study, "late_mean:gamma_3", spins, eccentricities, formulas=start)
+    return compute(contact_chart_task(plane, "Tippe tops"))["late_mean"]
 
 
 def threshold(
@@ -173,15 +164,15 @@ def threshold(
 
 def inversions(longest: float = 30.0) -> dict[str, tuple[CompiledContact, ContactMotion]]:
     """The top of Leine and Glocker under every law, until it has come to its end."""
-    found = {}
+    motions = {}
     for (words, law), until in zip(LAWS.items(), (4.0, 16.0, 30.0), strict=True):
         times = np.arange(0.0, min(until, longest) + 1e-9, 0.005)
         contact = CompiledContact(top(law))
-        found[words] = (contact, contact_motion(contact, start(contact.situation), times))
-    return found
+        motions[words] = (contact, contact_motion(contact, start(contact.situation), times))
+    return motions
 
 
-def figure(motions: dict[str, tuple[CompiledContact, ContactMotion]], tops: Chart) -> Figure:
+def figure(motions: dict[str, tuple[CompiledContact, ContactMotion]], tops: xr.DataArray) -> Figure:
     """γ₃ against time under every law; and how far tops turn over, with the condition."""
     drawing, (left, right) = plt.subplots(
         1, 2, figsize=(WIDTH, 3.1), layout="constrained", width_ratios=(1, 1.15)
@@ -206,13 +197,13 @@ def figure(motions: dict[str, tuple[CompiledContact, ContactMotion]], tops: Char
         ylim=(-1.05, 1.05),
     )
     left.legend(loc="upper right", fontsize=7.5)
-    image = right.pcolormesh(tops.spins, tops.eccentricities, tops.ends, cmap="RdYlBu", vmin=-1)
+    image = right.pcolormesh(tops.spin, tops.alpha, tops, cmap="RdYlBu", vmin=-1)
     image.set_clim(-1, 1)
     image.set_rasterized(True)
-    edges = [a for a in np.linspace(*tops.eccentricities[[0, -1]], 400) if least_spin(a) < 1e3]
+    edges = [a for a in np.linspace(*tops.alpha.values[[0, -1]], 400) if least_spin(a) < 1e3]
     right.plot([least_spin(a, LEAN) for a in edges], edges, color=INK, lw=1.4)
     right.plot(SPIN, ECCENTRICITY, "o", color=INK)
-    right.set(xlim=tops.spins[[0, -1]], ylim=tops.eccentricities[[0, -1]])
+    right.set(xlim=tops.spin.values[[0, -1]], ylim=tops.alpha.values[[0, -1]])
     right.set(xlabel="spin (rad/s)", ylabel=r"eccentricity $\alpha$")
     drawing.colorbar(image, label=rf"$\gamma_3$ after {CHART_TIME:.0f} s", pad=0.02)
     return drawing
@@ -245,9 +236,9 @@ def report(folder: Path, cells: int = 24) -> None:
     for eccentricity in (0.16, 0.2, 0.3):
         theory, leaning = least_spin(eccentricity), least_spin(eccentricity, LEAN)
         print(f"  α = {eccentricity}: {theory:.3f}, {leaning:.3f}, {threshold(eccentricity):.3f}")
-    tops = chart(np.linspace(0.1, 0.4, cells), np.linspace(40.0, 260.0, cells))
+    tops = chart(cells)
     agree, away = agreement(tops)
-    print(f"\nChart of {tops.ends.size} tops: {agree} end as the condition says,")
+    print(f"\nChart of {tops.size} tops: {agree} end as the condition says,")
     print(f"  the spin of the others is within {away:.1%} of the least one")
     with plt.rc_context(STYLE):
         folder.mkdir(parents=True, exist_ok=True)
@@ -255,12 +246,12 @@ def report(folder: Path, cells: int = 24) -> None:
     print(f"wrote {folder / 'tippe_top.png'}")
 
 
-def agreement(tops: Chart) -> tuple[int, float]:
+def agreement(tops: xr.DataArray) -> tuple[int, float]:
     """How many tops end on their heads or not as the condition says; how far off the others are."""
-    least = np.array([least_spin(a, LEAN) for a in tops.eccentricities])[:, None]
-    over = tops.ends < -1 + ON_ITS_HEAD
-    wrong = over != (tops.spins > least)
-    distances = np.abs(np.broadcast_to(tops.spins / least - 1, over.shape)[wrong])
+    least = np.array([least_spin(a, LEAN) for a in tops.alpha.values])[:, None]
+    over = tops.values < -1 + ON_ITS_HEAD
+    wrong = over != (tops.spin.values > least)
+    distances = np.abs(np.broadcast_to(tops.spin.values / least - 1, over.shape)[wrong])
     return int((~wrong).sum()), float(distances.max(initial=0.0))
 
 

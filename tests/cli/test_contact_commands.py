@@ -9,6 +9,7 @@ import pytest
 
 import chaplygin as ch
 from asking import Ask, ask
+from chaplygin.flow.ensemble.zarr_store import read_store
 from contact.case_files import CASES, experiment_text
 
 __all__ = ["ask"]
@@ -62,14 +63,11 @@ def test_show_says_which_equations_it_shows(ask: Ask, billiard: Path) -> None:
 OTHERS = """\
 prove {}
 find integrals {}
-section {} --on gamma_3 -o a.zarr
 lyapunov {}
 solve {}
 bifurcation {}
 orbit {} --on gamma_3
-ensemble {} -o a.zarr
 sweep {} -o a.zarr --over mu=0.1:0.3:3
-chart {} --of drift --x omega_1=0:1:3 --y omega_2=0:1:3 -o a.zarr
 """
 
 
@@ -82,9 +80,63 @@ def test_other_commands_say_that_they_cannot(
     (line,) = [text for text in error.splitlines() if text.startswith("error")]
     assert line.startswith("error: billiard.toml, line ")
     assert line.endswith(
-        "contact.model: with friction the equations of motion change at events, and so far only "
-        "show, run and study follow such a motion"
+        "contact.model: with friction the equations of motion change at events, and only show, "
+        "run, study, ensemble, chart and section follow such a motion"
     )
+    assert [path.name for path in tmp_path.iterdir()] == ["billiard.toml"]
+
+
+@pytest.mark.slow
+def test_an_ensemble_resumes_and_has_its_seed(ask: Ask, billiard: Path) -> None:
+    drawn = ("--starts", 3, "--draw", "velocity_1=1:2", "--over", "mu=0.2:0.3:2")
+    arguments = ("ensemble", billiard, *drawn, "--seed", 4, "-o", "a.zarr", "--record", "energy")
+    code, output, error = ask(*arguments)
+    assert code == 0, error
+    assert "3 with velocity_1 from 1 to 2 (seed 4) × 2 of mu" in output
+    assert "6 of 6 motions: the last time was reached" in output
+    data = read_store("a.zarr")
+    assert data.sizes["run"] == 6
+    assert data.attrs["seed"] == 4
+    assert ask(*arguments, "--json")[0] == 0
+    code, _, error = ask(*arguments, "--draw", "omega_3=0:1")
+    assert code == 2
+    assert "a.zarr holds another experiment" in error
+
+
+@pytest.mark.slow
+def test_a_chart_and_a_section(ask: Ask, billiard: Path) -> None:
+    axes = ("--x", "mu=0.1:0.3:2", "--y", "u=1:2:2", "--let", "velocity_1=u")
+    code, output, error = ask("chart", billiard, "--of", "first:stick", *axes, "-o", "c.zarr")
+    assert code == 0, error
+    assert "time of the first stick" in output
+    assert Path("c.png").is_file()
+    place = ("--on", "position_1", "--value", -0.005, "--points", 1, "--direction", "falling")
+    code, output, error = ask("section", billiard, *place, "-o", "s.zarr")
+    assert code == 0, error
+    assert "1 of 1 motion" in output
+    assert Path("s.png").is_file()
+
+
+MISTAKES = {
+    "ensemble {} -o a.zarr": "an ensemble needs --draw NAME=A:B or --over NAME=A:B:N",
+    "ensemble {} -o a.zarr --starts 3": "it is not said what differs",
+    "ensemble {} -o a.zarr --starts 0 --draw mu=0:1": "--starts 0: there must be one at least",
+    "ensemble {} -o a.zarr --level energy=1": "with friction no integrals remain",
+    "ensemble {} -o a.zarr --draw mu=a:b": "--draw mu=a:b: it is written NAME=A:B",
+    "ensemble {} -o a.zarr --draw mue=0:1": "the experiment has no number of this name",
+    "ensemble veselova -o a.zarr --draw mu=0:1": "only with friction are starts drawn from ranges",
+    "chart {} --of drift --x mu=0:1:3 --y mass=1:2:3 -o a.zarr": "no number of a motion with",
+    "chart {} --of events --x mu=0:1:3 --y mass=1:2:3 -o a.zarr --hold gamma": "nothing of a start",
+    "section {} --on gamma_3 -o a.zarr --starts 3": "no integrals remain on whose level",
+}
+
+
+@pytest.mark.parametrize("command", MISTAKES)
+def test_mistakes_of_many_motions(ask: Ask, billiard: Path, command: str, tmp_path: Path) -> None:
+    code, output, error = ask(*command.format("billiard.toml").split())
+    assert (code, output) == (2, "")
+    (line,) = [text for text in error.splitlines() if text.startswith("error")]
+    assert MISTAKES[command] in line
     assert [path.name for path in tmp_path.iterdir()] == ["billiard.toml"]
 
 

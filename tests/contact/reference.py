@@ -114,20 +114,20 @@ def simulate(
         Events, each with time, kind, position, attitude, velocity, omega (after it) and before
         (the same, before it); final state with its time.
     """
-    motion = moved(body, surface, contact, start, until, gravity, rtol, number)
+    motion = reference_course(body, surface, contact, start, until, gravity, rtol, number)
     events = []
     for event in motion.events:
-        told = {
+        record = {
             "time": float(event.time),
             "kind": event.kind,
-            **described(motion.problem, event.after),
+            **readable_state(motion.problem, event.after),
         }
-        told["before"] = described(motion.problem, event.before)
-        events.append(told)
-    return events, {"time": float(motion.t), **described(motion.problem, motion.y)}
+        record["before"] = readable_state(motion.problem, event.before)
+        events.append(record)
+    return events, {"time": float(motion.t), **readable_state(motion.problem, motion.y)}
 
 
-def moved(
+def reference_course(
     body: Mapping[str, Any],
     surface: Mapping[str, Any],
     contact: Mapping[str, Any],
@@ -168,7 +168,7 @@ def moved(
     return motion
 
 
-def described(problem: Problem, y: Sequence[float]) -> dict[str, list[float]]:
+def readable_state(problem: Problem, y: Sequence[float]) -> dict[str, list[float]]:
     """State as position, attitude, velocity (space axes) and omega (body axes)."""
     turn = rotation(y[3:7])
     far = math.sqrt(sum(x * x for x in y[3:7]))

@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 
 import contact.reference_bodies as reference_bodies
 import contact.reference_motion as reference_motion
-from contact.reference import described, moved, placed, simulate
+from contact.reference import placed, readable_state, reference_course, simulate
 from contact.reference_bodies import cross, dot, length, rotation, times
 from contact.reference_cases import (
     BALL,
@@ -147,7 +147,7 @@ def test_impact_against_smoothed_friction(law: str, mu: float) -> None:
     """Impulses added up with friction that is smooth near rest, in which nothing is told apart."""
     start = placed(PEBBLE, PLANE, ASKEW, [3.0, -2.0, 5.0], [0.7, 0.2, 0.0], height=0.2)
     contact = {"mu": mu, "restitution": 0.6, "impact_law": law}
-    event = moved(PEBBLE, PLANE, contact, start, 0.15).events[0]
+    event = reference_course(PEBBLE, PLANE, contact, start, 0.15).events[0]
     assert event.kind == "landing"
     problem = Problem(PEBBLE, PLANE, contact, G)
     turn, n, _, arm, omega = (np.array(x) for x in problem.geometry(event.before))
@@ -176,7 +176,7 @@ def test_impact_against_smoothed_friction(law: str, mu: float) -> None:
         "newton": lambda p, z: particle(z[:3], z[3:6]) @ n + 0.6 * begun,
     }
     last = through(middle, ends[law]).y_events[0][0]
-    state = described(problem, event.after)
+    state = readable_state(problem, event.after)
     assert np.abs(last[:3] - state["velocity"]).max() < 1e-6
     assert np.abs(turn.T @ last[3:6] - state["omega"]).max() < 1e-6
 
@@ -185,8 +185,8 @@ def test_impact_against_smoothed_friction(law: str, mu: float) -> None:
 def test_jellett_integral_of_a_sliding_top(contact: dict[str, Any]) -> None:
     start = placed(TIPPE_TOP, PLANE, tilted(0.3), [20.0, -10.0, 150.0])
     start["velocity"][:2] = [0.05, 0.02]
-    motion = moved(TIPPE_TOP, PLANE, contact, start, 0.02)
-    others = moved(TIPPE_TOP, PLANE, contact, start, 0.0)
+    motion = reference_course(TIPPE_TOP, PLANE, contact, start, 0.02)
+    others = reference_course(TIPPE_TOP, PLANE, contact, start, 0.0)
 
     def jellett(m: Motion) -> float:
         _, _, _, arm, _ = m.problem.geometry(m.y)
@@ -201,8 +201,8 @@ def test_jellett_integral_of_a_sliding_top(contact: dict[str, Any]) -> None:
 def held_energy_change() -> float:
     """Change of the energy of a rolling pebble, which should be none."""
     start = placed(PEBBLE, PLANE, ASKEW, [1.0, -1.5, 0.8])
-    motion = moved(PEBBLE, PLANE, {"mu": 50.0}, start, 0.5)
-    first = moved(PEBBLE, PLANE, {"mu": 50.0}, start, 0.0)
+    motion = reference_course(PEBBLE, PLANE, {"mu": 50.0}, start, 0.5)
+    first = reference_course(PEBBLE, PLANE, {"mu": 50.0}, start, 0.0)
     return abs(motion.problem.energy(motion.y) - first.problem.energy(first.y))
 
 
@@ -337,7 +337,7 @@ def test_start_of_sliding_against_crude_starts(monkeypatch: pytest.MonkeyPatch) 
 @pytest.mark.slow
 def test_direct_restart_is_the_limit_of_smoothed_friction(monkeypatch: pytest.MonkeyPatch) -> None:
     body, surface, contact, start = loaded_ball(115)
-    motion = moved(body, surface, contact, start, 0.05)
+    motion = reference_course(body, surface, contact, start, 0.05)
     assert [e.kind for e in motion.events] == ["direct restart"]
     problem = motion.problem
     momentum = problem.body.momentum(start["attitude"], start["omega"])

@@ -51,7 +51,8 @@ def command(
 
     An axis is a parameter, a variable of the start (the initial state), a
     quantity such as energy on whose level the start is placed, or a new name for
-    the formulas of --let.
+    the formulas of --let. With friction it is a number of the file, such as mu or
+    omega_3, or a new name.
     """
     picture = output.with_suffix(".png") if figure is None else figure
     check_store(output)
@@ -61,19 +62,17 @@ def command(
     formulas = dict(_assignment(item) for item in let or ())
     study = study_of(what, overrides)
     from ..analysis.scans.grid import axis
-    from ..analysis.scans.scan_task import scan
-    from ..experiment.scan import chart_of
+    from ..experiment.friction_ensembles.chart_task import chart_task
     from ..flow.ensemble.compute import compute
     from ..report.drawing.files import save
     from ..report.figures.scan import chart as drawn
 
     horizontal, vertical = axis(x, "--x"), axis(y, "--y")
-    chart = chart_of(
+    task, title = chart_task(
         study, of, horizontal, vertical, until=until, formulas=formulas, held=hold or ()
     )
     vacate(output, force)
-    task = scan(chart, {"experiment": study.complete_toml()})
-    with progress(chart.title) as report, resumable(output, report, force) as update:
+    with progress(title) as report, resumable(output, report, force) as update:
         dataset = compute(task, output, client=client, progress=update)
         report.say("drawing")
         save(drawn(dataset), picture)

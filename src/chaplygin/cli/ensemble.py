@@ -14,13 +14,14 @@ from .stores import Workers, check_store, check_workers, level_of, outcomes, res
 if TYPE_CHECKING:
     from ..experiment.study import Study
     from ..flow.ensemble.members import Members
+    from ..flow.ensemble.task import Task
 
 
 def command(
     what: What,
     output: Annotated[Path, typer.Option("-o", "--output", help="Zarr store to write, FILE.zarr.")],
     starts: Annotated[
-        int, typer.Option(help="Number of starts to draw at random; needs --level.")
+        int, typer.Option(help="Number of starts to draw at random; needs --level or --draw.")
     ] = 1,
     level: Annotated[
         str | None,
@@ -28,10 +29,21 @@ def command(
             metavar="NAME=VALUE,…", help="Level of the integrals on which starts are drawn."
         ),
     ] = None,
+    draw: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=A:B",
+            help="With friction: draw a number of the file from A to B; gamma or attitude alone: "
+            "any direction.",
+        ),
+    ] = None,
     seed: Annotated[int, typer.Option(help="Seed of the random starts.")] = 0,
     over: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME=A:B:N", help="Vary a parameter: N values from A to B."),
+        typer.Option(
+            metavar="NAME=A:B:N",
+            help="Vary a parameter, or with friction a number of the file: N values from A to B.",
+        ),
     ] = None,
     record: Annotated[
         list[str] | None,
@@ -47,26 +59,25 @@ def command(
 
     Every start is combined with every parameter value. The start (the initial
     state) is that of the experiment, or starts are drawn at random on a level of
-    the integrals; the times are those of the experiment.
+    the integrals; the times are those of the experiment. With friction, numbers
+    of the file are drawn from ranges.
     """
     check_store(output)
     client = check_workers(workers)
     study = study_of(what, overrides)
-    from dataclasses import replace
-
-    from ..experiment.without_lift import without_reconstruction
     from ..flow.ensemble.compute import compute
-    from ..flow.ensemble.run import SHARES, ensemble_task
 
-    task = ensemble_task(
-        without_reconstruction(study),
-        _members(study, starts, level, seed, over or []),
-        study.times,
-        record=record or (),
-        tolerance=tolerance,
-        shares=1 if workers is None else SHARES,
-    )
-    task = replace(task, attributes={**task.attributes, "experiment": study.complete_toml()})
+    if study.subject.changes_equations:
+        from ..experiment.friction_ensembles.ensemble import contact_ensemble_task
+
+        task = contact_ensemble_task(
+            study,
+            _numbers(starts, level, draw or [], seed, over or []),
+            record=record or (),
+            tolerance=tolerance,
+        )
+    else:
+        task = _task(study, starts, level, draw, seed, over, record, tolerance, workers)
     vacate(output, force)
     title = study.system.title
     with progress(title) as report, resumable(output, report, force) as update:
@@ -88,6 +99,92 @@ def command(
     for reason, count in result["outcomes"].items():
         typer.echo(f"{count:,} of {result['motions']:,} motions: {reason}")
     inform(f"written to {output}")
+
+
+def _task(
+    study: Study,
+    starts: int,
+    level: str | None,
+    draw: list[str] | None,
+    seed: int,
+    over: list[str] | None,
+    record: list[str] | None,
+    tolerance: float,
+    workers: str | None,
+) -> Task:
+    """The ensemble of a system whose equations do not change."""
+    from dataclasses import replace
+
+    from ..errors import InputError
+    from ..experiment.without_lift import without_reconstruction
+    from ..flow.ensemble.run import SHARES, ensemble_task
+
+    if draw:
+        raise InputError(
+            f"--draw {draw[0]}: only with friction are starts drawn from ranges; here they are "
+            "drawn on a level of the integrals, with --level"
+        )
+    task = ensemble_task(
+        without_reconstruction(study),
+        _members(study, starts, level, seed, over or []),
+        study.times,
+        record=record or (),
+        tolerance=tolerance,
+        shares=1 if workers is None else SHARES,
+    )
+    return replace(task, attributes={**task.attributes, "experiment": study.complete_toml()})
+
+
+def _numbers(
+    starts: int, level: str | None, draw: list[str], seed: int, over: list[str]
+) -> Members:
+    """The members of an ensemble with friction: numbers of its file."""
+    import numpy as np
+
+    from ..analysis.scans.grid import axis
+    from ..errors import InputError
+    from ..experiment.friction_ensembles.random_starts import random_numbers
+    from ..flow.ensemble.run import grid
+
+    if level is not None:
+        raise InputError(
+            f"--level {level}: with friction no integrals remain; draw numbers of the file from "
+            "ranges, as in --draw omega_3=0:10"
+        )
+    if starts < 1:
+        raise InputError(f"--starts {starts}: there must be one at least")
+    if starts > 1 and not draw:
+        raise InputError(
+            f"--starts {starts}: it is not said what differs; --draw NAME=A:B draws a number"
+        )
+    factors = [random_numbers(starts, dict(map(_range, draw)), seed)] if draw else []
+    for text in over:
+        chosen = axis(text, "--over")
+        values = np.linspace(chosen.first, chosen.last, chosen.count)
+        factors.append(grid(**{chosen.name: values}))
+    if not factors:
+        raise InputError("an ensemble needs --draw NAME=A:B or --over NAME=A:B:N")
+    everyone = factors[0]
+    for factor in factors[1:]:
+        everyone = everyone * factor
+    return everyone
+
+
+def _range(text: str) -> tuple[str, tuple[float, float] | None]:
+    """A number to be drawn, and its range; None for a direction."""
+    from ..errors import InputError
+
+    name, equals, span = (part.strip() for part in text.partition("="))
+    if not equals:
+        return name, None
+    try:
+        first, last = map(float, span.split(":"))
+    except ValueError:
+        raise InputError(
+            f"--draw {text}: it is written NAME=A:B, such as omega_3=0:10, or gamma or attitude "
+            "alone"
+        ) from None
+    return name, (first, last)
 
 
 def _members(study: Study, starts: int, level: str | None, seed: int, over: list[str]) -> Members:

@@ -99,7 +99,7 @@ def command(
     study = study_of(what, overrides)
     from shutil import rmtree
 
-    from ..errors import RunError
+    from ..errors import InputError, RunError
     from ..experiment.poincare import Place, Starts, section_of
     from ..flow.ensemble.compute import compute
     from ..report.drawing.files import save
@@ -107,10 +107,27 @@ def command(
 
     place = Place(on, value, direction, angle, tuple(_slab(text) for text in within or ()))
     chosen = Starts(starts, None if level is None else level_of(level), seed)
-    limit = abs(study.until) * max(points, 1) if until is None else until
-    task, names = section_of(
-        study, place, chosen, points, coordinates, until=limit, tolerance=tolerance
-    )
+    if study.subject.changes_equations:
+        from ..experiment.friction_ensembles.section import contact_section_task
+
+        if starts != 1 or level is not None:
+            raise InputError(
+                "--starts, --level: with friction no integrals remain on whose level starts could "
+                "be drawn; the section is that of the start in the file"
+            )
+        task, names = contact_section_task(
+            study,
+            place,
+            points,
+            coordinates=coordinates,
+            until=study.until if until is None else until,
+            tolerance=tolerance,
+        )
+    else:
+        limit = abs(study.until) * max(points, 1) if until is None else until
+        task, names = section_of(
+            study, place, chosen, points, coordinates, until=limit, tolerance=tolerance
+        )
     if output != store:
         output.mkdir(exist_ok=True)
     vacate(store, force)

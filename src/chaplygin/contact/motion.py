@@ -15,6 +15,7 @@ from ..errors import InputError
 from .course.compiled import WORK, CompiledContact
 from .course.course import Course
 from .course.course_state import Piece
+from .course.endings import Ending
 from .course.events import ContactEvent
 from .course.rules import Rules
 from .equations.situation import FrictionalContact
@@ -62,6 +63,8 @@ class ContactMotion:
         Why it ended before the last sample time; empty if it did not.
     steps : int
         Steps of integration.
+    ending : str
+        The reason in short, one of ``ENDINGS``.
     """
 
     times: FloatArray
@@ -73,6 +76,7 @@ class ContactMotion:
     end_state: FloatArray
     reason: str
     steps: int
+    ending: Ending
     _pieces: tuple[Piece, ...] = field(repr=False)
 
     def observables(self) -> dict[str, FloatArray]:
@@ -157,6 +161,7 @@ def contact_motion(
         end_state=course.state,
         reason=course.reason,
         steps=course.steps,
+        ending=course.ending,
         _pieces=pieces,
     )
 

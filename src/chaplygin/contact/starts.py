@@ -7,8 +7,9 @@ A start gives either the normal γ, ω and the slip of a body that touches its s
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import mpmath
 import numpy as np
@@ -19,7 +20,7 @@ from ..core.arrays import FloatArray
 from ..errors import InputError
 from ..mechanics.rolling.gauss_map import contact_points
 from ..mechanics.rolling.initial_state import DIGITS, attitude_of_normal
-from ..mechanics.rolling.shapes import Ball, Implicit
+from ..mechanics.rolling.shapes import Ball, Implicit, Shape
 from ..mechanics.rolling.surfaces import Plane
 from .equations.situation import FrictionalContact
 from .nearest_point import nearest_normal
@@ -86,7 +87,7 @@ def clearance(
         return Clearance(float(gamma @ (seen + r)), gamma, r)
     hollow = isinstance(shape, Ball) and shape.hollow
     outside = surface.side == "outside" and not hollow
-    gamma = nearest_normal(contact_points(shape), seen, outside)
+    gamma = nearest_normal(_contact_points(shape), seen, outside)
     r = _touching_point(contact, gamma)
     return Clearance(float(gamma @ (seen + r)) - surface.signed_radius, gamma, r)
 
@@ -267,8 +268,14 @@ def _in_contact(
 def _touching_point(contact: FrictionalContact, gamma: FloatArray) -> FloatArray:
     """The point of the body with outward normal −γ; NaN where a flat face has it."""
     with np.errstate(invalid="ignore", divide="ignore"):
-        r: FloatArray = contact_points(contact.body.shape)(gamma[None])[0]
+        r: FloatArray = _contact_points(contact.body.shape)(gamma[None])[0]
     return r
+
+
+@lru_cache(maxsize=64)
+def _contact_points(shape: Shape) -> Callable[[FloatArray], FloatArray]:
+    """The touching points of a body by normals; many starts have one body."""
+    return contact_points(shape)
 
 
 def _support_velocity(contact: FrictionalContact, touching: FloatArray) -> FloatArray:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import contextlib
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import mpmath
 import numpy as np
@@ -41,8 +41,9 @@ from .subject import Subject
 _LEGEND = (
     "In body axes: v velocity of the centre of mass, ω angular velocity, γ outward normal of the "
     "support, r from the centre of mass to the contact point, slip velocity of the contact point "
-    "over the support, spin angular velocity about γ, N normal force, friction tangential force "
-    "and couple couple of the support; position is that of the centre of mass in space."
+    "over the support, u its length, spin angular velocity about γ, rolling the rest of ω, ωₜ its "
+    "length, N normal force, friction tangential force and couple couple of the support, W the "
+    "work lost to each law; position is that of the centre of mass in space."
 )
 
 _ONE_MODE = (
@@ -113,10 +114,7 @@ class ContactSubject(Subject):
         return tuple(map(mpmath.mpf, self._state().tolist()))
 
     def _state(self) -> FloatArray:
-        start = dict(self.start_values)
-        if "position" in start:
-            return start_in_space(self.contact, **start)  # type: ignore[arg-type]
-        return start_in_contact(self.contact, **start)  # type: ignore[arg-type]
+        return start_of(self.contact, self.start_values)
 
     @property
     def legend(self) -> str:
@@ -190,6 +188,47 @@ def contact_subject(experiment: FrictionExperiment) -> ContactSubject:
     InputError
         If its parts do not fit together; the message names the place in the file.
     """
+    contact, rules = contact_and_rules(experiment)
+    body, surface = contact.body, contact.surface
+    ground = ground_words(surface)
+    title = experiment.title or f"{shape_name(body.shape)} on {ground}, with friction"
+    with experiment.placing_errors("body"):
+        system = equations_of_motion(contact, shown_mode(contact))
+    return ContactSubject(
+        system=replace(system, name=identifier(title), title=title),
+        start_values=experiment.start.model_dump(exclude_none=True),
+        until=experiment.run.until,
+        variables=work_meanings(contact, system),
+        setting=_setting(contact),
+        contact=contact,
+        rules=rules,
+    )
+
+
+def _setting(contact: FrictionalContact) -> str:
+    """The body, its support, the laws of friction and the forces in one line."""
+    surface, field = contact.surface, contact.field
+    ground = "a horizontal plane"
+    if isinstance(surface, Sphere):
+        ground = f"a sphere of radius {surface.radius:g}, {surface.side}"
+    if surface.turntable:
+        ground += f", which turns with {number(surface.turntable, 6)} rad/s"
+    force = f"gravity {number(field.gravity, 6)} m/s²" if field.gravity else "no gravity"
+    if field.potential != 0:
+        force += ", a potential U(γ)"
+    if any(contact.body.gyrostat):
+        force += "; with rotors"
+    return f"{shape_name(contact.body.shape)} on {ground}; {contact.setting}; {force}"
+
+
+def contact_and_rules(experiment: FrictionExperiment) -> tuple[FrictionalContact, Rules]:
+    """The body on its support, and what happens at its events.
+
+    Raises
+    ------
+    InputError
+        If its parts do not fit together; the message names the place in the file.
+    """
     body = body_of(experiment)
     table = experiment.surface
     surface = (
@@ -206,19 +245,26 @@ def contact_subject(experiment: FrictionExperiment) -> ContactSubject:
             experiment.run.on_liftoff,
             experiment.contact.on_paradox,
         )
-    ground = ground_words(surface)
-    title = experiment.title or f"{shape_name(body.shape)} on {ground}, with friction"
-    with experiment.placing_errors("body"):
-        system = equations_of_motion(contact, shown_mode(contact))
-    return ContactSubject(
-        system=replace(system, name=identifier(title), title=title),
-        start_values=experiment.start.model_dump(exclude_none=True),
-        until=experiment.run.until,
-        variables=work_meanings(contact, system),
-        setting=_setting(contact),
-        contact=contact,
-        rules=rules,
-    )
+    return contact, rules
+
+
+def start_of(contact: FrictionalContact, values: Mapping[str, Any]) -> FloatArray:
+    """The state that follows from a start, in contact or above the support.
+
+    Parameters
+    ----------
+    contact : FrictionalContact
+    values : mapping
+        The keys of [start] that are given.
+
+    Raises
+    ------
+    InputError
+        If the start cannot be used.
+    """
+    if "position" in values:
+        return start_in_space(contact, **values)
+    return start_in_contact(contact, **values)
 
 
 def _laws(table: FrictionTable) -> tuple[FrictionLaw, ...]:
@@ -245,19 +291,3 @@ def _laws(table: FrictionTable) -> tuple[FrictionLaw, ...]:
     if table.contour:
         laws.append(ContourResistance(table.contour))
     return tuple(laws)
-
-
-def _setting(contact: FrictionalContact) -> str:
-    """The body, its support, the laws of friction and the forces in one line."""
-    surface, field = contact.surface, contact.field
-    ground = "a horizontal plane"
-    if isinstance(surface, Sphere):
-        ground = f"a sphere of radius {surface.radius:g}, {surface.side}"
-    if surface.turntable:
-        ground += f", which turns with {number(surface.turntable, 6)} rad/s"
-    force = f"gravity {number(field.gravity, 6)} m/s²" if field.gravity else "no gravity"
-    if field.potential != 0:
-        force += ", a potential U(γ)"
-    if any(contact.body.gyrostat):
-        force += "; with rotors"
-    return f"{shape_name(contact.body.shape)} on {ground}; {contact.setting}; {force}"

@@ -51,8 +51,31 @@ class SymbolName:
         return SymbolName(self.base, accents, self.primes, self.subscript)
 
 
+#: Quantities of a contact with friction, whose names are words with indices that are words.
+CONTACT_NAMES = {
+    "slip_speed": SymbolName("u"),
+    "slip_floor": SymbolName("ε", subscript="u"),
+    "rolling_speed": SymbolName("ω", subscript="t"),
+    "rolling_floor": SymbolName("ε", subscript="t"),
+    "spin_sign": SymbolName("σ", subscript="n"),
+    "spin_arm": SymbolName("μ", subscript="s"),
+    "mu_static": SymbolName("μ", subscript="0"),
+    "normal_rate": SymbolName("b", primes=1, subscript="n"),
+    "normal_rate_free": SymbolName("b", subscript="n"),
+    "normal_response": SymbolName("B", subscript="n"),
+    "force_share": SymbolName("F", subscript="u"),
+    "couple_share": SymbolName("M", subscript="n"),
+    "spin_rate": SymbolName("b", subscript="s"),
+    "holding_couple": SymbolName("τ"),
+}
+
+
 def letter_of(name: str) -> SymbolName:
     """The letter that a name in code spells."""
+    if name in CONTACT_NAMES:
+        return CONTACT_NAMES[name]
+    if name.startswith("work_"):
+        return SymbolName("W", subscript=name.removeprefix("work_"))
     match = _NAME.fullmatch(name)
     if match is None:
         return SymbolName(name)

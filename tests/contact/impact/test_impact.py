@@ -11,6 +11,7 @@ from scipy.integrate import solve_ivp
 
 from chaplygin.contact.impact.friction_response import response_with_spin_at_rest
 from chaplygin.contact.impact.impact import impact, normal_response, zeno_closure
+from chaplygin.contact.impact.impact_slide import Ends, Linear, slide, slide_integrator
 from chaplygin.contact.impact.mobility import Mobility, mobility
 from chaplygin.errors import InputError
 from contact.colliding_bodies import (
@@ -464,3 +465,14 @@ def test_mistaken_bodies(arguments: tuple[object, ...]) -> None:
 def test_normal_response_of_a_ball_is_its_mass() -> None:
     assert normal_response(BALL, [1, 0, 0], 0.7) == pytest.approx(1)
     assert normal_response(BALL, None, 0.7) == pytest.approx(1)
+
+
+def test_a_restitution_below_rounding_ends_the_impact() -> None:
+    """Found among 6,000 bouncing balls: e = 0.0006 on the last of many bounces."""
+    beta, A = np.array([0.34753579, 1.39846356]), np.array([[4.26178, -0.0547], [-0.0547, 5.46108]])
+    normal = Linear(0.0, 1.47917328, beta)
+    ends = Ends(False, 1.0, 0.0, 0.0, -6.955714613867327e-19, None, None)
+    slip = np.array([-0.91422412, 8.71702432])
+    result = slide(slide_integrator(), beta, A, 0.08582, slip, normal, ends)
+    assert result.event == "returned"
+    assert abs(result.clock) < 1e-8

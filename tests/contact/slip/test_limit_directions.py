@@ -418,3 +418,11 @@ def test_static_friction_may_hold_more_than_sliding_friction() -> None:
     assert not rest_of_point(slip, 0.34).holds
     assert rest_of_point(slip, 0.36).holds
     assert rest_of_point(slip, 0.34).exits[0].growth == pytest.approx(3.5 - 3.0, abs=1e-5)
+
+
+def test_the_last_moment_on_a_very_small_patch() -> None:
+    """The spin outlives the slip by so much that explicit steps to its end would be millions."""
+    a = 0.002
+    slip = CoupledSlip(BALL, 0.3, a, ring_force, ring_couple, np.array([0, 0, -9.81]))
+    stop = finish_stop(slip, np.array([0.6, 0.0, 0.8]), 1e-8)
+    assert stop.duration == pytest.approx(0.8e-8 / (2.5 * 0.3 * 9.81 * a * a), rel=1e-3)

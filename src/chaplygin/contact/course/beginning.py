@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -20,7 +21,8 @@ from ..friction.prescribed import (
     LATITUDE_COEFFICIENTS,
     prescribed,
 )
-from .compiled import CompiledContact, ModeIntegrator, with_values
+from .compiled import CompiledContact
+from .mode_integrator import ModeIntegrator, with_values
 
 #: Chebyshev points of (0, 1], the last one at the end.
 _POINTS = (1 - np.cos(np.pi * np.arange(1, DEGREE + 1) / DEGREE)) / 2
@@ -31,8 +33,8 @@ _TESTS = np.array([0.35, 0.65, 0.97])
 #: Steps of a trial, and radians by which the direction may turn, at most.
 _MOST_STEPS, _LARGEST_TURN = 500, 3.0
 
-#: Newton's steps at most, and the step of their differences.
-_NEWTON_STEPS, _STEP = 8, 1e-5
+#: Changes of the coefficients at most, and the step of the differences.
+_MOST_CHANGES, _STEP = 20, 1e-5
 
 #: The length of a beginning is divided by four at most so many times.
 _ATTEMPTS = 12
@@ -73,13 +75,15 @@ class _Trial:
     patch: float
 
     def integrator_with(self, coefficients: FloatArray, duration: float) -> ModeIntegrator:
-        values = {"duration": duration}
-        values |= {f"n_0_{i + 1}": float(x) for i, x in enumerate(self.first)}
+        values = self.integrator.values.copy()
+        values[self.integrator.places["duration"]] = duration
+        values[self._places] = coefficients
+        return replace(self.integrator, values=values)
+
+    @cached_property
+    def _places(self) -> list[int]:
         symbols = HEADING_COEFFICIENTS + (LATITUDE_COEFFICIENTS if self.patch else ())
-        values |= dict(zip(map(str, symbols), map(float, coefficients), strict=True))
-        if self.patch:
-            values["theta_0"] = self.latitude
-        return with_values(self.integrator, values)
+        return [self.integrator.places[str(symbol)] for symbol in symbols]
 
     def defects(
         self, integrator: ModeIntegrator, states: FloatArray, times: FloatArray, c: FloatArray
@@ -141,8 +145,9 @@ def beginning(
         flat = float(np.linalg.norm(direction[:3]))
         latitude = math.atan2(flat, float(direction[3]))
         mode = replace(mode, range=range_of(flat, float(direction[3]) / patch, patch))
-        values["patch"] = patch
+        values |= {"patch": patch, "theta_0": latitude}
     first = direction[:3] / np.linalg.norm(direction[:3])
+    values |= {f"n_0_{i + 1}": float(x) for i, x in enumerate(first)}
     stand_in = prescribed(law, mode.range)
     laws = tuple(stand_in if item is law else item for item in situation.laws)
     integrator = with_values(contact.mode(mode, replace(situation, laws=laws)), values)
@@ -180,14 +185,15 @@ def _collocated(trial: _Trial, time: float, state: FloatArray, duration: float) 
     across, along = defects(coefficients)
     size = float(np.hypot(np.abs(along).max(), np.abs(across).max()))
     weights = 1 / (size * points[at_points, None] ** 2)
-    last = math.inf
-    for _ in range(_NEWTON_STEPS):
-        value = (weights * across[at_points]).ravel()
-        columns = [
-            (weights * defects(coefficients + _STEP * e)[0][at_points]).ravel() - value
-            for e in np.eye(count)
-        ]
-        jacobian = np.array(columns).T / _STEP
+    value, last = (weights * across[at_points]).ravel(), math.inf
+    jacobian = np.empty((0, 0))
+    for _ in range(_MOST_CHANGES):
+        if not len(jacobian):
+            columns = [
+                (weights * defects(coefficients + _STEP * e)[0][at_points]).ravel() - value
+                for e in np.eye(count)
+            ]
+            jacobian = np.array(columns).T / _STEP
         if not (np.isfinite(jacobian).all() and np.isfinite(value).all()):
             return None
         try:
@@ -198,12 +204,16 @@ def _collocated(trial: _Trial, time: float, state: FloatArray, duration: float) 
         if np.abs(coefficients).max() > _LARGEST_TURN:
             return None
         across, along = defects(coefficients)
-        angles = np.abs(across / along[:, None])
-        size = float(np.abs(change).max())
+        value, size = (weights * across[at_points]).ravel(), float(np.abs(change).max())
         # the first points feel rounding, which ends the convergence
-        if size < 1e-10 or (size < 1e-6 and size > 0.1 * last):
+        if size < 1e-10 or (size < 1e-6 and size > 0.5 * last):
             break
+        # Broyden's update, and new differences where it does not converge
+        jacobian = jacobian + np.outer(value, change) / (change @ change)
+        if size > 0.5 * last:
+            jacobian = np.empty((0, 0))
         last = size
+    angles = np.abs(across / along[:, None])
     grows = bool(np.all(np.diff(np.concatenate([[0.0], along])) > 0))
     if not grows or angles[~at_points].max() > 1e-7 or angles[at_points].max() > 1e-7:
         return None

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Mapping, Sequence
+import threading
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -16,9 +17,11 @@ from ...core.system import System
 from ...core.vectors import constant, to_components
 from ...flow.heyoka_expressions import Translator
 from ...flow.kernel import code_cache
-from ...flow.taylor import CompiledSystem, compile_system
+from ...flow.taylor import compile_system
 from ..equations.equations_of_motion import equations_of_motion, work_symbol
+from ..equations.free_body import free_body_parameters
 from ..equations.situation import FrictionalContact
+from ..equations.structure import SharedEquations
 from ..friction.friction_law import FrictionLaw, Reaction
 from ..friction.modes import FLIGHT, Mode
 from ..friction.symbols import (
@@ -35,7 +38,8 @@ from ..friction.symbols import (
     spin,
     spin_rate,
 )
-from ..impact.mobility import Mobility, mobility
+from ..impact.mobility import Mobility, inverse_of, mobility_at
+from .mode_integrator import ModeIntegrator, observable_columns, with_values
 
 #: Columns of the state that all modes share.
 ATTITUDE, POSITION, VELOCITY, OMEGA, NORMAL = (
@@ -59,163 +63,6 @@ _VECTORS = (
     contact_velocity,
 )
 _SCALARS = (spin, normal_rate, spin_rate)
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """The end of one piece of a motion.
-
-    Attributes
-    ----------
-    time : float
-    state : array (size,)
-    guard : str
-        Name of the guard that ended it; empty at the end of the interval, ``"failure"`` if the
-        state stopped being a number.
-    samples : array (n, size)
-        States at the sample times that were passed.
-    steps : int
-    """
-
-    time: float
-    state: FloatArray
-    guard: str
-    samples: FloatArray
-    steps: int
-
-
-@dataclass(frozen=True)
-class ModeIntegrator:
-    """A mode of a contact, ready to be integrated.
-
-    Attributes
-    ----------
-    system : System
-    code : CompiledSystem
-    stepper : heyoka.taylor_adaptive
-        A copy of its integrator, since stepping changes it and the code is shared.
-    values : array
-        Values of the parameters of `system`.
-    columns : mapping of str to (int, int)
-        First column and number of components of each observable among the outputs of the code.
-    places : mapping of str to int
-        Place of each parameter in `values`, by name.
-    """
-
-    system: System
-    code: CompiledSystem
-    stepper: hy.taylor_adaptive
-    values: FloatArray
-    columns: Mapping[str, tuple[int, int]]
-    places: Mapping[str, int]
-
-    def state_of_system(self, state: FloatArray) -> FloatArray:
-        """The state with all variables of its system; those of its own at their ends, 1."""
-        more = len(self.system.symbols) - len(state)
-        return np.append(state, np.ones(max(more, 0)))
-
-    def outputs(self, states: FloatArray) -> dict[str, FloatArray]:
-        """Observables at a state (size,) or at states (n, size), by name."""
-        numbers = self._numbers(states)
-        return {
-            name: numbers[..., first : first + size] if size > 1 else numbers[..., first]
-            for name, (first, size) in self.columns.items()
-        }
-
-    def rates(self, state: FloatArray) -> FloatArray:
-        """The right-hand sides of the equations at a state (size,)."""
-        stepper = copy.copy(self.stepper)
-        count = min(len(self.values), len(stepper.pars))
-        stepper.pars[:count] = self.values[:count]
-        stepper.state[:] = state
-        stepper.step(write_tc=True, max_delta_t=1e-300)
-        result: FloatArray = np.array(stepper.tc[:, 1])
-        return result
-
-    def guard_values(self, state: FloatArray) -> FloatArray:
-        """What the guards watch, at a state (size,), in their order."""
-        return self._numbers(state)[-1 - len(self.system.guards) : -1]
-
-    def _numbers(self, states: FloatArray) -> FloatArray:
-        function = self.code.outputs
-        columns = np.ascontiguousarray(states.T[: len(self.system.symbols)], dtype=float)
-        values = self.values[: function.nparams]
-        if columns.ndim == 2:
-            values = np.tile(values[:, None], columns.shape[1])
-        result: FloatArray = function(columns, pars=values).T
-        return result
-
-    def project(self, state: FloatArray) -> FloatArray:
-        """The state moved onto the relations of the mode, along the shortest way."""
-        point = np.array(state, dtype=float)
-        for block in self.code.core:
-            for _ in range(3):
-                defect = block.residual(point, pars=self.values[: block.residual.nparams])
-                if np.abs(defect).max() < 1e-16:
-                    break
-                slope = block.slope(point, pars=self.values[: block.slope.nparams])
-                # dependent rows: the normal is tied to the attitude, and both have unit length
-                point -= np.linalg.pinv(slope.reshape(block.count, -1), rcond=1e-9) @ defect
-        return point
-
-    def advance(
-        self,
-        time: float,
-        state: FloatArray,
-        moments: Sequence[float],
-        end: float,
-        most_steps: int = 0,
-    ) -> Outcome:
-        """Integrate from a state to an end, or to the first guard that falls to zero.
-
-        Parameters
-        ----------
-        time : float
-        state : array (size,)
-        moments : sequence of float
-            Sample times, increasing, from `time` to `end`.
-        end : float
-        most_steps : int
-            Number of steps after which to give up with the guard ``"failure"``; 0 for no limit.
-        """
-        stepper = self.stepper
-        # heyoka counts the parameters up to the last one that occurs in the formulas
-        count = min(len(self.values), len(stepper.pars))
-        stepper.pars[:count] = self.values[:count]
-        if self.code.watched:
-            stepper.pars[count:] = self._event_scales(state)
-            if stepper.time != time or not np.array_equal(stepper.state, state):
-                # heyoka is deaf for a while to an event that has just happened, but not elsewhere
-                stepper.reset_cooldowns()
-        stepper.time = time
-        stepper.state[:] = state
-        at_start = sum(t <= time for t in moments)
-        grid = [time, *moments[at_start:]]
-        if grid[-1] < end:
-            grid.append(end)
-        first = np.tile(np.asarray(state, dtype=float), (at_start, 1))
-        if len(grid) == 1:
-            return Outcome(time, np.array(state), "", first, 0)
-        outcome, _, _, steps, _, values = stepper.propagate_grid(
-            np.array(grid), max_steps=most_steps
-        )
-        code = int(outcome)
-        guard = ""
-        if code > _SUCCESS:
-            guard = self.system.guards[self.code.watched[-code - 1]].name
-        elif code != _TIME_LIMIT:
-            guard = "failure"
-        samples = np.concatenate([first, values[1 : len(moments) - at_start + 1]])
-        return Outcome(float(stepper.time), np.array(stepper.state), guard, samples, steps)
-
-    def _event_scales(self, state: FloatArray) -> list[float]:
-        """Powers of two that scale large guards to one."""
-        sizes = np.abs(self.guard_values(state)[list(self.code.watched)])
-        exponents = np.maximum(np.frexp(np.where(np.isfinite(sizes), sizes, 1.0))[1], 0)
-        return list(np.ldexp(1.0, -exponents))
-
-
-_TIME_LIMIT, _SUCCESS = -4294967299, -4294967297
 
 
 @dataclass(frozen=True, eq=False)
@@ -271,42 +118,46 @@ class CompiledContact:
     def __init__(self, situation: FrictionalContact, tolerance: float = 1e-16) -> None:
         self.situation = situation
         self.tolerance = tolerance
+        # equations are prepared once for all situations that differ in parameters alone
+        self._known = {str(p.symbol): float(p.default) for p in free_body_parameters(situation)}
         self._modes: dict[tuple[FrictionalContact, Mode], ModeIntegrator] = {}
         self._names = [str(name) for name in self.mode(FLIGHT).system.symbols]
         self.size = len(self._names)
-        # laws without a threshold for slip or spin act alike in all modes
-        others = tuple(law for law in situation.laws if law.static_mu is None and not law.spin_arm)
-        self._neutral = equations_of_motion(replace(situation, laws=others), Mode())
-        self._function = _neutral_function(self._neutral, situation.laws)
-        self._values = np.array([float(x) for x in self._neutral.defaults.values()])
-        self._mass, self._inertia = situation.body.mass, situation.body.tensor
+        self._numbers = _prepared_numbers(SharedEquations(situation))
+        self._values = self._numbers.values_of(self._values_of(situation))
+        self._last: tuple[bytes, ContactNumbers] | None = None
+        self._mass = situation.body.mass
+        self._inverse_inertia = inverse_of(situation.body.tensor)
 
     def mode(self, mode: Mode, situation: FrictionalContact | None = None) -> ModeIntegrator:
-        """The integrator of a mode, of the situation or one like it."""
+        """The integrator of a mode, of the situation or of one with other laws of friction."""
         situation = situation or self.situation
         if (situation, mode) not in self._modes:
-            system = equations_of_motion(situation, mode)
-            code = compile_system(system, self.tolerance)
-            numbers = np.array([float(x) for x in system.defaults.values()])
-            self._modes[situation, mode] = ModeIntegrator(
-                system=system,
-                code=code,
-                stepper=copy.copy(code.integrator),
-                values=numbers,
-                columns=_observable_columns(system),
-                places={str(p.symbol): i for i, p in enumerate(system.parameters)},
-            )
+            equations, thread = SharedEquations(situation), threading.get_ident()
+            prepared = _mode_of_thread(equations, mode, self.tolerance, thread)
+            self._modes[situation, mode] = with_values(prepared, self._values_of(situation))
         return self._modes[situation, mode]
+
+    def _values_of(self, situation: FrictionalContact) -> dict[str, float]:
+        laws = {str(p.symbol): float(p.default) for law in situation.laws for p in law.parameters}
+        return self._known | laws
 
     def work_column(self, law: str) -> int:
         """The column of the state with the work lost to a law."""
         return self._names.index(str(work_symbol(law)))
 
     def numbers(self, state: FloatArray) -> ContactNumbers:
-        """What is known of the contact at a state."""
-        padded = np.zeros(len(self._neutral.symbols))
+        """What is known of the contact at a state; the same is often asked for again."""
+        key = state[:WORK].tobytes()
+        if self._last is None or self._last[0] != key:
+            self._last = (key, self._computed_numbers(state))
+        return self._last[1]
+
+    def _computed_numbers(self, state: FloatArray) -> ContactNumbers:
+        padded = np.zeros(self._numbers.size)
         padded[:WORK] = state[:WORK]
-        numbers = self._function(padded, pars=self._values[: self._function.nparams])
+        function = self._numbers.function
+        numbers = function(padded, pars=self._values[: function.nparams])
         vectors = dict(
             zip(_VECTORS, numbers.reshape(-1)[: 3 * len(_VECTORS)].reshape(-1, 3), strict=True)
         )
@@ -316,7 +167,7 @@ class CompiledContact:
         for columns in (ATTITUDE, POSITION, NORMAL):
             rates[columns] = rest[11 : 11 + WORK][columns]
         unit = vectors[gamma] / float(np.linalg.norm(vectors[gamma]))
-        touch = mobility(self._mass, self._inertia, vectors[r], unit)
+        touch = mobility_at(self._mass, self._inverse_inertia, vectors[r], unit)
         # a couple that does not depend on the normal force belongs to the free motion
         turn = touch.inverse_inertia @ rest[8:11]
         return ContactNumbers(
@@ -340,28 +191,70 @@ class CompiledContact:
         )
 
 
-def _observable_columns(system: System) -> dict[str, tuple[int, int]]:
-    """First column and number of components of each observable, by name."""
-    columns: dict[str, tuple[int, int]] = {}
-    first = 0
-    for item in system.observables:
-        value = to_components(item.value)
-        size = len(value) if isinstance(value, sp.MatrixBase) else 1
-        columns[item.name] = (first, size)
-        first += size
-    return columns
+@lru_cache(maxsize=512)
+def _mode_of_thread(
+    equations: SharedEquations, mode: Mode, tolerance: float, _: int
+) -> ModeIntegrator:
+    """A mode with an integrator of one thread, which changes as it is used."""
+    prepared = _prepared_mode(equations, mode, tolerance)
+    return replace(prepared, stepper=copy.copy(prepared.stepper))
 
 
-def with_values(mode: ModeIntegrator, values: Mapping[str, float]) -> ModeIntegrator:
-    """A mode with other values of parameters, by name."""
-    numbers = mode.values.copy()
-    for name, value in values.items():
-        if name in mode.places:
-            numbers[mode.places[name]] = value
-    return replace(mode, values=numbers)
+@lru_cache(maxsize=256)
+def _prepared_mode(equations: SharedEquations, mode: Mode, tolerance: float) -> ModeIntegrator:
+    """A mode of all situations with the same equations; its values are those of one of them."""
+    system = equations_of_motion(equations.situation, mode)
+    code = compile_system(system, tolerance)
+    return ModeIntegrator(
+        system=system,
+        code=code,
+        stepper=code.integrator,
+        values=np.array([float(x) for x in system.defaults.values()]),
+        columns=observable_columns(system),
+        places={str(p.symbol): i for i, p in enumerate(system.parameters)},
+    )
 
 
-@lru_cache(maxsize=32)
+@dataclass(frozen=True, eq=False)
+class _PreparedNumbers:
+    """The compiled numbers of a contact; see ContactNumbers.
+
+    Attributes
+    ----------
+    function : heyoka.cfunc
+        Of a state, without the work lost.
+    size : int
+        Of that state.
+    names : tuple of str
+        Of its parameters.
+    defaults : array
+    """
+
+    function: hy.cfunc
+    size: int
+    names: tuple[str, ...]
+    defaults: FloatArray
+
+    def values_of(self, known: Mapping[str, float]) -> FloatArray:
+        """The parameters of the function."""
+        pairs = zip(self.names, self.defaults.tolist(), strict=True)
+        return np.array([known.get(name, value) for name, value in pairs])
+
+
+@lru_cache(maxsize=64)
+def _prepared_numbers(equations: SharedEquations) -> _PreparedNumbers:
+    situation = equations.situation
+    # laws without a threshold for slip or spin act alike in all modes
+    others = tuple(law for law in situation.laws if law.static_mu is None and not law.spin_arm)
+    neutral = equations_of_motion(replace(situation, laws=others), Mode())
+    return _PreparedNumbers(
+        function=_neutral_function(neutral, situation.laws),
+        size=len(neutral.symbols),
+        names=tuple(str(p.symbol) for p in neutral.parameters),
+        defaults=np.array([float(x) for x in neutral.defaults.values()]),
+    )
+
+
 def _neutral_function(system: System, laws: tuple[FrictionLaw, ...]) -> hy.cfunc:
     """The numbers of a contact, compiled; see ContactNumbers."""
     total = sum((law.reaction_at_rest for law in laws), Reaction())

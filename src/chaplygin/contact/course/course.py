@@ -13,15 +13,15 @@ from ...errors import InputError, RunError
 from ..friction.contensou import held_range_of
 from ..friction.modes import FLIGHT, Mode, Range
 from ..impact.impact import Impact, zeno_closure
-from ..slip.stopping import finish_stop
+from ..slip.stopping import WEAK, finish_stop
 from .beginning import Beginning, beginning
 from .compiled import (
     OMEGA,
 )
-from .course_state import NO_SLIP, SLIP_FLOOR, EndError
+from .course_state import NO_SLIP, SLIP_FLOOR
+from .endings import EndError
 from .events import EventKind
 from .near_rest import (
-    Departure,
     departure,
     first_direction,
     frozen_slip,
@@ -34,6 +34,9 @@ _LEVEL = 1e-9
 
 #: Smallest factor by which the floor of the slip is lowered for a slip that passes close by zero.
 _LOWEST = 1e-6
+
+#: Likewise for a slip that ends slowly.
+_WEAK_FLOOR = 1e-3
 
 
 class Course(RollingCourse):
@@ -55,9 +58,9 @@ class Course(RollingCourse):
                     break
                 self._handle(guard)
         except EndError as stop:
-            self._end(str(stop))
+            self._end(stop.ending, str(stop))
         except RunError as error:
-            self._end(str(error.args[0]))
+            self._end("failure", str(error.args[0]))
 
     # --- modes -----------------------------------------------------------------------------
 
@@ -163,28 +166,17 @@ class Course(RollingCourse):
             self._record(kind, before, *impacts, unique=choice.unique)
         self._begin(choice.direction)
 
-    def _hold(self, choice: Departure) -> None:
-        if self._dry.patch:
-            span = held_range_of(
-                choice.couple / self._dry.patch, self._dry.mu * choice.normal_force
-            )
-            self.mode = Mode(sliding=False, spinning=False, range=span)
-            self._spin_sign = math.copysign(1.0, choice.couple)
-            return
-        spinning = bool(choice.spin_sign) or not self._dry.spin_arm
-        self.mode = Mode(sliding=False, spinning=spinning)
-        self._spin_sign = choice.spin_sign or self._spin_sign
-
     def _leave_support(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
         """Leave a support that a contact without slip presses no longer."""
         strength = float(np.linalg.norm(self._known().free_acceleration))
         if self._free_normal_acceleration() < -_LEVEL * strength:
             if self._dry.never_slips:
                 raise EndError(
+                    "pulled",
                     "the support would have to pull the rolling body, which left alone would be "
-                    "pressed into it: neither rolling nor leaving is possible"
+                    "pressed into it: neither rolling nor leaving is possible",
                 )
-            raise EndError("the contact can neither be held nor slide in any direction")
+            raise EndError("neither", "the contact can neither be held nor slide in any direction")
         if kind and kind != "stick":
             self.mode = FLIGHT
             self._record(kind, before, *impacts)
@@ -195,8 +187,9 @@ class Course(RollingCourse):
         known = self._known()
         if self._resists_rolling and not known.rolling.any():
             raise EndError(
+                "no beginning",
                 "sliding begins while the body does not roll, where resistance to rolling has no "
-                "direction: start it with some rolling"
+                "direction: start it with some rolling",
             )
         speed = float(np.linalg.norm(self.state[OMEGA]))
         strength = float(np.linalg.norm(known.free_acceleration))
@@ -213,7 +206,9 @@ class Course(RollingCourse):
             0.02 / rate,
         )
         if slide is None:
-            raise EndError("sliding begins, but no motion with a growing slip was found")
+            raise EndError(
+                "no beginning", "sliding begins, but no motion with a growing slip was found"
+            )
         self._take_beginning(slide)
 
     def _take_beginning(self, slide: Beginning) -> None:
@@ -242,7 +237,7 @@ class Course(RollingCourse):
         }
         if guard not in handlers:
             messages = {g.name: g.message for g in self._integrator(self.mode).system.guards}
-            raise EndError(messages.get(guard) or guard)
+            raise EndError("guard", messages.get(guard) or guard)
         handlers[guard]()
 
     def _lift_off(self) -> None:
@@ -257,7 +252,7 @@ class Course(RollingCourse):
         self._project(FLIGHT)
         self._record("lift-off", before)
         if self.rules.on_liftoff == "stop":
-            raise EndError("the body leaves the support")
+            raise EndError("lift-off", "the body leaves the support")
         self._rise()
 
     def _land(self) -> None:
@@ -313,7 +308,14 @@ class Course(RollingCourse):
             # the slip passes close by zero
             self._floor_factor *= 1e-2
             if self._floor_factor < _LOWEST:
-                raise EndError("the slip stays at rounding size without coming to an end") from None
+                raise EndError(
+                    "no end", "the slip stays at rounding size without coming to an end"
+                ) from None
+            return
+        weak = -stop.growth < WEAK * stop.greatest_rate
+        if weak and not self._dry.patch and self._floor_factor > _WEAK_FLOOR:
+            # it takes so long that the rest of the state changes: follow it further
+            self._floor_factor *= 1e-2
             return
         self._floor_factor = 1.0
         self.state = state_after_stop(known, self._dry, self.state, stop)
@@ -335,7 +337,7 @@ class Course(RollingCourse):
             moving = replace(self._dry, static_mu=self._dry.mu)
             choice = departure(self._known(), moving, sign)
             if choice is None or choice.holds:
-                raise EndError("static friction ends, but sliding cannot begin")
+                raise EndError("no beginning", "static friction ends, but sliding cannot begin")
             direction = choice.direction
         self.mode = Mode(spinning=self.mode.spinning or bool(self._dry.patch))
         self._record("slip", before)
@@ -389,8 +391,9 @@ class Course(RollingCourse):
         """No motion in contact: end, or take an impact without collision."""
         if self.rules.on_paradox == "stop":
             raise EndError(
+                "paradox",
                 "no motion in contact is possible here (Painlevé's paradox: the friction of any "
-                "normal force would press the body into the support)"
+                "normal force would press the body into the support)",
             )
         before = self.state
         self._stay("impact without collision", before, self._collide())

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ...core.arrays import FloatArray
-from ..friction.contensou import range_of
+from ..friction.contensou import held_range_of, range_of
 from ..friction.modes import Mode, Range
 from ..impact.impact import Impact, impact
 from .compiled import (
@@ -20,11 +20,12 @@ from .compiled import (
     WORK,
     CompiledContact,
     ContactNumbers,
-    ModeIntegrator,
-    with_values,
 )
+from .endings import EndError, Ending
 from .events import ContactEvent, EventKind
+from .mode_integrator import ModeIntegrator, with_values
 from .near_rest import (
+    Departure,
     dry_friction,
 )
 from .rules import Rules
@@ -64,10 +65,6 @@ class Piece:
     states: FloatArray
 
 
-class EndError(Exception):
-    """A motion that cannot go on, with the reason."""
-
-
 class CourseState:
     """What is known of a motion while it is computed, and what every transition needs.
 
@@ -90,6 +87,7 @@ class CourseState:
         self.pieces: list[Piece] = []
         self.events: list[ContactEvent] = []
         self.steps, self.reason = 0, ""
+        self.ending: Ending = ""
         self._dry = dry_friction(contact.situation)
         self._spin_sign = 1.0
         self._next_moment = self._idle = 0
@@ -101,9 +99,9 @@ class CourseState:
         slip = float(np.linalg.norm(known.slip))
         self._speed = max(fall, turning, slip, float(np.linalg.norm(state[VELOCITY])))
 
-    def _end(self, reason: str) -> None:
+    def _end(self, ending: Ending, reason: str) -> None:
         """End before the last moment, with the state there as the last sample."""
-        self.reason = reason
+        self.ending, self.reason = ending, reason
         if not self.pieces:
             self._add_piece(self._integrator(self.mode), self.time, self.state[None])
             return
@@ -123,9 +121,13 @@ class CourseState:
         self._idle = 0 if outcome.time > self.time else self._idle + 1
         self.time, self.state = outcome.time, outcome.state
         if outcome.guard == "failure":
-            raise EndError("the motion comes to a singular end: its state stops being a number")
+            raise EndError(
+                "singular", "the motion comes to a singular end: its state stops being a number"
+            )
         if self._idle > _STUCK or len(self.events) > self.rules.most_events:
-            raise EndError(f"{len(self.events)} events up to t = {self.time:.9g}: too many")
+            raise EndError(
+                "many events", f"{len(self.events)} events up to t = {self.time:.9g}: too many"
+            )
         return outcome.guard
 
     def _add_piece(self, integrator: ModeIntegrator, end: float, states: FloatArray) -> None:
@@ -227,3 +229,15 @@ class CourseState:
         state[OMEGA] += touch.angular_velocity_jump(impulse, couple_impulse)
         state[WORK] += known.energy - self.contact.numbers(state).energy
         self.state = state
+
+    def _hold(self, choice: Departure) -> None:
+        if self._dry.patch:
+            span = held_range_of(
+                choice.couple / self._dry.patch, self._dry.mu * choice.normal_force
+            )
+            self.mode = Mode(sliding=False, spinning=False, range=span)
+            self._spin_sign = math.copysign(1.0, choice.couple)
+            return
+        spinning = bool(choice.spin_sign) or not self._dry.spin_arm
+        self.mode = Mode(sliding=False, spinning=spinning)
+        self._spin_sign = choice.spin_sign or self._spin_sign

@@ -14,16 +14,10 @@ from .compiled import (
     OMEGA,
     VELOCITY,
 )
-from .course_state import SLIP_FLOOR, CourseState, EndError
+from .course_state import SLIP_FLOOR, CourseState
+from .endings import EndError
 from .events import EventKind
 from .rolling_end import rolling_restart, state_with_rolling
-
-#: Speed of a bounce that is the last one, relative to the typical one of a motion.
-LAST_BOUNCE = 1e-7
-
-#: Smallest factor by which the floor of the slip is lowered for a slip that passes close by zero.
-_LOWEST = 1e-6
-
 
 _ROLLING_HELD = (
     "the resistance to rolling holds the rolling while the body still {}: a motion that is not "
@@ -60,7 +54,7 @@ class RollingCourse(CourseState, ABC):
                 # the resistance changes the friction that holds the contact
                 self._leave_rest(None, self.state, spin_at_rest=not self.mode.spinning)
         elif self.mode.sliding or abs(known.spin) * self._length > 1e-7 * self._speed:
-            raise EndError(_ROLLING_HELD.format("slides or spins about the normal"))
+            raise EndError("rolling held", _ROLLING_HELD.format("slides or spins about the normal"))
         else:
             self._rest()
 
@@ -73,7 +67,7 @@ class RollingCourse(CourseState, ABC):
         rate = integrator.rates(self.state)[OMEGA]
         loss = -float(rate @ rolling) / size
         if loss <= 0:
-            raise EndError("rolling comes close to its end and does not reach it")
+            raise EndError("no end", "rolling comes close to its end and does not reach it")
         remaining = size / loss
         state = self.state + 0.5 * remaining * known.rates_of_place
         self.state = state_with_rolling(known, state, np.zeros(3), mode.sliding)
@@ -88,7 +82,7 @@ class RollingCourse(CourseState, ABC):
             return
         if mode.sliding or abs(known.spin) * self._length > 1e-7 * self._speed:
             what = "slides" if mode.sliding else "spins about the normal"
-            raise EndError(_ROLLING_HELD.format(what))
+            raise EndError("rolling held", _ROLLING_HELD.format(what))
         self._rest()
         self._record("rest", before)
 

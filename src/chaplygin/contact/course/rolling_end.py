@@ -12,7 +12,8 @@ import math
 import numpy as np
 
 from ...core.arrays import FloatArray
-from .compiled import OMEGA, VELOCITY, ContactNumbers, ModeIntegrator
+from .compiled import OMEGA, VELOCITY, ContactNumbers
+from .mode_integrator import ModeIntegrator
 
 #: Directions from which one is looked for that keeps itself, and steps of the search.
 _STARTS, _STEPS = 8, 200

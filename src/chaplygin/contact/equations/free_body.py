@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
@@ -26,8 +27,9 @@ from ...core.vectors import (
     zero,
 )
 from ...mechanics.rolling.attitude import rotation
-from ...mechanics.rolling.body import body_parameters
+from ...mechanics.rolling.body import Body, body_parameters
 from ...mechanics.rolling.contact import Contact, contact
+from ...mechanics.rolling.shapes import Shape
 from ...mechanics.rolling.surfaces import Sphere, Surface
 from ..friction.symbols import (
     contact_velocity,
@@ -153,11 +155,10 @@ def free_body(situation: FrictionalContact, touching: bool) -> FreeBody:
         ),
     )
     kinetic = sp.Rational(1, 2) * (m * norm_squared(v) + dot(inertia * omega, omega))
-    parameters = body_parameters(body, inertia) + touch.parameters
     return FreeBody(
         touch=touch,
         definitions=definitions,
-        parameters=parameters + moving_support.parameters + field.parameters,
+        parameters=_parameters(body, touch, moving_support, field),
         inverse_inertia=inverse,
         mobility=mobility,
         vertical=vertical,
@@ -168,11 +169,37 @@ def free_body(situation: FrictionalContact, touching: bool) -> FreeBody:
     )
 
 
+def free_body_parameters(situation: FrictionalContact) -> tuple[Parameter, ...]:
+    """The parameters of a body and its support with their values; those of `free_body`."""
+    body, surface = situation.body, situation.surface
+    touch = _contact(body.shape, surface)
+    vertical: MatrixExpr = zeta if isinstance(surface, Sphere) else gamma
+    field = _applied(situation, vertical, touch)
+    return _parameters(body, touch, _support(surface, vertical), field)
+
+
+@lru_cache(maxsize=64)
+def _contact(shape: Shape, surface: Surface) -> Contact:
+    """The contact of a body that touches its support."""
+    return contact(shape, surface, contact_velocity)
+
+
+def _parameters(
+    body: Body, touch: Contact, support: _Support, field: _Applied
+) -> tuple[Parameter, ...]:
+    return _of_body(body) + touch.parameters + support.parameters + field.parameters
+
+
+@lru_cache(maxsize=64)
+def _of_body(body: Body) -> tuple[Parameter, ...]:
+    return body_parameters(body, Diagonal("I") if body.principal else Symmetric("I"))
+
+
 def _touch(situation: FrictionalContact, touching: bool) -> Contact:
     """The contact, or the point of the body nearest to the support."""
     shape, surface = situation.body.shape, situation.surface
     if touching:
-        return contact(shape, surface, contact_velocity)
+        return _contact(shape, surface)
     # the support through the nearest point, concentric or parallel to it
     tangential = contact_velocity - dot(gamma, contact_velocity) * gamma
     return contact(shape, surface, tangential, a + gap)

@@ -237,22 +237,22 @@ class UserFriction(FrictionLaw):
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
         """Slip and spin while there are any, and the limits of friction while they are held."""
-        found: tuple[Guard, ...] = ()
+        guards: tuple[Guard, ...] = ()
         if not mode.sliding:
             if self.static_mu is not None:
                 margin = _static**2 * N**2 - norm_squared(friction)
-                found += (Guard("slip", margin, "sliding begins"),)
+                guards += (Guard("slip", margin, "sliding begins"),)
         elif self.kinetic_mu is not None:
             margin = slip_speed - slip_floor
-            found += (Guard("stick", margin, "sliding ends"),)
+            guards += (Guard("stick", margin, "sliding ends"),)
         elif not _is_smooth(self.force):
-            found += (creep_guard("this law of friction"),)
+            guards += (creep_guard("this law of friction"),)
         if mode.spinning and self._knows_sign:
-            found += (Guard("spin stop", spin_sign * spin, "spinning ends"),)
+            guards += (Guard("spin stop", spin_sign * spin, "spinning ends"),)
         if not mode.spinning and self._spin_limit:
             limit = self._at(self.couple, sp.S.Zero, mode)
-            found += (Guard("spin start", limit**2 * N**2 - holding_couple**2, "spinning begins"),)
-        return found
+            guards += (Guard("spin start", limit**2 * N**2 - holding_couple**2, "spinning begins"),)
+        return guards
 
 
 def _even(formula: sp.Expr, variable: sp.Symbol) -> sp.Expr | None:

@@ -108,7 +108,7 @@ class ImpactCourse:
             else:
                 x, event = self._next_event(segment)
                 self._advance(segment, x)
-            if event is not None and self._changed(event):
+            if event is not None and self._ends_with(event):
                 return
         raise RunError("the impact does not end", self.normal_impulse)
 
@@ -241,12 +241,12 @@ class ImpactCourse:
     # --- events -------------------------------------------------------------------------------
 
     def _next_event(self, segment: Segment) -> tuple[float, Event | None]:
-        found: list[tuple[float, Event]] = []
+        rises: list[tuple[float, Event]] = []
         for event, series in self._events(segment):
             x = first_rise(series, segment.length)
             if x is not None:
-                found.append((x, event))
-        return min(found, default=(segment.length, None), key=lambda pair: pair[0])
+                rises.append((x, event))
+        return min(rises, default=(segment.length, None), key=lambda pair: pair[0])
 
     def _events(self, segment: Segment) -> list[tuple[Event, FloatArray]]:
         events: list[tuple[Event, FloatArray]] = []
@@ -300,7 +300,7 @@ class ImpactCourse:
             self.spin = value(segment.spin, x)
         self.normal = value(segment.normal, x)
 
-    def _changed(self, event: Event) -> bool:
+    def _ends_with(self, event: Event) -> bool:
         """Take an event into account; whether the impact ends with it."""
         if event == "compressed":
             self.compressing, self.normal = False, 0.0

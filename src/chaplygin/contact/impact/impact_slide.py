@@ -8,6 +8,7 @@ dP = s dθ it does not: n′ = G n⊥, s′ = H s, where the rate of the sliding
 from __future__ import annotations
 
 import copy
+import threading
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
@@ -21,6 +22,9 @@ from ...flow.kernel import code_cache
 
 #: A slide is followed down to this part of its speed in one go.
 LEAST = float(np.exp(-8.0))
+
+#: Restitution of less than this part of the work of the slide is none.
+LEAST_RETURN = 1e-18
 
 #: Duration in θ, and steps, of a slide at most.
 _LONGEST, _STEPS = 1e9, 2000
@@ -38,7 +42,7 @@ _EVENTS: tuple[SlideEvent | None, ...] = (
     None,
 )
 
-_PARAMETERS = 21
+_PARAMETERS = 22
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,7 +121,12 @@ class Ends:
 
 
 def slide_integrator() -> hy.taylor_adaptive:
-    """The compiled equations of a slide, for `slide` to change their state."""
+    """The compiled equations of a slide, for `slide` to change their state; one in each thread."""
+    return _integrator_of_thread(threading.get_ident())
+
+
+@lru_cache(maxsize=64)
+def _integrator_of_thread(_: int) -> hy.taylor_adaptive:
     return copy.copy(_integrator())
 
 
@@ -156,18 +165,21 @@ def slide(
     clock, force = speed / unit, -mu * speed / unit
     scale = max(speed, abs(normal.constant))
     pars = np.zeros(_PARAMETERS)
-    pars[:5] = *(beta / unit), *(mu / unit * A[[0, 0, 1], [0, 1, 1]])
-    pars[5:9] = _scaled(normal, clock, force, scale)
-    pars[9] = float(ends.compressing)
-    pars[10:14] = ends.work * clock * scale, ends.clock * clock, ends.normal * scale, ends.offset
-    size = float(np.abs(pars[10:14]).max())
-    pars[10:14] = pars[10:14] / size if size else (0, 0, 0, -1)
-    pars[14] = 1.0
+    pars[:6] = *(beta / unit), *(mu / unit * A.ravel())
+    pars[6:10] = _scaled(normal, clock, force, scale)
+    pars[10] = float(ends.compressing)
+    pars[11:15] = ends.work * clock * scale, ends.clock * clock, ends.normal * scale, ends.offset
+    size = float(np.abs(pars[11:15]).max())
+    pars[11:15] = pars[11:15] / size if size else (0, 0, 0, -1)
+    if not ends.compressing and normal.constant == 0 and -LEAST_RETURN < pars[14] < 0:
+        # an end so near that rounding hides it: there is nothing to give back
+        return Slide("returned", slip / speed, speed, 0.0, np.zeros(2), 0.0)
+    pars[15] = 1.0
     if ends.spin is not None:
         size = max(abs(ends.spin.constant), abs(ends.spin.normal) * clock, 1e-300)
-        pars[14:18] = _scaled(ends.spin, clock, force, size)
+        pars[15:19] = _scaled(ends.spin, clock, force, size)
     if ends.couple is not None:
-        pars[18:21] = ends.couple
+        pars[19:22] = ends.couple
     integrator.reset_cooldowns()
     integrator.time = 0.0
     integrator.pars[:] = pars
@@ -193,24 +205,24 @@ def _scaled(quantity: Linear, clock: float, force: float, scale: float) -> Float
 
 @lru_cache(maxsize=1)
 def _integrator() -> hy.taylor_adaptive:
-    return code_cache.remember(code_cache.code_name("impact slide", "1"), _compiled)[0]
+    return code_cache.remember(code_cache.code_name("impact slide", "2"), _compiled)[0]
 
 
 def _compiled() -> hy.taylor_adaptive:
     names = n1, n2, w, p, f1, f2, work = hy.make_vars("n1", "n2", "w", "p", "f1", "f2", "work")
     q = [hy.par[i] for i in range(_PARAMETERS)]
     x = q[0] - q[2] * n1 - q[3] * n2
-    y = q[1] - q[3] * n1 - q[4] * n2
+    y = q[1] - q[4] * n1 - q[5] * n2
     growth, turning = n1 * x + n2 * y, n1 * y - n2 * x
-    normal = q[5] + q[6] * p + q[7] * f1 + q[8] * f2
+    normal = q[6] + q[7] * p + q[8] * f1 + q[9] * f2
     rates = (-turning * n2, turning * n1, growth * w, w, w * n1, w * n2, normal * w)
     rising = [
-        q[9] * normal + q[9] - 1.0,
-        -(1.0 - q[9]) * normal - q[9],
-        q[10] * work + q[11] * p + q[12] * normal + q[13],
-        -(q[14] + q[15] * p + q[16] * f1 + q[17] * f2),
-        q[18] + q[19] * n1 + q[20] * n2 - 1.0,
-        -(q[18] + q[19] * n1 + q[20] * n2) - 1.0,
+        q[10] * normal + q[10] - 1.0,
+        -(1.0 - q[10]) * normal - q[10],
+        q[11] * work + q[12] * p + q[13] * normal + q[14],
+        -(q[15] + q[16] * p + q[17] * f1 + q[18] * f2),
+        q[19] + q[20] * n1 + q[21] * n2 - 1.0,
+        -(q[19] + q[20] * n1 + q[21] * n2) - 1.0,
         LEAST - w,
     ]
     return hy.taylor_adaptive(

@@ -122,17 +122,37 @@ def mobility(
         raise InputError("tensor of inertia: it must be a symmetric matrix, positive definite")
     if abs(normal @ normal - 1) > UNIT:
         raise InputError(f"gamma of length {np.linalg.norm(normal)}: it must be a unit vector")
+    return mobility_at(float(mass), inverse_of(inertia), arm, normal)
+
+
+def inverse_of(inertia: FloatArray) -> FloatArray:
+    """The inverse (3, 3) of a tensor of inertia, symmetric to the last digit."""
     inverse = np.linalg.inv(inertia)
-    inverse = (inverse + inverse.T) / 2
-    # The columns of r̂ are r×e₁, r×e₂, r×e₃.
-    hat = np.cross(arm, np.eye(3)).T
-    answer = np.eye(3) / mass - hat @ inverse @ hat
+    result: FloatArray = (inverse + inverse.T) / 2
+    return result
+
+
+def mobility_at(
+    mass: float, inverse_inertia: FloatArray, r: FloatArray, gamma: FloatArray
+) -> Mobility:
+    """As :func:`mobility`, of numbers that have been checked before.
+
+    Parameters
+    ----------
+    mass : float
+    inverse_inertia : (3, 3) array
+    r, gamma : (3,) array
+    """
+    x, y, z = r.tolist()
+    hat = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    answer = np.diag([1 / mass] * 3) - hat @ inverse_inertia @ hat
+    turn = inverse_inertia @ gamma
     return Mobility(
         A=(answer + answer.T) / 2,
-        spin_force=np.cross(inverse @ normal, arm),
-        spin=float(normal @ inverse @ normal),
-        gamma=normal,
-        mass=float(mass),
-        inverse_inertia=inverse,
-        r=arm,
+        spin_force=-hat @ turn,
+        spin=float(gamma @ turn),
+        gamma=gamma,
+        mass=mass,
+        inverse_inertia=inverse_inertia,
+        r=r,
     )

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ...core.arrays import FloatArray
+from ...mechanics.rolling.rays import directions
 from .mobility import Mobility, mobility as mobility_of_contact
 
 #: Attitudes from which the search for the least coefficient begins.
@@ -98,21 +99,12 @@ def least_painleve_friction_of_body(
         body = mobility_of_contact(mass, inertia_tensor, contact(gamma), gamma)
         return -1 / least_painleve_friction(body)
 
-    starts = spread_over_sphere(ATTITUDES)
+    starts = directions(ATTITUDES)
     values = np.array([inverse(start) for start in starts])
     best = (np.inf, starts[0])
     for index in np.argsort(values, kind="stable")[:5]:
         options = {"xatol": 1e-9, "fatol": 1e-15, "maxiter": 2000}
-        found = minimize(inverse, starts[index], method="Nelder-Mead", options=options)
-        if found.fun < best[0]:
-            best = (float(found.fun), found.x / np.linalg.norm(found.x))
+        least = minimize(inverse, starts[index], method="Nelder-Mead", options=options)
+        if least.fun < best[0]:
+            best = (float(least.fun), least.x / np.linalg.norm(least.x))
     return -1 / best[0] if best[0] else np.inf, best[1]
-
-
-def spread_over_sphere(count: int) -> FloatArray:
-    """Unit vectors (count, 3) spread evenly: Fibonacci's lattice."""
-    index = np.arange(count) + 0.5
-    height = 1 - 2 * index / count
-    angle = np.pi * (1 + np.sqrt(5)) * index
-    around = np.sqrt(1 - height**2)
-    return np.stack([around * np.cos(angle), around * np.sin(angle), height], axis=1)

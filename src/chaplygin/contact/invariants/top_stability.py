@@ -108,10 +108,10 @@ def linearised(system: System) -> sp.ImmutableMatrix:
             if name in needed:
                 known[name] = sp.together(formula.subs(known))
         for row, other in enumerate(ACROSS):
-            moved = rates[other].subs(known)
-            if sp.simplify(moved.subs(epsilon, 0)) != 0:
+            rate = rates[other].subs(known)
+            if sp.simplify(rate.subs(epsilon, 0)) != 0:
                 raise ArithmeticError(f"the rate of {other} does not vanish in the rotation")
-            slope[row, column] = sp.simplify(sp.diff(moved, epsilon).subs(epsilon, 0))
+            slope[row, column] = sp.simplify(sp.diff(rate, epsilon).subs(epsilon, 0))
     return _complex(slope)
 
 

@@ -6,6 +6,7 @@ G(n) = 0: an entry where the slip shrinks (H < 0), an exit where it grows (H > 0
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -13,8 +14,8 @@ import numpy as np
 
 from ...core.arrays import FloatArray
 from ...errors import InputError
+from ...mechanics.rolling.rays import directions as spread_directions
 from ..impact.impact_segments import ROUNDING
-from ..impact.painleve import spread_over_sphere
 from .frozen_slip import CoupledSlip, FrozenSlip, PointSlip, growth_and_turning
 
 #: Directions from which those of a coupled law are looked for, first and if some are missing.
@@ -72,11 +73,12 @@ def limit_directions(slip: PointSlip) -> tuple[LimitDirection, ...]:
     if np.abs(series).max() <= 8 * np.finfo(float).eps * scale:
         raise InputError("limit directions: every direction of sliding is one")
     candidates = np.polynomial.polynomial.polyroots(series)
-    order = np.arange(-2, 3)
+    order, coefficients = range(-2, 3), series.tolist()
 
     def turning(angle: float) -> tuple[float, float]:
-        waves = series * np.exp(1j * order * angle)
-        return float(waves.sum().real), float((1j * order * waves).sum().real)
+        waves = [c * cmath.exp(1j * j * angle) for j, c in zip(order, coefficients, strict=True)]
+        slopes = [-j * wave.imag for j, wave in zip(order, waves, strict=True)]
+        return sum(wave.real for wave in waves), float(sum(slopes))
 
     angles: list[float] = []
     for guess in np.angle(candidates).tolist():
@@ -84,7 +86,7 @@ def limit_directions(slip: PointSlip) -> tuple[LimitDirection, ...]:
         for _ in range(50):
             size, slope = turning(angle)
             step = size / slope if slope else 0.0
-            angle -= float(np.clip(step, -0.3, 0.3))
+            angle -= min(max(step, -0.3), 0.3)
             if abs(step) <= 1e-16:
                 break
         new = all(abs(np.exp(1j * angle) - np.exp(1j * other)) > SAME for other in angles)
@@ -122,7 +124,7 @@ def limit_directions_of_coupled_slip(slip: CoupledSlip) -> tuple[LimitDirection,
     """All limit directions of coupled sliding and spinning, found by many starts.
 
     Newton's method on the sphere from evenly spread directions.  The indices of the directions
-    found must add up to 2, the Euler characteristic of the sphere; where they do not, the search
+    must add up to 2, the Euler characteristic of the sphere; where they do not, the search
     goes on from more starts.  Directions with a negative normal force are left out at the end.
 
     Parameters
@@ -139,31 +141,31 @@ def limit_directions_of_coupled_slip(slip: CoupledSlip) -> tuple[LimitDirection,
         If directions are not isolated, as for a homogeneous ball without tangential forces, or
         some are missing after all starts.
     """
-    found: list[tuple[FloatArray, FloatArray]] = []
+    fixed: list[tuple[FloatArray, FloatArray]] = []
     for count in STARTS:
         scale = 0.0
-        for start in np.concatenate([np.eye(3), -np.eye(3), spread_over_sphere(count)]):
+        for start in np.concatenate([np.eye(3), -np.eye(3), spread_directions(count)]):
             scale = max(scale, float(np.linalg.norm(slip.rate(start))))
             n = _newton_on_sphere(slip, start)
             _, turning = growth_and_turning(slip, n)
-            new = all(np.linalg.norm(n - other) > SAME for other, _ in found)
+            new = all(np.linalg.norm(n - other) > SAME for other, _ in fixed)
             if new and np.linalg.norm(turning) <= RESIDUAL * scale:
                 slope = _turning_derivative(slip, n)
                 if abs(np.linalg.det(slope)) <= DEGENERATE * scale**2:
                     raise InputError("limit directions: they are not isolated")
-                found.append((n, slope))
-        if sum(np.sign(np.linalg.det(slope)) for _, slope in found) == 2:
+                fixed.append((n, slope))
+        if sum(np.sign(np.linalg.det(slope)) for _, slope in fixed) == 2:
             break
     else:
         raise InputError("limit directions: some are too close to each other to be found")
     directions = []
-    for n, slope in found:
+    for n, slope in fixed:
         pressure = slip.force(n)[0]
         if pressure > 0:
             growth, _ = growth_and_turning(slip, n)
             attracts = bool(np.linalg.eigvals(slope).real.max() < 0)
             directions.append(LimitDirection(n, growth, attracts, pressure))
-    return tuple(sorted(directions, key=lambda found: tuple(found.direction)))
+    return tuple(sorted(directions, key=lambda item: tuple(item.direction)))
 
 
 def _frame(n: FloatArray) -> FloatArray:

@@ -51,7 +51,7 @@ def contact_dataset(trajectory: ContactTrajectory, samples: xr.Dataset) -> xr.Da
     """
     dataset = samples.drop_vars([name for name in _ELSEWHERE if name in samples])
     modes = trajectory.modes.astype(np.int8)
-    dataset["mode"] = ("time", modes, _flags("mode of the contact"))
+    dataset["mode"] = ("time", modes, mode_flags("mode of the contact"))
     dataset = dataset.assign(_event_variables(trajectory))
     dataset = dataset.assign_coords(state=("state", _columns(trajectory), _STATE))
     lines = [str(event) for event in trajectory.events]
@@ -86,7 +86,7 @@ def _columns(trajectory: ContactTrajectory) -> list[str]:
     return [str(symbol) for symbol in trajectory.system.symbols]
 
 
-def _flags(meaning: str) -> dict[str, object]:
+def mode_flags(meaning: str) -> dict[str, object]:
     """The attributes of a flag that is a mode, by the CF conventions."""
     return {
         "long_name": meaning,
@@ -119,7 +119,7 @@ def _event_variables(trajectory: ContactTrajectory) -> dict[str, EventVariable]:
     return {
         "event_time": ("event", times, notes("time of the event", "s")),
         "event_kind": ("event", kinds, notes("what happened at the contact", "1")),
-        "event_mode": ("event", modes, _flags("mode after the event")),
+        "event_mode": ("event", modes, mode_flags("mode after the event")),
         "event_state_before": (
             ("event", "state"),
             before,

@@ -162,7 +162,7 @@ def ensemble_task(
         fitting if block is None else block,
         variables,
         "run",
-        _coordinates(work, variables),
+        sample_coordinates(work.times, variables),
         {**_attributes(work), **_draw(work, parameters)},
     )
 
@@ -204,17 +204,17 @@ def _variables(work: EnsembleWork, drawn: bool) -> dict[str, Variable]:
     for item in system.state:
         size = 1 if isinstance(item, sp.Symbol) else len(item.symbols)
         *about, frame = variable_metadata(system, str(item), size)
-        variables[str(item)] = _variable(moments, size, frame, *about)
+        variables[str(item)] = sampled_variable(moments, size, frame, *about)
     for item in quantities_by_name(system, work.record):
         about = [item.meaning, item.unit, item.source]
-        variables[item.name] = _variable(moments, len(item.formulas), item.frame, *about)
+        variables[item.name] = sampled_variable(moments, len(item.formulas), item.frame, *about)
     variables["outcome"] = Variable(dtype="int8", attributes=_outcomes(work))
     variables["ended"] = Variable(attributes=cf_attributes("time that was reached", "s"))
     variables["steps"] = Variable(dtype="int64", attributes=cf_attributes("steps tried", "1"))
     return variables
 
 
-def _variable(
+def sampled_variable(
     moments: int, size: int, frame: str, meaning: str, unit: str, source: str
 ) -> Variable:
     """A quantity along the motions."""
@@ -243,7 +243,9 @@ def _outcomes(work: EnsembleWork) -> dict[str, object]:
     }
 
 
-def _coordinates(work: EnsembleWork, variables: Mapping[str, Variable]) -> dict[str, Coordinate]:
+def sample_coordinates(
+    times: Sequence[float], variables: Mapping[str, Variable]
+) -> dict[str, Coordinate]:
     """The times and the axes that are used."""
     used = {dimension for variable in variables.values() for dimension in variable.dimensions}
     axes = {
@@ -251,7 +253,7 @@ def _coordinates(work: EnsembleWork, variables: Mapping[str, Variable]) -> dict[
         for axis, labels in FRAMES.values()
         if axis in used
     }
-    return {"time": Coordinate(("time",), list(work.times), cf_attributes("time", "s")), **axes}
+    return {"time": Coordinate(("time",), list(times), cf_attributes("time", "s")), **axes}
 
 
 def _attributes(work: EnsembleWork) -> dict[str, object]:

@@ -1,0 +1,51 @@
+"""Why a motion in contact ends before its time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+Ending = Literal[
+    "",
+    "lift-off",
+    "paradox",
+    "pulled",
+    "neither",
+    "rolling held",
+    "no beginning",
+    "no end",
+    "many events",
+    "singular",
+    "guard",
+    "failure",
+]
+
+#: Endings in words, in the order of their codes in datasets.
+ENDINGS: Mapping[Ending, str] = {
+    "": "the last time was reached",
+    "lift-off": "the body left the support",
+    "paradox": "no motion in contact is possible (Painlevé's paradox)",
+    "pulled": "the support would have to pull the rolling body",
+    "neither": "the contact can neither be held nor slide",
+    "rolling held": "the rolling is held while the body still slides or spins",
+    "no beginning": "sliding begins, but no such motion was found",
+    "no end": "sliding or rolling comes close to its end without reaching it",
+    "many events": "too many events",
+    "singular": "the state stops being a number",
+    "guard": "the equations of motion end",
+    "failure": "the integration failed",
+}
+
+
+class EndError(Exception):
+    """A motion that cannot go on.
+
+    Attributes
+    ----------
+    ending : str
+        One of `ENDINGS`.
+    """
+
+    def __init__(self, ending: Ending, message: str) -> None:
+        super().__init__(message)
+        self.ending = ending

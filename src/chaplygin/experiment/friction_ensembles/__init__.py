@@ -1,0 +1,1 @@
+"""Ensembles, charts and sections of motions with friction."""

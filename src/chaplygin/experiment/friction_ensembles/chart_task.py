@@ -1,0 +1,48 @@
+"""A chart of an experiment, with or without friction, as a task to be computed."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+
+from ...analysis.scans.grid import Axis
+from ...analysis.scans.scan_task import scan
+from ...errors import InputError
+from ...flow.ensemble.task import Task
+from ..scan import chart_of
+from ..study import Study
+from .chart import contact_chart, contact_chart_task
+
+
+def chart_task(
+    study: Study,
+    of: str,
+    x: Axis,
+    y: Axis,
+    *,
+    until: float | None = None,
+    formulas: Mapping[str, str] | None = None,
+    held: Collection[str] = (),
+) -> tuple[Task, str]:
+    """A chart that is still to be computed, and what its number means.
+
+    Parameters
+    ----------
+    study, of, x, y, until, formulas, held
+        See :func:`chaplygin.experiment.scan.chart_of`; with friction
+        :func:`chaplygin.experiment.friction_ensembles.chart.contact_chart`, where nothing is held.
+
+    Raises
+    ------
+    InputError
+        If the number, an axis or a formula cannot be used.
+    """
+    if not study.subject.changes_equations:
+        chart = chart_of(study, of, x, y, until=until, formulas=formulas, held=held)
+        return scan(chart, {"experiment": study.complete_toml()}), chart.title
+    if held:
+        raise InputError(
+            f"--hold {next(iter(held))}: with friction nothing of a start is moved, so that "
+            "nothing need be held"
+        )
+    with_friction = contact_chart(study, of, x, y, until=until, formulas=formulas)
+    return contact_chart_task(with_friction, study.system.title), with_friction.of.title
