@@ -124,7 +124,11 @@ class ProductMoments(Moments):
         """The factors ``a_1``, …, ``a_n``."""
         return tuple(
             Parameter(
-                s, f"factor of the moments of body axis {i}", self.numbers[s.name], "", (s > 0,)
+                s,
+                f"factor of the moments of body axis {i}",
+                self.numbers[s.name],
+                "kg^(1/2) m",
+                (s > 0,),
             )
             for i, s in enumerate(self.factors, 1)
         )

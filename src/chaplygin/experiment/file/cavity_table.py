@@ -63,7 +63,7 @@ class CavitiesTable(Table):
     @field_serializer("cavity")
     def _one_as_a_table(self, cavities: tuple[CavityTable, ...] | None) -> object:
         tables = [cavity.model_dump() for cavity in cavities or ()]
-        return tables[0] if len(tables) == 1 else tables
+        return tables[0] if len(tables) == 1 else tables or None
 
 
 class FluidStartTable(Table):
