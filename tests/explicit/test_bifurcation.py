@@ -243,7 +243,7 @@ def test_a_vertical_boundary_is_refused():
     first = sp.Symbol("I_1", real=True)
     sheared = plane.cofactor.subs({f: h + first * f, h: f}, simultaneous=True)
     with pytest.raises(InputError, match="across a vertical line"):
-        bifurcation_diagram(replace(plane, rest=sheared))
+        bifurcation_diagram(replace(plane, cofactor=sheared))
 
 
 def test_three_constants_are_refused():
