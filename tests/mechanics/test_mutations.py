@@ -56,11 +56,16 @@ LOADED = (
     "revolution",
     "implicit",
     "shapes",
+    "gauss_map",
+    "cavity",
+    "cavity_fit",
     "body",
+    "equivalent_body",
+    "fluid",
     "contact",
     "attitude",
-    "gauss_map",
     "motion_in_space",
+    "contact_models",
     "equations",
     "initial_state",
 )
@@ -74,6 +79,7 @@ SHARED = (
     "core.system",
     "core.vectors",
     "formulas.multiprecision",
+    "parsing.exact_decimals",
 )
 
 #: Changes are tried in so many parts, of which one is no slow test.
@@ -287,6 +293,7 @@ def package(change: Change | None, used: set[tuple[str, str]]) -> Package:
         "mutant.formulas",
         "mutant.mechanics",
         "mutant.mechanics.rolling",
+        "mutant.parsing",
     ):
         module = types.ModuleType(name)
         module.__path__ = []

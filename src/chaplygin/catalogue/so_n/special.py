@@ -158,7 +158,11 @@ def quadratic_integrals(
             (x[i] * y[j] - x[j] * y[i]) ** 2 / (factors[i] - factors[j]) for j in range(n) if j != i
         )
         value = (sp.Add(*turns) - c[i] ** 2 / factors[i]) / below
-        found.append(Integral(f"F_{i + 1}", value, f"quadratic integral F{i + 1}", source=SOURCE))
+        found.append(
+            Integral(
+                f"quadratic{i + 1}", value, f"quadratic integral of axis {i + 1}", source=SOURCE
+            )
+        )
     return tuple(found)
 
 
@@ -287,7 +291,11 @@ def _ball_integrals(p: Vector, gamma: Vector, factors: Sequence[sp.Symbol]) -> t
             if j != i
         )
         value = (sp.Add(*turns) - norm_squared(p) * y[i] ** 2 / own) / W
-        found.append(Integral(f"F_{i + 1}", value, f"quadratic integral F{i + 1}", source=SOURCE))
+        found.append(
+            Integral(
+                f"quadratic{i + 1}", value, f"quadratic integral of axis {i + 1}", source=SOURCE
+            )
+        )
     return tuple(found)
 
 

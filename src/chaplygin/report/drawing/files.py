@@ -6,6 +6,7 @@ import hashlib
 import io
 import pickle
 import re
+import warnings
 from pathlib import Path as FilePath
 from xml.sax.saxutils import quoteattr
 
@@ -164,9 +165,19 @@ def _make_narrow(figure: Figure) -> None:
             axes.locator_params(axis="x", nbins=4)
         legend = axes.get_legend()
         if legend is not None and _share(figure, axes, legend) < 1.0:
-            legend.set_ncols(1 if len(legend.get_texts()) < 3 else 2)
+            legend = _in_columns(axes, legend, 1 if len(legend.get_texts()) < 3 else 2)
             if _share(figure, axes, legend) < _LEAST:
-                legend.set_ncols(1)
+                _in_columns(axes, legend, 1)
+
+
+def _in_columns(axes: Axes, legend: Legend, columns: int) -> Legend:
+    """A legend wider than its axes anew; it stands above them, at their right end."""
+    texts = [text.get_text() for text in legend.get_texts()]
+    anchor = legend.get_bbox_to_anchor().transformed(axes.transAxes.inverted())
+    with mpl.rc_context(STYLE):
+        return axes.legend(
+            legend.legend_handles, texts, loc="lower right", bbox_to_anchor=anchor, ncols=columns
+        )
 
 
 def _stack(figure: Figure, panels: list[Axes]) -> float:
@@ -204,7 +215,10 @@ def _is_long(figure: Figure, axes: Axes) -> bool:
 
 def _share(figure: Figure, axes: Axes, legend: Legend) -> float:
     """The share of a legend's width that its axes have, 1 at most."""
-    figure.draw_without_rendering()
+    with warnings.catch_warnings():
+        # a legend too wide for the figure leaves its axes no room, which is what is asked here
+        warnings.filterwarnings("ignore", message="constrained_layout not applied")
+        figure.draw_without_rendering()
     room = axes.get_window_extent().width
     return min(1.0, float(room / legend.get_window_extent().width))
 
