@@ -173,10 +173,11 @@ def _make_narrow(figure: Figure) -> None:
 def _in_columns(axes: Axes, legend: Legend, columns: int) -> Legend:
     """A legend wider than its axes anew; it stands above them, at their right end."""
     texts = [text.get_text() for text in legend.get_texts()]
+    handles = [handle for handle in legend.legend_handles if handle is not None]
     anchor = legend.get_bbox_to_anchor().transformed(axes.transAxes.inverted())
     with mpl.rc_context(STYLE):
         return axes.legend(
-            legend.legend_handles, texts, loc="lower right", bbox_to_anchor=anchor, ncols=columns
+            handles, texts, loc="lower right", bbox_to_anchor=anchor.bounds, ncols=columns
         )
 
 
