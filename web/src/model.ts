@@ -1,0 +1,245 @@
+/** The page model: all that a page knows of a system, as JSON. Arrays are flat, row by row. */
+
+/** A number of the state. */
+export interface StateVariable {
+  name: string;
+  mathml: string;
+  unit: string;
+  meaning: string;
+}
+
+/** A parameter; `low` and `high` bound a slider, null where nothing is known. */
+export interface Parameter {
+  name: string;
+  mathml: string;
+  meaning: string;
+  unit: string;
+  value: number;
+  low: number | null;
+  high: number | null;
+  /** Whether the page cannot change it: shape, mesh or start would have to be computed anew. */
+  fixed: boolean;
+}
+
+/** A number that a user may turn to give the start, such as a component of ω. */
+export interface StartInput {
+  name: string;
+  mathml: string;
+  unit: string;
+  meaning: string;
+  value: number;
+  low: number;
+  high: number;
+}
+
+/** A recorded quantity, by its name in a dataset. */
+export interface Column {
+  name: string;
+  /** Components; 1 for a scalar. */
+  width: number;
+  /** "body", "space", "quaternion", another dimension's name, or "" for a scalar. */
+  axes: string;
+  unit: string;
+  meaning: string;
+  mathml: string;
+}
+
+export type Decision = "proven" | "refuted" | "undecided" | "not tried";
+
+/** A law claimed of the system; an integral has a column with its values. */
+export interface Law {
+  name: string;
+  meaning: string;
+  column: string | null;
+  mathml: string;
+  verdict: Decision;
+  source: string;
+  text: string;
+}
+
+/** A scalar for sections, charts and plots: a component of the state, an observable, an integral. */
+export interface Quantity {
+  name: string;
+  mathml: string;
+  unit: string;
+  meaning: string;
+  /** Whether its values count up to whole turns. */
+  angle: boolean;
+}
+
+/** A condition that must stay positive, and what has happened when it is not. */
+export interface Guard {
+  message: string;
+}
+
+/** The section that a page opens with. */
+export interface SectionChoice {
+  on: string;
+  value: number;
+  direction: -1 | 0 | 1;
+  x: string;
+  y: string;
+}
+
+/** A chart over two quantities: parameters or start inputs, by name. */
+export interface ChartChoice {
+  kind: "megno" | "lyapunov";
+  x: string;
+  y: string;
+  xRange: [number, number];
+  yRange: [number, number];
+  until: number;
+}
+
+/** A curve or region of a bifurcation diagram, in values of two integrals. */
+export interface BifurcationCurve {
+  label: string;
+  x: number[];
+  y: number[];
+}
+
+export interface Bifurcation {
+  x: string;
+  y: string;
+  curves: BifurcationCurve[];
+}
+
+/** A closed surface in body axes, its centre of mass at the origin. */
+export interface Mesh {
+  positions: number[];
+  indices: number[];
+  /** For each triangle, which of the two colours of the body it has; may be left out. */
+  tones?: number[];
+  /** A shell that rolls with its inner side. */
+  hollow?: boolean;
+}
+
+/** A mesh that the engine computes from r(γ): polar angles and azimuths of γ about body axis 3. */
+export interface SupportMesh {
+  support: true;
+  theta: number[];
+  phi: number[];
+  hollow?: boolean;
+}
+
+/** What carries the body. */
+export type Surface =
+  | { kind: "plane" }
+  /** A sphere about the origin, below the body, or around it where `inside`. */
+  | { kind: "sphere"; radius: number; inside: boolean }
+  | { kind: "mesh"; positions: number[]; indices: number[]; normals?: number[] }
+  /** Nothing: a body about a fixed point. */
+  | { kind: "point" };
+
+/** A part of a mechanism in the plane, its place and heading given by columns of the dataset. */
+export interface Link {
+  kind: "rod" | "wheel" | "axle" | "blade" | "point";
+  /** Column of width 2 (point), 3 (x, y, heading) or 4 (rod: x, y, x, y). */
+  column: string;
+}
+
+/** A vector drawn in the scene. */
+export interface SceneVector {
+  name: string;
+  /** Column of width 3. */
+  column: string;
+  axes: "body" | "space";
+  /** Where it begins. */
+  at: "centre" | "contact";
+  unit: string;
+  mathml: string;
+}
+
+export interface Scene {
+  body: Mesh | SupportMesh | null;
+  /** Semi-axes of the inertia ellipsoid of unit size along the principal axes; null if unknown. */
+  inertia_axes: [number, number, number] | null;
+  /** Quaternion (w, x, y, z) of these axes in the body. */
+  inertia_turn: [number, number, number, number];
+  support: Surface | null;
+  links: Link[];
+  vectors: SceneVector[];
+  /** Diameter of what is drawn. */
+  size: number;
+}
+
+/** A trajectory stored in the page. */
+export interface Recorded {
+  times: number[];
+  columns: Record<string, number[]>;
+  end: { time: number; reason: string } | null;
+}
+
+/** How a loop of the module is called; see docs/laboratory.md. */
+export interface MarchTable {
+  name: string;
+  /** Numbers of a state, with its deviations. */
+  dimension: number;
+  deviations: number;
+  /** Numbers that it takes as parameters: those of the system, then those that choose a section. */
+  parameters: number;
+  /** Doubles of memory for its work. */
+  work: number;
+}
+
+/** How a group of formulas of the module is called. */
+export interface ValuesTable {
+  name: string;
+  inputs: number;
+  outputs: number;
+  /** Doubles of memory for its work. */
+  work: number;
+}
+
+export interface WasmTables {
+  motion: MarchTable;
+  section: MarchTable;
+  tangent: MarchTable;
+  /** Recorded columns at a whole state, in the order of the model's columns. */
+  columns: ValuesTable;
+  /** Quantities at a reduced state, in the order of the model's quantities. */
+  quantities: ValuesTable;
+  /** Conditions on a reduced state and their slopes: relations, then integrals, then quantities. */
+  conditions: ValuesTable;
+  relations: number;
+  integrals: string[];
+  /** Guards at a reduced state. */
+  guards: ValuesTable;
+  /** From the start inputs to a whole state. */
+  start: ValuesTable | null;
+  /** From a unit vector γ to the contact vector r, body axes. */
+  contact: ValuesTable | null;
+  /** Reasons for which a motion ends, by code; those of the guards follow. */
+  reasons: string[];
+}
+
+export interface PageModel {
+  format: 1;
+  name: string;
+  title: string;
+  kind: "rolling" | "ball" | "mechanism" | "system";
+  /** The experiment file. */
+  experiment: string;
+  /** The integrated state: that of the reduced system, then the motion in space. */
+  state: StateVariable[];
+  /** How many numbers of the state are the reduced system. */
+  reduced: number;
+  parameters: Parameter[];
+  start: number[];
+  start_inputs: StartInput[];
+  until: number;
+  samples: number;
+  tolerance: number;
+  columns: Column[];
+  laws: Law[];
+  quantities: Quantity[];
+  guards: Guard[];
+  section: SectionChoice | null;
+  chart: ChartChoice | null;
+  bifurcation: Bifurcation | null;
+  scene: Scene;
+  recorded: Recorded | null;
+  /** The module, base64; null where the page cannot compute. */
+  wasm: string | null;
+  wasm_tables: WasmTables | null;
+}
