@@ -15,6 +15,7 @@ from matplotlib.transforms import Bbox
 
 from chaplygin.contact.friction.modes import MODE_NAMES
 from chaplygin.errors import InputError
+from chaplygin.geometry.mesh import outline_from_contact
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.shapes import Ball
 from chaplygin.report.drawing.contact_values import (
@@ -24,7 +25,6 @@ from chaplygin.report.drawing.contact_values import (
     relative_impulses,
 )
 from chaplygin.report.drawing.files import page_svg
-from chaplygin.report.drawing.mesh import outline_from_contact
 from chaplygin.report.drawing.modes import (
     MODE_STYLES,
     ModeColours,

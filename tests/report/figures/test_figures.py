@@ -15,11 +15,11 @@ from matplotlib.colors import to_hex
 from matplotlib.text import Text
 
 from chaplygin.errors import InputError
+from chaplygin.geometry.mesh import outline_from_contact
+from chaplygin.geometry.view import rotation_matrices
 from chaplygin.report import figures
 from chaplygin.report.drawing.dataset_access import readable
-from chaplygin.report.drawing.mesh import outline_from_contact
 from chaplygin.report.drawing.shading import PlaneGround, SphereGround
-from chaplygin.report.drawing.view import rotation_matrices
 from chaplygin.report.figures.time_series import turning_angles
 from spread import spread
 

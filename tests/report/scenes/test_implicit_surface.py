@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from chaplygin.report.drawing.view import View
-from chaplygin.report.scenes.implicit_surface import SurfaceGround, crossings, frame_of
+from chaplygin.geometry.surface import SurfaceGround, frame_of
+from chaplygin.geometry.view import View
+from chaplygin.report.scenes.implicit_surface import crossings
 from chaplygin.report.scenes.scene import ball_scene_of
 from mechanics.balls import POINTS, SURFACES, on
 

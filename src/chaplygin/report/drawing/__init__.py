@@ -1,1 +1,1 @@
-"""Tools of all figures: canvas, style, geometry, files."""
+"""Tools of all figures: canvas, style, files."""

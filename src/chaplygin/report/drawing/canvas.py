@@ -16,12 +16,12 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 from ...core.arrays import BoolArray, FloatArray
+from ...geometry.mesh import Facets, SurfaceCurve
+from ...geometry.view import View
 from .curves import runs
 from .dataset_access import unit_of
-from .mesh import Facets, SurfaceCurve
 from .shading import shaded_colours, sphere_shades
 from .style import GROUND_DARK, GROUND_LIGHT, INK, QUIET, TIME_COLOURS
-from .view import View
 
 _SHADES = 160
 """Steps between black and white of the shades of a body."""

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from ...core.arrays import BoolArray, FloatArray
-from .view import unit
+from ...geometry.view import unit
 
 
 def convex_hull(points: FloatArray) -> FloatArray:

@@ -8,8 +8,8 @@ from typing import TypeAlias
 import numpy as np
 
 from ...core.arrays import FloatArray
+from ...geometry.view import View, unit
 from .curves import convex_hull
-from .view import View, unit
 
 _WRAP = 0.4
 """The negative cosine of the angle to the lamp at which the darkest side begins."""

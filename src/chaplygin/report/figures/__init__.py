@@ -13,13 +13,13 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
+from ...geometry.mesh import BodyMesh
+from ...geometry.surface import SurfaceGround
 from ..drawing.dataset_access import NEEDED, title_of
 from ..drawing.files import FORMATS, page_svg, save, svg_text
-from ..drawing.mesh import BodyMesh
 from ..drawing.shading import Ground
 from ..drawing.style import STYLE
 from ..scenes.ball import ball_scene
-from ..scenes.implicit_surface import SurfaceGround
 from ..scenes.planar_mechanism import plan_view
 from ..scenes.rolling_body import scene
 from .bifurcation import draw_bifurcation_diagram as bifurcation_diagram

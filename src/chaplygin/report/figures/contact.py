@@ -6,10 +6,10 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
+from ...geometry.mesh import BodyMesh
 from ...mechanics.rolling.body import Body
 from ..drawing.contact_values import FrictionLimits, presses
 from ..drawing.dataset_access import NOTHING, values_of
-from ..drawing.mesh import BodyMesh
 from ..drawing.shading import Ground, PlaneGround
 from ..scenes.rolling_body import scene
 from .contact_plane import friction_cone, slip_hodograph

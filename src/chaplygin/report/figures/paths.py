@@ -9,6 +9,8 @@ from matplotlib.figure import Figure
 
 from ...core.arrays import FloatArray
 from ...errors import InputError
+from ...geometry.mesh import SurfaceCurve
+from ...geometry.view import View, unit
 from ..drawing.canvas import (
     Canvas,
     PathColours,
@@ -30,11 +32,9 @@ from ..drawing.dataset_access import (
     values_of,
     with_unit,
 )
-from ..drawing.mesh import SurfaceCurve
 from ..drawing.modes import ModeColours, changes_mode
 from ..drawing.shading import Ground, PlaneGround, SphereGround
 from ..drawing.style import FAINT, INK, QUIET, STYLE, WIDTH
-from ..drawing.view import View, unit
 from ..scenes.contact_marks import mark_events, mode_scale
 from ..scenes.ground import draw_far_wall, draw_near_wall, draw_outside, on_ground
 

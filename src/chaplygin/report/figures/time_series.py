@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 
 from ...core.arrays import FloatArray
 from ...errors import InputError
+from ...geometry.view import rotation_matrices
 from ..drawing.dataset_access import (
     NOTHING,
     require,
@@ -19,7 +20,6 @@ from ..drawing.dataset_access import (
     with_unit,
 )
 from ..drawing.style import ALARM, COMPONENTS, INK, QUIET, STYLE
-from ..drawing.view import rotation_matrices
 from .time_axis import legend_above, marker, time_chart, widen
 
 _MOST = 0.995

@@ -9,13 +9,14 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 from ...core.arrays import BoolArray, FloatArray
+from ...geometry.mesh import BodyMesh
+from ...geometry.surface import SurfaceGround, frame_of
+from ...geometry.view import View
 from ..drawing.canvas import Canvas, blank_axes, fit_height, time_bar
 from ..drawing.curves import runs, smooth_curve
 from ..drawing.dataset_access import CURVE_POINTS, time_shares, title_of
-from ..drawing.mesh import BodyMesh
 from ..drawing.style import GROUND_DARK, GROUND_LIGHT, INK, LINES, QUIET, STYLE, WIDTH
-from ..drawing.view import View
-from .implicit_surface import Crossings, SurfaceGround, crossings, frame_of
+from .implicit_surface import Crossings, crossings
 from .rolling_body import Track, across, draw_body, track_of
 
 _COLUMNS = 720

@@ -10,10 +10,10 @@ from matplotlib.patches import Patch
 from matplotlib.path import Path
 
 from ...core.arrays import FloatArray
+from ...geometry.mesh import BodyMesh
 from ..drawing.canvas import Canvas
 from ..drawing.curves import convex_hull
 from ..drawing.dataset_access import unit_of
-from ..drawing.mesh import BodyMesh
 from ..drawing.modes import event_times, mode_intervals, mode_key, present_modes
 from ..drawing.shading import Ground, PlaneGround
 from ..drawing.style import INK

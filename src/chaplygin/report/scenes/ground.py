@@ -6,12 +6,12 @@ import numpy as np
 from matplotlib.colors import to_hex, to_rgb
 
 from ...core.arrays import FloatArray
+from ...geometry.mesh import SurfaceCurve, sphere_cap
+from ...geometry.view import View, unit
 from ..drawing.canvas import Canvas, visible_pieces
 from ..drawing.curves import convex_hull, runs
-from ..drawing.mesh import SurfaceCurve, sphere_cap
 from ..drawing.shading import Ground, PlaneGround
 from ..drawing.style import LINES
-from ..drawing.view import View, unit
 
 #: Farther from a sphere than this share of its radius is no rounding.
 _ABOVE = 1e-4

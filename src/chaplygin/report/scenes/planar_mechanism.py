@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...experiment.plan import PlanMotion
+from ...geometry.view import View
 from ..drawing.canvas import Canvas, time_bar
 from ..drawing.curves import smooth_curve
 from ..drawing.dataset_access import (
@@ -26,7 +27,6 @@ from ..drawing.dataset_access import (
     with_unit,
 )
 from ..drawing.style import FAINT, INK, STYLE, TIME_COLOURS, WIDTH
-from ..drawing.view import View
 
 #: Earlier positions that are drawn.
 EARLIER = 5

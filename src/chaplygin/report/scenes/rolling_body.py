@@ -11,6 +11,8 @@ from matplotlib.figure import Figure
 
 from ...core.arrays import FloatArray
 from ...errors import InputError
+from ...geometry.mesh import BodyMesh, SurfaceCurve
+from ...geometry.view import View, rotation_matrices, unit
 from ..drawing.canvas import (
     Canvas,
     blank_axes,
@@ -30,11 +32,9 @@ from ..drawing.dataset_access import (
     unit_of,
     values_of,
 )
-from ..drawing.mesh import BodyMesh, SurfaceCurve
 from ..drawing.modes import ModeColours
 from ..drawing.shading import Ground, PlaneGround, SphereGround, cast_shadow
 from ..drawing.style import BODY_TONES, QUIET, SHELL_TONES, STYLE, WIDTH
-from ..drawing.view import View, rotation_matrices, unit
 from .contact_marks import mark_events, mode_scale
 from .ground import cap_opening, draw_far_wall, draw_grid, draw_near_wall, draw_outside, on_ground
 

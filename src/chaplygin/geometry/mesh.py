@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ...core.arrays import BoolArray, FloatArray, IntArray
+from ..core.arrays import BoolArray, FloatArray, IntArray
 from .view import View, unit
 
 _POLE_OFFSET = 1e-6

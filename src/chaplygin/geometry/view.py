@@ -14,7 +14,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ...core.arrays import BoolArray, FloatArray
+from ..core.arrays import BoolArray, FloatArray
 
 
 def unit(vectors: FloatArray) -> FloatArray:

@@ -1,0 +1,1 @@
+"""Bodies and surfaces of space as polygons and functions, for pictures and pages."""
