@@ -143,13 +143,15 @@ def render(
         stands = classify(study.system, verdicts, patience, subject.model)
         places = [_section(part) for part in (stands, *stands.levels)]
         uncounted = stands.uncounted_by_reason
-    drawn = {name: _figure_html(name, figure) for name, figure in pictures.items()}
+    both, letters = figures.page_svgs(pictures)
+    drawn = {name: _figure_html(name, *svgs) for name, svgs in both.items()}
     return environment.get_template("report.html").render(
         signed=typographic_signs,
         title=study.system.title,
         lead=study.subject.summary or study.subject.setting,
         setting=study.subject.setting if study.subject.summary else "",
         start=_start(study, dataset),
+        letters=Markup(letters),
         scene=drawn.get("scene"),
         plates=[
             {
@@ -209,10 +211,9 @@ def render(
     )
 
 
-def _figure_html(name: str, figure: Figure) -> Markup:
+def _figure_html(name: str, wide: str, narrow: str) -> Markup:
     """A figure for wide and for narrow screens."""
     kind = "picture" if name in PICTURES else "chart"
-    wide, narrow = figures.page_svg(figure), figures.page_svg(figure, narrow=True)
     return Markup(
         f'<div class="{kind} on-wide">{wide}</div><div class="{kind} on-narrow">{narrow}</div>'
     )

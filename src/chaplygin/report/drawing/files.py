@@ -7,6 +7,7 @@ import io
 import pickle
 import re
 import warnings
+from collections.abc import Mapping
 from pathlib import Path as FilePath
 from xml.sax.saxutils import quoteattr
 
@@ -21,6 +22,7 @@ from matplotlib.ticker import AutoLocator
 from ...errors import InputError
 from ...experiment.files import atomic_file
 from .style import ALARM, COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE
+from .svg_paths import grouped_marks, short_path, with_shared_letters, with_shared_paths
 
 FORMATS: dict[str, dict[str, None]] = {
     ".png": {"Software": None},
@@ -109,8 +111,8 @@ def svg_text(figure: Figure) -> str:
         'style="stroke-linejoin: round; stroke-linecap: butt" ',
         1,
     )
-    text = re.sub(r' d="[^"]*"', _short_path, text)
-    return _own_ids(re.sub(r"\n\s*", "\n", text.strip()))
+    text = re.sub(r' d="([^"]*)"', lambda path: f' d="{short_path(path[1])}"', text)
+    return _own_ids(grouped_marks(re.sub(r"\n\s*", "\n", text.strip())))
 
 
 def page_svg(figure: Figure, narrow: bool = False) -> str:
@@ -134,6 +136,26 @@ def page_svg(figure: Figure, narrow: bool = False) -> str:
     for name, colour in PAGE_COLOURS.items():
         text = re.sub(rf"(?<=[ :\"]){colour}(?=[;\"])", f"var(--{name}, {colour})", text)
     return text
+
+
+def page_svgs(figures: Mapping[str, Figure]) -> tuple[dict[str, tuple[str, str]], str]:
+    """Figures of one page as SVG for wide and for narrow screens; see :func:`page_svg`.
+
+    Returns
+    -------
+    dict of str to (str, str)
+        By name, for wide and for narrow screens. What both show alike is in the first alone,
+        which may be hidden but must be in the page.
+    str
+        The shapes of all letters, which must be in the page too.
+    """
+    texts: dict[str, str] = {}
+    for name, figure in figures.items():
+        wide, narrow = page_svg(figure), page_svg(figure, narrow=True)
+        mark = f"f{hashlib.sha256(wide.encode()).hexdigest()[:10]}"
+        texts[f"{name} wide"], texts[f"{name} narrow"] = with_shared_paths(wide, narrow, mark)
+    texts, letters = with_shared_letters(texts)
+    return {name: (texts[f"{name} wide"], texts[f"{name} narrow"]) for name in figures}, letters
 
 
 def _make_narrow(figure: Figure) -> None:
@@ -224,21 +246,15 @@ def _share(figure: Figure, axes: Axes, legend: Legend) -> float:
     return min(1.0, float(room / legend.get_window_extent().width))
 
 
-def _short_path(path: re.Match[str]) -> str:
-    """Coordinates of a path to a hundredth of a point, finer than any paper."""
-    return re.sub(
-        r"-?\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}", path[0].replace("\n", "")
-    )
-
-
 def _own_ids(svg: str) -> str:
-    """Drop ids nothing refers to, and prefix the others with a mark of the whole text."""
+    """Drop ids nothing refers to; the others are a mark of the whole text and a number."""
     mark = "f" + hashlib.sha256(svg.encode()).hexdigest()[:10]
-    used = set(re.findall(r'href="#([^"]+)"|url\(#([^)]+)\)', svg))
-    names = {first or second for first, second in used}
+    used = re.findall(r'href="#([^"]+)"|url\(#([^)]+)\)', svg)
+    names = list(dict.fromkeys(first or second for first, second in used))
+    short = {name: f"{mark}-{number}" for number, name in enumerate(names)}
 
     def renamed(match: re.Match[str]) -> str:
-        return f' id="{mark}-{match[1]}"' if match[1] in names else ""
+        return f' id="{short[match[1]]}"' if match[1] in short else ""
 
     svg = re.sub(r' id="([^"]*)"', renamed, svg)
-    return re.sub(r'(href="#|url\(#)', rf"\1{mark}-", svg)
+    return re.sub(r'(href="#|url\(#)([^")]+)', lambda link: f"{link[1]}{short[link[2]]}", svg)

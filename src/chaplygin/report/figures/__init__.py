@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from ...geometry.mesh import BodyMesh
 from ...geometry.surface import SurfaceGround
 from ..drawing.dataset_access import NEEDED, title_of
-from ..drawing.files import FORMATS, page_svg, save, svg_text
+from ..drawing.files import FORMATS, page_svg, page_svgs, save, svg_text
 from ..drawing.shading import Ground
 from ..drawing.style import STYLE
 from ..scenes.ball import ball_scene
@@ -52,6 +52,7 @@ __all__ = [
     "normal_force",
     "normal_on_sphere",
     "page_svg",
+    "page_svgs",
     "plan_view",
     "relative_drift",
     "save",
