@@ -31,8 +31,8 @@ from chaplygin.control import (
     motion_along,
     pendulum,
 )
+from chaplygin.geometry.view import View, rotation_matrices
 from chaplygin.report.drawing.style import ALARM, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
-from chaplygin.report.drawing.view import View, rotation_matrices
 
 AXES = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 INERTIA = (0.4, 0.5, 0.6)
