@@ -1,11 +1,18 @@
 /** The page model: all that a page knows of a system, as JSON. Arrays are flat, row by row. */
 
+/** Base64 of little-endian doubles, floats or integers; `doubles` and the others read them. */
+export type Doubles = string;
+export type Floats = string;
+export type Integers = string;
+
 /** A number of the state. */
 export interface StateVariable {
   name: string;
   mathml: string;
   unit: string;
   meaning: string;
+  /** Whether its values count up to whole turns. */
+  angle: boolean;
 }
 
 /** A parameter; `low` and `high` bound a slider, null where nothing is known. */
@@ -44,16 +51,17 @@ export interface Column {
   mathml: string;
 }
 
-export type Decision = "proven" | "refuted" | "undecided" | "not tried";
-
 /** A law claimed of the system; an integral has a column with its values. */
 export interface Law {
   name: string;
   meaning: string;
+  unit: string;
   column: string | null;
   mathml: string;
-  verdict: Decision;
+  /** "proven", "proven where …", "refuted", "undecided" or "not tried". */
+  verdict: string;
   source: string;
+  /** The verdict with its reason. */
   text: string;
 }
 
@@ -63,6 +71,8 @@ export interface Quantity {
   mathml: string;
   unit: string;
   meaning: string;
+  /** As the command line takes it. */
+  formula: string;
   /** Whether its values count up to whole turns. */
   angle: boolean;
 }
@@ -104,22 +114,20 @@ export interface Bifurcation {
   curves: BifurcationCurve[];
 }
 
-/** A closed surface in body axes, its centre of mass at the origin. */
-export interface Mesh {
-  positions: number[];
-  indices: number[];
-  /** For each triangle, which of the two colours of the body it has; may be left out. */
-  tones?: number[];
-  /** A shell that rolls with its inner side. */
-  hollow?: boolean;
-}
-
-/** A mesh that the engine computes from r(γ): polar angles and azimuths of γ about body axis 3. */
-export interface SupportMesh {
-  support: true;
+/**
+ * A convex body over a grid of directions γ, in body axes, its centre of mass at the origin: the
+ * point r(γ) of its surface, whose outward normal is −γ (+γ where it is hollow).
+ */
+export interface Body {
+  /** Angles of γ from body axis 3, and about it (the azimuth goes round once). */
   theta: number[];
   phi: number[];
-  hollow?: boolean;
+  /** theta.length × phi.length points. */
+  positions: Floats;
+  /** A shell that rolls with its inner side. */
+  hollow: boolean;
+  /** By how much each side of a flat body was moved outwards along axis 3. */
+  thickness: number;
 }
 
 /** What carries the body. */
@@ -127,7 +135,7 @@ export type Surface =
   | { kind: "plane" }
   /** A sphere about the origin, below the body, or around it where `inside`. */
   | { kind: "sphere"; radius: number; inside: boolean }
-  | { kind: "mesh"; positions: number[]; indices: number[]; normals?: number[] }
+  | { kind: "mesh"; positions: Floats; normals: Floats; indices: Integers }
   /** Nothing: a body about a fixed point. */
   | { kind: "point" };
 
@@ -151,13 +159,15 @@ export interface SceneVector {
 }
 
 export interface Scene {
-  body: Mesh | SupportMesh | null;
-  /** Semi-axes of the inertia ellipsoid of unit size along the principal axes; null if unknown. */
+  body: Body | null;
+  /** Semi-axes of the ellipsoid (x, Ix) = const, the longest of them 1; null if unknown. */
   inertia_axes: [number, number, number] | null;
   /** Quaternion (w, x, y, z) of these axes in the body. */
   inertia_turn: [number, number, number, number];
   support: Surface | null;
   links: Link[];
+  /** Column of width 2 with the path of a mechanism in the plane. */
+  path: string | null;
   vectors: SceneVector[];
   /** Diameter of what is drawn. */
   size: number;
@@ -165,8 +175,8 @@ export interface Scene {
 
 /** A trajectory stored in the page. */
 export interface Recorded {
-  times: number[];
-  columns: Record<string, number[]>;
+  times: Doubles;
+  columns: Record<string, Doubles>;
   end: { time: number; reason: string } | null;
 }
 
@@ -227,6 +237,8 @@ export interface PageModel {
   parameters: Parameter[];
   start: number[];
   start_inputs: StartInput[];
+  /** −1 where time runs backward; times count from 0 in any case. */
+  direction: -1 | 1;
   until: number;
   samples: number;
   tolerance: number;

@@ -151,6 +151,43 @@ def outline_from_contact(
     Outline
         The mesh; a body of no thickness is given a small one, to be visible from its edge.
     """
+    grid = direction_grid(contact_of_gamma, rows, columns)
+    return _closed_mesh(grid.points, grid.outward, grid.theta, grid.phi, grid.hollow)
+
+
+@dataclass(frozen=True, eq=False)
+class DirectionGrid:
+    """The surface of a body over a grid of directions γ.
+
+    Attributes
+    ----------
+    theta, phi : (rows,), (columns,) arrays
+        Angles of γ: from body axis 3, and about it.
+    points : (rows, columns, 3) array
+        In body axes, with the thickness of what has none.
+    hollow : bool
+        Whether the body is a shell that rolls with its inner side.
+    thickness : float
+        What was added to a body of no thickness, on each side.
+    """
+
+    theta: FloatArray
+    phi: FloatArray
+    points: FloatArray
+    hollow: bool
+    thickness: float
+
+    @property
+    def outward(self) -> FloatArray:
+        """Outward unit normals (rows, columns, 3)."""
+        gamma = _direction(*np.meshgrid(self.theta, self.phi, indexing="ij"))
+        return gamma if self.hollow else -gamma
+
+
+def direction_grid(
+    contact_of_gamma: Callable[[FloatArray], FloatArray], rows: int, columns: int
+) -> DirectionGrid:
+    """The surface of a convex body over directions; see :func:`outline_from_contact`."""
 
     def contact(theta: FloatArray, phi: FloatArray) -> FloatArray:
         gamma = _direction(theta, phi)
@@ -172,8 +209,9 @@ def outline_from_contact(
     points = contact(grid_theta, grid_phi)
     hollow = bool(np.mean(np.sum((points - points.mean(axis=(0, 1))) * gamma, axis=-1)) > 0.0)
     outward = gamma if hollow else -gamma
-    points = _with_thickness(points, outward)
-    return _closed_mesh(points, outward, theta, phi, hollow)
+    thickness = _thickness(points)
+    points[..., 2] += thickness * np.sign(np.round(outward[..., 2], 9))
+    return DirectionGrid(theta, phi, points, hollow, thickness)
 
 
 def _direction(theta: FloatArray, phi: FloatArray) -> FloatArray:
@@ -216,14 +254,12 @@ def _even_steps(nodes: FloatArray, sample: Callable[[float], FloatArray], count:
     return np.concatenate(even)
 
 
-def _with_thickness(points: FloatArray, outward: FloatArray) -> FloatArray:
-    """Points of a body without thickness, its two sides moved apart along axis 3."""
+def _thickness(points: FloatArray) -> float:
+    """How far the two sides of a body without thickness are moved apart along axis 3."""
     across = float(np.max(np.ptp(points[..., :2], axis=(0, 1))))
     if float(np.ptp(points[..., 2])) >= _FLAT_THICKNESS * across / 2:
-        return points
-    thickened = points.copy()
-    thickened[..., 2] += _FLAT_THICKNESS / 4 * across * np.sign(np.round(outward[..., 2], 9))
-    return thickened
+        return 0.0
+    return _FLAT_THICKNESS / 4 * across
 
 
 def _closed_mesh(

@@ -1,6 +1,6 @@
 /** The engine of a page: what computes motions, whether in the page or elsewhere. */
 
-import type { Mesh } from "../model.js";
+import type { Mesh } from "./body_mesh.js";
 
 /** Values by name; parameters that are left out keep their defaults. */
 export type Values = Readonly<Record<string, number>>;
@@ -55,7 +55,7 @@ export interface IndicatorTask {
 }
 
 /** A state, or why there is none, in one sentence. */
-export type State = { state: Float64Array } | { message: string };
+export type State = { state: Float64Array } | { message: string; nearest?: Float64Array };
 
 export interface StartTask {
   parameters: Values;

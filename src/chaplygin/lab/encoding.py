@@ -1,0 +1,27 @@
+"""Numbers as text, to the bit: base64 of little-endian doubles, floats or integers."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+
+import numpy as np
+import numpy.typing as npt
+
+
+def doubles(numbers: npt.ArrayLike) -> str:
+    """Doubles, row by row."""
+    return _text(numbers, "<f8")
+
+
+def floats(numbers: npt.ArrayLike) -> str:
+    """Numbers for a picture, of 24 bits each."""
+    return _text(numbers, "<f4")
+
+
+def integers(numbers: npt.ArrayLike) -> str:
+    """Numbers of corners, of 32 bits each."""
+    return _text(numbers, "<u4")
+
+
+def _text(numbers: npt.ArrayLike, kind: str) -> str:
+    return b64encode(np.ascontiguousarray(numbers, dtype=kind).tobytes()).decode()

@@ -1,0 +1,258 @@
+"""All that a page knows of a study, as JSON; the types are those of ``web/src/model.ts``."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import xarray as xr
+
+from ..core.arrays import FloatArray
+from ..core.system import Parameter, System
+from ..errors import InputError
+from ..experiment.contact_subject import ContactSubject
+from ..experiment.section_coordinates import is_angle
+from ..experiment.study import Study
+from ..experiment.subject import BallSubject
+from ..flow.variable_metadata import FRAMES, variable_metadata
+from ..formulas.evaluate import values
+from ..printing.formula import latex
+from ..printing.mathml import mathml
+from ..printing.system import law_latex
+from ..proof.verdict import Verdict
+from .columns import Column, Scalar, columns_of, scalars_of, symbol_mathml
+from .encoding import doubles
+from .page_start import start_inputs
+from .reduced import reduced_system
+from .scene_model import Json, scene_model
+from .slider_range import parameter_range
+
+#: Samples of a motion in a page at most.
+MOST_SAMPLES = 1201
+
+
+def page_model(
+    study: Study,
+    dataset: xr.Dataset | None = None,
+    verdicts: Mapping[str, Verdict] | None = None,
+) -> dict[str, Json]:
+    """The model of a page without a module: it shows the motion of the dataset, if there is one.
+
+    Parameters
+    ----------
+    study : Study
+    dataset : xarray.Dataset, optional
+        The motion, as :func:`chaplygin.experiment.study.dataset_of` gives it.
+    verdicts : mapping of str to Verdict, optional
+        On the laws, by name.
+
+    Returns
+    -------
+    dict
+        For :func:`json.dumps`; see ``web/src/model.ts``.
+
+    Raises
+    ------
+    InputError
+        If the start is not admissible.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "veselova"}'))
+    >>> model = page_model(study)
+    >>> model["title"], model["reduced"], [column["name"] for column in model["columns"]][:3]
+    ('Veselova system', 6, ['omega', 'gamma', 'spin_torque'])
+    """
+    changing = study.subject.changes_equations
+    columns = columns_of_dataset(dataset) if changing and dataset is not None else ()
+    columns = columns if changing else columns_of(study)
+    reduced = reduced_system(study)
+    scalars = () if changing else scalars_of(study, reduced)
+    whole = study.system.lifted() if study.system.reconstruction else study.system
+    run = study.experiment.run
+    return {
+        "format": 1,
+        "name": study.system.name,
+        "title": study.system.title,
+        "kind": _kind(study),
+        "experiment": study.complete_toml(),
+        "state": [] if changing else _state(study, whole),
+        "reduced": len(study.system.symbols),
+        "parameters": [] if changing else [_parameter(p, study) for p in study.system.parameters],
+        "start": [] if changing else [float(x) for x in study.start],
+        "start_inputs": [] if changing else start_inputs(study),
+        "direction": -1 if run.direction == "backward" else 1,
+        "until": study.until,
+        "samples": min(run.samples, MOST_SAMPLES),
+        "tolerance": 1e-13,
+        "columns": [
+            {
+                "name": column.name,
+                "width": len(column.formulas),
+                "axes": column.axes,
+                "unit": column.unit,
+                "meaning": column.meaning,
+                "mathml": column.mathml,
+            }
+            for column in columns
+        ],
+        "laws": [] if changing else _laws(study, verdicts or {}),
+        "quantities": [_quantity(scalar) for scalar in scalars],
+        "guards": [{"message": guard.message} for guard in reduced.guards],
+        "section": _section(reduced, scalars),
+        "chart": None,
+        "bifurcation": None,
+        "scene": scene_model(study, columns, dataset),
+        "recorded": None if dataset is None else recorded(study, columns, dataset),
+        "wasm": None,
+        "wasm_tables": None,
+    }
+
+
+def _kind(study: Study) -> str:
+    match study.subject:
+        case BallSubject():
+            return "ball"
+        case ContactSubject():
+            return "rolling"
+    if study.rolling is not None:
+        return "rolling"
+    return "system" if study.subject.plan is None else "mechanism"
+
+
+def _state(study: Study, whole: System) -> list[Json]:
+    rows: list[Json] = []
+    for variable in whole.state:
+        symbols = getattr(variable, "symbols", (variable,))
+        meaning, unit, _, _ = variable_metadata(
+            whole, str(variable), len(symbols), study.variables.get(str(variable))
+        )
+        rows += [
+            {
+                "name": str(symbol),
+                "mathml": symbol_mathml(str(symbol)),
+                "unit": unit or "1",
+                "meaning": meaning,
+                "angle": len(symbols) == 1 and is_angle(whole, symbol),
+            }
+            for symbol in symbols
+        ]
+    return rows
+
+
+def _parameter(parameter: Parameter, study: Study) -> Json:
+    low, high = parameter_range(parameter, study.system)
+    return {
+        "name": str(parameter.symbol),
+        "mathml": mathml(latex(parameter.symbol)),
+        "meaning": parameter.meaning,
+        "unit": parameter.unit or "1",
+        "value": float(parameter.default),
+        "low": low,
+        "high": high,
+        "fixed": False,
+    }
+
+
+def _laws(study: Study, verdicts: Mapping[str, Verdict]) -> list[Json]:
+    observed = {law.name for law in study.system_on_level.integrals}
+    return [
+        {
+            "name": law.name,
+            "meaning": str(getattr(law, "meaning", "")),
+            "unit": str(getattr(law, "unit", "")) or "1",
+            "column": f"law_{law.name}" if law.name in observed else None,
+            "mathml": mathml(law_latex(law, study.system)),
+            "verdict": verdicts[law.name].stated if law.name in verdicts else "not tried",
+            "source": law.source,
+            "text": verdicts[law.name].words if law.name in verdicts else "",
+        }
+        for law in study.system.laws
+    ]
+
+
+def _quantity(scalar: Scalar) -> Json:
+    return {
+        "name": scalar.name,
+        "formula": scalar.text,
+        "mathml": scalar.mathml,
+        "unit": scalar.unit,
+        "meaning": scalar.meaning,
+        "angle": scalar.angle,
+    }
+
+
+def _section(system: System, scalars: Sequence[Scalar]) -> Json:
+    """γ₃ = 0 rising where there is γ, else the first variable; None without two more."""
+    names = [scalar.name for scalar in scalars]
+    if len(names) < 3 or len(system.symbols) < 3:
+        return None
+    on = "gamma_3" if "gamma_3" in names else names[0]
+    if "longitude" in names:
+        third = next((n for n in ("M_3", "omega_3") if n in names), "gamma_1")
+        return {"on": on, "value": 0.0, "direction": 1, "x": "longitude", "y": third}
+    x, y = [name for name in names if name != on][:2]
+    return {"on": on, "value": 0.0, "direction": 1, "x": x, "y": y}
+
+
+# --- the recorded motion -----------------------------------------------------------------------
+
+
+def columns_of_dataset(dataset: xr.Dataset) -> tuple[Column, ...]:
+    """The columns of a motion through several modes, which no formulas give as a whole."""
+    frames = {dimension: frame for frame, (dimension, _) in FRAMES.items()}
+    columns = []
+    for name, variable in dataset.data_vars.items():
+        if variable.dims[:1] != ("time",) or not np.issubdtype(variable.dtype, np.number):
+            continue
+        width = int(np.prod(variable.shape[1:]))
+        axes = str(variable.dims[-1]) if len(variable.dims) > 1 else ""
+        notes = variable.attrs
+        columns.append(
+            Column(
+                str(name),
+                (np.nan,) * width,
+                frames.get(axes, axes),
+                str(notes.get("units", "1")),
+                str(notes.get("long_name", "")),
+                symbol_mathml(str(name), width),
+            )
+        )
+    return tuple(columns)
+
+
+def recorded(study: Study, columns: Sequence[Column], dataset: xr.Dataset) -> dict[str, Json]:
+    """A motion as it stands in a page; of a long one, samples evenly spread."""
+    size = dataset.sizes["time"]
+    chosen = np.unique(np.linspace(0, size - 1, min(size, MOST_SAMPLES)).round().astype(int))
+    part = dataset.isel(time=chosen)
+    written: dict[str, Json] = {}
+    for column in columns:
+        if column.name in part:
+            numbers = np.asarray(part[column.name].transpose("time", ...).to_numpy(), np.float64)
+        else:
+            numbers = _evaluated(study, column, part)
+        written[column.name] = doubles(numbers)
+    complete = bool(dataset.attrs.get("complete", 1))
+    events = str(dataset.attrs.get("events", "")).splitlines()
+    end: Json = None
+    last = float(dataset["time"][-1])
+    if not complete or abs(last) < study.until:
+        end = {"time": last, "reason": events[-1] if events else "the integration failed"}
+    return {"times": doubles(part["time"].to_numpy()), "columns": written, "end": end}
+
+
+def _evaluated(study: Study, column: Column, dataset: xr.Dataset) -> FloatArray:
+    """A column that datasets do not have, from the state that they do."""
+    whole = study.system.lifted() if study.system.reconstruction else study.system
+    parts = []
+    for variable in map(str, whole.state):
+        if variable == "place":
+            block = dataset["centre"].to_numpy()[:, :2]
+        elif variable in dataset:
+            block = dataset[variable].transpose("time", ...).to_numpy()
+        else:
+            raise InputError(f"the dataset has no {variable}, which {column.name} needs")
+        parts.append(np.asarray(block, np.float64).reshape(len(block), -1))
+    return values(whole, column.formulas, np.concatenate(parts, axis=1))

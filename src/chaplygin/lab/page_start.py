@@ -1,0 +1,77 @@
+"""What a user may turn to give the start, in a page."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..experiment.section_coordinates import is_angle
+from ..experiment.study import Study
+from ..flow.variable_metadata import variable_metadata
+from .columns import symbol_mathml
+from .scene_model import Json
+from .slider_range import value_range
+
+#: Start values by ω and γ: meaning, unit.
+_OF_BODY = {
+    "omega": ("angular velocity, body axes", "rad/s"),
+    "gamma": ("normal, body axes", "1"),
+    "heading": ("turn about the normal", "rad"),
+}
+
+
+def start_inputs(study: Study) -> list[Json]:
+    """The numbers that give the start: ω and γ of a body, else the whole state.
+
+    Numbers of one vector share their range.
+    """
+    if not study.subject.starts_by_velocity:
+        return _state_inputs(study)
+    rows: list[Json] = []
+    for name, value in study.start_values.items():
+        vector = [float(x) for x in value] if isinstance(value, Sequence) else [float(value)]
+        meaning, unit = _OF_BODY.get(name, ("motion of the fluid, body axes", "rad/s"))
+        low, high = (-1.0, 1.0) if name == "gamma" else value_range(max(map(abs, vector)))
+        rows += [
+            _row(f"{name}_{i}", x, (low, high), meaning, unit) for i, x in enumerate(vector, 1)
+        ]
+    heading = float(getattr(study.subject, "heading", 0.0))
+    rows.append(_row("heading", heading, (-np.pi, np.pi), *_OF_BODY["heading"]))
+    return rows
+
+
+def _state_inputs(study: Study) -> list[Json]:
+    whole = study.system.lifted() if study.system.reconstruction else study.system
+    numbers = [float(x) for x in study.start]
+    rows: list[Json] = []
+    first = 0
+    for variable in whole.state:
+        symbols = getattr(variable, "symbols", (variable,))
+        vector = numbers[first : first + len(symbols)]
+        first += len(symbols)
+        meaning, unit, _, _ = variable_metadata(
+            whole, str(variable), len(symbols), study.variables.get(str(variable))
+        )
+        span = value_range(max(map(abs, vector)))
+        if len(symbols) == 1 and is_angle(whole, symbols[0]):
+            span = (-np.pi, np.pi)
+        rows += [
+            _row(str(symbol), x, span, meaning, unit or "1")
+            for symbol, x in zip(symbols, vector, strict=True)
+        ]
+    return rows
+
+
+def _row(
+    name: str, value: float, span: tuple[float, float], meaning: str, unit: str
+) -> dict[str, Json]:
+    return {
+        "name": name,
+        "mathml": symbol_mathml(name),
+        "unit": unit,
+        "meaning": meaning,
+        "value": value,
+        "low": min(span[0], value),
+        "high": max(span[1], value),
+    }

@@ -1,0 +1,104 @@
+"""A surface f = 0 as a mesh.
+
+In each cell of a grid that the surface passes through lies one corner, the mean of the crossings of
+its edges, drawn onto the surface itself; around each crossed edge lies a face (surface nets).
+"""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+
+from ..core.arrays import BoolArray, FloatArray, IntArray
+from ..geometry.surface import Box, SurfaceGround
+
+#: Cells along the longest side of the box.
+_CELLS = 32
+#: Newton's steps by which corners are drawn onto the surface.
+_STEPS = 3
+
+_CORNERS = np.array(list(product((0, 1), repeat=3)))
+_EDGES = [
+    (i, j)
+    for i, a in enumerate(_CORNERS)
+    for j, b in enumerate(_CORNERS)
+    if (b - a).sum() == 1 and (b >= a).all()
+]
+
+
+class SurfaceMesh(NamedTuple):
+    """Triangles of a surface, with the normals towards the ball."""
+
+    positions: FloatArray
+    normals: FloatArray
+    indices: IntArray
+
+
+def surface_mesh(ground: SurfaceGround, box: Box, cells: int = _CELLS) -> SurfaceMesh:
+    """The part of a surface in a box.
+
+    Parameters
+    ----------
+    ground : SurfaceGround
+    box : Box
+    cells : int
+        Along the longest side.
+
+    Returns
+    -------
+    SurfaceMesh
+        Positions and normals (n, 3), indices (m, 3); anticlockwise as seen from the ball's side.
+    """
+    size = box.high - box.low
+    counts = np.maximum(4, np.ceil(cells * size / size.max())).astype(int)
+    axes = [np.linspace(a, b, n + 1) for a, b, n in zip(box.low, box.high, counts, strict=True)]
+    points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
+    with np.errstate(all="ignore"):
+        heights = ground.height(points.reshape(-1, 3)).reshape(points.shape[:3])
+    corners = np.stack([_shifted(heights, c) for c in _CORNERS])
+    places = np.stack([_shifted(points, c) for c in _CORNERS])
+    inside = corners > 0.0
+    crossed = np.isfinite(corners).all(axis=0) & (inside.any(axis=0) & ~inside.all(axis=0))
+    total = np.zeros((*crossed.shape, 3))
+    number = np.zeros(crossed.shape)
+    for i, j in _EDGES:
+        cut = crossed & (inside[i] != inside[j])
+        with np.errstate(all="ignore"):
+            share = np.where(cut, corners[i] / (corners[i] - corners[j]), 0.0)
+        at = places[i] + share[..., None] * (places[j] - places[i])
+        total += np.where(cut[..., None], at, 0.0)
+        number += cut
+    vertices = total[crossed] / number[crossed][:, None]
+    with np.errstate(all="ignore"):
+        for _ in range(_STEPS):
+            fall = np.nan_to_num(ground.height(vertices))[:, None] * ground.normals(vertices)
+            vertices = np.clip(vertices - fall, box.low, box.high)
+        normals = ground.normals(vertices)
+    names = np.full(crossed.shape, -1)
+    names[crossed] = np.arange(len(vertices))
+    return SurfaceMesh(vertices, normals, _triangles(heights > 0.0, names))
+
+
+def _shifted(array: FloatArray, corner: IntArray) -> FloatArray:
+    """The values of a grid at one corner of every cell."""
+    part = tuple(slice(c, n - 1 + c) for c, n in zip(corner, array.shape[:3], strict=True))
+    return array[part]
+
+
+def _triangles(above: BoolArray, names: IntArray) -> IntArray:
+    """Two triangles around every crossed edge, between the corners of the four cells there."""
+    faces = []
+    for axis in range(3):
+        u, v = (axis + 1) % 3, (axis + 2) % 3
+        turned = np.moveaxis(above, (axis, u, v), (0, 1, 2))
+        cells = np.moveaxis(names, (axis, u, v), (0, 1, 2))
+        rising = turned[1:, 1:-1, 1:-1] & ~turned[:-1, 1:-1, 1:-1]
+        falling = ~turned[1:, 1:-1, 1:-1] & turned[:-1, 1:-1, 1:-1]
+        ring = [cells[:, :-1, :-1], cells[:, 1:, :-1], cells[:, 1:, 1:], cells[:, :-1, 1:]]
+        for cut, order in ((rising, (0, 1, 2, 3)), (falling, (3, 2, 1, 0))):
+            quads = np.stack([ring[k][cut] for k in order], axis=-1)
+            quads = quads[(quads >= 0).all(axis=1)]
+            faces += [quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]
+    return np.concatenate(faces)
