@@ -14,7 +14,11 @@ import pytest
 import chaplygin
 import chaplygin.catalogue
 
-NAMES = sorted(set(chaplygin.__all__) - {"__version__"})
+NAMES = sorted(
+    name
+    for name in set(chaplygin.__all__) - {"__version__"}
+    if not inspect.ismodule(getattr(chaplygin, name))
+)
 FUNCTIONS = [name for name in NAMES if inspect.isroutine(inspect.unwrap(getattr(chaplygin, name)))]
 OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 

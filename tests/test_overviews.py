@@ -36,6 +36,25 @@ SHOWN: Mapping[str, tuple[Callable[[], Any], str]] = {
         "Chaplygin ball: t = 0 to 1, 1,001 samples",
     ),
     "solution": (lambda: ch.solve(*ball()), "Chaplygin ball: two-frequency motion on a torus"),
+    "closed form": (
+        lambda: ch.solve(*ball()).form,
+        "Chaplygin ball: two-frequency motion on a torus",
+    ),
+    "states": (
+        lambda: ch.solve(*ball())(np.linspace(0.0, 1.0, 1001)),
+        "States(system=<System chaplygin-ball: M, gamma, attitude, place; 5 parameters, 9 laws>, "
+        "times=array(1001,), values=array(1001, 12))",
+    ),
+    "bracket": (
+        lambda: next(law for law in ball()[0].laws if law.name == "bracket"),
+        "PoissonStructure(name='bracket', source=",
+    ),
+    "catalogue": (lambda: ch.CATALOGUE, f"{len(ch.CATALOGUE)} systems"),
+    "motions of a batch": (
+        lambda: ch.batch_integrator(ball()[0]).propagate([ball()[1][:6]] * 50, [1.0, 2.0]),
+        "BatchTrajectories(states=array(50, 2, 6), deviations=None, outcome=array(50,), "
+        "ended=array(50,), steps=array(50,))",
+    ),
     "spectrum": (
         lambda: ch.lyapunov_spectrum(*ball(), until=50.0),
         "Lyapunov exponents of Chaplygin ball, t = 10 to 50",

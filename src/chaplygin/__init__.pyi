@@ -1,3 +1,19 @@
+from . import (
+    analysis as analysis,
+    borisov_mamaev as borisov_mamaev,
+    catalogue as catalogue,
+    contact as contact,
+    control as control,
+    core as core,
+    experiment as experiment,
+    explicit as explicit,
+    flow as flow,
+    measures as measures,
+    mechanics as mechanics,
+    proof as proof,
+    report as report,
+    search as search,
+)
 from ._version import __version__ as __version__
 from .analysis.classification.classifier import classify as classify
 from .analysis.lyapunov.compute import lyapunov_spectrum as lyapunov_spectrum

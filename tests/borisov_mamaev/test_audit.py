@@ -54,10 +54,29 @@ def test_an_interrupted_audit_keeps_what_is_done(monkeypatch, tmp_path):
         return ended, rest
 
     monkeypatch.setattr(module, "wait", interrupted)
-    done, left = audit(SECTION, workers=1)
+    done, left = audit(SECTION, workers=2)
     assert len(done) == rounds[0] > 0
     assert left == len(claims(SECTION)) - len(done) > 0
     assert all(j.printed.decision in DECISIONS for j in done)
+
+
+def test_one_worker_is_no_other_process_and_can_be_interrupted(monkeypatch, tmp_path):
+    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path))
+    monkeypatch.setattr(module, "ProcessPoolExecutor", None)
+    verdict = Verdict("a", "proven")
+    shares = []
+
+    def judge(number, section):
+        if len(shares) == 2:
+            raise KeyboardInterrupt
+        return verdict, None
+
+    monkeypatch.setattr(module, "judge", judge)
+    done, left = audit(SECTION, workers=1, report=shares.append)
+    total = len(claims(SECTION))
+    assert [j.printed for j in done] == [verdict] * 2
+    assert left == total - 2
+    assert shares == [1 / total, 2 / total]
 
 
 @pytest.mark.slow

@@ -139,15 +139,15 @@ def audit(
 ) -> tuple[tuple[Judgement, ...], int]:
     """Judge the claims of one section, or of the whole paper.
 
-    The processes import the script that calls this, so that the call stands there below
-    ``if __name__ == "__main__":``.
+    Several processes import the script that calls this, so that the call must stand there below
+    ``if __name__ == "__main__":``; with ``workers=1`` there is no other process.
 
     Parameters
     ----------
     section : int, optional
         1 to 12; by default all of them.
     workers : int, optional
-        Processes; by default one for each processor.
+        Processes; by default one for each processor, but not more than claims.
     report : callable
         Called with the share of claims that are judged.
 
@@ -189,23 +189,42 @@ def audit(
             waiting.append(number)
         else:
             verdicts[number] = printed, corrected
-    left = 0
-    if waiting:
+    workers = min(workers or os.cpu_count() or 1, len(waiting))
+    if workers > 1:
         left = _judge_in_processes(waiting, section, workers, verdicts, len(chosen), report)
+    else:
+        left = _judge_in_turn(waiting, section, verdicts, len(chosen), report)
     done = tuple(_judgement(*chosen[n], *verdicts[n]) for n in sorted(verdicts))
     return done, left
 
 
-def _judge_in_processes(
+def _judge_in_turn(
     waiting: Sequence[int],
     section: int | None,
-    workers: int | None,
     verdicts: dict[int, tuple[Verdict, Verdict | None]],
     total: int,
     report: Callable[[float], None],
 ) -> int:
     """Fill `verdicts`; the number left undone by an interruption."""
-    pool = ProcessPoolExecutor(workers or os.cpu_count(), mp_context=get_context("spawn"))
+    try:
+        for number in waiting:
+            verdicts[number] = judge(number, section)
+            report(len(verdicts) / total)
+    except KeyboardInterrupt:
+        return total - len(verdicts)
+    return 0
+
+
+def _judge_in_processes(
+    waiting: Sequence[int],
+    section: int | None,
+    workers: int,
+    verdicts: dict[int, tuple[Verdict, Verdict | None]],
+    total: int,
+    report: Callable[[float], None],
+) -> int:
+    """Fill `verdicts`; the number left undone by an interruption."""
+    pool = ProcessPoolExecutor(workers, mp_context=get_context("spawn"))
     try:
         with _interrupts_blocked():
             tasks: dict[Future[tuple[Verdict, Verdict | None]], int] = {

@@ -19,6 +19,7 @@ from importlib import import_module
 
 from ..arguments import Setting, arguments_checked
 from ..core.laws import Law
+from ..core.overview import Overview, WithOverview
 from ..core.system import System
 from ..mechanics.rolling.equations import Rolling
 from ..mechanics.rolling.fluid import fluids_of
@@ -44,7 +45,15 @@ def _entries() -> list[Entry]:
     return sorted(entries, key=_place)
 
 
-CATALOGUE: dict[str, Entry] = {item.name: item for item in _entries()}
+class Catalogue(WithOverview, dict[str, Entry]):
+    """The entries by name; printed, it shows the names."""
+
+    def overview(self) -> Overview:
+        """The names of the systems."""
+        return Overview(f"{len(self)} systems", (("names", ", ".join(self)),))
+
+
+CATALOGUE = Catalogue((item.name, item) for item in _entries())
 """Every system of the catalogue by its name, in the order of the paper."""
 
 

@@ -15,7 +15,7 @@ from .system import System
 
 
 @arguments_checked
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Isomorphism(Law):
     """A change of variables and time that carries the field onto another system's.
 

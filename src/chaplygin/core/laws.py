@@ -16,6 +16,7 @@ import sympy as sp
 from ..arguments import Declared, Formula, Formulas, arguments_checked
 from ..errors import InputError
 from .named_formulas import Pairs, repeated, scalar_names, with_formulas
+from .overview import WithShortRepr
 
 
 class Rate(sp.Function):
@@ -48,8 +49,8 @@ def _check_named(law: str, quantities: Pairs) -> None:
         )
 
 
-@dataclass(frozen=True, kw_only=True)
-class Law:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Law(WithShortRepr):
     """A law of a system; the base class of all laws.
 
     Parameters
@@ -79,7 +80,7 @@ class Law:
 
 
 @arguments_checked
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Integral(Law):
     """A first integral: a function F of the state with v(F) = 0.
 
@@ -112,7 +113,7 @@ class Integral(Law):
 
 
 @arguments_checked
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Measure(Law):
     """An invariant measure: div(ρ v) = 0 with ρ = ∏ base^exponent.
 
@@ -148,7 +149,7 @@ class Measure(Law):
 
 
 @arguments_checked
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Symmetry(Law):
     """A symmetry field u: [u, v] = 0, u tangent to the phase space and the level.
 
@@ -174,7 +175,7 @@ class Symmetry(Law):
 
 
 @arguments_checked
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class PoissonStructure(Law):
     """A Poisson structure on the phase space: skew, with the Jacobi identity.
 
@@ -234,7 +235,7 @@ class PoissonStructure(Law):
 
 
 @arguments_checked
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class ConformallyHamiltonian(Law):
     """A conformally Hamiltonian form: v = N J dH, with J a Poisson structure.
 
@@ -271,7 +272,7 @@ class ConformallyHamiltonian(Law):
 
 
 @arguments_checked
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Reduction(Law):
     """Closed equations that some quantities satisfy by themselves along every motion.
 
@@ -322,7 +323,7 @@ class Reduction(Law):
 
 
 @arguments_checked
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Separation(Reduction):
     """Quantities each of which obeys an equation of its own, up to a common time.
 
@@ -349,7 +350,7 @@ class Separation(Reduction):
 
 
 @arguments_checked
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Identity(Law):
     """Formulas that vanish everywhere on the phase space.
 

@@ -5,10 +5,18 @@ A trajectory of a million samples, printed, is to fit a screen.
 
 from __future__ import annotations
 
+import reprlib
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
 from html import escape
 from textwrap import TextWrapper
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
+
+    from .arrays import FloatArray
 
 #: Columns of a screen.
 COLUMNS = 80
@@ -42,7 +50,7 @@ class Overview:
         for label, text in shown:
             begin = f"    {label:<{width}}  "
             indent = " " * len(begin)
-            lines += TextWrapper(COLUMNS, begin, indent).wrap(text)
+            lines += TextWrapper(COLUMNS, begin, indent, break_on_hyphens=False).wrap(text)
         return "\n".join(lines)
 
     def html(self) -> str:
@@ -71,3 +79,35 @@ class WithOverview(ABC):
 
     def _repr_html_(self) -> str:
         return self.overview().html()
+
+
+class _Shortened(reprlib.Repr):
+    """Representations that leave out the middle of what is long, and the numbers of arrays."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.maxother = self.maxstring = 120
+
+    def repr_ndarray(self, array: FloatArray, _: int) -> str:
+        """The shape of an array."""
+        return f"array{array.shape}"
+
+
+_SHORTENED = _Shortened()
+
+
+class WithShortRepr:
+    """A dataclass that shows the shapes of its arrays, and long fields in part.
+
+    Fields at their defaults are left out.  It is declared with ``repr=False``.
+    """
+
+    def __repr__(self: DataclassInstance) -> str:
+        return f"{type(self).__name__}({', '.join(_fields(self))})"
+
+
+def _fields(value: DataclassInstance) -> Iterator[str]:
+    for item in fields(value):
+        content = getattr(value, item.name)
+        if item.repr and content is not item.default:
+            yield f"{item.name}={' '.join(_SHORTENED.repr(content).split())}"

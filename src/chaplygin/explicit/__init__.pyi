@@ -1,4 +1,9 @@
-from .base.solution import ClosedForm as ClosedForm, Solution as Solution
+from .base.solution import (
+    ClosedForm as ClosedForm,
+    NamedConstant as NamedConstant,
+    Solution as Solution,
+)
+from .bifurcation import bifurcation_diagram as bifurcation_diagram, locate as locate
 from .genus_two.separation import SeparatedSystem as SeparatedSystem
 from .isomorphism import inverse as inverse, pull_back as pull_back, push_forward as push_forward
 from .solver import solve as solve

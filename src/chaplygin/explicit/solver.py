@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import sympy as sp
-
 from ..arguments import Parameters, Start, arguments_checked
+from ..core.parameters import parameter_values
 from ..core.system import System
-from ..errors import InputError
 from ..flow.initial_states import whole_start
 from .base.problem import Problem
 from .base.solution import Solution
@@ -51,15 +49,7 @@ def solve(system: System, start: Start, parameters: Parameters = None) -> Soluti
     >>> [round(float(x), 6) for x in solution(1e6)["gamma"][0]]
     [0.312372, -0.233492, 0.920818]
     """
-    values = dict(system.defaults)
-    names = {str(symbol): symbol for symbol in values}
-    for key, number in (parameters or {}).items():
-        symbol = key if isinstance(key, sp.Symbol) else names.get(str(key))
-        if symbol not in values:
-            raise InputError(
-                f"{system.name} has no parameter {key}; it has {', '.join(names) or 'none'}"
-            )
-        values[symbol] = number
+    values = parameter_values(system, parameters)
     if isinstance(start, Mapping):
         start = whole_start(system, start, values)
     return solution_of(Problem(system, values, tuple(start)))

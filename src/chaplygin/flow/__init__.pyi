@@ -1,3 +1,4 @@
+from . import ensemble as ensemble
 from .batch import (
     Section as Section,
     batch_integrator as batch_integrator,

@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..core.arrays import FloatArray, IntArray
+from ..core.overview import WithShortRepr
 
 
-@dataclass(frozen=True)
-class BatchTrajectories:
+@dataclass(frozen=True, repr=False)
+class BatchTrajectories(WithShortRepr):
     """Motions at given times.
 
     Attributes
@@ -17,7 +18,7 @@ class BatchTrajectories:
         In flat order; not-a-number after the end of a motion.
     deviations : array (motions, times, deviations, size) or None
     outcome : array (motions,) of int
-        0 if the last time was reached; see :meth:`BatchIntegrator.reason` for other codes.
+        0 if the last time was reached; see :meth:`BatchIntegrator.status_message` for other codes.
     ended : array (motions,)
         The time that was reached.
     steps : array (motions,) of int
@@ -34,8 +35,8 @@ class BatchTrajectories:
     rest: FloatArray | None = None
 
 
-@dataclass(frozen=True)
-class BatchCrossings:
+@dataclass(frozen=True, repr=False)
+class BatchCrossings(WithShortRepr):
     """Motions at their crossings of a section.
 
     Attributes

@@ -16,6 +16,7 @@ import numpy.typing as npt
 
 from ..arguments import Numbers, Parameters, arguments_checked
 from ..core.arrays import FloatArray, IntArray
+from ..core.overview import WithShortRepr
 from ..core.system import System
 from ..errors import InputError
 from ..formulas.evaluate import (
@@ -45,8 +46,8 @@ _I, _P, _D = ctypes.c_int64, ctypes.c_void_p, ctypes.c_double
 _SIGNATURE = (_I, _I, _P, _P, _I, _P, _I, _D, _I, _P, _P, _P, _P, _P)
 
 
-@dataclass(frozen=True)
-class GaussTrajectories:
+@dataclass(frozen=True, repr=False)
+class GaussTrajectories(WithShortRepr):
     """Motions at given times.
 
     Attributes

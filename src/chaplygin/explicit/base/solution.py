@@ -12,7 +12,7 @@ from flint import arb
 
 from ...arguments import Numbers, Written
 from ...core.arrays import FloatArray
-from ...core.overview import Overview, WithOverview
+from ...core.overview import Overview, WithOverview, WithShortRepr
 from ...core.system import System
 from ...errors import InputError
 from ...flow.trajectory import by_name
@@ -44,8 +44,8 @@ class NamedConstant:
         return f"{number}, {self.meaning}" if self.meaning else number
 
 
-@dataclass(frozen=True)
-class ClosedForm:
+@dataclass(frozen=True, repr=False)
+class ClosedForm(WithOverview):
     """The formulas and constants of a closed form.
 
     Attributes
@@ -62,6 +62,14 @@ class ClosedForm:
     ovals : tuple of (low, high)
         Where the separated variables live (floats).
     source : str
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> disk = ch.from_catalogue("rubber-disk")
+    >>> form = ch.solve(disk, ch.CATALOGUE["rubber-disk"].start.values).form
+    >>> round(float(form["T"].value), 6), form["T"].meaning
+    (1.255333, 'period of the nutation')
     """
 
     title: str
@@ -71,9 +79,35 @@ class ClosedForm:
     ovals: tuple[tuple[float, float], ...] = ()
     source: str = ""
 
+    def __getitem__(self, symbol: str) -> NamedConstant:
+        """A constant by its symbol, such as ``"T"``.
 
-@dataclass(frozen=True)
-class States:
+        Raises
+        ------
+        InputError
+            If the closed form has no constant of this symbol.
+        """
+        for constant in self.constants:
+            if constant.symbol == symbol:
+                return constant
+        known = ", ".join(constant.symbol for constant in self.constants)
+        raise InputError(f"{self.title}: no constant {symbol!r} in the closed form; it has {known}")
+
+    def overview(self) -> Overview:
+        """System, kind of motion, source, and the constants."""
+        ovals = ", ".join(f"[{low:.9g}, {high:.9g}]" for low, high in self.ovals)
+        return Overview(
+            f"{self.title}: {self.motion}",
+            (
+                ("source", self.source),
+                ("separated variables in", ovals),
+                *((one.symbol, one.text()) for one in self.constants),
+            ),
+        )
+
+
+@dataclass(frozen=True, repr=False)
+class States(WithShortRepr):
     """States at chosen times, by name.
 
     Attributes
@@ -132,9 +166,8 @@ class Solution(WithOverview):
     >>> import chaplygin as ch
     >>> disk = ch.from_catalogue("rubber-disk")
     >>> solution = ch.solve(disk, ch.CATALOGUE["rubber-disk"].start.values)
-    >>> [one] = [one for one in solution.form.constants if one.symbol == "T"]
-    >>> round(float(one.value), 6), one.meaning
-    (1.255333, 'period of the nutation')
+    >>> solution.form.motion
+    'periodic in shape: the axis nods while it precesses, with two frequencies'
     """
 
     system: System
@@ -177,18 +210,9 @@ class Solution(WithOverview):
         """
 
     def overview(self) -> Overview:
-        """System, kind of motion, source, and the constants of the closed form."""
-        form = self.form
-        ovals = ", ".join(f"[{low:.9g}, {high:.9g}]" for low, high in form.ovals)
-        return Overview(
-            f"{form.title}: {form.motion}",
-            (
-                ("source", form.source),
-                ("separated variables in", ovals),
-                *((one.symbol, one.text()) for one in form.constants),
-                ("left open", self.left_open),
-            ),
-        )
+        """The overview of the closed form, and what it leaves open."""
+        form = self.form.overview()
+        return Overview(form.heading, (*form.rows, ("left open", self.left_open)))
 
     def __call__(self, times: Numbers) -> States:
         """States at `times`, by name.

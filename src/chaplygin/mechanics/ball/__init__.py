@@ -1,1 +1,5 @@
 """A homogeneous ball that rolls on a surface."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,6 @@
+from . import (
+    classification as classification,
+    lyapunov as lyapunov,
+    orbits as orbits,
+    scans as scans,
+)

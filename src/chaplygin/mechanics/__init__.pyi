@@ -1,0 +1,7 @@
+from . import (
+    ball as ball,
+    constraints as constraints,
+    lagrangian as lagrangian,
+    reduction as reduction,
+    rolling as rolling,
+)

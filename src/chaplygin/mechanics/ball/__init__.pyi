@@ -1,0 +1,14 @@
+from .ball import RollingBall as RollingBall
+from .initial_state import ball_state as ball_state
+from .surface import (
+    CircularCylinder as CircularCylinder,
+    Cone as Cone,
+    EllipsoidSurface as EllipsoidSurface,
+    EllipticCylinder as EllipticCylinder,
+    FlatSurface as FlatSurface,
+    ImplicitSurface as ImplicitSurface,
+    Paraboloid as Paraboloid,
+    Ring as Ring,
+    SmoothSurface as SmoothSurface,
+    SphericalSurface as SphericalSurface,
+)
