@@ -105,8 +105,15 @@ def _is_row(value: Any) -> bool:
 
 def _is_start(value: Any) -> bool:
     if isinstance(value, Mapping):
-        return all(_is_written(v) or _are_numbers(v) for v in value.values())
+        return all(
+            _is_written(v) or _are_numbers(v) or (k == "attitude" and _are_rows(v))
+            for k, v in value.items()
+        )
     return _are_numbers(value)
+
+
+def _are_rows(value: Any) -> bool:
+    return _is_many(value) and all(map(_are_numbers, value))
 
 
 def _are_parameters(value: Any) -> bool:

@@ -14,6 +14,7 @@ import sympy as sp
 from ..arguments import Parameters
 from ..core.arrays import FloatArray
 from ..core.matrices import Column, Skew, SquareMatrix
+from ..core.rotations import finite_numbers, rotation_near, upright_matrix
 from ..core.system import System, flat
 from ..core.vectors import Vector
 from ..errors import InputError
@@ -22,6 +23,8 @@ from ..formulas.evaluate import values
 
 #: Digits of the attitude that goes with a start, and what is left of a half turn.
 _DIGITS, _TURNED = 50, 1e-12
+#: What γ may differ from the last row of an attitude, and ω from one that the constraint admits.
+_SLACK, _OF_SPIN = 1e-12, 1e-9
 
 omega, gamma = Vector("omega"), Vector("gamma")
 
@@ -37,7 +40,8 @@ def reduced_start(
     ----------
     system : System
     start : mapping of str to number or numbers, or sequence of numbers
-        By name (ω and γ, or the variables of the state), or in flat order, with the motion in
+        By name (ω and γ, or the variables of the state; of an n-dimensional body also its
+        attitude, of which γ is the last row, and contact), or in flat order, with the motion in
         space, as :func:`chaplygin.initial_state` gives it, or without.
     parameters : mapping of Symbol or name to number, optional
         Values that replace the defaults where the state follows from ω and γ.
@@ -48,7 +52,8 @@ def reduced_start(
         If a name or the number of numbers is wrong.
     """
     if isinstance(start, Mapping):
-        rows = {name: np.array([value], dtype=float) for name, value in start.items()}
+        named, _ = _apart(system, start)
+        rows = {name: np.array([value], dtype=float) for name, value in named.items()}
         numbers = {str(key): value for key, value in (parameters or {}).items()}
         return tuple(flat_starts(system, rows, numbers)[0].tolist())
     _require_size(system, len(start))
@@ -74,7 +79,9 @@ def whole_start(
     InputError
         If a name or the number of numbers is wrong.
     """
+    placed: dict[str, list[WorkingNumber]] = {}
     if isinstance(start, Mapping):
+        _, placed = _apart(system, start)
         start = reduced_start(system, start, parameters)
     _require_size(system, len(start))
     if system.reconstruction is None or len(start) > len(system.symbols):
@@ -83,7 +90,9 @@ def whole_start(
     up = next((n for n in (Vector("zeta"), gamma) if n in system.state), None)
     state: list[WorkingNumber] = list(start)
     for name, _ in system.reconstruction.field:
-        if isinstance(name, SquareMatrix):
+        if str(name) in placed:
+            state += placed[str(name)]
+        elif isinstance(name, SquareMatrix):
             normal = [known[str(s)] for s in Column("gamma", int(name.shape[0])).symbols]
             state += [x for row in upright_matrix(normal) for x in row]
         elif str(name) == "attitude":
@@ -106,19 +115,30 @@ def upright(vertical: Sequence[WorkingNumber]) -> list[mpmath.mpf]:
         return [part / length for part in turn]
 
 
-def upright_matrix(vertical: Sequence[WorkingNumber]) -> list[list[mpmath.mpf]]:
-    """The shortest turn of a unit vector (body) to the last axis of space, n-dimensional."""
-    with mpmath.workdps(_DIGITS):
-        decimals = (repr(float(v)) if isinstance(v, float) else v for v in vertical)
-        gamma = mpmath.matrix([mpmath.mpf(x) for x in decimals])
-        n, last = len(gamma), gamma[len(gamma) - 1]
-        if not 1 + last > _TURNED:
-            # opposite: a half turn in the plane of the first and the last axis
-            return list(mpmath.diag([-1, *([1] * (n - 2)), -1]).tolist())
-        up = mpmath.matrix([0] * (n - 1) + [1])
-        total = gamma + up
-        turn = mpmath.eye(n) - total * total.T / (1 + last) + 2 * up * gamma.T
-        return list(turn.tolist())
+def _apart(
+    system: System, start: Mapping[str, npt.ArrayLike]
+) -> tuple[dict[str, npt.ArrayLike], dict[str, list[WorkingNumber]]]:
+    """What a start of an n-dimensional body says of its state, and of its motion in space."""
+    named, lift = dict(start), system.reconstruction
+    matrix = next((x for x, _ in lift.field if isinstance(x, SquareMatrix)), None) if lift else None
+    if lift is None or matrix is None:
+        return named, {}
+    placed: dict[str, list[WorkingNumber]] = {}
+    for name, _ in lift.field:
+        if str(name) in named and name != matrix:
+            placed[str(name)] = finite_numbers(str(name), named.pop(str(name)), len(flat([name])))
+    if str(matrix) in named:
+        rows = rotation_near(named.pop(str(matrix)), int(matrix.shape[0]))
+        placed[str(matrix)] = [x for row in rows for x in row]
+        last = [float(x) for x in rows[-1]]
+        given = np.asarray(named.setdefault("gamma", last), dtype=float)
+        if given.shape != (len(last),) or not np.allclose(
+            given / (np.linalg.norm(given) or 1.0), last, rtol=0.0, atol=_SLACK
+        ):
+            raise InputError(
+                "gamma: must be the last row of the attitude; one of them may be left out"
+            )
+    return named, placed
 
 
 def reduced_rows(system: System, rows: FloatArray) -> FloatArray:
@@ -231,6 +251,8 @@ def _of_spin(
     auxiliary, symbols = _spinning(system)
     numbers = values(auxiliary, symbols, points, parameters)
     following = {str(s): numbers[:, i] for i, s in enumerate(symbols)}
+    if isinstance(spin, Skew):
+        _require_spin(system, spin, np.column_stack([numbers, normal / lengths]), turning)
     read = ("omega", "gamma", *map(str, system.start_vectors))
     others = {name: array for name, array in arrays.items() if name not in read}
     unchanged = {
@@ -239,6 +261,14 @@ def _of_spin(
         if name in system.state
     }
     return {**following, **unchanged, **others}
+
+
+def _require_spin(system: System, spin: Skew, states: FloatArray, given: FloatArray) -> None:
+    """Refuse an ω that the constraint of an n-dimensional body does not admit."""
+    has = values(system, list(spin.symbols), states)
+    excess = np.abs(has - given).max(axis=1)
+    if np.any(excess > _OF_SPIN * np.abs(given).max(axis=1)):
+        raise InputError(f"{system.name}: the constraint does not admit this omega")
 
 
 def _spin_and_direction(system: System) -> tuple[Vector | Skew, Vector]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import sympy as sp
 
 from chaplygin.catalogue import entry, from_catalogue
 from chaplygin.errors import InputError
@@ -63,6 +64,8 @@ def test_a_diagonal_mass_tensor_is_moments_of_sums(name):
         ("veselova-nd", {"dimension": 4.5}, "dimension: must be a whole number"),
         ("veselova-nd", {"dimension": 4, "moments": [1, 2, 3]}, "moments: 6 numbers are needed"),
         ("veselova-nd", {"moments": [1, 2, -3]}, "moments: I_23 = -3 must be positive"),
+        ("veselova-nd", {"moments": [1, 2, 3, 4]}, "moments: 4 numbers belong to no dimension"),
+        ("veselova-nd", {"mass_tensor": [[1, 0], [0, 1]]}, "mass_tensor: 2 rows belong to no"),
         ("veselova-nd", {"mass": 2.0}, "no parameter 'mass' in veselova-nd"),
         (
             "veselova-nd",
@@ -176,4 +179,44 @@ def test_a_start_that_cannot_be_is_refused_in_a_sentence(name, start, message):
     made = study(f'name = "{name}"', start)
     with pytest.raises(InputError) as caught:
         _ = made.start
+    assert message in str(caught.value)
+
+
+def test_arrays_are_taken_as_rows():
+    tensor = np.diag([1.0, 2.0, 3.0])
+    assert (
+        from_catalogue("veselova-nd", mass_tensor=tensor).defaults[sp.Symbol("J_33", real=True)]
+        == 3
+    )
+    assert len(from_catalogue("veselova-nd", moments=np.arange(1.0, 4.0)).symbols) == 6
+
+
+def test_python_starts_by_omega_and_attitude():
+    ball = from_catalogue("chaplygin-ball-nd", dimension=4)
+    omega = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
+    start = {"omega": omega, "attitude": np.array(TURN), "contact": [1.0, 2.0, 3.0]}
+    motion = integrate(ball, start, [0.0, 1.0])
+    assert motion["omega"][0] == pytest.approx(omega, abs=1e-14)
+    assert motion["attitude"][0].reshape(4, 4) == pytest.approx(np.array(TURN), abs=1e-15)
+    assert motion["contact"][0].tolist() == [1.0, 2.0, 3.0]
+    by_file = study('name = "chaplygin-ball-nd"', f"attitude = {TURN}\nomega = {omega}").start
+    assert motion["k"][0] == pytest.approx([float(x) for x in by_file[:6]], abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("start", "message"),
+    [
+        ({"omega": [1.0, 2, 3, 4, 5, 6], "gamma": [0, 0, 0, 1.0]}, "does not admit this omega"),
+        ({"omega": [0, 0, 1.0, 0, 1, 1], "attitude": np.eye(3)}, "attitude: must be 4 rows of 4"),
+        ({"omega": [0, 0, 1.0, 0, 1, 1], "attitude": 2 * np.eye(4)}, "rows must be orthonormal"),
+        ({"omega": [0, 0, 1.0, 0, 1, 1], "attitude": np.diag([1.0, 1, 1, -1])}, "a reflection"),
+        (
+            {"omega": [0, 0, 1.0, 0, 1, 1], "attitude": np.eye(4), "gamma": [1.0, 0, 0, 0]},
+            "must be the last row of the attitude",
+        ),
+    ],
+)
+def test_what_python_cannot_start_from_is_refused(start, message):
+    with pytest.raises(InputError) as caught:
+        integrate(from_catalogue("veselova-nd", dimension=4), start, [0.0, 1.0])
     assert message in str(caught.value)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Sized
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,6 +23,7 @@ from .inertia import (
     checked_moments,
     generic_mass_tensor,
     generic_moments,
+    pairs,
 )
 
 m, R = real_symbol("m"), real_symbol("R")
@@ -101,8 +102,7 @@ class Family(ABC):
             known = [*self.settings, *(["mass", "radius"] if self.rolls else [])]
             wrong = next(iter(settings))
             raise InputError(
-                f"no parameter {wrong!r} in {self.name}{nearest(wrong, known)}; it has "
-                f"{', '.join([*known, *numbers])}"
+                f"no parameter {wrong!r} in {self.name}{nearest(wrong, [*known, *numbers])}"
             )
 
         def build(values: Numbers) -> System:
@@ -151,7 +151,7 @@ class Family(ABC):
         by_tensor = tensor is not None or "J" in letters
         if not given and not letters:
             by_tensor = self.tensor_by_default
-        n = self._dimension(settings.pop("dimension", None), moments, tensor)
+        n = self._dimension(settings.pop("dimension", None), moments=moments, mass_tensor=tensor)
         if by_tensor:
             rows = generic_mass_tensor(n) if tensor is None else _rows(tensor)
             numbers = checked_mass_tensor(n, rows)
@@ -175,14 +175,22 @@ class Family(ABC):
         kind = MassTensor if by_tensor else Moments
         return kind(n, numbers), numbers
 
-    def _dimension(self, given: object, moments: object, tensor: object) -> int:
-        """The dimension as given, or by the number of moments or rows."""
+    def _dimension(self, given: object, **lists: object) -> int:
+        """The dimension as given, or by the number of moments, rows or factors."""
         if given is None:
-            count = len(moments) if isinstance(moments, Sequence) else 0
-            fits = [n for n in range(SMALLEST, LARGEST + 1) if n * (n - 1) // 2 == count]
-            rows = len(tensor) if isinstance(tensor, Sequence) else 0
-            fits += [n for n in range(SMALLEST, LARGEST + 1) if n == rows]
-            return fits[0] if fits else DEFAULT_DIMENSION
+            for name, values in lists.items():
+                if not isinstance(values, Sized) or isinstance(values, str):
+                    continue
+                dimensions = range(SMALLEST, LARGEST + 1)
+                sizes = {len(pairs(n)) if name == "moments" else n: n for n in dimensions}
+                if len(values) not in sizes:
+                    what = "rows" if name == "mass_tensor" else "numbers"
+                    raise InputError(
+                        f"{name}: {len(values)} {what} belong to no dimension from {SMALLEST} to "
+                        f"{LARGEST}; these have {', '.join(map(str, sizes))}"
+                    )
+                return sizes[len(values)]
+            return DEFAULT_DIMENSION
         if isinstance(given, bool) or not isinstance(given, int | float) or given != int(given):
             count = 0
         else:

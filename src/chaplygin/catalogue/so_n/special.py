@@ -116,7 +116,7 @@ class Special(Family):
 
     def _inertia(self, settings: dict[str, object]) -> tuple[Inertia, dict[str, float]]:
         given = settings.pop("factors", None)
-        n = self._dimension(settings.pop("dimension", None), None, given)
+        n = self._dimension(settings.pop("dimension", None), factors=given)
         values = list(self.example(n)) if given is None else numbers_of("factors", given)
         if len(values) != n:
             raise InputError(

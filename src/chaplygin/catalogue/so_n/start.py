@@ -8,15 +8,13 @@ from typing import TypeAlias
 import mpmath
 import sympy as sp
 
+from ...core.rotations import Matrix, finite_numbers, rotation_near, upright_matrix
 from ...core.system import System, flat_pairs
 from ...errors import InputError
-from ...flow.initial_states import upright_matrix
-from ...mechanics.rolling.initial_state import DIGITS, SLACK, evaluate
+from ...mechanics.rolling.initial_state import SLACK, evaluate
 from ..entry import Family
 from .inertia import labels, pairs
 from .motion_in_space import omega_of
-
-Matrix: TypeAlias = list[list[mpmath.mpf]]
 
 #: A start as given, by name.
 Given: TypeAlias = MutableMapping[str, float | Sequence[float]]
@@ -39,7 +37,7 @@ def take_attitude(values: Given, n: int) -> Matrix:
         if gamma is None:
             raise InputError("start: gamma or attitude is missing")
         return upright_matrix(gamma)
-    attitude = _rotation(given, n)
+    attitude = rotation_near(given, n)
     if gamma is None:
         return attitude
     if max(abs(x - y) for x, y in zip(gamma, attitude[-1], strict=True)) > SLACK:
@@ -49,7 +47,7 @@ def take_attitude(values: Given, n: int) -> Matrix:
 
 def take_contact(values: Given, n: int) -> list[mpmath.mpf]:
     """Take the contact point out of a start; the origin where it is left out."""
-    return _numbers(CONTACT, values.pop(CONTACT, [0.0] * (n - 1)), n - 1)
+    return finite_numbers(CONTACT, values.pop(CONTACT, [0.0] * (n - 1)), n - 1)
 
 
 def take_spin(values: Given, gamma: Sequence[mpmath.mpf], family: Family) -> Matrix | None:
@@ -65,7 +63,7 @@ def take_spin(values: Given, gamma: Sequence[mpmath.mpf], family: Family) -> Mat
         return None
     n = len(gamma)
     names = labels(n)
-    numbers = _numbers(OMEGA, given, len(names), f" ({', '.join(names)})")
+    numbers = finite_numbers(OMEGA, given, len(names), f" ({', '.join(names)})")
     omega: Matrix = mpmath.zeros(n).tolist()
     for (i, j), x in zip(pairs(n), numbers, strict=True):
         omega[i][j], omega[j][i] = x, -x
@@ -104,49 +102,8 @@ def _symbols(system: System, name: str) -> tuple[sp.Symbol, ...]:
 
 
 def _unit(values: float | Sequence[float], n: int) -> list[mpmath.mpf]:
-    numbers = _numbers("gamma", values, n)
+    numbers = finite_numbers("gamma", values, n)
     length = mpmath.norm(numbers)
     if length == 0:
         raise InputError("gamma: must not be zero, as it is a direction")
     return [x / length for x in numbers]
-
-
-def _numbers(name: str, values: object, count: int, which: str = "") -> list[mpmath.mpf]:
-    listed = list(values) if isinstance(values, Sequence) else []
-    numeric = all(not isinstance(x, Sequence) and mpmath.isfinite(x) for x in listed)
-    if len(listed) != count or not numeric:
-        raise InputError(f"{name}: must be {count} finite numbers{which}")
-    return [mpmath.mpf(repr(float(x))) for x in listed]
-
-
-def _rotation(given: object, n: int) -> Matrix:
-    """A matrix of SO(n) next to the one given, which may miss it by rounding."""
-    rows = list(given) if isinstance(given, Sequence) else []
-    if len(rows) == n * n and not any(isinstance(row, Sequence) for row in rows):
-        rows = [rows[i * n : (i + 1) * n] for i in range(n)]
-    if len(rows) != n or not all(isinstance(r, Sequence) and len(r) == n for r in rows):
-        raise InputError(f"attitude: must be {n} rows of {n} finite numbers")
-    matrix = mpmath.matrix([_numbers("attitude", row, n) for row in rows])
-    defect = mpmath.mnorm(matrix * matrix.T - mpmath.eye(n), "f")
-    if defect > 100 * SLACK:
-        near = ""
-        if defect < 1:
-            nearest = _orthogonal(matrix).tolist()
-            written = ", ".join(f"[{', '.join(repr(float(x)) for x in row)}]" for row in nearest)
-            near = f"; the nearest rotation is [{written}]"
-        raise InputError(f"attitude: its rows must be orthonormal{near}")
-    if mpmath.det(matrix) < 0:
-        raise InputError("attitude: its determinant must be 1, and it is −1 (a reflection)")
-    rotation: Matrix = _orthogonal(matrix).tolist()
-    return rotation
-
-
-def _orthogonal(matrix: mpmath.matrix) -> mpmath.matrix:
-    """The orthogonal factor of the polar decomposition, by Newton's method."""
-    for _ in range(60):
-        following = (matrix + (matrix**-1).T) / 2
-        change = mpmath.mnorm(following - matrix, "f")
-        matrix = following
-        if change < mpmath.mpf(10) ** (5 - DIGITS):
-            break
-    return matrix

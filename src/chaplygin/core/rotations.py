@@ -1,0 +1,111 @@
+"""Rotations of n-dimensional space as matrices of many digits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TypeAlias
+
+import mpmath
+
+from ..errors import InputError
+
+Matrix: TypeAlias = list[list[mpmath.mpf]]
+
+#: Digits that are worked with, what a given matrix may miss, and what is left of a half turn.
+_DIGITS, _SLACK, _TURNED = 50, 1e-10, 1e-12
+
+
+def finite_numbers(name: str, values: object, count: int, which: str = "") -> list[mpmath.mpf]:
+    """Numbers as they are written.
+
+    Parameters
+    ----------
+    name : str
+        What they are, for a message.
+    values : object
+        Numbers in a sequence or an array.
+    count : int
+        How many there must be.
+    which : str
+        Added to the message.
+
+    Raises
+    ------
+    InputError
+        If they are not so many finite numbers.
+    """
+    listed = list(values) if _is_listed(values) else []
+    if len(listed) != count or any(_is_listed(x) or not mpmath.isfinite(x) for x in listed):
+        raise InputError(f"{name}: must be {count} finite numbers{which}")
+    return [mpmath.mpf(repr(float(x))) for x in listed]
+
+
+def rotation_near(given: object, n: int) -> Matrix:
+    """The matrix of SO(n) next to one that misses it by rounding.
+
+    Parameters
+    ----------
+    given : object
+        n rows of n numbers, or n² numbers row by row.
+    n : int
+
+    Raises
+    ------
+    InputError
+        If it is no matrix of that size, its rows are not orthonormal, or it is a reflection.
+
+    Examples
+    --------
+    >>> [[float(x) for x in row] for row in rotation_near([[0, -1], [1, 0]], 2)]
+    [[0.0, -1.0], [1.0, 0.0]]
+    """
+    rows = list(given) if _is_listed(given) else []
+    if len(rows) == n * n and not any(map(_is_listed, rows)):
+        rows = [rows[i * n : (i + 1) * n] for i in range(n)]
+    if len(rows) != n or not all(_is_listed(row) and len(row) == n for row in rows):
+        raise InputError(f"attitude: must be {n} rows of {n} finite numbers")
+    with mpmath.workdps(_DIGITS):
+        matrix = mpmath.matrix([finite_numbers("attitude", row, n) for row in rows])
+        defect = mpmath.mnorm(matrix * matrix.T - mpmath.eye(n), "f")
+        if defect > _SLACK:
+            near = ""
+            if defect < 1:
+                nearest = _orthogonal(matrix).tolist()
+                written = ", ".join(f"[{', '.join(repr(float(x)) for x in r)}]" for r in nearest)
+                near = f"; the nearest rotation is [{written}]"
+            raise InputError(f"attitude: its rows must be orthonormal{near}")
+        if mpmath.det(matrix) < 0:
+            raise InputError("attitude: its determinant must be 1, and it is −1 (a reflection)")
+        rotation: Matrix = _orthogonal(matrix).tolist()
+        return rotation
+
+
+def upright_matrix(vertical: Sequence[float | mpmath.mpf]) -> Matrix:
+    """The shortest turn of a unit vector (body) to the last axis of space, n-dimensional."""
+    with mpmath.workdps(_DIGITS):
+        # float also turns numbers of NumPy into ones that repr writes as digits
+        decimals = (repr(float(v)) if isinstance(v, float) else v for v in vertical)
+        gamma = mpmath.matrix([mpmath.mpf(x) for x in decimals])
+        n, last = len(gamma), gamma[len(gamma) - 1]
+        if not 1 + last > _TURNED:
+            # opposite: a half turn in the plane of the first and the last axis
+            return list(mpmath.diag([-1, *([1] * (n - 2)), -1]).tolist())
+        up = mpmath.matrix([0] * (n - 1) + [1])
+        total = gamma + up
+        turn = mpmath.eye(n) - total * total.T / (1 + last) + 2 * up * gamma.T
+        return list(turn.tolist())
+
+
+def _is_listed(value: object) -> bool:
+    return isinstance(value, Iterable) and hasattr(value, "__len__") and not isinstance(value, str)
+
+
+def _orthogonal(matrix: mpmath.matrix) -> mpmath.matrix:
+    """The orthogonal factor of the polar decomposition, by Newton's method."""
+    for _ in range(60):
+        following = (matrix + (matrix**-1).T) / 2
+        change = mpmath.mnorm(following - matrix, "f")
+        matrix = following
+        if change < mpmath.mpf(10) ** (5 - _DIGITS):
+            break
+    return matrix
