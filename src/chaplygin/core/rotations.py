@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import mpmath
 
@@ -34,7 +34,7 @@ def finite_numbers(name: str, values: object, count: int, which: str = "") -> li
     InputError
         If they are not so many finite numbers.
     """
-    listed = list(values) if _is_listed(values) else []
+    listed = _listed(values)
     if len(listed) != count or any(_is_listed(x) or not mpmath.isfinite(x) for x in listed):
         raise InputError(f"{name}: must be {count} finite numbers{which}")
     return [mpmath.mpf(repr(float(x))) for x in listed]
@@ -59,10 +59,10 @@ def rotation_near(given: object, n: int) -> Matrix:
     >>> [[float(x) for x in row] for row in rotation_near([[0, -1], [1, 0]], 2)]
     [[0.0, -1.0], [1.0, 0.0]]
     """
-    rows = list(given) if _is_listed(given) else []
+    rows = _listed(given)
     if len(rows) == n * n and not any(map(_is_listed, rows)):
         rows = [rows[i * n : (i + 1) * n] for i in range(n)]
-    if len(rows) != n or not all(_is_listed(row) and len(row) == n for row in rows):
+    if len(rows) != n or any(len(_listed(row)) != n for row in rows):
         raise InputError(f"attitude: must be {n} rows of {n} finite numbers")
     with mpmath.workdps(_DIGITS):
         matrix = mpmath.matrix([finite_numbers("attitude", row, n) for row in rows])
@@ -97,7 +97,12 @@ def upright_matrix(vertical: Sequence[float | mpmath.mpf]) -> Matrix:
 
 
 def _is_listed(value: object) -> bool:
-    return isinstance(value, Iterable) and hasattr(value, "__len__") and not isinstance(value, str)
+    return hasattr(value, "__len__") and not isinstance(value, str)
+
+
+def _listed(value: object) -> list[Any]:
+    """The parts of a sequence or an array; none of anything else."""
+    return list(value) if _is_listed(value) and isinstance(value, Iterable) else []
 
 
 def _orthogonal(matrix: mpmath.matrix) -> mpmath.matrix:
