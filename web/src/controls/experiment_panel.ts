@@ -1,0 +1,98 @@
+/** Sliders for the start, the parameters and the duration. */
+
+import type { Lab } from "../lab";
+import type { PageModel } from "../model";
+import { element } from "../page/dom";
+import { changed, opening } from "../page/experiment";
+import { formula } from "../page/mathml";
+import { row } from "../playback/motion";
+import { rangeAround, slider, type Slider } from "./slider";
+
+/** The panel; null where nothing can be changed. */
+export function experimentPanel(lab: Lab): HTMLElement | null {
+  const { model } = lab;
+  if (lab.engine === null) return null;
+  const usual = usualValues(model);
+  const starts = model.start_inputs.map((input) => {
+    const made = slider({ ...input, symbol: formula(input.mathml) }, () => lab.mark(), (value) => {
+      const inputs = startInputs(lab);
+      const next = changed(inputs, input.name, value, usual.inputs.get(input.name) ?? NaN);
+      void lab.change({ ...lab.wanted.value, start: { inputs: next } }, false);
+    });
+    return [input.name, made] as const;
+  });
+  const parameters = model.parameters.filter((each) => !each.fixed).map((each) => {
+    const [low, high] = rangeAround(each.value, each.low, each.high);
+    const made = slider({ ...each, symbol: formula(each.mathml), low, high }, () => lab.mark(), (value) => {
+      const now = lab.wanted.value;
+      void lab.change({ ...now, parameters: changed(now.parameters, each.name, value, each.value) }, false);
+    });
+    return [each.name, made] as const;
+  });
+  const until = slider(
+    { name: "until", symbol: document.createTextNode("until"), meaning: "Duration of the motion", unit: "s", value: model.until, low: model.until / 20, high: 5 * model.until },
+    () => lab.mark(),
+    (value) => {
+      if (value > 0) void lab.change({ ...lab.wanted.value, until: value }, false);
+      else lab.say("The duration must be positive.", true);
+    },
+  );
+  const note = element("p", { class: "lab-hint", hidden: true }, "This start was chosen in a section or chart; a slider takes it from here.");
+  lab.wanted.watch((now) => {
+    for (const [name, made] of parameters) made.set(now.parameters[name] ?? usual.parameters.get(name) ?? 0);
+    until.set(now.until);
+  });
+  lab.shown.watch(() => {
+    const inputs = startInputs(lab);
+    note.hidden = !("state" in lab.wanted.value.start);
+    for (const [name, made] of starts) made.set(inputs[name] ?? usual.inputs.get(name) ?? 0);
+  });
+  lab.wanted.after((now) => {
+    if ("state" in now.start) return;
+    for (const [name, made] of starts) made.set(now.start.inputs[name] ?? usual.inputs.get(name) ?? 0);
+  });
+  const reset = element("button", { type: "button", class: "lab-button" }, "As at first");
+  reset.addEventListener("click", () => void lab.change(opening(model)));
+  return element(
+    "div",
+    { class: "lab-sliders" },
+    group("Start", starts, note),
+    group("Parameters", parameters, null),
+    element("fieldset", {}, element("legend", {}, "Run"), until.element, reset),
+  );
+}
+
+function group(words: string, sliders: readonly (readonly [string, Slider])[], note: HTMLElement | null): HTMLElement | null {
+  if (sliders.length === 0) return null;
+  return element("fieldset", {}, element("legend", {}, words), ...sliders.map(([, made]) => made.element), note);
+}
+
+function usualValues(model: PageModel): { inputs: Map<string, number>; parameters: Map<string, number> } {
+  return {
+    inputs: new Map(model.start_inputs.map((input) => [input.name, input.value])),
+    parameters: new Map(model.parameters.map((parameter) => [parameter.name, parameter.value])),
+  };
+}
+
+/** The start inputs of the experiment; those of a state are read off the motion where it records them. */
+function startInputs(lab: Lab): Record<string, number> {
+  const { start } = lab.wanted.value;
+  if ("inputs" in start) return { ...start.inputs };
+  const { motion } = lab.shown.value;
+  const found: Record<string, number> = {};
+  for (const { name } of lab.model.start_inputs) {
+    const place = lab.model.state.findIndex((each) => each.name === name);
+    const value = place >= 0 ? start.state[place] : recorded(lab, name, motion.times[0] ?? 0);
+    if (value !== undefined && Number.isFinite(value)) found[name] = value;
+  }
+  return found;
+}
+
+function recorded(lab: Lab, name: string, t: number): number | undefined {
+  const cut = name.lastIndexOf("_");
+  const column = lab.model.columns.find((each) => each.name === name || each.name === name.slice(0, cut));
+  if (column === undefined) return undefined;
+  const index = column.name === name ? 0 : Number(name.slice(cut + 1)) - 1;
+  return row(lab.shown.value.motion, column.name, column.width, t)?.[index];
+}
+

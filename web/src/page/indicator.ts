@@ -1,0 +1,21 @@
+/** Colours and words for indicators of chaos. */
+
+import { INDICATOR_SCALE, onScale } from "./palette";
+import { readable } from "./numbers";
+
+/** Share of the scale for a MEGNO: it tends to 2 on regular motions and grows with chaos. */
+export function megnoShare(value: number): number {
+  return Math.log2(Math.max(1, value) / 2) / 4;
+}
+
+/** Colour of a MEGNO, red, green and blue. */
+export function megnoColour(value: number): [number, number, number] {
+  return onScale(INDICATOR_SCALE, megnoShare(value));
+}
+
+/** A MEGNO in words. */
+export function megnoWords(value: number): string {
+  if (!Number.isFinite(value)) return "no indicator: the motion ends before";
+  // the mean over a finite time: nothing is proven by it
+  return `MEGNO ${readable(value, 3)}${value < 2.5 ? ", as on regular motions" : value > 4 ? ", as on chaotic motions" : ""}`;
+}

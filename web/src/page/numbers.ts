@@ -1,0 +1,61 @@
+/** Numbers as they are read. */
+
+const MINUS = "\u2212";
+const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/** A number with `digits` significant ones, as it is printed: 1.5, −0.02, 3.2·10⁻⁷. */
+export function readable(value: number, digits = 4): string {
+  if (Number.isNaN(value)) return "–";
+  if (!Number.isFinite(value)) return value > 0 ? "∞" : `${MINUS}∞`;
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  if (size >= 1e-3 && size < 1e5) return trimmed(value.toPrecision(digits)).replace("-", MINUS);
+  const [mantissa = "", exponent = "0"] = value.toExponential(digits - 1).split("e");
+  const short = trimmed(mantissa).replace("-", MINUS);
+  const power = Number(exponent);
+  const sign = power < 0 ? "⁻" : "";
+  const raised = [...String(Math.abs(power))].map((digit) => RAISED[Number(digit)]).join("");
+  return `${short}·10${sign}${raised}`;
+}
+
+function trimmed(text: string): string {
+  const plain = text.includes("e") ? String(Number(text)) : text;
+  return plain.includes(".") ? plain.replace(/\.?0+$/, "") : plain;
+}
+
+/** The number 1, 2 or 5 times a power of ten that is next below `size`. */
+export function roundNumber(size: number): number {
+  const power = 10 ** Math.floor(Math.log10(size));
+  const step = [5, 2, 1].find((candidate) => candidate * power <= size * (1 + 1e-9)) ?? 1;
+  return step * power;
+}
+
+/** A range that shows all finite values with a margin; a whole one where they are all alike. */
+export function extent(values: Iterable<number>, margin = 0.05): [number, number] {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const value of values) {
+    if (!Number.isFinite(value)) continue;
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  if (low > high) return [-1, 1];
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  if (high - low <= 1e-9 * size || high === low) {
+    const half = size > 0 ? 0.1 * size : 1;
+    return [low - half, high + half];
+  }
+  const room = margin * (high - low);
+  return [low - room, high + room];
+}
+
+/** Places for marks on an axis: round numbers, about `count` of them. */
+export function ticks(low: number, high: number, count: number): number[] {
+  const rough = (high - low) / Math.max(1, count);
+  if (!(rough > 0)) return [low];
+  let step = roundNumber(rough);
+  while ((high - low) / step > 1.35 * count) step = roundNumber(2.5 * step);
+  const first = Math.ceil(low / step - 1e-9);
+  const last = Math.floor(high / step + 1e-9);
+  return Array.from({ length: last - first + 1 }, (_, k) => Number(((first + k) * step).toPrecision(12)));
+}

@@ -1,0 +1,171 @@
+/** Quantities over time, with a cursor tied to the scene. */
+
+import uPlot from "uplot";
+import type { Lab } from "../lab";
+import { element, toggle } from "../page/dom";
+import { formula } from "../page/mathml";
+import { readable } from "../page/numbers";
+import { onSchemeChange, palette, type Palette } from "../page/palette";
+import { place } from "../playback/motion";
+import { seriesGroups, type SeriesGroup } from "./series";
+
+const HEIGHT = 170;
+
+export interface PlotsPanel {
+  element: HTMLElement;
+  /** The quantities that are drawn. */
+  chosen(): SeriesGroup[];
+}
+
+/** Plots of the quantities that the reader chooses, one above the other. */
+export function plotsPanel(lab: Lab): PlotsPanel {
+  const chosen = new Set(firstChosen(lab));
+  const chips = element("div", { class: "lab-chips", role: "toolbar", "aria-label": "Quantities" });
+  const sheets = element("div", { class: "lab-plots" });
+  const panel = element("div", {}, chips, sheets);
+  let plots: { plot: uPlot; readings: Reading[] }[] = [];
+  const groups = (): SeriesGroup[] => seriesGroups(lab.model, lab.shown.value.motion);
+  const drawn = (): SeriesGroup[] => groups().filter(({ name }) => chosen.has(name));
+  const build = (): void => {
+    for (const { plot } of plots) plot.destroy();
+    sheets.replaceChildren();
+    plots = drawn().map((group) => {
+      const holder = element("figure", { class: "lab-plot", "aria-label": `${group.meaning || group.name} over time` });
+      sheets.append(holder);
+      const width = Math.max(240, sheets.clientWidth || 600);
+      const readings = legend(group, holder);
+      return { plot: plotOf(lab, group, holder, width), readings };
+    });
+    now();
+  };
+  const now = (): void => {
+    for (const { plot, readings } of plots) {
+      cursor(plot, lab);
+      const { times } = lab.shown.value.motion;
+      const { index, share } = place(times, lab.clock.time.value);
+      readings.forEach((reading, k) => {
+        const values = plot.data[k + 1];
+        const value = (1 - share) * (values?.[index] ?? NaN) + (share > 0 ? share * (values?.[index + 1] ?? NaN) : 0);
+        reading.textContent = readable(value, 4);
+      });
+    }
+  };
+  const renew = (): void => {
+    const groups = drawn();
+    if (groups.length !== plots.length) return build();
+    groups.forEach((group, k) => plots[k]?.plot.setData(dataOf(lab, group)));
+    now();
+  };
+  for (const group of groups()) {
+    const face = group.text.length <= 4 ? formula(group.mathml) : group.text;
+    chips.append(
+      toggle(face, group.meaning || group.name, chosen.has(group.name), (on) => {
+        if (on) chosen.add(group.name);
+        else chosen.delete(group.name);
+        build();
+      }),
+    );
+  }
+  lab.shown.after(renew);
+  lab.clock.time.after(now);
+  onSchemeChange(build);
+  let width = 0;
+  new ResizeObserver(() => {
+    if (sheets.clientWidth === width || sheets.clientWidth === 0) return;
+    const first = width === 0;
+    width = sheets.clientWidth;
+    if (first) build();
+    else for (const { plot } of plots) plot.setSize({ width, height: HEIGHT });
+  }).observe(sheets);
+  return { element: panel, chosen: drawn };
+}
+
+type Reading = HTMLElement;
+
+/** Names of the curves with their values at the instant of the scene. */
+function legend(group: SeriesGroup, holder: HTMLElement): Reading[] {
+  const colours = palette();
+  const line = element("figcaption", { class: "lab-curves" });
+  holder.append(line);
+  return group.components.map(({ label }, k) => {
+    const reading = element("span", { class: "lab-number" });
+    const style = `border-top: 2.5px ${STROKES[k % STROKES.length] ?? "solid"} ${curveColour(colours, k)}`;
+    line.append(element("span", {}, element("i", { style }), `${label} = `, reading));
+    return reading;
+  });
+}
+
+const STROKES = ["solid", "dashed", "dotted", "solid"] as const;
+
+function curveColour(colours: Palette, k: number): string {
+  return colours.components[k] ?? colours.series[k % colours.series.length] ?? colours.ink;
+}
+
+function firstChosen(lab: Lab): string[] {
+  const names = lab.model.columns.map(({ name }) => name);
+  const wanted = ["omega", "gamma"].filter((name) => names.includes(name));
+  return wanted.length > 0 ? wanted : names.filter((name) => !name.startsWith("lambda")).slice(0, 2);
+}
+
+function dataOf(lab: Lab, group: SeriesGroup): uPlot.AlignedData {
+  return [lab.shown.value.motion.times, ...group.components.map(({ values }) => values)];
+}
+
+function plotOf(lab: Lab, group: SeriesGroup, holder: HTMLElement, width: number): uPlot {
+  const colours = palette();
+  const marks = { stroke: colours.quiet, font: "13px 'STIX Two Text', Georgia, serif", ticks: { stroke: colours.line, width: 1, size: 4 }, grid: { stroke: colours.line, width: 0.5 } };
+  const dashes = [[], [7, 3], [2, 3], [8, 3, 2, 3]];
+  const label = `${group.text}${group.unit ? `  (${group.unit})` : ""}`;
+  const plot: uPlot = new uPlot(
+    {
+      width,
+      height: HEIGHT,
+      legend: { show: false },
+      scales: { x: { time: false } },
+      cursor: { y: false, drag: { x: false, y: false }, points: { size: 6 }, focus: { prox: 24 } },
+      axes: [
+        { ...marks, size: 30, values: (_, values) => values.map((value) => readable(value, 6)) },
+        { ...marks, size: 62, label, labelSize: 22, labelFont: "italic 14px 'STIX Two Text', Georgia, serif", values: (_, values) => values.map((value) => readable(value, 6)) },
+      ],
+      series: [
+        {},
+        ...group.components.map(({ label: name }, k) => ({
+          label: name,
+          stroke: curveColour(colours, k),
+          width: 1.5,
+          dash: dashes[k % dashes.length] ?? [],
+          points: { show: false },
+        })),
+      ],
+      hooks: {
+        draw: [(drawn) => cursor(drawn, lab)],
+      },
+    },
+    dataOf(lab, group),
+    holder,
+  );
+  const seek = (event: PointerEvent): void => {
+    const { left } = plot.over.getBoundingClientRect();
+    lab.clock.pause();
+    lab.clock.seek(plot.posToVal(event.clientX - left, "x"));
+  };
+  plot.over.addEventListener("pointerdown", (event) => {
+    plot.over.setPointerCapture(event.pointerId);
+    seek(event);
+  });
+  plot.over.addEventListener("pointermove", (event) => {
+    if (plot.over.hasPointerCapture(event.pointerId)) seek(event);
+  });
+  plot.over.style.touchAction = "pan-y";
+  const mark = element("div", { class: "lab-plot-now" });
+  plot.over.append(mark);
+  cursor(plot, lab);
+  return plot;
+}
+
+/** The line of the instant that the scene shows is an element of its own: moving it redraws nothing. */
+function cursor(plot: uPlot, lab: Lab): void {
+  const mark = plot.over.querySelector<HTMLElement>(".lab-plot-now");
+  if (mark === null) return;
+  mark.style.transform = `translateX(${plot.valToPos(lab.clock.time.value, "x").toFixed(2)}px)`;
+}

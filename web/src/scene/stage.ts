@@ -1,0 +1,368 @@
+/** The scene on the screen: what is there, from where it is seen, and its pictures. */
+
+import {
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  Mesh,
+  MeshBasicMaterial,
+  PCFShadowMap,
+  PerspectiveCamera,
+  Scene as World,
+  SphereGeometry,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { floats, integers } from "../encoding";
+import type { Scene } from "../model";
+import { roundNumber } from "../page/numbers";
+import { palette, type Palette } from "../page/palette";
+import { smoothCurve, type TimedCurve } from "../playback/curve";
+import { finiteSamples, pose, row, turned, turnedBack, type Motion, type Pose, type Vector } from "../playback/motion";
+import { Arrow } from "./arrows";
+import { BodyModel, type Surface } from "./body";
+import { capOpening } from "./cap";
+import { meshGround, planeGround, sphereGround, type Ground } from "./ground";
+import { Linkage } from "./linkage";
+import { openingView, planPoints, reachOf } from "./opening_view";
+import { Ribbon } from "./ribbon";
+import { ellipsoid } from "./ellipsoid";
+import { eye, FIELD, zoomed, type View } from "./view";
+
+/** What the reader has chosen to see. */
+export interface Shown {
+  trace: boolean;
+  traceOnBody: boolean;
+  inertia: boolean;
+  centre: boolean;
+  follow: boolean;
+  vectors: ReadonlySet<string>;
+}
+
+const TRACE_ON_BODY = 6.3;
+const VECTOR_LENGTH = 0.9;
+
+/** Draws motions of one model. Lengths of the model are divided by its size. */
+export class Stage {
+  view: View;
+  readonly size: number;
+  private readonly renderer: WebGLRenderer;
+  private readonly camera = new PerspectiveCamera((FIELD * 180) / Math.PI, 1, 0.05, 500);
+  private readonly world = new World();
+  private readonly metres = new Group();
+  private readonly lamp = new DirectionalLight(0xffffff, 2.1);
+  private readonly bodyFrame = new Group();
+  private colours: Palette = palette();
+  private body: BodyModel | null = null;
+  private ground: Ground | null = null;
+  private linkage: Linkage | null = null;
+  private path: Ribbon | null = null;
+  private trace: Ribbon | null = null;
+  private arrows = new Map<string, { arrow: Arrow; scale: number }>();
+  private inertia: Mesh | null = null;
+  private centreMark: Mesh | null = null;
+  private reach = 4;
+  private width = 1;
+  private height = 1;
+
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    private readonly scene: Scene,
+    private surface: Surface | null,
+    private motion: Motion,
+    public shown: Shown,
+  ) {
+    this.size = scene.size > 0 ? scene.size : 1;
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: "high-performance" });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.camera.up.set(0, 0, 1);
+    this.metres.scale.setScalar(1 / this.size);
+    this.world.add(this.metres, this.lamp, this.lamp.target);
+    this.metres.add(this.bodyFrame);
+    this.view = openingView(scene, motion, this.size);
+    this.lamp.castShadow = true;
+    this.lamp.shadow.mapSize.set(1024, 1024);
+    this.lamp.shadow.radius = 5;
+    this.lamp.shadow.bias = -2e-4;
+    this.lamp.shadow.normalBias = 0.01;
+    const half = 1.6;
+    Object.assign(this.lamp.shadow.camera, { left: -half, right: half, top: half, bottom: -half, near: 0.5, far: 14 });
+    this.build();
+  }
+
+  /** Show another motion of the same model, perhaps of another body. */
+  setMotion(motion: Motion, surface: Surface | null): void {
+    this.motion = motion;
+    this.surface = surface;
+    this.build();
+  }
+
+  /** Spacing of the grid on the ground in metres; 0 without one. */
+  get spacing(): number {
+    return this.ground?.spacing ?? 0;
+  }
+
+  /** Draw in the colours that the reader prefers now. */
+  recolour(): void {
+    this.colours = palette();
+    this.build();
+  }
+
+  /** The view from which the whole motion is seen best. */
+  reset(): void {
+    this.view = openingView(this.scene, this.motion, this.size, this.width / this.height);
+  }
+
+  zoom(factor: number): void {
+    this.view = zoomed(this.view, factor);
+  }
+
+  /** The magnitude that the longest arrow of a vector stands for. */
+  vectorScale(name: string): number {
+    return this.arrows.get(name)?.scale ?? 0;
+  }
+
+  resize(width: number, height: number, ratio = Math.min(window.devicePixelRatio || 1, 2)): void {
+    if (width < 1 || height < 1) return;
+    const first = this.width === 1;
+    this.width = width;
+    this.height = height;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.path?.resize(width, height);
+    this.trace?.resize(width, height);
+    if (first) this.reset();
+  }
+
+  /** Draw the instant `t`. */
+  draw(t: number): void {
+    const now = pose(this.motion, t);
+    this.place(now);
+    if (this.shown.follow) this.follow(now);
+    const target = new Vector3(...this.view.target);
+    this.camera.position.set(...eye(this.view));
+    this.camera.near = Math.max(0.02, this.view.distance / 60);
+    this.camera.far = this.view.distance + 6 * this.reach + 60;
+    this.camera.updateProjectionMatrix();
+    this.camera.lookAt(target);
+    const metres = this.view.target.map((place) => place * this.size) as Vector;
+    const nearby = Math.min(Math.max(this.reach, 2), 0.62 * this.view.distance);
+    this.ground?.around(metres, nearby * this.size);
+    const body = new Vector3(...now.centre).divideScalar(this.size);
+    if (this.linkage !== null) body.set(metres[0], metres[1], 0).divideScalar(this.size);
+    this.lamp.target.position.copy(body);
+    this.lamp.position.copy(body).add(this.lampDirection().multiplyScalar(6));
+    this.renderer.render(this.world, this.camera);
+  }
+
+  /** A picture of an instant, with the colour of the paper behind it. */
+  async picture(t: number, width: number, height: number, ratio: number): Promise<HTMLCanvasElement> {
+    const [wide, high] = [this.width, this.height];
+    this.resize(width, height, ratio);
+    this.draw(t);
+    const sheet = document.createElement("canvas");
+    sheet.width = this.canvas.width;
+    sheet.height = this.canvas.height;
+    const pen = sheet.getContext("2d");
+    if (pen !== null) {
+      pen.fillStyle = this.colours.paper;
+      pen.fillRect(0, 0, sheet.width, sheet.height);
+      pen.drawImage(this.canvas, 0, 0);
+    }
+    this.resize(wide, high);
+    this.draw(t);
+    return sheet;
+  }
+
+  dispose(): void {
+    this.clear();
+    this.renderer.dispose();
+  }
+
+  private lampDirection(): Vector3 {
+    const { azimuth } = this.view;
+    // over the reader's left shoulder, steep: as in the project's figures
+    const right = new Vector3(-Math.sin(azimuth), Math.cos(azimuth), 0);
+    const near = new Vector3(Math.cos(azimuth), Math.sin(azimuth), 0);
+    return right.multiplyScalar(-0.35).addScaledVector(near, 0.2).add(new Vector3(0, 0, 1)).normalize();
+  }
+
+  private follow(now: Pose): void {
+    const { path } = this.scene;
+    const place = path === null ? now.centre : (row(this.motion, path, 2, now.t) ?? [0, 0]);
+    const [x = 0, y = 0, z = 0] = place;
+    this.view = { ...this.view, target: [x / this.size, y / this.size, z / this.size] };
+  }
+
+  private clear(): void {
+    this.body?.dispose();
+    this.path?.dispose();
+    this.trace?.dispose();
+    for (const { arrow } of this.arrows.values()) arrow.dispose();
+    this.arrows.clear();
+    this.bodyFrame.clear();
+    this.metres.clear();
+    this.metres.add(this.bodyFrame);
+    for (const light of this.world.children.filter((child) => child instanceof HemisphereLight)) {
+      this.world.remove(light);
+    }
+    this.body = this.ground = this.linkage = this.path = this.trace = this.inertia = this.centreMark = null;
+  }
+
+  private build(): void {
+    this.clear();
+    const { scene, colours, motion } = this;
+    this.world.add(new HemisphereLight(0xffffff, colours.dark ? 0x7d8894 : 0xb9c2cb, 1.5));
+    this.buildBody();
+    const contact = this.curveOf("contact");
+    this.buildGround(contact.points);
+    if (scene.links.length > 0) {
+      this.linkage = new Linkage(scene.links, 0.2 * this.size, colours);
+      this.metres.add(this.linkage.group);
+    }
+    this.path = new Ribbon(scene.path !== null ? this.planPath() : contact, { width: 3, before: 1, after: 0.16, tail: Infinity }, colours.time);
+    this.metres.add(this.path.mesh);
+    if (this.body !== null && motion.columns["contact"] && motion.columns["attitude"]) {
+      this.trace = new Ribbon(this.traceOnBody(), { width: 2.2, before: 1, after: 0, tail: TRACE_ON_BODY * this.size }, colours.time);
+      this.bodyFrame.add(this.trace.mesh);
+    }
+    for (const [index, vector] of scene.vectors.entries()) {
+      const largest = largestLength(motion, vector.column);
+      if (!(largest > 0)) continue;
+      const arrow = new Arrow(colours.components[index % 3] ?? colours.ink);
+      this.arrows.set(vector.name, { arrow, scale: largest });
+      this.metres.add(arrow.group);
+    }
+    this.path.resize(this.width, this.height);
+    this.trace?.resize(this.width, this.height);
+  }
+
+  private buildBody(): void {
+    const { scene, colours } = this;
+    const axes = scene.inertia_axes;
+    const shaped = this.surface;
+    const moves = this.motion.columns["attitude"] !== undefined;
+    if (!moves) return;
+    const unit = axes ? (0.5 * this.size) / Math.max(...axes) : 0;
+    const semi = axes?.map((axis) => axis * unit) as Vector | undefined;
+    const surface = shaped ?? (semi ? ellipsoid(semi, scene.inertia_turn) : null);
+    if (surface !== null) {
+      this.body = new BodyModel(surface, colours);
+      this.bodyFrame.add(this.body.group);
+    }
+    if (semi && shaped !== null) {
+      // as large as fits into the body along its longest axis
+      const small = semi.map((axis) => 0.8 * axis) as Vector;
+      const inner = new BodyModel(ellipsoid(small, scene.inertia_turn), { ...colours, body: ["#efd9a4", "#c77d4f"] });
+      this.inertia = new Mesh();
+      this.inertia.add(inner.group);
+      this.bodyFrame.add(this.inertia);
+    }
+    this.centreMark = new Mesh(
+      new SphereGeometry(0.028 * this.size, 24, 16),
+      new MeshBasicMaterial({ color: colours.alarm, depthTest: false, transparent: true }),
+    );
+    this.centreMark.renderOrder = 11;
+    this.bodyFrame.add(this.centreMark);
+  }
+
+  private buildGround(path: Float64Array): void {
+    const { scene, colours, size } = this;
+    this.reach = reachOf(scene.path !== null ? this.planPath().points : path, size);
+    const support = scene.support ?? (scene.path === null ? null : { kind: "plane" as const });
+    if (support === null || support.kind === "point") return;
+    if (support.kind === "plane") this.ground = planeGround(roundNumber(Math.max(0.5, this.reach / 16) * size), colours);
+    else if (support.kind === "sphere") {
+      // the radius may be one of the parameters: the contact tells it
+      const radius = Math.hypot(path[0] ?? NaN, path[1] ?? NaN, path[2] ?? NaN) || Math.abs(support.radius);
+      const room = support.inside ? 0.3 : Math.max(0.12, (0.75 * size) / radius);
+      const around = this.surface?.hollow === true;
+      const opening = around ? Math.PI : capOpening(path, support.inside ? -1 : 1, room, support.inside ? 1.75 : 1.2);
+      this.ground = sphereGround(radius, support.inside, opening, colours);
+    } else {
+      const positions = floats(support.positions);
+      const mesh = { positions, normals: floats(support.normals), indices: integers(support.indices) };
+      this.ground = meshGround(mesh, meshSpacing(positions), colours);
+    }
+    this.metres.add(this.ground.group);
+  }
+
+  private curveOf(column: string): TimedCurve {
+    const name = this.motion.columns[column] ? column : "centre";
+    const count = finiteSamples(this.motion, name, 3);
+    const parts = Math.max(1, Math.min(6, Math.ceil(2400 / Math.max(1, count))));
+    return smoothCurve(this.motion.times, this.motion.columns[name] ?? new Float64Array(0), count, parts);
+  }
+
+  private planPath(): TimedCurve {
+    const points = planPoints(this.scene, this.motion);
+    return smoothCurve(this.motion.times, points, points.length / 3, 4);
+  }
+
+  private traceOnBody(): TimedCurve {
+    const { motion } = this;
+    const count = Math.min(finiteSamples(motion, "contact", 3), finiteSamples(motion, "attitude", 4));
+    const points = new Float64Array(3 * count);
+    for (let k = 0; k < count; k++) {
+      const t = motion.times[k] ?? 0;
+      const { attitude, centre, contact } = pose(motion, t);
+      const arm = contact.map((place, i) => place - (centre[i] ?? 0)) as Vector;
+      points.set(turnedBack(attitude, arm), 3 * k);
+    }
+    return smoothCurve(motion.times, points, count, Math.max(1, Math.min(6, Math.ceil(2400 / Math.max(1, count)))));
+  }
+
+  private place(now: Pose): void {
+    const { shown } = this;
+    const [w, x, y, z] = now.attitude;
+    this.bodyFrame.position.set(...now.centre);
+    this.bodyFrame.quaternion.set(x, y, z, w);
+    if (this.body !== null) this.body.glass = (shown.inertia && this.inertia !== null) || shown.centre;
+    if (this.inertia !== null) this.inertia.visible = shown.inertia;
+    if (this.centreMark !== null) this.centreMark.visible = shown.centre;
+    this.linkage?.at(this.motion, now.t);
+    for (const [ribbon, on] of [[this.path, shown.trace], [this.trace, shown.traceOnBody]] as const) {
+      if (ribbon === null) continue;
+      ribbon.mesh.visible = on;
+      ribbon.at(now.t);
+    }
+    for (const vector of this.scene.vectors) {
+      const drawn = this.arrows.get(vector.name);
+      if (drawn === undefined) continue;
+      const value = row(this.motion, vector.column, 3, now.t) as Vector | null;
+      drawn.arrow.group.visible = shown.vectors.has(vector.name) && value !== null;
+      if (!drawn.arrow.group.visible || value === null) continue;
+      const inSpace = vector.axes === "body" ? turned(now.attitude, value) : value;
+      const length = (VECTOR_LENGTH * this.size) / drawn.scale;
+      drawn.arrow.thickness = 0.0026 * this.view.distance * this.size;
+      const from = vector.at === "contact" ? now.contact : now.centre;
+      drawn.arrow.set(new Vector3(...from), new Vector3(...inSpace).multiplyScalar(length));
+    }
+  }
+}
+
+function largestLength(motion: Motion, column: string): number {
+  const values = motion.columns[column];
+  if (values === undefined) return 0;
+  let largest = 0;
+  for (let k = 0; k + 2 < values.length; k += 3) {
+    const length = Math.hypot(values[k] ?? 0, values[k + 1] ?? 0, values[k + 2] ?? 0);
+    if (length > largest) largest = length;
+  }
+  return largest;
+}
+
+function meshSpacing(positions: ArrayLike<number>): number {
+  let [low, high] = [Infinity, -Infinity];
+  for (let k = 0; k < positions.length; k++) {
+    low = Math.min(low, positions[k] ?? low);
+    high = Math.max(high, positions[k] ?? high);
+  }
+  const rough = (high - low) / 12;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  return (([1, 2, 5, 10] as const).find((step) => step * power >= rough * (1 - 1e-9)) ?? 10) * power;
+}
+

@@ -1,0 +1,139 @@
+/** Orbits of a section: their points, and which of them is near a place. */
+
+import type { Engine, Values } from "../engine/engine";
+import type { PageModel } from "../model";
+
+/** What a section shows. */
+export interface SectionSetting {
+  on: string;
+  value: number;
+  direction: -1 | 0 | 1;
+  x: string;
+  y: string;
+}
+
+/** Points of one motion. */
+export interface Orbit {
+  /** The whole state from which it starts. */
+  start: Float64Array;
+  x: Float64Array;
+  y: Float64Array;
+  /** Number of the orbit since the section was cleared; gives its colour. */
+  number: number;
+  /** Time of its last point. */
+  until: number;
+  /** MEGNO, once it is known. */
+  indicator: number | null;
+}
+
+/** The index of a quantity by its name. */
+export function quantityIndex(model: PageModel, name: string): number {
+  return model.quantities.findIndex((quantity) => quantity.name === name);
+}
+
+/** The points of a section from a start, in pieces as they come. */
+export async function* sectionPieces(
+  engine: Engine,
+  model: PageModel,
+  parameters: Values,
+  setting: SectionSetting,
+  start: Float64Array,
+  points: number,
+  piece: number,
+  longest: number,
+): AsyncGenerator<{ x: Float64Array; y: Float64Array; time: number; end: string | null }> {
+  const [ix, iy] = [quantityIndex(model, setting.x), quantityIndex(model, setting.y)];
+  const width = model.quantities.length;
+  let from: Float64Array = start;
+  let time = 0;
+  for (let done = 0; done < points; ) {
+    const { on, value, direction } = setting;
+    const part = await engine.section({ parameters, start: from, on, value, direction, points: Math.min(piece, points - done), until: longest - time });
+    const count = part.rows.length / part.dimension;
+    if (count > 0) {
+      const values = await engine.quantities(parameters, part.rows, part.dimension);
+      time += part.times.at(-1) ?? 0;
+      yield { x: column(values, width, ix, model), y: column(values, width, iy, model), time, end: part.end?.reason ?? null };
+      from = part.rows.slice((count - 1) * part.dimension);
+    }
+    if (part.end !== null || count === 0) {
+      if (count === 0) yield { x: new Float64Array(0), y: new Float64Array(0), time, end: part.end?.reason ?? "it does not cross the section" };
+      return;
+    }
+    done += count;
+  }
+}
+
+function column(values: Float64Array, width: number, index: number, model: PageModel): Float64Array {
+  const angle = model.quantities[index]?.angle === true;
+  return Float64Array.from({ length: values.length / width }, (_, k) => {
+    const value = values[k * width + index] ?? NaN;
+    return angle ? wrapped(value) : value;
+  });
+}
+
+/** An angle between −π and π. */
+export function wrapped(angle: number): number {
+  const turns = Math.round(angle / (2 * Math.PI));
+  return angle - 2 * Math.PI * turns;
+}
+
+/** How often a quantity along a motion passes a value in a direction; 0 is both. */
+export function crossings(values: ArrayLike<number>, value: number, direction: -1 | 0 | 1, angle: boolean): number {
+  let count = 0;
+  for (let k = 1; k < values.length; k++) {
+    const before = (values[k - 1] ?? NaN) - value;
+    const after = (values[k] ?? NaN) - value;
+    // an angle passes a value at every turn
+    const turns = angle ? Math.floor(after / (2 * Math.PI)) - Math.floor(before / (2 * Math.PI)) : 0;
+    const sign = angle ? Math.sign(turns) : before < 0 && after >= 0 ? 1 : before > 0 && after <= 0 ? -1 : 0;
+    if (sign !== 0 && (direction === 0 || direction === sign)) count += angle ? Math.abs(turns) : 1;
+  }
+  return count;
+}
+
+/** A round number near the middle of the values that a quantity takes. */
+export function middleOf(values: ArrayLike<number>): number {
+  let [low, high] = [Infinity, -Infinity];
+  for (let k = 0; k < values.length; k++) {
+    const value = values[k] ?? NaN;
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  if (!(high > low)) return low === Infinity ? 0 : low;
+  const step = 10 ** Math.floor(Math.log10((high - low) / 2));
+  return Number((Math.round((low + high) / 2 / step) * step).toPrecision(6));
+}
+
+/** The orbit with a point nearest to a place, if one is within a distance; all in units of the picture. */
+export function nearest(
+  orbits: readonly Orbit[],
+  right: (x: number) => number,
+  down: (y: number) => number,
+  place: { right: number; down: number },
+  within: number,
+): { orbit: Orbit; index: number } | null {
+  let best: { orbit: Orbit; index: number } | null = null;
+  let least = within * within;
+  for (const orbit of orbits) {
+    for (let k = 0; k < orbit.x.length; k++) {
+      const a = right(orbit.x[k] ?? NaN) - place.right;
+      const b = down(orbit.y[k] ?? NaN) - place.down;
+      const far = a * a + b * b;
+      if (far < least) [least, best] = [far, { orbit, index: k }];
+    }
+  }
+  return best;
+}
+
+/** An orbit with more points. */
+export function longer(orbit: Orbit, x: Float64Array, y: Float64Array, until: number): Orbit {
+  return { ...orbit, x: joined(orbit.x, x), y: joined(orbit.y, y), until };
+}
+
+function joined(a: Float64Array, b: Float64Array): Float64Array {
+  const both = new Float64Array(a.length + b.length);
+  both.set(a);
+  both.set(b, a.length);
+  return both;
+}

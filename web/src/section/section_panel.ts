@@ -1,0 +1,398 @@
+/** Poincaré section: a click starts an orbit, a drag scans, a box enlarges. */
+
+import type { Engine, State } from "../engine/engine";
+import type { Lab } from "../lab";
+import type { Quantity } from "../model";
+import { choice, element, toggle } from "../page/dom";
+import { megnoColour, megnoWords } from "../page/indicator";
+import { plain } from "../page/mathml";
+import { extent, readable } from "../page/numbers";
+import { INDICATOR_SCALE, palette } from "../page/palette";
+import { unitText } from "../page/units";
+import { Sheet, type Place } from "../sheet/sheet";
+import type { Frame, Range } from "../sheet/frame";
+import { crossings, longer, middleOf, nearest, quantityIndex, sectionPieces, type Orbit, type SectionSetting } from "./orbits";
+
+const PIECE = 1000;
+const SCAN = 12;
+
+export interface SectionPanel {
+  element: HTMLElement;
+  sheet: Sheet;
+  /** The panel has come into sight. */
+  shown(): void;
+  orbits(): readonly Orbit[];
+  setting(): SectionSetting;
+}
+
+/** The panel; null where there is nothing to compute sections with. */
+export function sectionPanel(lab: Lab): SectionPanel | null {
+  const { engine, model } = lab;
+  if (engine === null || model.section === null) return null;
+  return new Panel(lab, engine, { ...model.section });
+}
+
+class Panel implements SectionPanel {
+  readonly element: HTMLElement;
+  readonly sheet: Sheet;
+  private list: Orbit[] = [];
+  private points = 1000;
+  private byIndicator = false;
+  private serial = 0;
+  /** Counts what makes earlier orbits wrong: another level, other parameters, another plane. */
+  private era = 0;
+  /** Time in which a motion has so many points, with much to spare. */
+  private longest = Infinity;
+  private placed = false;
+  private current = "";
+  private hovered: Orbit | null = null;
+  private visible = false;
+  private readonly value = element("input", { type: "text", inputmode: "decimal", class: "lab-field", "aria-label": "Value on the section" });
+  private readonly entries = element("div", { class: "lab-orbits", role: "group", "aria-label": "Orbits" });
+  private readonly key = element("div", { class: "lab-key", hidden: true });
+
+  constructor(
+    private readonly lab: Lab,
+    private readonly engine: Engine,
+    private chosen: SectionSetting,
+  ) {
+    this.sheet = new Sheet({
+      label: "Poincaré section. Arrow keys move a cross, Enter starts an orbit there, plus and minus zoom, 0 shows all.",
+      paint: (pen, frame, ratio) => this.paint(pen, frame, ratio),
+      click: (place) => void this.start([place]),
+      drag: (from, to) => void this.start(along(from, to, SCAN)),
+      hover: (place, frame) => this.hover(place, frame),
+      marks: (pen, frame) => this.marks(pen, frame),
+      whole: () => this.whole(),
+      keys: { Backspace: () => this.remove(this.list.at(-1)), Delete: () => this.remove(this.list.at(-1)) },
+    });
+    this.element = element("div", {}, this.tools(), this.sheet.element, this.key, this.entries);
+    lab.shown.after(() => this.follow());
+    this.axes({ x: [-1, 1], y: [-1, 1] });
+  }
+
+  shown(): void {
+    this.visible = true;
+    this.follow();
+  }
+
+  orbits(): readonly Orbit[] {
+    return this.list;
+  }
+
+  setting(): SectionSetting {
+    return this.chosen;
+  }
+
+  private tools(): HTMLElement {
+    const { model } = this.lab;
+    const all = model.quantities.map((quantity) => ({ value: quantity.name, text: letters(quantity) }));
+    const names = model.wasm_tables?.section_quantities ?? model.quantities.map(({ name }) => name);
+    const on = all.filter(({ value }) => names.includes(value));
+    const { chosen } = this;
+    const change = (part: Partial<SectionSetting>): void => {
+      this.chosen = { ...this.chosen, ...part };
+      this.clear();
+    };
+    const { value } = this;
+    value.value = String(chosen.value);
+    value.addEventListener("change", () => {
+      const number = Number(value.value.replace("\u2212", "-"));
+      if (Number.isFinite(number)) change({ value: number });
+      else this.lab.say("The value on the section must be a number.", true);
+    });
+    const directions = [
+      { value: "1", text: "rising" },
+      { value: "-1", text: "falling" },
+      { value: "0", text: "both" },
+    ];
+    const counts = [200, 1000, 5000, 20_000].map((count) => ({ value: String(count), text: String(count) }));
+    const button = (words: string, label: string, act: () => void): HTMLButtonElement => {
+      const made = element("button", { type: "button", title: label }, words);
+      made.addEventListener("click", act);
+      return made;
+    };
+    return element(
+      "div",
+      { class: "lab-tools", role: "toolbar", "aria-label": "Section" },
+      choice("on", on, chosen.on, (name) => change({ on: name })),
+      element("label", { class: "lab-choice" }, "=", value),
+      choice("direction", directions, String(chosen.direction), (way) => change({ direction: Number(way) as -1 | 0 | 1 })),
+      choice("across", all, chosen.x, (name) => change({ x: name })),
+      choice("up", all, chosen.y, (name) => change({ y: name })),
+      choice("points", counts, String(this.points), (count) => (this.points = Number(count))),
+      toggle("indicator", "Colour orbits by MEGNO, an indicator of chaos", false, (isOn) => this.colourBy(isOn)),
+      toggle("box", "Drag a box to enlarge it (or Shift and drag)", false, (isOn) => (this.sheet.boxing = isOn)),
+      button("+", "Nearer (+)", () => this.sheet.zoom(1 / 1.5)),
+      button("−", "Farther (−)", () => this.sheet.zoom(1.5)),
+      button("all", "Show all points (0)", () => this.sheet.showAll()),
+      button("clear", "Remove all orbits but that of the scene", () => this.clear()),
+    );
+  }
+
+  private quantity(name: string): Quantity | undefined {
+    return this.lab.model.quantities.find((each) => each.name === name);
+  }
+
+  private axes({ x, y }: { x: Range; y: Range }): void {
+    const label = (name: string): string => {
+      const quantity = this.quantity(name);
+      if (quantity === undefined) return name;
+      const unit = unitText(quantity.unit);
+      return `${letters(quantity)}${unit ? `  (${unit})` : ""}`;
+    };
+    this.sheet.setAxes({ range: x, label: label(this.chosen.x) }, { range: y, label: label(this.chosen.y) });
+  }
+
+  private clear(): void {
+    this.list = [];
+    this.serial = 0;
+    this.era += 1;
+    this.current = "";
+    this.follow();
+    this.entries.replaceChildren();
+    this.sheet.repaint();
+  }
+
+  /** Show the orbit of the motion in the scene, unless it is there. */
+  private follow(): void {
+    const { state, experiment } = this.lab.shown.value;
+    if (!this.visible || state === null) return;
+    const id = JSON.stringify([experiment.parameters, Array.from(state)]);
+    if (id === this.current) return;
+    const known = this.list.some((orbit) => same(orbit.start, state)) && this.current.startsWith(`[${JSON.stringify(experiment.parameters)}`);
+    this.current = id;
+    if (known) return this.mark();
+    this.list = [];
+    this.serial = 0;
+    this.era += 1;
+    void this.open(state);
+  }
+
+  /** Show the section of a motion; the first time, where the motion passes. */
+  private async open(state: Float64Array): Promise<void> {
+    const { era } = this;
+    const { motion, experiment } = this.lab.shown.value;
+    const { model } = this.lab;
+    const { states } = motion;
+    if (states === undefined) return void this.trace(state, true);
+    const index = quantityIndex(model, this.chosen.on);
+    const all = await this.engine.quantities(experiment.parameters, states, states.length / motion.times.length);
+    if (era !== this.era) return;
+    const width = model.quantities.length;
+    const values = Float64Array.from(motion.times, (_, k) => all[k * width + index] ?? NaN);
+    const angle = model.quantities[index]?.angle === true;
+    const passes = (): number => crossings(values, this.chosen.value, this.chosen.direction, angle);
+    if (!this.placed && passes() < 2) {
+      this.chosen = { ...this.chosen, value: middleOf(values) };
+      this.value.value = String(this.chosen.value);
+    }
+    this.placed = true;
+    const span = motion.times.at(-1) ?? 1;
+    this.longest = (50 * span * Math.max(this.points, 1000)) / Math.max(1, passes());
+    if (passes() === 0) this.longest = 20 * span;
+    await this.trace(state, true);
+  }
+
+  private mark(): void {
+    this.writeEntries();
+    this.sheet.mark();
+  }
+
+  /** Start an orbit at each of some places, on the level of the motion in the scene. */
+  private async start(places: readonly Place[]): Promise<void> {
+    const { state, experiment } = this.lab.shown.value;
+    if (state === null) return;
+    const { era } = this;
+    const { on, value, direction, x, y } = this.chosen;
+    let refused = "";
+    for (const place of places) {
+      const found: State = await this.engine.startOnLevel({
+        parameters: experiment.parameters,
+        reference: state,
+        section: { on, value, direction, x, y },
+        x: place.x,
+        y: place.y,
+      });
+      if (era !== this.era) return;
+      if ("message" in found) {
+        refused = found.message;
+        continue;
+      }
+      const orbit = await this.trace(found.state, false, place);
+      if (era !== this.era) return;
+      if (orbit !== null && place === places.at(-1)) this.play(orbit);
+    }
+    if (refused !== "") this.lab.say(sentence(refused), true);
+  }
+
+  /** Show the motion of an orbit in the scene. */
+  private play(orbit: Orbit): void {
+    const { lab } = this;
+    const { parameters } = lab.shown.value.experiment;
+    this.current = JSON.stringify([parameters, Array.from(orbit.start)]);
+    void lab.change({ ...lab.wanted.value, start: { state: Array.from(orbit.start) } });
+    lab.clock.seek(0);
+    this.mark();
+  }
+
+  /** Compute an orbit, piece by piece; the picture grows as it goes. */
+  private async trace(start: Float64Array, first: boolean, place: Place | null = null): Promise<Orbit | null> {
+    const { era } = this;
+    const { parameters } = this.lab.shown.value.experiment;
+    let orbit: Orbit = { start, x: new Float64Array(0), y: new Float64Array(0), number: this.serial, until: 0, indicator: null };
+    if (place !== null) orbit = longer(orbit, Float64Array.of(place.x), Float64Array.of(place.y), 0);
+    this.serial += 1;
+    this.list.push(orbit);
+    try {
+      for await (const piece of sectionPieces(this.engine, this.lab.model, parameters, this.chosen, start, this.points, PIECE, this.longest)) {
+        if (era !== this.era) return null;
+        const index = this.list.indexOf(orbit);
+        if (index < 0) return null;
+        const before = orbit.x.length;
+        orbit = longer(orbit, piece.x, piece.y, piece.time);
+        this.list[index] = orbit;
+        if (first && before === 0) this.axes(this.whole());
+        else this.add(orbit, before);
+        if (piece.end !== null && piece.x.length === 0) this.lab.say(`The motion has no point of this section: ${piece.end}.`, true);
+      }
+    } catch (why) {
+      this.lab.say(sentence(why instanceof Error ? why.message : String(why)), true);
+      return null;
+    }
+    this.writeEntries();
+    if (this.byIndicator) void this.judge(orbit);
+    return orbit;
+  }
+
+  private colourBy(isOn: boolean): void {
+    this.byIndicator = isOn;
+    this.key.hidden = !isOn;
+    const scale = element("i", { style: `background:linear-gradient(90deg,${INDICATOR_SCALE.join(",")})` });
+    this.key.replaceChildren(element("span", {}, "MEGNO 2, regular"), scale, element("span", {}, "32 and more, chaotic"));
+    this.sheet.repaint();
+    this.writeEntries();
+    if (isOn) for (const orbit of this.list) void this.judge(orbit);
+  }
+
+  private async judge(orbit: Orbit): Promise<void> {
+    if (orbit.indicator !== null || !(orbit.until > 0)) return;
+    const { era } = this;
+    const { parameters } = this.lab.shown.value.experiment;
+    const until = Math.min(orbit.until, 20 * this.lab.model.until);
+    const value = await this.engine.indicator({ parameters, start: orbit.start, until, kind: "megno" });
+    const index = this.list.findIndex((each) => each.number === orbit.number);
+    const now = this.list[index];
+    if (era !== this.era || now === undefined) return;
+    this.list[index] = { ...now, indicator: value };
+    this.sheet.repaint();
+    this.writeEntries();
+  }
+
+  private remove(orbit: Orbit | undefined): void {
+    this.list = this.list.filter((each) => each !== orbit);
+    this.sheet.repaint();
+    this.writeEntries();
+  }
+
+  private colour(orbit: Orbit): string {
+    if (this.byIndicator && orbit.indicator !== null) return `rgb(${megnoColour(orbit.indicator).join()})`;
+    if (this.byIndicator) return palette().quiet;
+    const { series } = palette();
+    return series[orbit.number % series.length] ?? palette().ink;
+  }
+
+  private paint(pen: CanvasRenderingContext2D, frame: Frame, ratio: number): void {
+    for (const orbit of this.list) paintPoints(pen, frame, orbit, 0, this.colour(orbit), ratio);
+  }
+
+  /** Add points to the picture without painting the others anew. */
+  private add(orbit: Orbit, from: number): void {
+    const { pen, frame } = this.sheet;
+    if (pen !== null) paintPoints(pen, frame, orbit, from, this.colour(orbit), Math.min(window.devicePixelRatio || 1, 2));
+  }
+
+  private whole(): { x: Range; y: Range } {
+    const range = (axis: "x" | "y"): Range => {
+      if (this.quantity(this.chosen[axis])?.angle === true) return [-Math.PI, Math.PI];
+      return extent(this.list.flatMap((orbit) => Array.from(orbit[axis])), 0.12);
+    };
+    return { x: range("x"), y: range("y") };
+  }
+
+  private hover(place: Place, frame: Frame): string | null {
+    const at = { right: frame.right(place.x), down: frame.down(place.y) };
+    const found = nearest(this.list, (x) => frame.right(x), (y) => frame.down(y), at, 9);
+    this.hovered = found?.orbit ?? null;
+    if (found === null) return null;
+    const { model } = this.lab;
+    const start = model.state.slice(0, model.reduced).map(({ name, mathml }, k) => `${plain(mathml || name)} = ${readable(found.orbit.start[k] ?? NaN)}`);
+    const { indicator } = found.orbit;
+    return `starts at ${start.join(", ")}${indicator === null ? "" : `; ${megnoWords(indicator)}`}`;
+  }
+
+  private marks(pen: CanvasRenderingContext2D, frame: Frame): void {
+    const ring = (orbit: Orbit, radius: number): void => {
+      if (orbit.x.length === 0) return;
+      pen.beginPath();
+      pen.arc(frame.right(orbit.x[0] ?? NaN), frame.down(orbit.y[0] ?? NaN), radius, 0, 2 * Math.PI);
+      pen.stroke();
+    };
+    pen.strokeStyle = palette().ink;
+    pen.lineWidth = 1.6;
+    const { state } = this.lab.shown.value;
+    for (const orbit of this.list) if (state !== null && same(orbit.start, state)) ring(orbit, 5);
+    if (this.hovered === null) return;
+    pen.fillStyle = palette().ink;
+    const { hovered } = this;
+    for (let k = 0; k < hovered.x.length; k++) {
+      const [right, down] = [frame.right(hovered.x[k] ?? NaN), frame.down(hovered.y[k] ?? NaN)];
+      if (frame.contains(right, down)) pen.fillRect(right - 1, down - 1, 2, 2);
+    }
+    ring(hovered, 5);
+  }
+
+  private writeEntries(): void {
+    const { state } = this.lab.shown.value;
+    const entries = this.list.slice(-40).map((orbit) => {
+      const words = `Play orbit ${orbit.number + 1}: ${orbit.x.length} points${orbit.indicator === null ? "" : `, ${megnoWords(orbit.indicator)}`}`;
+      const isOn = state !== null && same(orbit.start, state);
+      const made = element("button", { type: "button", "aria-label": words, title: words, "aria-current": isOn ? "true" : null }, element("i", { style: `background:${this.colour(orbit)}` }), String(orbit.number + 1));
+      made.addEventListener("click", () => this.play(orbit));
+      return made;
+    });
+    this.entries.replaceChildren(...entries);
+  }
+}
+
+function paintPoints(pen: CanvasRenderingContext2D, frame: Frame, orbit: Orbit, from: number, colour: string, ratio: number): void {
+  const size = orbit.x.length > 3000 ? 1.2 : 1.8;
+  const dot = Math.max(1, Math.round(size * ratio)) / ratio;
+  pen.fillStyle = colour;
+  for (let k = from; k < orbit.x.length; k++) {
+    const [right, down] = [frame.right(orbit.x[k] ?? NaN), frame.down(orbit.y[k] ?? NaN)];
+    if (frame.contains(right, down)) pen.fillRect(right - dot / 2, down - dot / 2, dot, dot);
+  }
+}
+
+function along(from: Place, to: Place, count: number): Place[] {
+  return Array.from({ length: count }, (_, k) => {
+    const share = k / (count - 1);
+    return { x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y) };
+  });
+}
+
+function letters(quantity: Quantity): string {
+  return quantity.mathml ? plain(quantity.mathml) : quantity.name;
+}
+
+function same(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
+  if (a.length !== b.length) return false;
+  for (let k = 0; k < a.length; k++) if (a[k] !== b[k]) return false;
+  return true;
+}
+
+function sentence(words: string): string {
+  return words.endsWith(".") ? words : `${words}.`;
+}
+
