@@ -14,6 +14,7 @@ from . import (
     chart,
     ensemble,
     find,
+    lab,
     list_,
     lyapunov,
     orbit,
@@ -26,7 +27,7 @@ from . import (
     sweep,
 )
 from .common import complain
-from .usage import sentence
+from .words.usage import sentence
 
 __all__ = ["app", "main"]
 
@@ -55,6 +56,7 @@ app.command("orbit")(orbit.command)
 app.command("bifurcation")(bifurcation.command)
 app.command("lyapunov")(lyapunov.command)
 app.command("chart")(chart.command)
+app.command("lab")(lab.command)
 app.command("audit")(audit.command)
 
 

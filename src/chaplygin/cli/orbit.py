@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -84,11 +83,22 @@ def command(
         check_figure("--figure", figure)
         check_output("--figure", figure, force, json)
     study = study_of(what, overrides)
-    where, how = (on, value, direction, angle), (after, period, tolerance)
+    how = (after, period, tolerance)
+    from ..analysis.orbits.orbit_near import orbit_near
+    from ..experiment.poincare import DIRECTIONS
+    from ..experiment.without_lift import without_reconstruction
     from ..report.drawing.files import save
 
+    if direction not in DIRECTIONS:
+        raise InputError(f"--direction {direction}: it must be one of {', '.join(DIRECTIONS)}")
+    system = without_reconstruction(study)
+    begin = [float(x) for x in study.start[: len(system.symbols)]]
+    where = (on, value, DIRECTIONS[direction], angle)
+
     with progress(study.system.title) as update, ending(NOTHING):
-        orbit, branch = _orbit_of(study, where, how, hold or [], varied, update)
+        orbit, branch = orbit_near(
+            system, begin, study.until, where, how, hold or [], varied, update
+        )
     if output is not None:
         deliver(_one_period(study, orbit), output, force)
     if figure is not None:
@@ -125,66 +135,6 @@ def _varied_quantity(text: str) -> tuple[str, float]:
         ) from None
 
 
-def _orbit_of(
-    study: Study,
-    where: tuple[str, float, str, bool],
-    how: tuple[int, int, float],
-    hold: list[str],
-    varied: tuple[str, float] | None,
-    progress: Callable[[float], None],
-) -> tuple[Orbit, Branch | None]:
-    """The orbit near the start of a study, and its branch if it is to be followed."""
-    import numpy as np
-
-    from ..analysis.orbits.continuation import continue_orbit
-    from ..analysis.orbits.periodic import find_periodic
-    from ..analysis.orbits.return_map import ReturnMap, parameters_to_state
-    from ..errors import InputError, RunError
-    from ..experiment.poincare import DIRECTIONS
-    from ..experiment.without_lift import without_reconstruction
-    from ..flow.kernel.equations import poincare_section
-    from ..flow.sections.poincare_map import PoincareMap
-
-    (on, value, direction, angle), (after, period, tolerance) = where, how
-    if direction not in DIRECTIONS:
-        raise InputError(f"--direction {direction}: it must be one of {', '.join(DIRECTIONS)}")
-    system = without_reconstruction(study)
-    start = [float(x) for x in study.start[: len(system.symbols)]]
-    laws = [law.name for law in system.integrals]
-    keeps = list(hold)
-    if varied is not None and varied[0] not in laws:
-        known = [str(parameter.symbol) for parameter in system.parameters]
-        if varied[0] not in known:
-            raise InputError(
-                f"--follow {varied[0]}: it must be one of {', '.join((*laws, *known))}"
-            )
-        start.append(dict(system.default_values)[varied[0]])
-        system = parameters_to_state(system, varied[0])
-        keeps.append(varied[0])
-    for name in hold:
-        if name not in laws:
-            raise InputError(f"--hold {name}: it must be one of {', '.join(laws) or 'none'}")
-    progress(0.0)
-    limit = study.until * max(after, 1)
-    section = poincare_section(system, on, value, DIRECTIONS[direction], angle)
-    returns = ReturnMap(PoincareMap(system, section, tolerance=tolerance, until=limit))
-    crossed = returns.section.crossings(np.array([start]), max(after, 1))
-    if crossed.outcome[0]:
-        raise RunError(
-            f"the motion does not return to {on} = {value:g} often enough: "
-            f"{returns.section.status_message(int(crossed.outcome[0]))}",
-            float(crossed.ended[0]),
-        )
-    returns = ReturnMap(PoincareMap(system, section, tolerance=tolerance))
-    progress(0.25)
-    orbit = find_periodic(returns, crossed.states[0, -1], period, keeps)
-    progress(1.0 if varied is None else 0.5)
-    if varied is None:
-        return orbit, None
-    held = [name for name in keeps if name != varied[0]]
-    return orbit, continue_orbit(returns, orbit, *varied, hold=held)
-
-
 def _one_period(study: Study, orbit: Orbit) -> Any:
     """The orbit as a trajectory, from its first point on the section."""
     import numpy as np
@@ -200,40 +150,22 @@ def _one_period(study: Study, orbit: Orbit) -> Any:
 
 
 def _record(study: Study, orbit: Orbit, branch: Branch | None) -> dict[str, object]:
+    from ..analysis.orbits.orbit_near import orbit_facts
+
     return {
         "system": study.system.name,
-        **_facts(orbit),
+        **orbit_facts(orbit),
         "branch": None
         if branch is None
         else {
             "varied": branch.varied,
             "reason": branch.reason,
-            "orbits": [_facts(item) for item in branch.orbits],
+            "orbits": [orbit_facts(item) for item in branch.orbits],
             "events": [
-                {"kind": event.kind, "value": event.place, **_facts(event.orbit)}
+                {"kind": event.kind, "value": event.place, **orbit_facts(event.orbit)}
                 for event in branch.events
             ],
         },
-    }
-
-
-def _facts(orbit: Orbit) -> dict[str, object]:
-    multipliers = orbit.multipliers
-    return {
-        "period": orbit.duration,
-        "returns": orbit.period,
-        "kind": orbit.kind,
-        "points": [
-            dict(zip(orbit.names, map(float, point), strict=True)) for point in orbit.points
-        ],
-        "values": dict(orbit.values),
-        "multipliers": [
-            {"real": float(x.real), "imaginary": float(x.imag), "error": float(error)}
-            for x, error in zip(multipliers.values, multipliers.errors, strict=True)
-        ],
-        "one_by_force": list(multipliers.forced),
-        "gap": orbit.gap,
-        "error": orbit.error,
     }
 
 

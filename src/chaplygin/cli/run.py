@@ -11,7 +11,7 @@ from ..interruption import CODE, NOTHING, ending, say
 from .common import Force, Json, Override, Precision, What, inform, print_json, study_of
 from .output_destination import beside, check_output, deliver, name_of
 from .progress import progress
-from .results import results
+from .words.results import results
 
 
 def command(

@@ -11,7 +11,7 @@ from ..interruption import NOTHING, ending
 from .common import Force, Json, Override, Precision, What, operations, print_json, study_of
 from .output_destination import STANDARD_OUTPUT
 from .progress import progress
-from .results import results
+from .words.results import results
 
 
 def command(

@@ -8,7 +8,7 @@ from typing import Any, Protocol
 
 from typer import TyperException
 
-from ..errors import nearest
+from ...errors import nearest
 
 
 class CommandParameter(Protocol):

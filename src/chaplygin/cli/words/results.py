@@ -6,10 +6,10 @@ import textwrap
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from ..contact.course.events import ContactEvent
-    from ..experiment.contact.trajectory import ContactTrajectory
-    from ..experiment.study import Study
-    from ..flow.integrator import Trajectory
+    from ...contact.course.events import ContactEvent
+    from ...experiment.contact.trajectory import ContactTrajectory
+    from ...experiment.study import Study
+    from ...flow.integrator import Trajectory
 
 #: Columns of a line, and events of a motion with friction that are printed.
 COLUMNS, FIRST = 80, 10
@@ -17,8 +17,8 @@ COLUMNS, FIRST = 80, 10
 
 def results(study: Study, trajectory: Trajectory) -> tuple[dict[str, Any], str]:
     """The facts of a run for another program, and as lines of text."""
-    from ..experiment.contact.trajectory import ContactTrajectory
-    from ..report.summary import summary, summary_text
+    from ...experiment.contact.trajectory import ContactTrajectory
+    from ...report.summary import summary, summary_text
 
     if isinstance(trajectory, ContactTrajectory):
         facts = contact_facts(trajectory)

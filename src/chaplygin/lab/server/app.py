@@ -1,0 +1,157 @@
+"""The application: one page, and one place to which it sends its requests."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from collections.abc import AsyncGenerator
+from contextlib import aclosing
+from dataclasses import dataclass
+
+from starlette.applications import Starlette
+from starlette.requests import ClientDisconnect, Request
+from starlette.responses import HTMLResponse, PlainTextResponse, Response, StreamingResponse
+from starlette.routing import Route
+
+from ...catalogue import CATALOGUE
+from ...errors import InputError
+from ..element import page
+from .answers import Assignment
+from .charts import store_name
+from .folder import Folder
+from .guard import Guard
+from .requests import LARGEST, Chart, Listing, Saving, request_of
+from .workers import BusyError, Message, Pool
+
+#: Seconds in which a message must have arrived.
+PATIENCE = 20.0
+
+#: Seconds without news after which a page is told that the computation goes on.
+NEWS = 10.0
+
+
+@dataclass(frozen=True)
+class Laboratory:
+    """All that the application needs.
+
+    Attributes
+    ----------
+    folder : Folder
+    what : str
+        Name or file with which the page opens.
+    pool : Pool
+    token : str
+    port : int
+    """
+
+    folder: Folder
+    what: str
+    pool: Pool
+    token: str
+    port: int
+
+    @property
+    def base(self) -> str:
+        """The path of the page."""
+        return f"/{self.token}/"
+
+    def application(self) -> Guard:
+        """The application with its guard."""
+        routes = [
+            Route(self.base, self.show, methods=["GET"]),
+            Route(f"{self.base}ask", self.ask, methods=["POST"]),
+        ]
+        return Guard(Starlette(routes=routes), self.token, self.port)
+
+    async def show(self, request: Request) -> Response:
+        """The page of a system: that of the command line, or the one named in the address."""
+        what = request.query_params.get("open", self.what)
+        body = json.dumps({"do": "open", "subject": {"what": what}}).encode()
+        error = "the page could not be made"
+        try:
+            async with aclosing(self._answer(body)) as parts:
+                async for part in parts:
+                    if "model" in part:
+                        model = part["model"]
+                        assert isinstance(model, dict)
+                        return HTMLResponse(page(model, base=self.base))
+                    error = str(part.get("error", error))
+        except InputError as problem:
+            error = str(problem)
+        return PlainTextResponse(f"{error}\n", 400)
+
+    async def ask(self, request: Request) -> Response:
+        """The answer to a request, an object on each line, as they come."""
+        kind = request.headers.get("content-type", "").partition(";")[0].strip()
+        if kind != "application/json":
+            return _refused("a request is sent as application/json", 415)
+        try:
+            async with asyncio.timeout(PATIENCE):
+                body = await _body(request)
+        except TimeoutError:
+            return _refused("the message did not arrive in time", 408)
+        except ClientDisconnect:
+            return _refused("the page went away", 400)
+        if body is None:
+            return _refused(f"a message has at most {LARGEST // 1024} kB", 413)
+        return StreamingResponse(self._lines(body), media_type="application/x-ndjson")
+
+    async def _lines(self, body: bytes) -> AsyncGenerator[str, None]:
+        try:
+            async with aclosing(self._answer(body)) as parts:
+                async for part in parts:
+                    yield json.dumps(part, allow_nan=False, ensure_ascii=False) + "\n"
+        except InputError as problem:
+            yield json.dumps({"error": str(problem)}) + "\n"
+        except BusyError:
+            yield json.dumps({"error": "too many computations wait; try again in a moment"}) + "\n"
+
+    async def _answer(self, body: bytes) -> AsyncGenerator[Message, None]:
+        """The parts of the answer to a message.
+
+        Raises
+        ------
+        InputError
+            If the message makes no request.
+        BusyError
+            If too many computations wait.
+        """
+        request = request_of(body)
+        if isinstance(request, Listing):
+            systems = [{"name": entry.name, "title": entry.title} for entry in CATALOGUE.values()]
+            yield {"systems": systems, "files": [*self.folder.given, *self.folder.files()]}
+            yield {"done": True}
+            return
+        if isinstance(request, Saving):
+            await asyncio.to_thread(
+                self.folder.save, request.file, request.experiment, request.replace
+            )
+            yield {"saved": request.file}
+            yield {"done": True}
+            return
+        text = self.folder.experiment(request.subject.what)
+        store = ""
+        if isinstance(request, Chart):
+            store = str(self.folder.store(store_name(request, text)))
+        async with aclosing(self.pool.ask(Assignment(request, text, store))) as parts:
+            async for part in parts:
+                yield part
+
+
+def _refused(sentence: str, status: int) -> Response:
+    return Response(
+        json.dumps({"error": sentence}) + "\n", status, media_type="application/x-ndjson"
+    )
+
+
+async def _body(request: Request) -> bytes | None:
+    """The whole message; None if it is too large."""
+    declared = request.headers.get("content-length", "0")
+    if declared.isdecimal() and int(declared) > LARGEST:
+        return None
+    parts = bytearray()
+    async for part in request.stream():
+        parts += part
+        if len(parts) > LARGEST:
+            return None
+    return bytes(parts)

@@ -1,0 +1,126 @@
+"""Starting a laboratory, on this machine alone, until Ctrl-C."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import http.client
+import os
+import secrets
+import signal
+import socket
+from collections.abc import Callable, Iterator
+from types import FrameType
+
+import uvicorn
+
+from ...errors import InputError
+from .answers import answer
+from .app import Laboratory
+from .folder import Folder
+from .workers import Pool
+
+#: Only this machine can reach it.
+HOST = "127.0.0.1"
+
+#: Connections at most; more are told to come again.
+CONNECTIONS = 256
+
+
+class _Server(uvicorn.Server):
+    """A server that leaves signals to the command line."""
+
+    @contextlib.contextmanager
+    def capture_signals(self) -> Iterator[None]:
+        yield
+
+
+def serve(folder: Folder, what: str, port: int, announce: Callable[[str], None]) -> None:
+    """Serve a laboratory until it is interrupted; no process is left then.
+
+    Parameters
+    ----------
+    folder : Folder
+        What it may read and write.
+    what : str
+        With which its page opens.
+    port : int
+        0 for any that is free.
+    announce : callable
+        Told the address of the page as soon as it can be opened.
+
+    Raises
+    ------
+    InputError
+        If the port is taken or not allowed.
+    """
+    listening = listen(port)
+    place = listening.getsockname()[1]
+    pool = Pool(answer, max(1, (os.cpu_count() or 2) - 1))
+    laboratory = Laboratory(folder, what, pool, secrets.token_urlsafe(18), place)
+    config = uvicorn.Config(
+        laboratory.application(),
+        http="h11",
+        ws="none",
+        lifespan="off",
+        log_level="error",
+        access_log=False,
+        server_header=False,
+        date_header=False,
+        limit_concurrency=CONNECTIONS,
+        timeout_keep_alive=5,
+        timeout_graceful_shutdown=0,
+        h11_max_incomplete_event_size=16 * 1024,
+    )
+    before = signal.signal(signal.SIGTERM, _end)
+    try:
+        with listening:
+            announce(f"http://{HOST}:{place}{laboratory.base}")
+            _Server(config).run([listening])
+    finally:
+        pool.close()
+        signal.signal(signal.SIGTERM, before)
+
+
+def _end(number: int, frame: FrameType | None) -> None:
+    """End in order where another process asks for it."""
+    raise SystemExit(128 + number)
+
+
+def listen(port: int) -> socket.socket:
+    """A socket on which only this machine can be reached.
+
+    Raises
+    ------
+    InputError
+        If the port is taken or not allowed.
+    """
+    if not 0 <= port < 65536:
+        raise InputError(f"--port {port}: it must be a number from 0 to 65535")
+    listening = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        listening.bind((HOST, port))
+        listening.listen(CONNECTIONS)
+    except OSError as problem:
+        listening.close()
+        if problem.errno != errno.EADDRINUSE:
+            raise InputError(f"--port {port}: {problem.strerror}") from None
+        who = "another laboratory" if _is_laboratory(port) else "another program"
+        raise InputError(
+            f"{who} is running on port {port} already: choose another one with --port, or any "
+            "free one with --port 0"
+        ) from None
+    return listening
+
+
+def _is_laboratory(port: int) -> bool:
+    """Whether what listens there says that it is a laboratory."""
+    connection = http.client.HTTPConnection(HOST, port, timeout=1.0)
+    try:
+        connection.request("GET", "/")
+        return connection.getresponse().getheader("server") == "chaplygin lab"
+    except (OSError, http.client.HTTPException):
+        return False
+    finally:
+        connection.close()
