@@ -44,6 +44,13 @@ if (process.argv[2] === "test") {
 } else {
   const out = "../src/chaplygin/lab/static";
   mkdirSync(out, { recursive: true });
+  await build({
+    ...common,
+    entryPoints: ["src/engine/index.ts"],
+    format: "esm",
+    minify: true,
+    outfile: `${out}/engine.js`,
+  });
   const { outputFiles } = await build({
     ...common,
     entryPoints: ["src/index.ts"],

@@ -205,20 +205,46 @@ export interface WasmTables {
   motion: MarchTable;
   section: MarchTable;
   tangent: MarchTable;
+  /** Motions side by side in one call that cost no more than one. */
+  lanes: number;
   /** Recorded columns at a whole state, in the order of the model's columns. */
   columns: ValuesTable;
+  /** Relations of a whole state, and after them their slopes, row by row. */
+  phase_space: ValuesTable;
   /** Quantities at a reduced state, in the order of the model's quantities. */
   quantities: ValuesTable;
-  /** Conditions on a reduced state and their slopes: relations, then integrals, then quantities. */
+  /** Relations, integrals, quantities at a reduced state, and after them their slopes. */
   conditions: ValuesTable;
-  relations: number;
-  integrals: string[];
+  /** Time derivatives of a reduced state. */
+  rates: ValuesTable;
   /** Guards at a reduced state. */
   guards: ValuesTable;
-  /** From the start inputs to a whole state. */
+  /** Positive where the parameters are admissible. */
+  admissible: ValuesTable;
+  conditions_on_parameters: { parameter: string; condition: string }[];
+  /** From the start inputs to a whole state, what must vanish, and the nearest inputs. */
   start: ValuesTable | null;
-  /** From a unit vector γ to the contact vector r, body axes. */
+  /** For each number that must vanish, what to say: with {excess} and {nearest}. */
+  excess: { message: string; among: number[] }[];
+  /** What to say of a start at which formulas have no value. */
+  singular: string;
+  /** Vectors that a start makes unit vectors: their places in the whole state. */
+  directions: { name: string; places: number[] }[];
+  /** Relations of the whole state as text. */
+  relation_texts: string[];
+  /** What to say of a start that a guard forbids. */
+  start_messages: string[];
+  /** r(γ) at a reduced state of which γ alone counts; null where no formula gives it. */
   contact: ValuesTable | null;
+  /** The place of γ in the reduced state. */
+  gamma: number;
+  /** Quantities on which sections can be taken. */
+  section_quantities: string[];
+  /** The places of the components of each vector of the reduced state. */
+  groups: number[][];
+  relations: number;
+  whole_relations: number;
+  integrals: string[];
   /** Reasons for which a motion ends, by code; those of the guards follow. */
   reasons: string[];
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from base64 import b64encode
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -22,9 +23,12 @@ from ..printing.system import law_latex
 from ..proof.verdict import Verdict
 from .columns import Column, Scalar, columns_of, scalars_of, symbol_mathml
 from .encoding import doubles
+from .page_module import page_module
 from .page_start import start_inputs
 from .reduced import reduced_system
 from .scene_model import Json, scene_model
+from .section_choice import section_choice
+from .section_terms import sectionable
 from .slider_range import parameter_range
 
 #: Samples of a motion in a page at most.
@@ -100,7 +104,9 @@ def page_model(
         "laws": [] if changing else _laws(study, verdicts or {}),
         "quantities": [_quantity(scalar) for scalar in scalars],
         "guards": [{"message": guard.message} for guard in reduced.guards],
-        "section": _section(reduced, scalars),
+        "section": None
+        if changing
+        else section_choice(study, reduced, sectionable(reduced, scalars)),
         "chart": None,
         "bifurcation": None,
         "scene": scene_model(study, columns, dataset),
@@ -108,6 +114,32 @@ def page_model(
         "wasm": None,
         "wasm_tables": None,
     }
+
+
+def live_page_model(
+    study: Study,
+    dataset: xr.Dataset | None = None,
+    verdicts: Mapping[str, Verdict] | None = None,
+) -> dict[str, Json]:
+    """The model of a page with a module: it computes, and needs no dataset.
+
+    Parameters
+    ----------
+    study, dataset, verdicts
+        See :func:`page_model`.
+
+    Raises
+    ------
+    InputError
+        If the start is not admissible, or the page cannot compute; see
+        :func:`chaplygin.lab.page_module.page_module`.
+    """
+    module = page_module(study)
+    computing: dict[str, Json] = {
+        "wasm": b64encode(module.code).decode(),
+        "wasm_tables": module.tables,
+    }
+    return page_model(study, dataset, verdicts) | computing
 
 
 def _kind(study: Study) -> str:
@@ -183,17 +215,8 @@ def _quantity(scalar: Scalar) -> Json:
     }
 
 
-def _section(system: System, scalars: Sequence[Scalar]) -> Json:
-    """γ₃ = 0 rising where there is γ, else the first variable; None without two more."""
-    names = [scalar.name for scalar in scalars]
-    if len(names) < 3 or len(system.symbols) < 3:
-        return None
-    on = "gamma_3" if "gamma_3" in names else names[0]
-    if "longitude" in names:
-        third = next((n for n in ("M_3", "omega_3") if n in names), "gamma_1")
-        return {"on": on, "value": 0.0, "direction": 1, "x": "longitude", "y": third}
-    x, y = [name for name in names if name != on][:2]
-    return {"on": on, "value": 0.0, "direction": 1, "x": x, "y": y}
+def _section(study: Study, reduced: System, scalars: Sequence[Scalar]) -> Json:
+    return section_choice(study, reduced, sectionable(reduced, scalars))
 
 
 # --- the recorded motion -----------------------------------------------------------------------

@@ -6,10 +6,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ..core.system import System
+from ..core.vectors import Vector
+from ..experiment.initial_state import unit_vectors
 from ..experiment.section_coordinates import is_angle
 from ..experiment.study import Study
 from ..flow.variable_metadata import variable_metadata
+from ..printing.formula import text
 from .columns import symbol_mathml
+from .reduced import page_system
 from .scene_model import Json
 from .slider_range import value_range
 
@@ -21,12 +26,44 @@ _OF_BODY = {
 }
 
 
+#: Where ω must be horizontal, as Python says it: with the numbers in question among the inputs.
+SPINS: dict[str, Json] = {
+    "message": "omega: (omega, gamma) = {excess}, and a body that must not spin about the normal "
+    "needs 0; the nearest admissible omega is [{nearest}]",
+    "among": [0, 1, 2],
+}
+
+
+def start_tables(study: Study, whole: System) -> dict[str, Json]:
+    """What the engine must know to check a start, and the sentences with which it refuses one."""
+    by_velocity = study.subject.starts_by_velocity
+    places = {str(symbol): i for i, symbol in enumerate(whole.symbols)}
+    directions: list[Json] = [
+        {"name": str(name), "places": [places[str(s)] for s in name.symbols]}
+        for name in whole.state
+        if str(name) in unit_vectors(whole)
+    ]
+    return {
+        "singular": "start: the equations are singular at this state",
+        "directions": directions,
+        "relation_texts": [text(relation) for relation in whole.relations],
+        "start_messages": [
+            f"gamma: this start is outside the domain; {guard.message}"
+            if by_velocity and not guard.lift_off
+            else f"there is no motion from here: {guard.message}; "
+            'on_liftoff = "warn" in [run] follows it as if the surface held the body'
+            for guard in page_system(study).guards
+        ],
+    }
+
+
 def start_inputs(study: Study) -> list[Json]:
     """The numbers that give the start: ω and γ of a body, else the whole state.
 
-    Numbers of one vector share their range.
+    Numbers of one vector share their range.  A body with an implicit shape, whose contact point γ
+    gives by no formula, has its whole state here.
     """
-    if not study.subject.starts_by_velocity:
+    if not study.subject.starts_by_velocity or Vector("r") in study.system.state:
         return _state_inputs(study)
     rows: list[Json] = []
     for name, value in study.start_values.items():

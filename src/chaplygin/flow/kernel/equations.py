@@ -92,8 +92,8 @@ class Equations:
     parameters : int
     section, slope, where : Term or None
         A function that vanishes on the section, its rate, and what must be positive there.
-    direction : int
-        +1 where the function rises, −1 where it falls, 0 for both.
+    direction : int or Term
+        +1 where the function rises, −1 where it falls, 0 for both; or the parameter that says it.
     guards : tuple of Term
         Positive as long as the equations hold.
     deviations : tuple of tuple of int
@@ -107,7 +107,7 @@ class Equations:
     section: Term | None = None
     slope: Term | None = None
     where: Term | None = None
-    direction: int = 1
+    direction: int | Term = 1
     guards: tuple[Term, ...] = ()
     deviations: tuple[tuple[int, ...], ...] = ()
 

@@ -15,7 +15,8 @@ import numpy as np
 from ...core.arrays import FloatArray
 from . import code_cache as cache
 
-_ATTRIBUTES = """
+#: Of the functions of a text.
+ATTRIBUTES = """
 attributes #0 = { nounwind "prefer-vector-width"="512" "min-legal-vector-width"="512" }
 attributes #1 = { nounwind "prefer-vector-width"="512" "min-legal-vector-width"="512" }
 """
@@ -84,9 +85,9 @@ def _processor() -> str:
     )
 
 
-def _compile(text: str) -> bytes:
-    module = llvm.parse_assembly(text + _ATTRIBUTES)
-    machine = _machine()
+def optimised_object(text: str, machine: llvm.TargetMachine) -> bytes:
+    """The object file of a text in LLVM's assembly language for a machine."""
+    module = llvm.parse_assembly(text)
     module.triple = machine.triple
     module.data_layout = str(machine.target_data)
     options = llvm.create_pipeline_tuning_options(speed_level=1)
@@ -125,7 +126,7 @@ def load_code(
 
     def object_code() -> tuple[bytes, int]:
         assembly, work_size = text()
-        return _compile(assembly), work_size
+        return optimised_object(assembly + ATTRIBUTES, _machine()), work_size
 
     (code, work_size), from_cache = cache.remember(name, object_code)
     library = llvm.JITLibraryBuilder().add_object_img(code).add_current_process()

@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from ...formulas.graph import Term
 from .arithmetic import Arithmetic, Value
 from .codegen import functions
 from .equations import Equations
@@ -537,10 +538,7 @@ class _March:
             w.conjunction(running, allowed),
             w.conjunction(dips, w.complement(w.disjunction(rises, falls))),
         )
-        direction = self.equations.direction
-        through = (
-            w.disjunction(rises, falls) if direction == 0 else rises if direction > 0 else falls
-        )
+        through = self._counted(rises, falls)
         crossed = w.conjunction(w.conjunction(running, allowed), through)
         # running lanes: stop before a crossing and go to it
         moved = w.conjunction(allowed, w.complement(w.disjunction(crossed, dips)))
@@ -587,6 +585,17 @@ class _March:
         self.put("g_here", w.choose(moved, g_new, self.get("g_here")))
         self.put("gdot", w.choose(moved, gdot_new, gdot))
         return moved, following, event, fault
+
+    def _counted(self, rises: str, falls: str) -> str:
+        """The mask of crossings in the direction of the section."""
+        w, direction = self.w, self.equations.direction
+        if isinstance(direction, Term):
+            way = self.n.leading(self.n.load(self.place("parameters"), direction.args[0]))
+            up, down = (w.compare(r, way, w.constant(0.0)) for r in ("oge", "ole"))
+            return w.disjunction(w.conjunction(rises, up), w.conjunction(falls, down))
+        if direction == 0:
+            return w.disjunction(rises, falls)
+        return rises if direction > 0 else falls
 
     def _wavering(self, step: str) -> str:
         """The squared distance of the section's function from the cubic of the step.

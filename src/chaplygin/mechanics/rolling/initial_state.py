@@ -156,7 +156,7 @@ def _direction(values: Sequence[float], name: str) -> list[mpmath.mpf]:
 
 def _check_spin(system: System, spin: list[mpmath.mpf], up: list[mpmath.mpf]) -> None:
     """Remove a spin at rounding level; refuse a larger one."""
-    if not any(_is_no_spin(relation) for relation in system.relations):
+    if not any(is_no_spin(relation) for relation in system.relations):
         return
     excess = sum(x * y for x, y in zip(spin, up, strict=True))
     size = max(abs(x) for x in spin)
@@ -172,7 +172,8 @@ def _check_spin(system: System, spin: list[mpmath.mpf], up: list[mpmath.mpf]) ->
     spin[:] = nearest
 
 
-def _is_no_spin(relation: sp.Expr) -> bool:
+def is_no_spin(relation: sp.Expr) -> bool:
+    """Whether a relation is (ω, γ) = 0."""
     product = sp.Add(*(x * y for x, y in zip(_OMEGA, _GAMMA, strict=True)))
     return bool(to_components(relation) == product)
 

@@ -1,0 +1,219 @@
+"""The machine code of a page: all that it computes of a system, as one WebAssembly module."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..core.parameters import ROUNDING, conditions
+from ..core.system import System
+from ..core.vectors import Vector, to_components
+from ..errors import InputError
+from ..experiment.study import Study
+from ..experiment.subject import BodySubject
+from ..flow.kernel.equations import Equations, equations_of
+from ..flow.kernel.outcomes import STATUS_MESSAGES
+from ..flow.kernel.wasm import march_text, values_text, wasm_module
+from ..formulas.evaluate import read_formulas
+from ..formulas.graph import Term
+from ..mechanics.rolling.contact import contact
+from .columns import Column, Scalar, columns_of, scalars_of
+from .page_start import SPINS, start_tables
+from .reduced import page_system, reduced_system
+from .scene_model import Json
+from .section_terms import chosen_section, sectionable, terms_of
+from .start_terms import StartTerms, start_terms
+
+#: Lanes of the loops: WebAssembly has vectors of two doubles.
+LANES = 2
+
+
+@dataclass(frozen=True)
+class PageModule:
+    """A module and what its caller needs to know.
+
+    Attributes
+    ----------
+    code : bytes
+    tables : dict
+        For JSON; see ``WasmTables`` in ``web/src/model.ts``.
+    """
+
+    code: bytes
+    tables: dict[str, Json]
+
+
+class _Texts:
+    """The functions of a module, as they are written."""
+
+    def __init__(self) -> None:
+        self.texts: list[str] = []
+        self.exports: list[str] = []
+
+    def march(self, prefix: str, equations: Equations, deviations: int) -> dict[str, Json]:
+        """A loop, and the table of its call."""
+        text, work = march_text(prefix, equations, LANES)
+        self.texts.append(text)
+        self.exports.append(f"{prefix}_march")
+        return {
+            "name": f"{prefix}_march",
+            "dimension": len(equations.rates),
+            "deviations": deviations,
+            "parameters": equations.parameters,
+            "work": work,
+        }
+
+    def values(
+        self, prefix: str, pieces: Mapping[str, Sequence[Term]], inputs: int
+    ) -> dict[str, dict[str, Json]]:
+        """Groups of formulas, and the table of the call of each."""
+        text, names, work = values_text(prefix, pieces, inputs)
+        self.texts.append(text)
+        self.exports.extend(names.values())
+        return {
+            piece: {"name": names[piece], "inputs": inputs, "outputs": len(terms), "work": work}
+            for piece, terms in pieces.items()
+        }
+
+
+def page_module(study: Study) -> PageModule:
+    r"""The module of a study.
+
+    Raises
+    ------
+    InputError
+        If the equations change at events (friction), or a formula has a function that machine code
+        does not know.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> study = ch.prepare(ch.loads('system = {name = "veselova"}'))
+    >>> module = page_module(study)
+    >>> module.code[:4], module.tables["motion"]["dimension"]
+    (b'\x00asm', 10)
+    """
+    if study.subject.changes_equations:
+        raise InputError(
+            f"{study.system.name}: with friction the equations of motion change at events, and a "
+            "page shows the recorded motion alone"
+        )
+    system, reduced = page_system(study), reduced_system(study)
+    whole = system.lifted() if system.reconstruction else system
+    scalars = scalars_of(study, reduced)
+    places = sectionable(reduced, scalars)
+    backward = study.experiment.run.direction == "backward"
+    texts = _Texts()
+    tables: dict[str, Json] = {
+        "motion": texts.march("motion", equations_of(whole, 0, None, backward), 0),
+        "section": texts.march("section", chosen_section(reduced, places, backward), 0),
+        "tangent": texts.march("tangent", equations_of(reduced, 1, None, backward), 1),
+        "section_quantities": [scalar.name for scalar in places],
+        "groups": [list(group) for group in equations_of(reduced, 0, None, False).groups],
+        "lanes": LANES,
+        "relations": len(reduced.relations),
+        "whole_relations": len(whole.relations),
+        "integrals": [law.name for law in reduced.integrals],
+        "reasons": [*STATUS_MESSAGES, *(guard.message for guard in system.guards)],
+        "conditions_on_parameters": _admissible_table(system),
+        **start_tables(study, whole),
+    }
+    tables |= texts.values("whole", _whole_pieces(study, whole), len(whole.symbols))
+    tables |= texts.values("reduced", _reduced_pieces(reduced, scalars), len(reduced.symbols))
+    tables |= _start(texts, study, system)
+    tables |= _contact_vector(texts, study, reduced)
+    return PageModule(wasm_module(texts.texts, texts.exports), tables)
+
+
+def _whole_pieces(study: Study, whole: System) -> dict[str, list[Term]]:
+    """The columns, and the relations with their slopes."""
+    reader, _ = read_formulas(whole)
+    graph = reader.graph
+    columns: Sequence[Column] = columns_of(study)
+    relations = [reader(to_components(r)) for r in whole.relations]
+    states = [graph.state(i) for i in range(len(whole.symbols))]
+    slopes = [t for row in graph.jacobian(relations, states) for t in row] if relations else []
+    pieces = {"columns": [reader(f) for column in columns for f in column.formulas]}
+    pieces["phase_space"] = [*relations, *slopes]
+    return pieces
+
+
+def _reduced_pieces(reduced: System, scalars: Sequence[Scalar]) -> dict[str, list[Term]]:
+    """Quantities, conditions with their slopes, rates and guards."""
+    reader, rates = read_formulas(reduced)
+    graph = reader.graph
+    quantities = list(terms_of(reduced, scalars))
+    relations = [reader(to_components(r)) for r in reduced.relations]
+    integrals = [reader(to_components(law.value)) for law in reduced.integrals]
+    conditions_ = [*relations, *integrals, *quantities]
+    states = [graph.state(i) for i in range(len(reduced.symbols))]
+    slopes = [t for row in graph.jacobian(conditions_, states) for t in row]
+    return {
+        "quantities": quantities,
+        "conditions": [*conditions_, *slopes],
+        "rates": list(rates),
+        "guards": [reader(to_components(guard.value)) for guard in reduced.guards],
+        "admissible": [reader(side) for _, side in _admissible(reduced)],
+    }
+
+
+# --- parameters ------------------------------------------------------------------------------
+
+
+def _admissible(system: System) -> list[tuple[sp.Basic, sp.Expr]]:
+    """Conditions on parameters, each with a formula that is positive where it holds."""
+    pairs = []
+    for _, condition in conditions(system.parameters):
+        match condition:
+            case sp.Gt() | sp.Lt():
+                pairs.append((condition, condition.gts - condition.lts))
+            case sp.Ge() | sp.Le():
+                more, less = condition.gts, condition.lts
+                slack = ROUNDING * (sp.Abs(more) + sp.Abs(less)) + sp.Float(5e-324)
+                pairs.append((condition, more - less + slack))
+            case sp.Ne():
+                pairs.append((condition, sp.Abs(condition.lhs - condition.rhs)))
+    return pairs
+
+
+def _admissible_table(system: System) -> list[Json]:
+    """The parameter and the text of each of these conditions."""
+    symbols = [str(item.symbol) for item, condition in conditions(system.parameters)]
+    chosen = [
+        name
+        for name, (_, condition) in zip(symbols, conditions(system.parameters), strict=True)
+        if isinstance(condition, sp.Gt | sp.Lt | sp.Ge | sp.Le | sp.Ne)
+    ]
+    return [
+        {"parameter": name, "condition": str(condition)}
+        for name, (condition, _) in zip(chosen, _admissible(system), strict=True)
+    ]
+
+
+# --- start and shape --------------------------------------------------------------------------
+
+
+def _start(texts: _Texts, study: Study, system: System) -> dict[str, Json]:
+    """The start from ω and γ; none where it is the state itself."""
+    terms: StartTerms | None = None
+    if isinstance(study.subject, BodySubject):
+        terms = start_terms(study.subject, system)
+    if terms is None:
+        return {"start": None, "excess": []}
+    every = [*terms.state, *terms.excess, *terms.nearest]
+    table = texts.values("given", {"start": every}, len(terms.inputs))
+    return {**table, "excess": [SPINS] * len(terms.excess)}
+
+
+def _contact_vector(texts: _Texts, study: Study, reduced: System) -> dict[str, Json]:
+    """r(γ), where γ gives it by a formula."""
+    rolling, gamma = study.rolling, Vector("gamma")
+    if rolling is None or gamma not in reduced.state:
+        return {"contact": None, "gamma": 0}
+    reader, _ = read_formulas(reduced)
+    touch = contact(rolling.equivalent.body.shape, rolling.surface)
+    terms = [reader(part) for part in to_components(touch.r)]
+    table = texts.values("shape", {"contact": terms}, len(reduced.symbols))
+    return {**table, "gamma": reduced.symbols.index(gamma.symbols[0])}

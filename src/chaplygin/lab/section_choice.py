@@ -1,0 +1,73 @@
+"""The section that a page opens with."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..core.arrays import FloatArray
+from ..core.system import System
+from ..experiment.study import Study
+from ..flow.batch import batch_integrator
+from ..formulas.evaluate import values
+from .columns import Scalar
+from .scene_model import Json
+
+#: Looks at the motion, and stretches of its length in which a crossing is looked for.
+_LOOKS, _LONGER = 2000, 10.0
+
+#: Coordinates and quantities of a section in order of preference.
+_PREFERRED_ON = ("gamma_3", "M_3", "omega_3", "gamma_1")
+_PREFERRED_X = ("longitude", "gamma_1", "gamma_2", "gamma_3")
+_PREFERRED_Y = ("M_3", "omega_3", "M_1", "omega_1")
+
+
+def section_choice(study: Study, system: System, places: Sequence[Scalar]) -> Json:
+    """A quantity that the motion passes again and again, rising, and two to be drawn; or None.
+
+    It passes zero if it ever does, else the middle of its range.
+
+    Parameters
+    ----------
+    study : Study
+    system : System
+        The reduced one.
+    places : sequence of Scalar
+        Quantities on which a section can be taken.
+    """
+    if len(places) < 3:
+        return None
+    sign = -1.0 if study.experiment.run.direction == "backward" else 1.0
+    times = _LONGER * study.until * np.arange(1, _LOOKS + 1) / _LOOKS
+    start = np.array([[float(x) for x in study.start[: len(system.symbols)]]])
+    flow = batch_integrator(system, backward=sign < 0.0)
+    states = flow.propagate(start, sign * times).states[0]
+    states = states[np.isfinite(states).all(axis=1)]
+    looks = values(system, [scalar.formula for scalar in places], states)
+    crossings = [_rises(column) for column in looks.T]
+    middles = (looks.min(axis=0) + looks.max(axis=0)) / 2 if len(looks) else np.zeros(len(places))
+    ordered = sorted(range(len(places)), key=lambda i: _rank(places[i].name, _PREFERRED_ON))
+    chosen = next((i for i in ordered if crossings[i] > 1 and not places[i].angle), None)
+    value = 0.0
+    if chosen is None:
+        middle = [_rises(column - m) for column, m in zip(looks.T, middles, strict=True)]
+        chosen = next((i for i in ordered if middle[i] > 1 and not places[i].angle), None)
+        if chosen is None:
+            chosen = next((i for i in ordered if places[i].angle), ordered[0])
+        else:
+            value = float(f"{middles[chosen]:.3g}")
+    others = [scalar.name for i, scalar in enumerate(places) if i != chosen]
+    x = min(others, key=lambda name: _rank(name, _PREFERRED_X))
+    y = min((n for n in others if n != x), key=lambda name: _rank(name, _PREFERRED_Y))
+    on = places[chosen].name
+    return {"on": on, "value": value, "direction": 1, "x": x, "y": y}
+
+
+def _rises(column: FloatArray) -> int:
+    """How often numbers rise through zero."""
+    return int(np.count_nonzero((column[:-1] < 0.0) & (column[1:] >= 0.0)))
+
+
+def _rank(name: str, preferred: Sequence[str]) -> int:
+    return preferred.index(name) if name in preferred else len(preferred)

@@ -1,0 +1,254 @@
+/** Starts: from the numbers that a user turns, and from points of a section on a level. */
+
+import type { LevelTask, Numbers, StartTask, State } from "./engine.js";
+import { dot, shortestStep } from "./linear.js";
+import type { Module } from "./module.js";
+
+/** A start may miss a relation by this much, relative to its size; more is refused, as in Python. */
+const SLACK = 1e-12;
+const STEPS = 40;
+/** A step so short, relative to the state, is one of rounding. */
+const ROUNDING = 1e-15;
+/** Pieces of the way from a reference to a point of a section: first, and at most. */
+const PIECES = 4;
+const MOST_PIECES = 64;
+
+/** The state that the start inputs give, or why there is none. */
+export function startFrom(module: Module, { parameters, inputs }: StartTask): State {
+  const { model, tables } = module;
+  const values = module.parameters(parameters);
+  const refused = notAdmissible(module, values);
+  if (refused !== null) return { message: refused };
+  const given = Float64Array.from(model.start_inputs, (row) => inputs[row.name] ?? row.value);
+  const bad = given.findIndex((x) => !Number.isFinite(x));
+  if (bad >= 0) {
+    return { message: `${model.start_inputs[bad]!.name}: it must be a finite number` };
+  }
+  let state: Float64Array;
+  if (tables.start === null) {
+    const found = stateByName(module, given, values);
+    if ("message" in found) return found;
+    state = found.state;
+  } else {
+    const size = tables.motion.dimension;
+    const numbers = module.values(tables.start, given, values);
+    state = numbers.slice(0, size);
+    const excess = numbers.slice(size, size + tables.excess.length);
+    const nearest = numbers.slice(size + excess.length);
+    for (const [i, { message, among }] of tables.excess.entries()) {
+      const scale = Math.max(...among.map((k) => Math.abs(given[k]!)));
+      if (Math.abs(excess[i]!) > SLACK * scale) {
+        const shown = among.map((k) => repr(nearest[k]!)).join(", ");
+        const text = message.replace("{excess}", short(excess[i]!)).replace("{nearest}", shown);
+        return { message: text, nearest };
+      }
+    }
+    if (!state.every(Number.isFinite)) return { message: tables.singular };
+  }
+  const outside = outsideDomain(module, state, values);
+  return outside === null ? { state } : { message: outside };
+}
+
+/** The first parameter that is not admissible, in a sentence. */
+function notAdmissible(module: Module, values: Float64Array): string | null {
+  const { model, tables } = module;
+  const bad = values.findIndex((x) => !Number.isFinite(x));
+  if (bad >= 0) {
+    const { name } = model.parameters[bad]!;
+    return `${model.name}: ${name} = ${repr(values[bad]!)} must be a finite number`;
+  }
+  if (tables.conditions_on_parameters.length === 0) return null;
+  const numbers = module.values(tables.admissible, new Float64Array(tables.admissible.inputs), values);
+  const failed = numbers.findIndex((x) => !(x > 0));
+  if (failed < 0) return null;
+  const { parameter, condition } = tables.conditions_on_parameters[failed]!;
+  const value = values[model.parameters.findIndex((p) => p.name === parameter)]!;
+  return `${model.name}: ${parameter} = ${repr(value)} is not admissible; ${condition} must hold`;
+}
+
+/** The sentence of a guard that forbids a state. */
+function outsideDomain(module: Module, state: Numbers, values: Float64Array): string | null {
+  const { tables } = module;
+  if (tables.start_messages.length === 0) return null;
+  const reduced = Array.from(state).slice(0, tables.guards.inputs);
+  const failed = module.values(tables.guards, reduced, values).findIndex((x) => !(x > 0));
+  return failed < 0 ? null : tables.start_messages[failed]!;
+}
+
+/** A state given by its numbers, its directions made unit vectors, on the relations. */
+function stateByName(module: Module, given: Float64Array, values: Float64Array): State {
+  const { tables } = module;
+  const state = Float64Array.from(given);
+  for (const { name, places } of tables.directions) {
+    const length = Math.hypot(...places.map((k) => state[k]!));
+    if (length === 0) return { message: `${name}: must not be zero, as it is a direction` };
+    for (const k of places) state[k]! /= length;
+  }
+  const point = Float64Array.from(state);
+  const every = Array.from(point.keys());
+  const first = onPhaseSpace(module, point, values, every);
+  const scale = 1 + Math.max(0, ...state.map(Math.abs));
+  const moved = Math.max(0, ...point.map((x, i) => Math.abs(x - state[i]!)));
+  if (first.done && moved <= SLACK * scale) return { state: point };
+  const worst = first.misses.reduce((a, x, i) => (Math.abs(x) > Math.abs(first.misses[a]!) ? i : a), 0);
+  const text = `start: the relation ${tables.relation_texts[worst]} = 0 is missed by ${short(first.misses[worst]!)}`;
+  return first.done ? { message: `${text}; the nearest admissible state is shown`, nearest: point } : { message: text };
+}
+
+/** Move some numbers of a whole state, in place, until the relations hold. */
+function onPhaseSpace(
+  module: Module,
+  state: Float64Array,
+  values: Float64Array,
+  moving: readonly number[],
+): { done: boolean; misses: number[] } {
+  const { phase_space: table, whole_relations: count } = module.tables;
+  let before: number[] | null = null;
+  if (count === 0) return { done: true, misses: [] };
+  const size = state.length;
+  for (let step = 0; step < STEPS; step++) {
+    const numbers = module.values(table, state, values);
+    const misses = Array.from(numbers.subarray(0, count));
+    before ??= misses;
+    if (!misses.every(Number.isFinite)) break;
+    const rows = misses.map((_, i) =>
+      Float64Array.from(moving, (k) => numbers[count + i * size + k]!),
+    );
+    const change = shortestStep({ rows, misses: misses.map((x) => -x) }, moving.length);
+    moving.forEach((k, j) => (state[k]! += change[j]!));
+    const scale = 1 + Math.max(...state.map(Math.abs));
+    const longest = Math.max(...change.map(Math.abs));
+    if (longest <= ROUNDING * scale) return { done: satisfied(numbers, state, count), misses: before };
+  }
+  return { done: false, misses: before ?? [] };
+}
+
+/** Whether relations hold but for rounding; what depends on others may have left one unsolved. */
+function satisfied(numbers: Float64Array, state: Float64Array, count: number): boolean {
+  const size = state.length;
+  const scale = 1 + Math.max(...state.map(Math.abs));
+  for (let i = 0; i < count; i++) {
+    let reach = 0;
+    for (let k = 0; k < size; k++) reach += Math.abs(numbers[count + i * size + k]!);
+    if (!(Math.abs(numbers[i]!) <= SLACK * (1 + reach * scale))) return false;
+  }
+  return true;
+}
+
+/** The state of a level at a point of a section, reached from a reference on the same level. */
+export function startOnLevel(module: Module, task: LevelTask): State {
+  const { model, tables } = module;
+  const { section } = task;
+  const values = module.parameters(task.parameters);
+  const size = tables.conditions.inputs;
+  const names = model.quantities.map((q) => q.name);
+  const places = [section.on, section.x, section.y].map((name) => names.indexOf(name));
+  const missing = [section.on, section.x, section.y].find((_, i) => places[i]! < 0);
+  if (missing !== undefined) return { message: `${missing}: no quantity of ${model.name}` };
+  const conserved = tables.relations + tables.integrals.length;
+  const count = conserved + names.length;
+  const rows = [...Array(conserved).keys(), ...places.map((p) => conserved + p)];
+  const turns = [...Array(conserved).fill(false), ...places.map((p) => model.quantities[p]!.angle)];
+  const at = (z: Numbers): Float64Array => module.values(tables.conditions, z, values);
+  let state = Float64Array.from(Array.from(task.reference).slice(0, size));
+  const first = at(state);
+  const level = rows.map((row, i) => (i < tables.relations ? 0 : first[row]!));
+  const goal = [...level.slice(0, conserved), section.value ?? 0, task.x, task.y];
+  const scales = scalesOf(module, state);
+  /** Newton's method for given values of all conditions; null if it does not lead there. */
+  const solve = (from: Float64Array, wanted: readonly number[]): Float64Array | null => {
+    const z = Float64Array.from(from);
+    for (let step = 0; step < STEPS; step++) {
+      const numbers = at(z);
+      const misses = rows.map((row, i) => difference(wanted[i]!, numbers[row]!, turns[i]!));
+      const slopes = rows.map((row) =>
+        Float64Array.from({ length: size }, (_, k) => numbers[count + row * size + k]! * scales[k]!),
+      );
+      const reach = slopes.map((row) => Math.sqrt(dot(row, row)));
+      const far = Math.max(...misses.map((x, i) => Math.abs(x) / (reach[i]! + 1e-300)));
+      if (!Number.isFinite(far)) return null;
+      if (far < 1e-14 || (step > 6 && far < 1e-12)) return z;
+      const change = shortestStep({ rows: slopes, misses }, size);
+      // no step is longer than the vectors that it changes
+      const longest = Math.max(...change.map(Math.abs));
+      const share = Math.min(1, 0.5 / longest);
+      for (let k = 0; k < size; k++) z[k]! += share * change[k]! * scales[k]!;
+    }
+    return null;
+  };
+  const last = rows.length - 1;
+  for (let pieces = PIECES; pieces <= MOST_PIECES; pieces *= 4) {
+    let z: Float64Array | null = state;
+    for (let i = 1; i <= pieces && z !== null; i++) {
+      const wanted = goal.map((value, k) => {
+        if (k < conserved || k > last) return value;
+        const from = first[rows[k]!]!;
+        return from + (i / pieces) * difference(value, from, turns[k]!);
+      });
+      z = solve(z, wanted);
+    }
+    if (z === null) continue;
+    const numbers = at(z);
+    const flow = module.values(tables.rates, z, values);
+    const slope = numbers.subarray(
+      count + rows[conserved]! * size,
+      count + (rows[conserved]! + 1) * size,
+    );
+    const rises = model.direction * dot(Float64Array.from(slope), flow);
+    if (section.direction * model.direction * rises < 0) continue;
+    const outside = outsideDomain(module, z, values);
+    if (outside !== null) return { message: outside };
+    return withLift(module, z, task.reference, values);
+  }
+  return {
+    message: `no state on this level was found at ${section.x} = ${short(task.x)}, ${section.y} = ${short(task.y)}`,
+  };
+}
+
+/** A whole state for a reduced one: what places it in space as near to a reference as may be. */
+function withLift(
+  module: Module,
+  reduced: Float64Array,
+  reference: Numbers,
+  values: Float64Array,
+): State {
+  const { model, tables } = module;
+  const size = tables.motion.dimension;
+  const known = reference.length >= size ? reference : model.start;
+  const state = Float64Array.from({ length: size }, (_, k) =>
+    k < reduced.length ? reduced[k]! : known[k]!,
+  );
+  const moving = Array.from({ length: size - reduced.length }, (_, k) => reduced.length + k);
+  if (moving.length > 0 && !onPhaseSpace(module, state, values, moving).done) {
+    return { message: `${model.name}: no attitude belongs to this state` };
+  }
+  return { state };
+}
+
+/** For each number the size of its vector. */
+export function scalesOf(module: Module, state: Numbers): Float64Array {
+  const scales = new Float64Array(module.tables.conditions.inputs).fill(1);
+  const sizes = module.tables.groups.map((group) => Math.hypot(...group.map((k) => state[k]!)));
+  const largest = Math.max(...sizes);
+  module.tables.groups.forEach((group, i) => {
+    const size = sizes[i]! > 1e-10 * largest ? sizes[i]! : largest > 0 ? largest : 1;
+    for (const k of group) scales[k] = size;
+  });
+  return scales;
+}
+
+/** a − b, of angles within half a turn. */
+function difference(a: number, b: number, angle: boolean): number {
+  const plain = a - b;
+  return angle ? plain - 2 * Math.PI * Math.round(plain / (2 * Math.PI)) : plain;
+}
+
+/** A number as Python writes it. */
+function repr(x: number): string {
+  return Number.isInteger(x) && Math.abs(x) < 1e16 ? x.toFixed(1) : String(x);
+}
+
+/** A number in six digits. */
+function short(x: number): string {
+  return String(Number(x.toPrecision(6)));
+}

@@ -1,0 +1,133 @@
+/** The engine that computes in the page, by the module of its model. */
+
+import type { PageModel } from "../model.js";
+import { directions, meshOfGrid, type Mesh } from "./body_mesh.js";
+import type {
+  Engine,
+  IndicatorTask,
+  LevelTask,
+  Motion,
+  MotionTask,
+  SectionPoints,
+  SectionTask,
+  StartTask,
+  State,
+  Values,
+} from "./engine.js";
+import { indicator } from "./indicator.js";
+import { Module, type Marched } from "./module.js";
+import { startFrom, startOnLevel } from "./start.js";
+
+export class WasmEngine implements Engine {
+  private constructor(
+    private readonly model: PageModel,
+    private readonly module: Module,
+  ) {}
+
+  static async create(model: PageModel): Promise<WasmEngine> {
+    return new WasmEngine(model, await Module.create(model));
+  }
+
+  async motion({ parameters, start, times }: MotionTask): Promise<Motion> {
+    const { model, module } = this;
+    const table = module.tables.motion;
+    const values = module.parameters(parameters);
+    const [marched] = module.march(table, start, values, times, times.length, model.tolerance);
+    const { count, states } = marched!;
+    const numbers = module.values(module.tables.columns, states, values);
+    const width = module.tables.columns.outputs;
+    const columns: Record<string, Float64Array> = {};
+    let first = 0;
+    for (const column of model.columns) {
+      const part = new Float64Array(count * column.width);
+      for (let i = 0; i < count; i++) {
+        for (let k = 0; k < column.width; k++) {
+          part[i * column.width + k] = numbers[i * width + first + k]!;
+        }
+      }
+      columns[column.name] = part;
+      first += column.width;
+    }
+    const moments = Float64Array.from({ length: count }, (_, i) => model.direction * times[i]!);
+    return { times: moments, columns, states, end: this.end(marched!) };
+  }
+
+  async section(task: SectionTask): Promise<SectionPoints> {
+    const { model, module } = this;
+    const { section, section_quantities: names } = module.tables;
+    const chosen = names.indexOf(task.on);
+    if (chosen < 0) {
+      throw new RangeError(`${task.on}: no quantity of a section; they are ${names.join(", ")}`);
+    }
+    const own = module.parameters(task.parameters);
+    const values = new Float64Array(own.length + 2 + names.length);
+    values.set(own);
+    values[own.length] = task.value ?? 0;
+    values[own.length + 1] = model.direction * task.direction;
+    values[own.length + 2 + chosen] = 1;
+    const start = Array.from(task.start).slice(0, section.dimension);
+    const until = [task.until ?? Infinity];
+    const [marched] = module.march(section, start, values, until, task.points, model.tolerance);
+    const { states, moments } = marched!;
+    const times = moments.map((t) => model.direction * t);
+    return { rows: states, times, dimension: section.dimension, end: this.end(marched!) };
+  }
+
+  async quantities(
+    parameters: Values,
+    rows: Float64Array,
+    dimension: number,
+  ): Promise<Float64Array> {
+    const { module } = this;
+    const table = module.tables.quantities;
+    return module.values(table, firstColumns(rows, dimension, table.inputs), module.parameters(parameters));
+  }
+
+  async indicator(task: IndicatorTask): Promise<number> {
+    return indicator(this.module, task);
+  }
+
+  async startFrom(task: StartTask): Promise<State> {
+    return startFrom(this.module, task);
+  }
+
+  async startOnLevel(task: LevelTask): Promise<State> {
+    return startOnLevel(this.module, task);
+  }
+
+  async bodyMesh(parameters: Values): Promise<Mesh | null> {
+    const { body } = this.model.scene;
+    const { contact, gamma: place } = this.module.tables;
+    if (body === null || contact === null) return null;
+    const gamma = directions(body.theta, body.phi);
+    const count = gamma.length / 3;
+    const rows = new Float64Array(count * contact.inputs);
+    for (let i = 0; i < count; i++) {
+      for (let k = 0; k < 3; k++) rows[i * contact.inputs + place + k] = gamma[3 * i + k]!;
+    }
+    const points = this.module.values(contact, rows, this.module.parameters(parameters));
+    const side = body.hollow ? 1 : -1;
+    for (let i = 0; i < count; i++) {
+      const up = side * gamma[3 * i + 2]!;
+      if (Math.abs(up) > 1e-9) points[3 * i + 2]! += body.thickness * Math.sign(up);
+    }
+    return meshOfGrid(body, points);
+  }
+
+  private end({ outcome, ended }: Marched): Motion["end"] {
+    if (outcome === 0) return null;
+    const reason = this.module.tables.reasons[outcome] ?? `outcome ${outcome}`;
+    return { time: this.model.direction * ended, reason };
+  }
+}
+
+/** The first numbers of each row. */
+function firstColumns(rows: Float64Array, dimension: number, width: number): Float64Array {
+  if (dimension === width) return rows;
+  const count = rows.length / dimension;
+  const result = new Float64Array(count * width);
+  for (let i = 0; i < count; i++) {
+    result.set(rows.subarray(i * dimension, i * dimension + width), i * width);
+  }
+  return result;
+}
