@@ -20,9 +20,9 @@ from chaplygin.flow.batch import (
     batch_integrator,
     poincare_section,
 )
+from chaplygin.flow.devices.threads import THREADS, available_threads
 from chaplygin.flow.integrator import integrate
 from chaplygin.flow.kernel.double_double_conversion import from_pairs
-from chaplygin.flow.threads import THREADS, available_threads
 from chaplygin.formulas.evaluate import values
 from flow.small import (
     BODIES,

@@ -10,7 +10,17 @@ import typer
 from .common import Force, Json, Override, What, console, inform, print_json, study_of
 from .output_destination import check_figure
 from .progress import progress
-from .stores import Workers, check_picture, check_store, check_workers, outcomes, resumable, vacate
+from .stores import (
+    OnDevice,
+    Workers,
+    check_picture,
+    check_store,
+    check_workers,
+    device_of,
+    outcomes,
+    resumable,
+    vacate,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -43,6 +53,7 @@ def command(
     ] = None,
     figure: Annotated[Path | None, typer.Option(help="Figure to write; default: FILE.png.")] = None,
     workers: Workers = None,
+    device: OnDevice = "cpu",
     overrides: Override = None,
     force: Force = False,
     json: Json = False,
@@ -58,7 +69,7 @@ def command(
     check_store(output)
     check_figure("--figure", picture)
     check_picture(output, picture, force, named=figure is not None)
-    client = check_workers(workers)
+    client, chosen = check_workers(workers), device_of(device)
     formulas = dict(_assignment(item) for item in let or ())
     study = study_of(what, overrides)
     from ..analysis.scans.grid import axis
@@ -69,7 +80,14 @@ def command(
 
     horizontal, vertical = axis(x, "--x"), axis(y, "--y")
     task, title = chart_task(
-        study, of, horizontal, vertical, until=until, formulas=formulas, held=hold or ()
+        study,
+        of,
+        horizontal,
+        vertical,
+        until=until,
+        formulas=formulas,
+        held=hold or (),
+        device=chosen,
     )
     vacate(output, force)
     with progress(title) as report, resumable(output, report, force) as update:

@@ -9,10 +9,21 @@ import typer
 
 from .common import Force, Json, Override, What, inform, print_json, study_of
 from .progress import progress
-from .stores import Workers, check_store, check_workers, level_of, outcomes, resumable, vacate
+from .stores import (
+    OnDevice,
+    Workers,
+    check_store,
+    check_workers,
+    device_of,
+    level_of,
+    outcomes,
+    resumable,
+    vacate,
+)
 
 if TYPE_CHECKING:
     from ..experiment.study import Study
+    from ..flow.devices.graphics import Device
     from ..flow.ensemble.members import Members
     from ..flow.ensemble.task import Task
 
@@ -51,6 +62,7 @@ def command(
     ] = None,
     tolerance: Annotated[float, typer.Option(help="Error tolerance of one step.")] = 1e-13,
     workers: Workers = None,
+    device: OnDevice = "cpu",
     overrides: Override = None,
     force: Force = False,
     json: Json = False,
@@ -63,13 +75,15 @@ def command(
     of the file are drawn from ranges.
     """
     check_store(output)
-    client = check_workers(workers)
+    client, chosen = check_workers(workers), device_of(device)
     study = study_of(what, overrides)
     from ..flow.ensemble.compute import compute
 
     if study.subject.changes_equations:
         from ..experiment.friction_ensembles.ensemble import contact_ensemble_task
+        from ..flow.devices.graphics import refuse_graphics
 
+        refuse_graphics(chosen)
         task = contact_ensemble_task(
             study,
             _numbers(starts, level, draw or [], seed, over or []),
@@ -77,7 +91,7 @@ def command(
             tolerance=tolerance,
         )
     else:
-        task = _task(study, starts, level, draw, seed, over, record, tolerance, workers)
+        task = _task(study, starts, level, draw, seed, over, record, (tolerance, chosen), workers)
     vacate(output, force)
     title = study.system.title
     with progress(title) as report, resumable(output, report, force) as update:
@@ -109,7 +123,7 @@ def _task(
     seed: int,
     over: list[str] | None,
     record: list[str] | None,
-    tolerance: float,
+    numerics: tuple[float, Device],
     workers: str | None,
 ) -> Task:
     """The ensemble of a system whose equations do not change."""
@@ -129,7 +143,8 @@ def _task(
         _members(study, starts, level, seed, over or []),
         study.times,
         record=record or (),
-        tolerance=tolerance,
+        tolerance=numerics[0],
+        device=numerics[1],
         shares=1 if workers is None else SHARES,
     )
     return replace(task, attributes={**task.attributes, "experiment": study.complete_toml()})

@@ -11,7 +11,7 @@ from ..interruption import CODE, NOTHING, ending, say
 from .common import Force, Json, Override, What, console, inform, print_json, study_of
 from .output_destination import STANDARD_OUTPUT, beside, check_output, deliver, name_of
 from .progress import progress
-from .stores import level_of
+from .stores import OnDevice, device_of, level_of
 
 if TYPE_CHECKING:
     from ..analysis.lyapunov.averages import Average
@@ -37,6 +37,7 @@ def command(
     ] = None,
     seed: Annotated[int, typer.Option(help="Seed of the random start.")] = 0,
     tolerance: Annotated[float, typer.Option(help="Error tolerance of one step.")] = 1e-13,
+    device: OnDevice = "cpu",
     output: Annotated[
         Path | None, typer.Option("-o", "--output", help="NetCDF file to write.")
     ] = None,
@@ -57,7 +58,7 @@ def command(
         check_output("--output", output, force, json, what)
     if until is not None and not 0 < until < float("inf"):
         raise InputError(f"--until {until:g}: it must be positive and finite")
-    numbers = None if level is None else level_of(level)
+    numbers, chosen = None if level is None else level_of(level), device_of(device)
     study = study_of(what, overrides)
     from ..analysis.lyapunov.compute import lyapunov_spectrum
     from ..analysis.lyapunov.report import Spectrum, record
@@ -76,7 +77,12 @@ def command(
         try:
             with progress(study.system.title) as report:
                 spectrum = lyapunov_spectrum(
-                    system, start, until=length, tolerance=tolerance, progress=report
+                    system,
+                    start,
+                    until=length,
+                    tolerance=tolerance,
+                    device=chosen,
+                    progress=report,
                 )
         except InterruptionError as stop:
             if not isinstance(stop.partial, Spectrum):

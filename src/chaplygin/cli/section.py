@@ -11,10 +11,12 @@ from .common import Force, Json, Override, What, console, inform, print_json, st
 from .output_destination import STANDARD_OUTPUT
 from .progress import progress
 from .stores import (
+    OnDevice,
     Workers,
     check_picture,
     check_store,
     check_workers,
+    device_of,
     level_of,
     outcomes,
     resumable,
@@ -81,6 +83,7 @@ def command(
     ] = None,
     tolerance: Annotated[float, typer.Option(help="Error tolerance of one step.")] = 1e-13,
     workers: Workers = None,
+    device: OnDevice = "cpu",
     overrides: Override = None,
     force: Force = False,
     json: Json = False,
@@ -92,7 +95,7 @@ def command(
     times.
     """
     store = _store(output)
-    client = check_workers(workers)
+    client, processor = check_workers(workers), device_of(device)
     picture = store.with_suffix(".png")
     if output.is_dir() or output == store:
         check_picture(store, picture, force)
@@ -109,7 +112,9 @@ def command(
     chosen = Starts(starts, None if level is None else level_of(level), seed)
     if study.subject.changes_equations:
         from ..experiment.friction_ensembles.section import contact_section_task
+        from ..flow.devices.graphics import refuse_graphics
 
+        refuse_graphics(processor)
         if starts != 1 or level is not None:
             raise InputError(
                 "--starts, --level: with friction no integrals remain on whose level starts could "
@@ -126,7 +131,14 @@ def command(
     else:
         limit = abs(study.until) * max(points, 1) if until is None else until
         task, names = section_of(
-            study, place, chosen, points, coordinates, until=limit, tolerance=tolerance
+            study,
+            place,
+            chosen,
+            points,
+            coordinates,
+            until=limit,
+            tolerance=tolerance,
+            device=processor,
         )
     if output != store:
         output.mkdir(exist_ok=True)

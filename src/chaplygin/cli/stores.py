@@ -14,6 +14,7 @@ from ..interruption import NOTHING, ending
 if TYPE_CHECKING:
     import xarray as xr
 
+    from ..flow.devices.graphics import Device
     from ..flow.ensemble.task import Progress
 
 Workers = Annotated[
@@ -22,6 +23,36 @@ Workers = Annotated[
         metavar="N|ADDRESS", help="Number of processes, or the address of a Dask scheduler."
     ),
 ]
+
+OnDevice = Annotated[
+    str,
+    typer.Option(
+        "--device",
+        metavar="cpu|gpu",
+        help="Where to compute: the processors of this machine, or a graphics processor.",
+    ),
+]
+
+
+def device_of(text: str) -> Device:
+    """Where motions are computed.
+
+    Raises
+    ------
+    InputError
+        If it is another word, or there is no graphics processor.
+    """
+    from ..errors import InputError
+
+    if text == "cpu":
+        return "cpu"
+    if text != "gpu":
+        raise InputError(f"--device {text}: it must be cpu or gpu")
+    from ..flow.devices.cuda import open_processor
+
+    # before anything is prepared
+    open_processor()
+    return "gpu"
 
 
 def level_of(text: str) -> dict[str, float]:

@@ -14,6 +14,7 @@ from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
 from ..flow.batch import poincare_section
+from ..flow.devices.graphics import Device
 from ..flow.ensemble.task import Task
 from ..flow.sampling.draw import level_sampler
 from ..flow.sections.poincare_dataset import Quantity, section_task
@@ -88,6 +89,7 @@ def section_of(
     *,
     until: float = np.inf,
     tolerance: float = 1e-13,
+    device: Device = "cpu",
 ) -> tuple[Task, tuple[str, ...]]:
     """The section of an experiment, to be computed, and the coordinates to be drawn.
 
@@ -104,6 +106,8 @@ def section_of(
         Time after which a motion is given up.
     tolerance : float
         Of the integration.
+    device : "cpu" or "gpu"
+        Where the motions are computed; see :func:`chaplygin.flow.batch.batch_integrator`.
 
     Raises
     ------
@@ -126,7 +130,7 @@ def section_of(
         system, coordinates, study.variables, place.quantity
     )
     states, sentence = _starts(study, system, starts)
-    returns = PoincareMap(system, where, {}, tolerance, until=until)
+    returns = PoincareMap(system, where, {}, tolerance, until=until, device=device)
     task = section_task(
         returns,
         states,

@@ -11,6 +11,7 @@ from ..analysis.scans.scan_task import Scan
 from ..analysis.scans.system_quantities import meaning
 from ..core.system import System, flat
 from ..flow.batch import batch_integrator
+from ..flow.devices.graphics import Device
 from .study import Study
 from .without_lift import without_reconstruction
 
@@ -31,6 +32,7 @@ def chart_of(
     until: float | None = None,
     formulas: Mapping[str, str] | None = None,
     held: Collection[str] = (),
+    device: Device = "cpu",
 ) -> Scan:
     """A number of the motions of a plane through the start of an experiment.
 
@@ -44,6 +46,8 @@ def chart_of(
         How long motions are followed; as long as that of the experiment if left out.
     formulas, held
         See :func:`chaplygin.analysis.scans.grid.scan_grid`.
+    device : "cpu" or "gpu"
+        Where the motions are computed; see :func:`chaplygin.flow.batch.batch_integrator`.
 
     Raises
     ------
@@ -54,7 +58,9 @@ def chart_of(
     span = study.until if until is None else until
     point = [float(value) for value in study.start[: len(plane.system.symbols)]]
     batch_integrator(plane.system, backward=span < 0).require_reach(point, span)
-    number = quantity_from_text(plane.system, of, span, variables={**VECTORS, **study.variables})
+    number = quantity_from_text(
+        plane.system, of, span, device=device, variables={**VECTORS, **study.variables}
+    )
     return Scan(plane, number.rule, number.name, number.title, number.unit)
 
 

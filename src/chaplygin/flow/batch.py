@@ -6,7 +6,6 @@ number of threads, the width of the processor's vectors, or the motions computed
 
 from __future__ import annotations
 
-import ctypes
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from numbers import Integral, Real
@@ -23,15 +22,13 @@ from ..formulas.evaluate import as_float_array, relation_terms
 from ..formulas.graph import Term
 from .batch_results import BatchCrossings, BatchTrajectories
 from .cost import FEW_STEPS, MOST_STEPS, require_steps
+from .devices.batch_arrays import BatchInput, BatchLoop
+from .devices.graphics import Device, graphics_loop
+from .devices.processor import processor_loop
 from .initial_states import reduced_rows
-from .kernel import jit as native
-from .kernel.arithmetic import Double, Pair
 from .kernel.double_double_conversion import as_pairs, parameter_pairs
-from .kernel.equations import Equations, Section, equations_of, poincare_section, serial
+from .kernel.equations import Section, equations_of, poincare_section
 from .kernel.outcomes import outcome_message
-from .kernel.runge_kutta import runge_kutta_loop
-from .kernel.tableaux import explicit, explicit_fine
-from .threads import run_in_threads
 from .validation import check_state_shape, moments as read_moments, require_on_phase_space
 
 __all__ = [
@@ -45,9 +42,6 @@ __all__ = [
 
 #: Numbers that one call may return.
 MOST_NUMBERS = 1 << 32
-
-_I, _P, _D = ctypes.c_int64, ctypes.c_void_p, ctypes.c_double
-_SIGNATURE = (_I, _I, _P, _P, _I, _P, _I, _D, _I, _P, _P, _P, _P, _P, _P, _P)
 
 
 @dataclass(frozen=True)
@@ -65,7 +59,8 @@ class BatchIntegrator:
     backward : bool
         Whether time runs backward; times are negative then.
     digits : 16 or 30
-    code : Native
+    loop : BatchLoop
+        The code, on the device that was asked for.
     """
 
     system: System
@@ -74,7 +69,7 @@ class BatchIntegrator:
     section: Section | None
     backward: bool
     digits: int
-    code: native.Native = field(repr=False)
+    loop: BatchLoop = field(repr=False)
 
     @property
     def size(self) -> int:
@@ -257,25 +252,11 @@ class BatchIntegrator:
                 f"{motions} motions with {samples} states each make {size:.3g} GiB at once: ask "
                 "for fewer, or stream them (docs/ensembles.md)"
             )
-        states = np.full((motions, samples, width, words), np.nan)
-        times = np.full((motions, samples), np.nan)
-        counts, outcome, steps = (np.zeros(motions, dtype=np.int64) for _ in range(3))
-        ended = np.zeros(motions)
-        stride = constants[0].size if len(constants) > 1 else 0
-        results = (states, times, counts, outcome, ended, steps)
         allowed = MOST_STEPS if most is None else most
-
-        def compute(first: int, last: int) -> None:
-            work = native.aligned_zeros(self.code.work_size)
-            self.code.functions["march"](
-                *(first, last, rows.ctypes.data, constants.ctypes.data, stride),
-                *(moments.ctypes.data, samples, self.tolerance, allowed),
-                *(result.ctypes.data for result in results),
-                work.ctypes.data,
-            )
-
-        run_in_threads(compute, motions, threads)
-        return states, times, counts, (outcome, self._with_sign(ended), steps)
+        given = BatchInput(rows, constants, moments, samples, self.tolerance, allowed)
+        found = self.loop.run(given, threads)
+        ends = (found.outcome, self._with_sign(found.ended), found.steps)
+        return found.states, found.times, found.counts, ends
 
 
 @lru_cache(maxsize=64)
@@ -288,8 +269,9 @@ def batch_integrator(
     section: Section | None = None,
     backward: bool = False,
     digits: Literal[16, 30] = 16,
+    device: Device = "cpu",
 ) -> BatchIntegrator:
-    """The flow of a system as vector code for this processor.
+    """The flow of a system as machine code for many motions at once.
 
     Parameters
     ----------
@@ -319,8 +301,8 @@ def batch_integrator(
     ------
     InputError
         If a section is asked for with 30 digits, the tolerance is not between 1e-16 (1e-30 with 30
-        digits) and 0.1, a formula has a function that machine code does not know, or the number of
-        deviations is negative.
+        digits) and 0.1, a formula has a function that machine code does not know, the number of
+        deviations is negative, or there is no such device.
 
     Examples
     --------
@@ -342,13 +324,12 @@ def batch_integrator(
     if deviations < 0:
         raise InputError(f"deviations = {deviations}: there cannot be fewer than none")
     equations = equations_of(system, deviations, section, backward)
-    width = native.width()
-    code = native.load_code(
-        f"march {width} {digits} {serial(equations)}",
-        lambda: _text(digits, equations, width),
-        {"march": _SIGNATURE},
-    )
-    return BatchIntegrator(system, tolerance, deviations, section, backward, digits, code)
+    loop: BatchLoop
+    if device == "gpu":
+        loop = graphics_loop(equations, digits)
+    else:
+        loop = processor_loop(equations, digits)
+    return BatchIntegrator(system, tolerance, deviations, section, backward, digits, loop)
 
 
 def _require_count(count: object) -> None:
@@ -361,9 +342,3 @@ def _require_numbers(tolerance: object, deviations: object) -> None:
         raise InputError(f"tolerance {tolerance}: it must be a number")
     if not isinstance(deviations, Integral):
         raise InputError(f"deviations = {deviations}: it must be a whole number")
-
-
-def _text(digits: int, equations: Equations, width: int) -> tuple[str, int]:
-    if digits == 16:
-        return runge_kutta_loop(Double, explicit(), equations, width)
-    return runge_kutta_loop(Pair, explicit_fine(), equations, width)

@@ -17,6 +17,7 @@ from ...arguments import Parameters, Start, arguments_checked
 from ...core.system import System
 from ...errors import EarlyEndError, InputError, InterruptionError, RunError
 from ...flow.batch import BatchIntegrator, batch_integrator
+from ...flow.devices.graphics import Device
 from ...flow.initial_states import reduced_start
 from ...flow.state_scales import state_scales
 from ...flow.tangent_space import propagate
@@ -50,6 +51,7 @@ def lyapunov_spectrum(
     until: float,
     intervals: int = INTERVALS,
     tolerance: float = 1e-13,
+    device: Device = "cpu",
     progress: Callable[[float], None] | None = None,
 ) -> Spectrum:
     """The Lyapunov spectrum of the motion from a start.
@@ -69,6 +71,8 @@ def lyapunov_spectrum(
         deviations grow too far apart within one.
     tolerance : float
         Relative error of a step.
+    device : "cpu" or "gpu"
+        Where the motion is computed; a single motion uses one thread of a graphics processor.
     progress : callable, optional
         Called with the fraction done.
 
@@ -103,17 +107,18 @@ def lyapunov_spectrum(
         raise InputError(f"intervals = {intervals}: there must be from {LEAST} to {MOST}")
     start = [float(x) for x in reduced_start(system, start, parameters)]
     _check(system, start, parameters)
+    numerics = (tolerance, device)
     text = progress or (lambda done: None)
     batch_integrator(system, tolerance=tolerance).require_reach(start, until, parameters)
     sizes = state_scales(system, np.array([start]), until, parameters, tolerance)[0]
     directions = trivial_directions(system, start, parameters, sizes=sizes)
     fading: tuple[str, ...] = ()
     try:
-        run = _motion_record(directions, start, (until, intervals), parameters, tolerance, text)
+        run = _motion_record(directions, start, (until, intervals), parameters, numerics, text)
         fading = _not_forced(directions, run)
         if fading:
             directions = trivial_directions(system, start, parameters, fading, sizes)
-            run = _motion_record(directions, start, (until, intervals), parameters, tolerance, text)
+            run = _motion_record(directions, start, (until, intervals), parameters, numerics, text)
     except _StoppedError as stop:
         run = stop.run
         length = run.interval * len(run.lengths)
@@ -138,12 +143,15 @@ def _motion_record(
     start: Sequence[float],
     times: tuple[float, int],
     parameters: Parameters,
-    tolerance: float,
+    numerics: tuple[float, Device],
     progress: Callable[[float], None],
 ) -> MotionRecord:
     """The motion, in intervals so short that deviations keep apart."""
     space = directions.space
-    machine = batch_integrator(space.system, tolerance=tolerance, deviations=space.dimension)
+    tolerance, device = numerics
+    machine = batch_integrator(
+        space.system, tolerance=tolerance, deviations=space.dimension, device=device
+    )
     until, count = times
     while (run := _run(machine, directions, start, (until, count), parameters, progress)) is None:
         count *= 2

@@ -24,6 +24,7 @@ from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
 from ...flow.batch import batch_integrator
+from ...flow.devices.graphics import Device
 from ...flow.level_projection import select_parameters
 from ...flow.state_scales import state_scales
 from ...flow.tangent_space import TangentSpace, orthonormal
@@ -50,6 +51,8 @@ class ChaosIndicator(ABC):
         See :func:`chaplygin.flow.batch.batch_integrator`.
     intervals : int
         After each of which deviations are made of length one.
+    device : "cpu" or "gpu"
+        As for the tolerance.
 
     Raises
     ------
@@ -61,6 +64,7 @@ class ChaosIndicator(ABC):
     until: float
     tolerance: float = 1e-12
     intervals: int = 200
+    device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {}
 
     def __post_init__(self) -> None:
@@ -193,7 +197,9 @@ def _growth_arrays(
         The starts, and the sizes by which deviations are measured.
     """
     deviations, pieces = counts
-    flow = batch_integrator(rule.system, tolerance=rule.tolerance, deviations=deviations)
+    flow = batch_integrator(
+        rule.system, tolerance=rule.tolerance, deviations=deviations, device=rule.device
+    )
     states, sizes = begin[0].copy(), begin[1]
     relations = tangent(rule.system)
     frames = space.frames(states, parameters, flow.deviations, sizes)
@@ -233,6 +239,7 @@ class MaximalExponent(ChaosIndicator):
     with the square of the time would show.
     """
 
+    device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {"error": "error of the largest exponent"}
 
     def __call__(
@@ -250,6 +257,7 @@ class ExponentSum(ChaosIndicator):
     It is zero if a measure is preserved; if it is negative, the motion is attracted.
     """
 
+    device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {"error": "error of the sum of exponents"}
 
     def __call__(

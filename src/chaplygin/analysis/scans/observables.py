@@ -17,6 +17,7 @@ from ...core.arrays import FloatArray, IntArray
 from ...core.parameters import Parameters
 from ...core.system import System
 from ...flow.batch import BatchIntegrator, batch_integrator
+from ...flow.devices.graphics import Device
 from ...flow.level_projection import select_parameters
 from ...formulas.evaluate import values
 from ..orbits.rotation import average
@@ -38,18 +39,21 @@ class SurvivalTime:
         Time at which to stop.
     tolerance : float
         See :func:`chaplygin.flow.batch.batch_integrator`.
+    device : "cpu" or "gpu"
+        Where motions are computed; likewise.
     """
 
     system: System
     until: float
     tolerance: float = 1e-12
+    device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {}
 
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
         """Times, outcomes and times reached, (n,) each."""
-        run = batch_integrator(self.system, tolerance=self.tolerance).propagate(
+        run = batch_integrator(self.system, tolerance=self.tolerance, device=self.device).propagate(
             starts, [self.until], parameters
         )
         return {"value": run.ended, "outcome": run.outcome, "ended": run.ended}
@@ -71,13 +75,16 @@ class TimeAverage:
     until: float
     formula: sp.Expr
     tolerance: float = 1e-12
+    device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {}
 
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
         """Means, outcomes and times reached, (n,) each."""
-        flow = batch_integrator(_with_total(self.system, self.formula), tolerance=self.tolerance)
+        flow = batch_integrator(
+            _with_total(self.system, self.formula), tolerance=self.tolerance, device=self.device
+        )
         run = flow.propagate(_from_zero(starts), [self.until], parameters)
         mean = run.states[:, 0, -1] / self.until
         return {"value": mean, "outcome": run.outcome, "ended": run.ended}
@@ -102,13 +109,14 @@ class Maximum:
     formula: sp.Expr
     samples: int = 2048
     tolerance: float = 1e-12
+    device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {}
 
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
-        flow = batch_integrator(self.system, tolerance=self.tolerance)
+        flow = batch_integrator(self.system, tolerance=self.tolerance, device=self.device)
         seen = observe(flow, self.formula, starts, self.until, self.samples, parameters)
         return {"value": seen.values.max(axis=1), "outcome": seen.outcome, "ended": seen.ended}
 
@@ -122,13 +130,16 @@ class Minimum:
     formula: sp.Expr
     samples: int = 2048
     tolerance: float = 1e-12
+    device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {}
 
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
         """Values, outcomes and times reached, (n,) each."""
-        turned = Maximum(self.system, self.until, -self.formula, self.samples, self.tolerance)
+        turned = Maximum(
+            self.system, self.until, -self.formula, self.samples, self.tolerance, self.device
+        )
         maximum = turned(starts, parameters)
         return {**maximum, "value": -maximum["value"]}
 
@@ -154,6 +165,7 @@ class Frequency:
     formula: sp.Expr
     samples: int = 4096
     tolerance: float = 1e-12
+    device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {"error": "difference between the halves of the motion"}
 
     def __call__(
@@ -161,7 +173,7 @@ class Frequency:
     ) -> dict[str, FloatArray | IntArray]:
         """Values, errors, outcomes and times reached, (n,) each."""
         turns = _with_total(self.system, _rate(self.system, self.formula) / (2 * sp.pi))
-        flow = batch_integrator(turns, tolerance=self.tolerance)
+        flow = batch_integrator(turns, tolerance=self.tolerance, device=self.device)
         seen = observe(flow, TOTAL, _from_zero(starts), self.until, self.samples, parameters)
         value, error = average(np.diff(seen.values, axis=1) * (self.samples / self.until))
         return {"value": value, "error": error, "outcome": seen.outcome, "ended": seen.ended}

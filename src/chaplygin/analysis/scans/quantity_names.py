@@ -10,6 +10,7 @@ from typing import Any
 from ...core.system import System
 from ...errors import InputError
 from ...flow.batch import poincare_section
+from ...flow.devices.graphics import Device
 from ...formulas.evaluate import formula
 from ...parsing import nearest
 from ..lyapunov.indicators import (
@@ -81,6 +82,7 @@ def quantity_from_text(
     until: float,
     *,
     tolerance: float = 1e-12,
+    device: Device = "cpu",
     variables: Mapping[str, tuple[str, str]] | None = None,
 ) -> NamedQuantity:
     """A number of the motions of a system.
@@ -94,6 +96,8 @@ def quantity_from_text(
         Length of the motions.
     tolerance : float
         Error allowed in a step.
+    device : "cpu" or "gpu"
+        Where the motions are computed; see :func:`chaplygin.flow.batch.batch_integrator`.
     variables : mapping of str to (str, str), optional
         Meaning and unit of vectors and scalars of the state.
 
@@ -115,13 +119,16 @@ def quantity_from_text(
         written = f"{word}:FORMULA" if kind.of else word
         raise InputError(f"{text}: this number is written {written}")
     if kind.make is Winding:
-        return _rotation(kind, system, quantity, until, tolerance)
+        return _rotation(kind, system, quantity, until, tolerance, device)
     if not kind.of:
         return NamedQuantity(
-            kind.make(system, until, tolerance=tolerance), word, kind.title, kind.unit
+            kind.make(system, until, tolerance=tolerance, device=device),
+            word,
+            kind.title,
+            kind.unit,
         )
     value: Any = formula(system, quantity)
-    rule = kind.make(system, until, value, tolerance=tolerance)
+    rule = kind.make(system, until, value, tolerance=tolerance, device=device)
     measured = meaning(system, quantity, variables or {})[1] or "unknown"
     if kind.make is Frequency:
         _require_angle(system, text, value, measured)
@@ -142,7 +149,7 @@ def _require_angle(system: System, text: str, value: Any, unit: str) -> None:
 
 
 def _rotation(
-    kind: _Kind, system: System, text: str, until: float, tolerance: float
+    kind: _Kind, system: System, text: str, until: float, tolerance: float, device: Device
 ) -> NamedQuantity:
     """A rotation number, from its angle and its section."""
     angle, on, place = text.partition(" on ")
@@ -152,5 +159,7 @@ def _rotation(
             f"rotation:{text} on gamma_3"
         )
     where = poincare_section(system, place.strip())
-    rule = kind.make(system, until, formula(system, angle.strip()), where, tolerance=tolerance)
+    rule = kind.make(
+        system, until, formula(system, angle.strip()), where, tolerance=tolerance, device=device
+    )
     return NamedQuantity(rule, "rotation", kind.title.format(text), kind.unit)

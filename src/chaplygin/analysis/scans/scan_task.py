@@ -20,13 +20,14 @@ from ...core.parameters import Parameters
 from ...core.system import System
 from ...errors import InputError
 from ...flow.batch import batch_integrator
+from ...flow.devices.graphics import Device
 from ...flow.ensemble.task import Coordinate, Task, Variable
 from ...flow.kernel.outcomes import STATUS_MESSAGES
 from ...flow.variable_metadata import cf_attributes
 from .grid import NO_NUMBER, REASONS, Axis, ScanGrid
 
-#: Motions that are computed at once, about.
-AT_ONCE = 2048
+#: Motions that are computed at once, about, by device.
+AT_ONCE: Mapping[Device, int] = {"cpu": 2048, "gpu": 2**17}
 
 
 class Rule(Protocol):
@@ -43,6 +44,10 @@ class Rule(Protocol):
     @property
     def tolerance(self) -> float:
         """The tolerance of the integration."""
+
+    @property
+    def device(self) -> Device:
+        """Where the motions are computed."""
 
     @property
     def further(self) -> Mapping[str, str]:
@@ -131,7 +136,7 @@ def scan(made: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     return Task(
         work=made,
         size=plane.y.count,
-        block=max(1, AT_ONCE // plane.x.count),
+        block=max(1, AT_ONCE[rule.device] // plane.x.count),
         variables={
             **{
                 name: Variable(columns, shape, attributes=cf_attributes(titles[key], made.unit))

@@ -13,6 +13,7 @@ from ...core.arrays import FloatArray, IntArray
 from ...core.parameters import Parameters
 from ...core.system import System
 from ...flow.batch import Section
+from ...flow.devices.graphics import Device
 from ...flow.sections.poincare_map import PoincareMap
 from ..orbits.return_map import rotations
 
@@ -34,6 +35,8 @@ class Winding:
         See :func:`chaplygin.flow.batch.batch_integrator`.
     count : int
         Number of returns.
+    device : "cpu" or "gpu"
+        As for the tolerance.
     """
 
     system: System
@@ -42,6 +45,7 @@ class Winding:
     section: Section
     tolerance: float = 1e-12
     count: int = 500
+    device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {"error": "difference between the halves of the motion"}
 
     def __call__(
@@ -49,7 +53,12 @@ class Winding:
     ) -> dict[str, FloatArray | IntArray]:
         """Values, errors and outcomes, (n,) each, without times."""
         returning = PoincareMap(
-            self.system, self.section, dict(parameters), self.tolerance, until=self.until
+            self.system,
+            self.section,
+            dict(parameters),
+            self.tolerance,
+            until=self.until,
+            device=self.device,
         )
         result = rotations(returning, starts, self.formula, self.count)
         return {

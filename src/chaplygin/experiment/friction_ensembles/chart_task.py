@@ -7,6 +7,7 @@ from collections.abc import Collection, Mapping
 from ...analysis.scans.grid import Axis
 from ...analysis.scans.scan_task import scan
 from ...errors import InputError
+from ...flow.devices.graphics import Device, refuse_graphics
 from ...flow.ensemble.task import Task
 from ..scan import chart_of
 from ..study import Study
@@ -22,14 +23,16 @@ def chart_task(
     until: float | None = None,
     formulas: Mapping[str, str] | None = None,
     held: Collection[str] = (),
+    device: Device = "cpu",
 ) -> tuple[Task, str]:
     """A chart that is still to be computed, and what its number means.
 
     Parameters
     ----------
-    study, of, x, y, until, formulas, held
+    study, of, x, y, until, formulas, held, device
         See :func:`chaplygin.experiment.scan.chart_of`; with friction
-        :func:`chaplygin.experiment.friction_ensembles.chart.contact_chart`, where nothing is held.
+        :func:`chaplygin.experiment.friction_ensembles.chart.contact_chart`, where nothing is held
+        and the device is the processor.
 
     Raises
     ------
@@ -37,8 +40,9 @@ def chart_task(
         If the number, an axis or a formula cannot be used.
     """
     if not study.subject.changes_equations:
-        chart = chart_of(study, of, x, y, until=until, formulas=formulas, held=held)
+        chart = chart_of(study, of, x, y, until=until, formulas=formulas, held=held, device=device)
         return scan(chart, {"experiment": study.complete_toml()}), chart.title
+    refuse_graphics(device)
     if held:
         raise InputError(
             f"--hold {next(iter(held))}: with friction nothing of a start is moved, so that "

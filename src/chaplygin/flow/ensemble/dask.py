@@ -112,7 +112,7 @@ def results(
 
 def _compute(packed: bytes, first: int, last: int) -> Arrays:
     """A block, in a thread of a worker, on CHAPLYGIN_THREADS processors (1)."""
-    from ..threads import THREADS
+    from ..devices.threads import THREADS
 
     before = THREADS.set(int(os.environ.get("CHAPLYGIN_THREADS", "1")))
     try:

@@ -19,6 +19,7 @@ from ...errors import InputError
 from ...formulas.digest import canonical
 from ...formulas.evaluate import as_float_array
 from ..cost import TooMuchError
+from ..devices.graphics import Device
 from ..kernel.outcomes import STATUS_MESSAGES
 from ..validation import moments
 from ..variable_metadata import FRAMES, LABELS, cf_attributes, system_attributes, variable_metadata
@@ -34,7 +35,8 @@ if TYPE_CHECKING:
 __all__ = ["ensemble", "ensemble_task", "from_lists", "grid", "random_starts", "single"]
 
 #: A block holds no more members than this, nor more numbers.
-_MEMBERS, _NUMBERS = 4096, 1 << 22
+_MEMBERS: Mapping[Device, int] = {"cpu": 4096, "gpu": 1 << 17}
+_NUMBERS = 1 << 22
 
 #: Blocks for a cluster, at least.
 SHARES = 64
@@ -49,6 +51,7 @@ def ensemble(
     *,
     record: Sequence[str] = (),
     tolerance: float = 1e-13,
+    device: Device = "cpu",
     block: int | None = None,
     where: str | Path | None = None,
     client: Client | str | int | None = None,
@@ -74,6 +77,8 @@ def ensemble(
         Observables and integrals to be recorded too.
     tolerance : float
         Error allowed in a step; see :func:`~chaplygin.flow.batch.batch_integrator`.
+    device : "cpu" or "gpu"
+        Where the motions are computed; likewise.
     block : int, optional
         Members computed, written and lost at once; chosen by their size unless given.
     where, client, progress
@@ -110,6 +115,7 @@ def ensemble(
         parameters,
         record=record,
         tolerance=tolerance,
+        device=device,
         block=block,
         shares=1 if client is None else SHARES,
     )
@@ -124,6 +130,7 @@ def ensemble_task(
     *,
     record: Sequence[str] = (),
     tolerance: float = 1e-13,
+    device: Device = "cpu",
     block: int | None = None,
     shares: int = 1,
 ) -> Task:
@@ -140,14 +147,16 @@ def ensemble_task(
         _constants(system, parameters),
         tolerance,
         tuple(record),
+        device=device,
     )
     twice = sorted({str(name) for name in parameters or ()} & set(work.varied))
     if twice:
         raise InputError(f"{system.name}: {', '.join(twice)} is given twice")
+    lanes = work.lanes
     # a mistake shows at the first member, before any store is begun
     first, parameters, points = work.starts(0, 1)
     try:
-        work.lanes.require_reach(first[0], work.times[-1], parameters)
+        lanes.require_reach(first[0], work.times[-1], parameters)
     except TooMuchError:
         raise
     except InputError as error:
@@ -155,7 +164,7 @@ def ensemble_task(
     variables = _variables(work, points is not None)
     share = max(16, math.ceil(everyone.size / shares))
     numbers = sum(math.prod(variable.shape) for variable in variables.values())
-    fitting = max(1, min(_MEMBERS, _NUMBERS // numbers, everyone.size, share))
+    fitting = max(1, min(_MEMBERS[device], _NUMBERS // numbers, everyone.size, share))
     return Task(
         work,
         everyone.size,

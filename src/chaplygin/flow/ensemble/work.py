@@ -14,6 +14,7 @@ from ...core.system import System
 from ...errors import InputError
 from ...formulas.evaluate import values
 from ..batch import BatchIntegrator, batch_integrator
+from ..devices.graphics import Device
 from ..initial_states import flat_starts
 from ..sampling.draw import LevelSampler, level_sampler
 from ..trajectory import RecordedQuantity, by_name, recorded_quantities
@@ -63,6 +64,7 @@ class EnsembleWork:
         Observables and integrals, by name.
     offset : int
         Number of the first of the members.
+    device : "cpu" or "gpu"
     """
 
     system: System
@@ -72,11 +74,17 @@ class EnsembleWork:
     tolerance: float
     record: tuple[str, ...]
     offset: int = 0
+    device: Device = "cpu"
 
     @property
     def lanes(self) -> BatchIntegrator:
         """The machine code."""
-        return batch_integrator(self.system, tolerance=self.tolerance, backward=self.times[-1] < 0)
+        return batch_integrator(
+            self.system,
+            tolerance=self.tolerance,
+            backward=self.times[-1] < 0,
+            device=self.device,
+        )
 
     @property
     def varied(self) -> tuple[str, ...]:

@@ -60,8 +60,17 @@ class Workspace:
         return self.places[name]
 
 
-class _March:
-    """The writing of the loop."""
+class RungeKuttaLoop:
+    """The writing of the loop.
+
+    Parameters
+    ----------
+    arithmetic : Double or Pair
+    method : Explicit
+    equations : Equations
+    lanes : int
+        Trajectories in a vector.
+    """
 
     def __init__(
         self, arithmetic: type[Arithmetic], method: Explicit, equations: Equations, lanes: int
@@ -128,15 +137,15 @@ class _March:
         """The whole text."""
         w = self.w
         self.next = w.variable("i64", "%first")
-        self._start_lanes()
+        self.start_lanes()
         with w.forever() as leave:
-            self._attend()
-            leave(w.emit(f"xor i1 {w.any(self._live())}, true"))
+            self.attend()
+            leave(w.emit(f"xor i1 {w.any(self.live())}, true"))
             with w.branch(w.any(w.compare("ogt", self.get("fresh"), w.constant(0.0)))):
-                self._begin_fresh()
+                self.begin_fresh()
             with w.forever() as pause:
                 pause(w.any(w.compare("ogt", self.get("event"), w.constant(0.0))))
-                self._step()
+                self.step()
         head = (
             "void @march(i64 %first, i64 %last, ptr noalias %starts, ptr noalias %values, "
             "i64 %stride, ptr noalias %times, i64 %wanted, double %tolerance, i64 %limit, "
@@ -145,17 +154,18 @@ class _March:
         )
         return self.pieces + "\n" + w.text(head, "#0")
 
-    def _live(self) -> str:
+    def live(self) -> str:
+        """The mask of lanes that have a trajectory."""
         return self.w.compare("ogt", self.get("mode"), self.w.constant(_EMPTY))
 
-    def _start_lanes(self) -> None:
+    def start_lanes(self) -> None:
+        """Clear the workspace, and let all lanes ask for a trajectory."""
         w, zero = self.w, self.w.constant(0.0)
         with w.count(self.space.size) as i:
             w.store(w.type, zero, w.address(w.type, "%work", i))
-        # an empty lane asks for a trajectory
         self.put("event", w.constant(_END))
 
-    def _attend(self) -> None:
+    def attend(self) -> None:
         """Look at each lane in which something has happened."""
         w = self.w
         with w.count(w.lanes) as lane:
@@ -167,14 +177,20 @@ class _March:
                 w.store("double", "0.0", self.lane_address("event", lane))
                 mode = w.load("double", self.lane_address("mode", lane))
                 with w.branch(w.emit(f"fcmp oeq double {mode}, 0.0")):
-                    index = w.load("i64", self.next)
+                    index = self.next_index()
                     with w.branch(w.emit(f"icmp slt i64 {index}, %last")):
                         self._take(lane, index)
+
+    def next_index(self) -> str:
+        """The number of the next trajectory, which is handed out only once."""
+        w = self.w
+        index = w.load("i64", self.next)
+        w.store("i64", w.emit(f"add i64 {index}, 1"), self.next)
+        return index
 
     def _take(self, lane: str, index: str) -> None:
         """Put the next trajectory into a lane."""
         w, words = self.w, self.n.words
-        w.store("i64", w.emit(f"add i64 {index}, 1"), self.next)
         w.store("i64", index, self.lane_address("index", lane))
         row = w.emit(f"mul i64 {index}, {self.dimension * words}")
         for i in range(self.dimension * words):
@@ -265,7 +281,7 @@ class _March:
                 )
             w.store("double", value, w.address("double", w.address("double", "%states", start), i))
 
-    def _begin_fresh(self) -> None:
+    def begin_fresh(self) -> None:
         """Initialise a lane before its first step."""
         w, n, zero = self.w, self.n, self.w.constant(0.0)
         fresh = w.compare("ogt", self.get("fresh"), zero)
@@ -327,13 +343,13 @@ class _March:
         self.put("fault", fault)
         return fine
 
-    def _step(self) -> None:
+    def step(self) -> None:
         """One attempt in all lanes."""
         w, n, zero = self.w, self.n, self.w.constant(0.0)
         mode = self.get("mode")
         running = w.compare("oeq", mode, w.constant(_RUNNING))
         refining = w.compare("oeq", mode, w.constant(_REFINING))
-        live = self._live()
+        live = self.live()
         time, target, planned = self.get("time"), self.get("target"), self.get("step")
         left = w.op("fsub", target, time)
         last = w.conjunction(
@@ -633,5 +649,5 @@ def runge_kutta_loop(
     lanes : int
         Trajectories in a vector.
     """
-    loop = _March(arithmetic, method, equations, lanes)
+    loop = RungeKuttaLoop(arithmetic, method, equations, lanes)
     return loop.write(), loop.space.size * lanes

@@ -9,6 +9,7 @@ from functools import lru_cache
 import mpmath
 
 from ...core.arrays import FloatArray
+from .arithmetic import Arithmetic, Double, Pair
 
 
 @dataclass(frozen=True)
@@ -55,6 +56,11 @@ def explicit_fine() -> Explicit:
 
     table = explicit_table()
     return Explicit(table.a, table.b, table.e3, table.e5)
+
+
+def arithmetic_and_method(digits: int) -> tuple[type[Arithmetic], Explicit]:
+    """The arithmetic with 16 or 30 digits, and the method with coefficients as exact."""
+    return (Double, explicit()) if digits == 16 else (Pair, explicit_fine())
 
 
 def _fractions(values: FloatArray) -> tuple[Fraction, ...]:

@@ -30,6 +30,7 @@ from ...errors import InputError
 from ...formulas.batch import Formulas
 from ...formulas.evaluate import formula
 from ..batch import BatchIntegrator, Section, batch_integrator
+from ..devices.graphics import Device
 
 if TYPE_CHECKING:
     from ..batch import BatchCrossings
@@ -77,6 +78,8 @@ class PoincareMap:
         Whether to go back in time: the inverse map.
     until : float
         After so much time (s) without a return a point counts as one that does not return.
+    device : "cpu" or "gpu"
+        Where the motions are computed; see :func:`chaplygin.flow.batch.batch_integrator`.
 
     Raises
     ------
@@ -99,6 +102,7 @@ class PoincareMap:
     tolerance: float = 1e-13
     backward: bool = False
     until: float = np.inf
+    device: Device = "cpu"
 
     def __post_init__(self) -> None:
         parameters_by_symbol(self.system, self.parameters)
@@ -245,6 +249,7 @@ class PoincareMap:
             deviations=deviations,
             section=self.section,
             backward=self.backward,
+            device=self.device,
         )
 
     @cached_property

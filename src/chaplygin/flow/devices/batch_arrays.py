@@ -1,0 +1,100 @@
+"""The arrays that one call of the loop over motions reads and writes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from ...core.arrays import FloatArray, IntArray
+
+
+@dataclass(frozen=True)
+class BatchInput:
+    """What a call reads.
+
+    Attributes
+    ----------
+    starts : array (motions, numbers, words)
+        States and deviations, in doubles.
+    parameters : array (motions or 1, parameters, words)
+        One row for each motion, or one for all.
+    times : array (samples or 1,)
+        Times of the samples; for sections the time after which to give up.
+    samples : int
+        Samples of each motion.
+    tolerance : float
+    limit : int
+        Steps of a motion at most.
+    """
+
+    starts: FloatArray
+    parameters: FloatArray
+    times: FloatArray
+    samples: int
+    tolerance: float
+    limit: int
+
+    @property
+    def motions(self) -> int:
+        """Number of motions."""
+        return len(self.starts)
+
+    @property
+    def stride(self) -> int:
+        """Doubles from the parameters of one motion to those of the next."""
+        return self.parameters[0].size if len(self.parameters) > 1 else 0
+
+
+@dataclass(frozen=True)
+class BatchOutput:
+    """What a call writes.
+
+    Attributes
+    ----------
+    states : array (motions, samples, numbers, words)
+        Not a number beyond the end of a motion.
+    times : array (motions, samples)
+        Of crossings.
+    counts : array (motions,) of int
+        Samples of each motion.
+    outcome : array (motions,) of int
+    ended : array (motions,)
+        The time that was reached.
+    steps : array (motions,) of int
+    """
+
+    states: FloatArray
+    times: FloatArray
+    counts: IntArray
+    outcome: IntArray
+    ended: FloatArray
+    steps: IntArray
+
+    @property
+    def arrays(self) -> tuple[FloatArray | IntArray, ...]:
+        """All of them, in the order of the loop's arguments."""
+        return self.states, self.times, self.counts, self.outcome, self.ended, self.steps
+
+
+def empty_output(given: BatchInput) -> BatchOutput:
+    """Room for the results of a call."""
+    motions, numbers, words = given.starts.shape
+    counts, outcome, steps = (np.zeros(motions, dtype=np.int64) for _ in range(3))
+    return BatchOutput(
+        np.full((motions, given.samples, numbers, words), np.nan),
+        np.full((motions, given.samples), np.nan),
+        counts,
+        outcome,
+        np.zeros(motions),
+        steps,
+    )
+
+
+class BatchLoop(Protocol):
+    """The compiled loop over motions, on some device."""
+
+    def run(self, given: BatchInput, threads: int | None) -> BatchOutput:
+        """The motions; `threads` is the number of processor threads, all if None."""
+        ...

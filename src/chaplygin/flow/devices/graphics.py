@@ -1,0 +1,94 @@
+"""The loop over motions on a graphics processor, with a motion in each of its threads."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from ...errors import InputError
+from ..kernel.equations import Equations, serial
+from ..kernel.tableaux import arithmetic_and_method
+from .batch_arrays import BatchInput, BatchOutput, empty_output
+from .cuda import GraphicsProcessor, open_processor
+from .graphics_text import ENTRY, thread_loop
+from .ptx import cached_ptx
+
+#: Where motions are computed.
+Device: TypeAlias = Literal["cpu", "gpu"]
+
+#: Bytes of results on the device at a time, about.
+PIECE = 2**28
+
+
+@dataclass(frozen=True)
+class GraphicsLoop:
+    """The loop in PTX, and the processor that runs it.
+
+    Attributes
+    ----------
+    processor : GraphicsProcessor
+    ptx : str
+    """
+
+    processor: GraphicsProcessor
+    ptx: str = field(repr=False)
+
+    def run(self, given: BatchInput, threads: int | None) -> BatchOutput:
+        """The motions, piece by piece; `threads` of the host have nothing to do here."""
+        result = empty_output(given)
+        each = max(1, result.states.nbytes // max(given.motions, 1))
+        motions = max(1, PIECE // each)
+        for first in range(0, given.motions, motions):
+            self._run_piece(given, result, slice(first, min(first + motions, given.motions)))
+        return result
+
+    def _run_piece(self, given: BatchInput, result: BatchOutput, some: slice) -> None:
+        count = some.stop - some.start
+        parameters = given.parameters[some] if given.stride else given.parameters
+        results = [array[some] for array in result.arrays]
+        arguments = [
+            *(np.zeros(1, dtype=np.int64), count, given.starts[some], parameters, given.stride),
+            *(given.times, given.samples, given.tolerance, given.limit),
+            *results,
+        ]
+        wanted = range(len(arguments) - len(results), len(arguments))
+        self.processor.run(self.ptx, ENTRY, arguments, wanted, count)
+
+
+def refuse_graphics(device: Device) -> None:
+    """Raise InputError where motions with friction are wanted on a graphics processor."""
+    if device == "gpu":
+        raise InputError(
+            "device = 'gpu': motions with friction, whose equations change, are computed on the "
+            "'cpu' alone"
+        )
+
+
+def graphics_loop(
+    equations: Equations,
+    digits: int,
+    opened: Callable[[], GraphicsProcessor] = open_processor,
+) -> GraphicsLoop:
+    """The loop for some equations, with 16 or 30 digits.
+
+    Parameters
+    ----------
+    equations : Equations
+    digits : 16 or 30
+    opened : callable
+        Opens the graphics processor.
+
+    Raises
+    ------
+    InputError
+        If there is no graphics processor, or its library is missing.
+    """
+    processor = opened()
+    arithmetic, method = arithmetic_and_method(digits)
+    key = f"thread {digits} {serial(equations)}"
+    return GraphicsLoop(
+        processor, cached_ptx(key, lambda: thread_loop(arithmetic, method, equations))
+    )

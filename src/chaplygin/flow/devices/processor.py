@@ -1,0 +1,56 @@
+"""The loop over motions on the processors of this machine, with a motion in each vector lane."""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass, field
+
+from ..kernel import jit as native
+from ..kernel.equations import Equations, serial
+from ..kernel.runge_kutta import runge_kutta_loop
+from ..kernel.tableaux import arithmetic_and_method
+from .batch_arrays import BatchInput, BatchOutput, empty_output
+from .threads import run_in_threads
+
+_I, _P, _D = ctypes.c_int64, ctypes.c_void_p, ctypes.c_double
+_SIGNATURE = (_I, _I, _P, _P, _I, _P, _I, _D, _I, _P, _P, _P, _P, _P, _P, _P)
+
+
+@dataclass(frozen=True)
+class ProcessorLoop:
+    """Vector code for this processor.
+
+    Attributes
+    ----------
+    code : Native
+    """
+
+    code: native.Native = field(repr=False)
+
+    def run(self, given: BatchInput, threads: int | None) -> BatchOutput:
+        """The motions; see :class:`chaplygin.flow.devices.batch_arrays.BatchLoop`."""
+        result = empty_output(given)
+
+        def compute(first: int, last: int) -> None:
+            work = native.aligned_zeros(self.code.work_size)
+            self.code.functions["march"](
+                *(first, last, given.starts.ctypes.data, given.parameters.ctypes.data),
+                *(given.stride, given.times.ctypes.data, given.samples),
+                *(given.tolerance, given.limit),
+                *(array.ctypes.data for array in result.arrays),
+                work.ctypes.data,
+            )
+
+        run_in_threads(compute, given.motions, threads)
+        return result
+
+
+def processor_loop(equations: Equations, digits: int) -> ProcessorLoop:
+    """The loop for some equations, with 16 or 30 digits."""
+    width = native.width()
+
+    def text() -> tuple[str, int]:
+        return runge_kutta_loop(*arithmetic_and_method(digits), equations, width)
+
+    key = f"march {width} {digits} {serial(equations)}"
+    return ProcessorLoop(native.load_code(key, text, {"march": _SIGNATURE}))

@@ -1,0 +1,56 @@
+"""From LLVM's language to PTX, the assembly language of NVIDIA's graphics processors.
+
+The driver of a device translates PTX for its processor.  All operations are rounded as on other
+processors (IEEE 754), and products are fused into sums where the text says so alone: instructions
+carry ``.rn``, which forbids anything else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache
+
+import llvmlite
+import llvmlite.binding as llvm
+
+from ..kernel import code_cache as cache
+
+#: The oldest processor that the newest driver knows (Turing).
+ARCHITECTURE = "sm_75"
+
+
+@lru_cache
+def _machine() -> llvm.TargetMachine:
+    llvm.initialize_all_targets()
+    llvm.initialize_all_asmprinters()
+    target = llvm.Target.from_triple("nvptx64-nvidia-cuda")
+    return target.create_target_machine(cpu=ARCHITECTURE, opt=3)
+
+
+def compile_ptx(text: str) -> str:
+    """PTX of a text in LLVM's language."""
+    module = llvm.parse_assembly(text)
+    machine = _machine()
+    module.triple, module.data_layout = machine.triple, str(machine.target_data)
+    builder = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=1))
+    passes = llvm.create_new_module_pass_manager()
+    passes.add_sroa_pass()
+    passes.add_instruction_combine_pass()
+    passes.add_simplify_cfg_pass()
+    passes.run(module, builder)
+    ptx: str = machine.emit_assembly(module)
+    return ptx
+
+
+def cached_ptx(key: str, text: Callable[[], str]) -> str:
+    """PTX of a text, compiled or from the cache.
+
+    Parameters
+    ----------
+    key : str
+        All that the text depends on.
+    text : callable
+    """
+    versions = (ARCHITECTURE, *map(str, llvm.llvm_version_info), llvmlite.__version__)
+    ptx, _ = cache.remember(cache.code_name(key, *versions), lambda: compile_ptx(text()))
+    return ptx
