@@ -38,10 +38,7 @@ _LOADER = """\
   try {
     const packed = Uint8Array.from(atob(data.textContent.trim()), (c) => c.charCodeAt(0));
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-    const { style, script, source } = JSON.parse(await new Response(stream).text());
-    const sheet = document.createElement("style");
-    sheet.textContent = style;
-    document.head.append(sheet);
+    const { script, source } = JSON.parse(await new Response(stream).text());
     const program = document.createElement("script");
     program.textContent = script;
     document.head.append(program);
@@ -72,23 +69,20 @@ class Element:
 
 
 @cache
-def front_end() -> tuple[str, str]:
-    """Style sheet and script of the front end.
+def front_end() -> str:
+    """The script of the front end, which brings its style sheet along.
 
     Raises
     ------
     InputError
-        If the package was installed without them.
+        If the package was installed without it.
     """
     try:
-        style, script = (
-            (STATIC / name).read_text(encoding="utf-8") for name in ("lab.css", "lab.js")
-        )
+        return (STATIC / "lab.js").read_text(encoding="utf-8")
     except FileNotFoundError:
         raise InputError(
             "this copy of the package has no front end: build it with make web, which needs Node"
         ) from None
-    return style, script
 
 
 def policy(scripts: Sequence[str], connect: str = "'none'") -> str:
@@ -130,16 +124,16 @@ def element(model: PageModel, still: str = "", base: str | None = None) -> Eleme
     InputError
         If the package was installed without its front end.
     """
-    style, script = front_end()
+    script = front_end()
     if base is not None:
         source: dict[str, object] = {"kind": "http", "base": base, "model": model}
     else:
         source = {"kind": "wasm" if model.get("wasm") else "recorded", "model": model}
-    text = json.dumps({"style": style, "script": script, "source": source}, allow_nan=False)
+    text = json.dumps({"script": script, "source": source}, allow_nan=False)
     packed = base64.b64encode(gzip.compress(text.encode(), 9, mtime=0)).decode()
     html = (
         '<div id="chaplygin-lab" class="chaplygin-lab">'
-        f'<div class="chaplygin-still">{still}</div></div>\n'
+        f'<div class="lab-still">{still}</div></div>\n'
         f'<script id="chaplygin-data" type="text/plain">{packed}</script>\n'
         f"<script>{_LOADER}</script>"
     )

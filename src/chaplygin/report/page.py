@@ -23,6 +23,8 @@ from ..experiment.contact_subject import ContactSubject
 from ..experiment.study import Study
 from ..explicit.base.solution import Solution
 from ..flow.integrator import Trajectory
+from ..lab.element import element
+from ..lab.study_page import study_model
 from ..printing.laws import heading
 from ..printing.numerals import number, typographic_signs, unit
 from ..printing.system import (
@@ -145,6 +147,7 @@ def render(
         uncounted = stands.uncounted_by_reason
     both, letters = figures.page_svgs(pictures)
     drawn = {name: _figure_html(name, *svgs) for name, svgs in both.items()}
+    lab = element(study_model(study, dataset, verdicts), drawn.get("scene", ""))
     return environment.get_template("report.html").render(
         signed=typographic_signs,
         title=study.system.title,
@@ -152,6 +155,8 @@ def render(
         setting=study.subject.setting if study.subject.summary else "",
         start=_start(study, dataset),
         letters=Markup(letters),
+        lab=lab.html,
+        policy=lab.policy,
         scene=drawn.get("scene"),
         plates=[
             {
