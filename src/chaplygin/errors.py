@@ -5,7 +5,8 @@ from __future__ import annotations
 import bisect
 import difflib
 import itertools
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 #: Characters that a message has at most, and one line of it.
@@ -47,9 +48,18 @@ def nearest(name: str, known: Iterable[str]) -> str:
         The names that would have been accepted.
     """
     allowed = list(known)
-    close = difflib.get_close_matches(name, allowed, n=1)
+    same = [word for word in allowed if word.casefold() == name.casefold()]
+    close = same or difflib.get_close_matches(name, allowed, n=1)
     guess = f", did you mean '{close[0]}'?" if close else ";"
-    return f"{guess} allowed: {', '.join(allowed) or 'none'}"
+    return f"{guess} allowed: {', '.join(_families(allowed)) or 'none'}"
+
+
+def _families(names: Iterable[str]) -> Iterator[str]:
+    """Names with those that differ in a number alone, three or more, as ``x_1 … x_3``."""
+    for stem, group in itertools.groupby(names, key=lambda name: re.sub(r"\d+$", "", name)):
+        members = list(group)
+        several = len(members) > 2 and members == [f"{stem}{i}" for i in range(1, len(members) + 1)]
+        yield from (f"{members[0]} … {members[-1]}",) if several else members
 
 
 class InputError(ValueError):

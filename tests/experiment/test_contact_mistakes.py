@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 import chaplygin as ch
+from chaplygin.errors import InterruptionError
 
 BALL = """\
 [body]
@@ -206,6 +208,16 @@ MISTAKES: dict[str, tuple[str, str]] = {
         BALL.replace('"ball"', '"disk"') + FRICTION + CONTACT,
         "line 10, start.gamma: no single point of the body touches a support with this normal",
     ),
+    "an unknown name in a formula": (
+        BALL + FRICTION + 'force = "0.3*slipspeed"\n' + CONTACT,
+        "line 9, contact.force: unknown name 'slipspeed', did you mean 'slip_speed'? allowed: "
+        "slip_speed, spin, normal_force, acos, asin, atan, atan2, cos, cosh, exp, log, pi, sin, "
+        "sinh, sqrt, tan, tanh\n    0.3*slipspeed\n        ^",
+    ),
+    "an empty formula": (
+        BALL + FRICTION + 'force = "0.3"\ncouple = " "\n' + CONTACT,
+        "line 10, contact.couple: the formula is empty\n     \n    ^",
+    ),
 }
 
 
@@ -215,3 +227,84 @@ def test_a_mistake_is_one_sentence_with_its_place(name: str) -> None:
     with pytest.raises(ch.InputError) as error:
         _ = ch.prepare(ch.loads(text, "f.toml")).start
     assert str(error.value) == f"f.toml, {sentence}"
+
+
+#: Numbers of usual kind and absurd size, and what is said of them.
+EXTREMES = {
+    "a spin": (
+        PLAIN.replace("[1, 2, 3]", "[1e200, 2, 3]"),
+        "line 9, start: state: v_2 = -1e+200, omega_1 = 1e+200 are too far from 1 to compute with",
+    ),
+    "a spin whose powers are too large": (
+        PLAIN.replace("[1, 2, 3]", "[1e30, 2, 3]"),
+        "line 9, start: there is no motion from here: the motion comes to a singular end: its "
+        "state stops being a number; omega_1 = 1e+30 is too far from 1 to compute with",
+    ),
+    "a slip": (
+        BALL + FRICTION + "mu = 0.3\n" + CONTACT + "slip = [1e200, 0, 0]\n",
+        "line 10, start: state: v_1 = 1e+200 is too far from 1 to compute with",
+    ),
+    "a mass": (
+        PLAIN.replace("mass = 1.0", "mass = 1e300"),
+        "line 9, start: state: m = 1e+300 is too far from 1 to compute with",
+    ),
+    "a law": (
+        BALL + FRICTION + "viscous = 1e300\n" + CONTACT,
+        "line 10, start: there is no motion from here: the motion comes to a singular end: its "
+        "state stops being a number; c_v = 1e+300 is too far from 1 to compute with",
+    ),
+    "a height": (
+        BALL + FRICTION + SPACE.replace("[0, 0, 2]", "[0, 0, 1e200]"),
+        "line 9, start: state: position_3 = 1e+200 is too far from 1 to compute with",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", EXTREMES)
+def test_a_number_too_far_from_one_is_named(name: str) -> None:
+    """They were tracebacks, or energies that are no numbers."""
+    text, sentence = EXTREMES[name]
+    with pytest.raises(ch.InputError) as error:
+        ch.prepare(ch.loads(text, "f.toml")).trajectory()
+    assert str(error.value) == f"f.toml, {sentence}: choose other units or numbers"
+
+
+def test_a_time_without_end_is_refused() -> None:
+    """It ran for ever, and no Ctrl-C came through."""
+    study = ch.prepare(ch.loads(PLAIN + "[run]\nuntil = 1e300\n", "f.toml"))
+    with pytest.raises(ch.InputError, match=r"^f.toml, line 13, run.until: to follow a motion for"):
+        study.trajectory()
+
+
+def test_an_interrupted_motion_is_kept() -> None:
+    study = ch.prepare(ch.loads(PLAIN + "[run]\nuntil = 3000\nsamples = 301\n", "f.toml"))
+    whole, done = study.trajectory(), []
+
+    def interrupt(fraction: float) -> None:
+        done.append(fraction)
+        if len(done) == 3:
+            raise KeyboardInterrupt
+
+    with pytest.raises(InterruptionError) as stop:
+        study.trajectory(interrupt)
+    part = stop.value.partial
+    assert 0 < done[0] < done[1] < done[2] < 1
+    assert 10 < len(part.times) < 300
+    assert stop.value.time == part.times[-1]
+    assert np.array_equal(part.states, whole.states[: len(part.times)])
+    assert np.array_equal(part.recorded["energy"], whole.recorded["energy"][: len(part.times)])
+
+
+def test_a_body_that_touches_with_its_centre_of_mass() -> None:
+    """Its typical length was the distance from the contact, and zero a divisor."""
+    text = PLAIN.replace("radius = 1.0", "radius = 1.0\ncentre = [0, 0, 1]")
+    study = ch.prepare(ch.loads(text.replace('"friction"', '"friction"\nmu = 0.3'), "f.toml"))
+    assert study.trajectory().drift < 1e-14
+
+
+def test_a_body_that_touches_where_it_is_flat() -> None:
+    """NumPy warned, and the state was said to stop being a number."""
+    shape = 'kind = "implicit"\nsurface = "x**4 + y**4 + z**4 - 1"'
+    text = PLAIN.replace('kind = "ball"\nradius = 1.0', shape)
+    with pytest.raises(ch.InputError, match="strictly convex where it touches, and its formulas"):
+        ch.prepare(ch.loads(text.replace('"friction"', '"friction"\nmu = 0.3'))).trajectory()

@@ -329,6 +329,10 @@ def test_one_sentence(name: str, text: str | bytes, ask: Ask) -> None:
             "line 4, start: the rate of the state is no number there; a formula div",
         ),
         (
+            r(BALL, "omega = [1, 0, 0]", "omega = [1e30, 0, 0]"),
+            "the rate of the state is no number there; M_1 = 2e+30 is too far from 1 to compute",
+        ),
+        (
             '[equations]\nstate = ["x"]\nrates = {x = "x"}\n[guards]\ne = "x"\n[start]\nx=1\n',
             'guards.e: must be a table with value and message, not the text "x"',
         ),

@@ -10,7 +10,7 @@ import pytest
 from chaplygin.catalogue import from_catalogue
 from chaplygin.flow.cost import Pace, TooMuchError, in_words, require_room
 from chaplygin.flow.ensemble.run import ensemble, grid, single
-from chaplygin.flow.taylor_run import too_extreme
+from chaplygin.flow.validation import too_extreme
 
 BALL = from_catalogue("chaplygin-ball")
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import groupby
 
 import numpy as np
@@ -42,6 +42,14 @@ class Interval:
     end: float
 
 
+class InterruptedMotionError(KeyboardInterrupt):
+    """Ctrl-C while a motion with friction is computed; `partial` is the motion so far."""
+
+    def __init__(self, partial: ContactMotion) -> None:
+        super().__init__()
+        self.partial = partial
+
+
 @dataclass(frozen=True, eq=False)
 class ContactMotion:
     """A motion with friction.
@@ -78,6 +86,22 @@ class ContactMotion:
     steps: int
     ending: Ending
     _pieces: tuple[Piece, ...] = field(repr=False)
+    _columns: Mapping[str, slice] = field(repr=False)
+
+    def variables(self) -> dict[str, FloatArray]:
+        """The variables of the state at the samples, (n,) or (n, size), by name."""
+        return {
+            name: self.states[:, place]
+            if place.stop - place.start > 1
+            else self.states[:, place.start]
+            for name, place in self._columns.items()
+        }
+
+    @property
+    def energy_lost(self) -> float:
+        """The energy lost to friction and impacts until the end (J)."""
+        works = (place for name, place in self._columns.items() if name.startswith("work_"))
+        return float(sum(self.end_state[place].sum() for place in works))
 
     def observables(self) -> dict[str, FloatArray]:
         """Recorded quantities at the samples, (n,) or (n, 3), each in its own mode; by name."""
@@ -147,9 +171,18 @@ def contact_motion(
         compiled = CompiledContact(compiled, tolerance)
     course = Course(compiled, _start(compiled, state), moments, rules)
     span = float(moments[-1] - moments[0]) or 1.0
-    course.run(progress and (lambda time: progress((time - float(moments[0])) / span)))
-    pieces = tuple(course.pieces)
-    samples = [p.states[:, : compiled.size] for p in pieces]
+    try:
+        course.run(progress and (lambda time: progress((time - float(moments[0])) / span)))
+    except KeyboardInterrupt:
+        if not any(len(piece.times) for piece in course.pieces):
+            raise
+        raise InterruptedMotionError(_motion_to_last_sample(course)) from None
+    return _motion(course, course.pieces)
+
+
+def _motion(course: Course, pieces: Sequence[Piece]) -> ContactMotion:
+    """The motion that a course has computed."""
+    samples = [p.states[:, : course.contact.size] for p in pieces]
     modes = [np.full(len(p.times), MODE_NAMES.index(p.mode.name), np.int8) for p in pieces]
     return ContactMotion(
         times=np.concatenate([p.times for p in pieces]),
@@ -162,7 +195,22 @@ def contact_motion(
         reason=course.reason,
         steps=course.steps,
         ending=course.ending,
-        _pieces=pieces,
+        _pieces=tuple(pieces),
+        _columns=course.contact.columns,
+    )
+
+
+def _motion_to_last_sample(course: Course) -> ContactMotion:
+    """The motion of a course that may have been interrupted within an event."""
+    motion = _motion(course, course.pieces)
+    end = float(motion.times[-1])
+    return replace(
+        motion,
+        events=tuple(event for event in motion.events if event.time <= end),
+        end_time=end,
+        end_state=motion.states[-1],
+        reason="interrupted",
+        ending="failure",
     )
 
 
@@ -176,6 +224,8 @@ def _start(contact: CompiledContact, state: Sequence[float] | FloatArray) -> Flo
         )
     if not np.isfinite(start).all():
         raise InputError("state: all its numbers must be finite")
+    if obstacle := contact.obstacle(start):
+        raise InputError(f"state: {obstacle}")
     if len(start) == WORK:
         start = np.append(start, np.zeros(contact.size - WORK))
     known = contact.numbers(start)
@@ -187,7 +237,7 @@ def _start(contact: CompiledContact, state: Sequence[float] | FloatArray) -> Flo
     return start
 
 
-def _intervals(pieces: tuple[Piece, ...]) -> tuple[Interval, ...]:
+def _intervals(pieces: Sequence[Piece]) -> tuple[Interval, ...]:
     """The times between changes of the mode; pieces of one mode that follow each other are one."""
     groups = [list(group) for _, group in groupby(pieces, key=lambda p: p.mode.name)]
     return tuple(Interval(g[0].mode.name, g[0].begin, g[-1].end) for g in groups)

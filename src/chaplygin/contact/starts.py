@@ -148,7 +148,7 @@ def start_in_contact(
         raise InputError("normal: on a plane it is always (0, 0, 1)")
     across = float(way @ up)
     tangential = way - across * up
-    if abs(across) > SLACK * float(np.linalg.norm(way)):
+    if abs(across) > SLACK * math.hypot(*way):
         raise InputError(
             f"slip: (slip, gamma) = {across:.6g}, and a body in contact slips along the support "
             f"alone; the nearest admissible slip is {_shown(tangential)}"

@@ -28,15 +28,13 @@ from .trajectory import (
     columns_by_name,
     recorded_quantities,
 )
+from .validation import extremes_in_words
 
 #: Residuals of the relations that are left alone, per precision.
 LEFT_ALONE = {"double": 1e-15, "quad": 1e-32}
 
 #: A guard has vanished at a singularity when this little is left of its first value.
 VANISHED = 1e-5
-
-#: Numbers within so many powers of ten of one are not called too large or too small.
-_USUAL_POWERS = 30
 
 
 # outcomes of a heyoka step: failures are below these, events above
@@ -153,26 +151,35 @@ class TaylorRun:
             for _ in quantity.formulas:
                 value = float(next(values))
                 if not math.isfinite(value):
-                    reason = self._extreme_numbers(state) or NO_VALUE
+                    reason = self._extreme_numbers(state, self._has_values) or NO_VALUE
                     raise InputError(f"start: {quantity.name} is {value} there; {reason}")
 
-    def _extreme_numbers(self, state: WorkingArray) -> str:
-        """The numbers that are too large or too small for the formulas, in words."""
+    def _extreme_numbers(
+        self, state: WorkingArray, possible: Callable[[WorkingArray, WorkingArray], bool]
+    ) -> str:
+        """The numbers of state and parameters that make something impossible, in words."""
         names = [str(s) for s in (*self.system.symbols, *self.values)]
         numbers = [float(x) for x in (*state, *self.parameters)]
 
         def finite(changed: Sequence[float]) -> bool:
             array = np.array([self.kind(x) for x in changed], dtype=self.kind)
-            values = call(self.code.outputs, array[: len(state)], array[len(state) :])
-            return all(math.isfinite(float(value)) for value in values)
+            return possible(array[: len(state)], array[len(state) :])
 
-        with np.errstate(all="ignore"):
-            blamed = too_extreme(numbers, finite)
-        if not blamed:
-            return ""
-        listed = ", ".join(f"{names[i]} = {numbers[i]:g}" for i in blamed)
-        verb = "is" if len(blamed) == 1 else "are"
-        return f"{listed} {verb} too far from 1 to compute with: choose other units or numbers"
+        return extremes_in_words(names, numbers, finite)
+
+    def _has_values(self, state: WorkingArray, parameters: WorkingArray) -> bool:
+        """Whether all recorded quantities are finite numbers there."""
+        values = call(self.code.outputs, state, parameters)
+        return all(math.isfinite(float(value)) for value in values)
+
+    def _has_step(self, state: WorkingArray, parameters: WorkingArray) -> bool:
+        """Whether a step can be made from there."""
+        stepper = copy.copy(self.stepper)
+        stepper.time = self.kind(0)
+        stepper.state[:] = state
+        stepper.pars[: len(parameters)] = parameters[: len(stepper.pars)]
+        code = int(stepper.step()[0])
+        return code > _SUCCESS or code in (_SUCCESS, _LIMIT)
 
     def _require_on_phase_space(self, state: WorkingArray) -> None:
         for projector in self.projectors:
@@ -225,7 +232,8 @@ class TaylorRun:
             code = int(outcome)
             if code <= _SUCCESS and code not in (_SUCCESS, _LIMIT):
                 if not log.steps:
-                    raise InputError(f"start: the rate of the state is no number there; {NO_VALUE}")
+                    reason = self._extreme_numbers(self.good[1], self._has_step) or NO_VALUE
+                    raise InputError(f"start: the rate of the state is no number there; {reason}")
                 self._break_down(log, "the state stopped being a number")
                 return
             log.steps += 1
@@ -363,32 +371,3 @@ def _dense(log: RunLog, kind: type[WorkingNumber]) -> DenseOutput | None:
     return DenseOutput(
         np.array(begins, dtype=kind), np.array(ends, dtype=kind), np.array(coefficients)
     )
-
-
-def too_extreme(numbers: Sequence[float], finite: Callable[[Sequence[float]], bool]) -> list[int]:
-    """Indices of the numbers whose sizes make a value infinite or undefined.
-
-    Parameters
-    ----------
-    numbers : sequence of float
-    finite : callable
-        Whether there is a finite value with such numbers.
-
-    Returns
-    -------
-    list of int
-        As few as suffice; empty if the sizes of the numbers are not the reason.
-    """
-    sizes = {i: abs(math.log10(abs(x))) for i, x in enumerate(numbers) if x}
-    blamed = [i for i in sorted(sizes, key=sizes.__getitem__) if sizes[i] > _USUAL_POWERS]
-
-    def finite_without(indices: Sequence[int]) -> bool:
-        return finite([math.copysign(1.0, x) if i in indices else x for i, x in enumerate(numbers)])
-
-    if not blamed or not finite_without(blamed):
-        return []
-    for index in tuple(blamed):
-        fewer = [i for i in blamed if i != index]
-        if finite_without(fewer):
-            blamed = fewer
-    return sorted(blamed)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +16,9 @@ from ..formulas.graph import Term
 
 #: A start may miss a relation by this share of what it consists of, and by so much besides.
 SLACK, LEAST = 1e-9, 1e-13
+
+#: Numbers within so many powers of ten of one are not called too large or too small.
+_USUAL_POWERS = 10
 
 
 def moments(times: npt.ArrayLike, backward: bool = False) -> FloatArray:
@@ -70,3 +74,49 @@ def require_on_phase_space(
             f"{system.name}: start {worst[0]} misses the phase space; "
             f"{system.relations[worst[1]]} is {missed[worst]:.3g} there and must vanish"
         )
+
+
+def extremes_in_words(
+    names: Sequence[str], numbers: Sequence[float], finite: Callable[[Sequence[float]], bool]
+) -> str:
+    """The numbers whose sizes make a value infinite or undefined, in a sentence.
+
+    Parameters
+    ----------
+    names : sequence of str
+    numbers : sequence of float
+    finite : callable
+        Whether there is a finite value with such numbers.
+
+    Returns
+    -------
+    str
+        Names as few as suffice; empty if the sizes of the numbers are not the reason.
+    """
+    with np.errstate(all="ignore"):
+        blamed = too_extreme(numbers, finite)
+    if not blamed:
+        return ""
+    listed = ", ".join(f"{names[i]} = {numbers[i]:g}" for i in blamed)
+    verb = "is" if len(blamed) == 1 else "are"
+    return f"{listed} {verb} too far from 1 to compute with: choose other units or numbers"
+
+
+def too_extreme(numbers: Sequence[float], finite: Callable[[Sequence[float]], bool]) -> list[int]:
+    """Indices of the numbers whose sizes make a value infinite or undefined.
+
+    As few as suffice; empty if the sizes of the numbers are not the reason.
+    """
+    sizes = {i: abs(math.log10(abs(x))) for i, x in enumerate(numbers) if x}
+    blamed = [i for i in sorted(sizes, key=sizes.__getitem__) if sizes[i] > _USUAL_POWERS]
+
+    def finite_without(indices: Sequence[int]) -> bool:
+        return finite([math.copysign(1.0, x) if i in indices else x for i, x in enumerate(numbers)])
+
+    if not blamed or not finite_without(blamed):
+        return []
+    for index in tuple(blamed):
+        fewer = [i for i in blamed if i != index]
+        if finite_without(fewer):
+            blamed = fewer
+    return sorted(blamed)

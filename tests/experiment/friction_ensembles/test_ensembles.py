@@ -231,3 +231,43 @@ def test_ten_thousand_bouncing_balls(law: str) -> None:
     assert float((data.energy.diff("time") / size).max()) <= 1e-12
     balance = data.energy_balance
     assert float(((balance.max("time") - balance.min("time")) / size).max()) <= 1e-12
+
+
+#: A ball with two laws of friction, and one with the second alone.
+TWO_LAWS = BILLIARD.replace("mu = 0.2", "mu = 0.2\nviscous = 0.1")
+ONE_LAW = BILLIARD.replace("mu = 0.2", "viscous = 0.1")
+
+
+def test_a_coefficient_of_zero_is_no_law_and_its_work_is_zero() -> None:
+    """The works stood in the columns of other laws, or there was no such column."""
+    members = from_lists(mu=[0.2, 0.0])
+    wanted = contact_ensemble_task(
+        ch.prepare(ch.loads(TWO_LAWS)), members, record=["energy", "energy_balance"]
+    )
+    data = compute(wanted)
+    coulomb, viscous = data["work_coulomb"].values, data["work_viscous"].values
+    assert coulomb[0, -1] > 0.01 and not coulomb[1].any()
+    assert viscous[0, -1] > 1e-3 and viscous[1, -1] > 1e-2
+    lost = data["energy"].values[:, 0] - data["energy"].values[:, -1]
+    np.testing.assert_allclose(data["energy_lost"].values, lost, rtol=1e-12)
+    assert np.ptp(data["energy_balance"].values, axis=1).max() < 1e-12
+
+
+def test_a_law_that_the_file_lacks_counts_in_the_balance() -> None:
+    """Its work was left out."""
+    study = ch.prepare(ch.loads(ONE_LAW))
+    members = from_lists(mu=[0.0, 0.2])
+    data = compute(contact_ensemble_task(study, members, record=["energy", "energy_balance"]))
+    lost = data["energy"].values[:, 0] - data["energy"].values[:, -1]
+    np.testing.assert_allclose(data["energy_lost"].values, lost, rtol=1e-12)
+    assert lost[1] > lost[0] + 0.01
+    assert np.ptp(data["energy_balance"].values, axis=1).max() < 1e-12
+
+
+def test_a_chart_down_to_no_friction() -> None:
+    """It ended in a traceback."""
+    study = ch.prepare(ch.loads(TWO_LAWS))
+    chart = contact_chart(study, "mean:work_coulomb", axis("mu=0:0.2:2"), axis("mass=0.2:0.3:2"))
+    data = compute(contact_chart_task(chart, "ball"))
+    assert not data["mean"].values[:, 0].any()
+    assert (data["mean"].values[:, 1] > 0.01).all()

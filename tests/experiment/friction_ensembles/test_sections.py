@@ -15,6 +15,7 @@ from chaplygin.experiment.friction_ensembles.section import contact_section_task
 from chaplygin.experiment.poincare import Place
 from chaplygin.experiment.study import Study
 from chaplygin.flow.ensemble.compute import compute
+from chaplygin.flow.ensemble.members import from_lists
 from chaplygin.flow.ensemble.run import grid
 from experiment.friction_ensembles.test_ensembles import BILLIARD, sticking
 
@@ -111,3 +112,27 @@ def test_mistakes_in_sections(billiard: Study) -> None:
             contact_section_task(billiard, place, 1, **{"until": 1.0, **more})  # type: ignore[arg-type]
     with pytest.raises(InputError, match="0 points: there must be one at least"):
         contact_section_task(billiard, Place("gamma_3"), 0, until=1.0)
+
+
+def test_a_section_of_a_member_with_fewer_laws() -> None:
+    study = ch.prepare(ch.loads(BILLIARD.replace("mu = 0.2", "mu = 0.2\nviscous = 0.1")))
+    task, _ = contact_section_task(
+        study,
+        Place("slip_1", 0.7, direction="falling"),
+        1,
+        from_lists(mu=[0.2, 0.0]),
+        "lost = work_viscous + work_coulomb, omega_2",
+        until=30.0,
+    )
+    data = compute(task)
+    assert data["points"].values.tolist() == [1, 1]
+    assert not data["work_coulomb"].values[1].any()
+    assert data["work_viscous"].values[1, 0] > data["work_viscous"].values[0, 0] > 0
+    both = data["work_coulomb"].values + data["work_viscous"].values
+    np.testing.assert_allclose(data["lost"].values, both, rtol=1e-14)
+
+
+@pytest.mark.parametrize("text", ["1", "2*pi"])
+def test_a_section_on_a_constant(billiard: Study, text: str) -> None:
+    with pytest.raises(InputError, match="it is the same at all times"):
+        contact_section_task(billiard, Place(text, 0.0), 1, until=1.0)

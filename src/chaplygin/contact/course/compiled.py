@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 import threading
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -13,11 +13,12 @@ import numpy as np
 import sympy as sp
 
 from ...core.arrays import FloatArray
-from ...core.system import System
+from ...core.system import System, flat
 from ...core.vectors import constant, to_components
 from ...flow.heyoka_expressions import Translator
 from ...flow.kernel import code_cache
 from ...flow.taylor import compile_system
+from ...flow.validation import extremes_in_words
 from ..equations.equations_of_motion import equations_of_motion, work_symbol
 from ..equations.free_body import free_body_parameters
 from ..equations.situation import FrictionalContact
@@ -63,6 +64,14 @@ _VECTORS = (
     contact_velocity,
 )
 _SCALARS = (spin, normal_rate, spin_rate)
+
+NO_RATES = (
+    "the equations of motion have no finite value there; the body must be smooth and strictly "
+    "convex where it touches, and its formulas finite"
+)
+
+#: Place, among the compiled numbers, of the couple for each unit of normal force.
+_COUPLE = 3 * len(_VECTORS) + len(_SCALARS) + 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,9 +151,40 @@ class CompiledContact:
         laws = {str(p.symbol): float(p.default) for law in situation.laws for p in law.parameters}
         return self._known | laws
 
+    @property
+    def columns(self) -> dict[str, slice]:
+        """The columns of each variable of the state, by name; works lost end with it."""
+        columns: dict[str, slice] = {}
+        first = 0
+        for name in self.mode(FLIGHT).system.state:
+            size = len(flat([name]))
+            columns[str(name)] = slice(first, first + size)
+            first += size
+        return columns
+
     def work_column(self, law: str) -> int:
         """The column of the state with the work lost to a law."""
         return self._names.index(str(work_symbol(law)))
+
+    def obstacle(self, state: FloatArray) -> str:
+        """Why nothing can be computed from a state, in words; empty if it can.
+
+        Squares of energies and forces must have room among the numbers.
+        """
+        function, count = self._numbers.function, self._numbers.size
+        start = np.append(state[:WORK], np.zeros(count - WORK))
+        names = [*self._names[:WORK], *self._numbers.names]
+
+        def finite(numbers: Sequence[float]) -> bool:
+            values = np.array([*numbers[:WORK], *start[WORK:], *numbers[WORK:]])
+            result = function(values[:count], pars=values[count : count + function.nparams])
+            # the couple of a body that does not roll has no direction
+            known = np.delete(result.reshape(-1), slice(_COUPLE, _COUPLE + 3))
+            return bool(np.isfinite(known * known).all())
+
+        numbers = [*start[:WORK].tolist(), *self._values.tolist()]
+        with np.errstate(all="ignore"):
+            return "" if finite(numbers) else extremes_in_words(names, numbers, finite) or NO_RATES
 
     def numbers(self, state: FloatArray) -> ContactNumbers:
         """What is known of the contact at a state; the same is often asked for again."""

@@ -15,12 +15,11 @@ from ..friction.modes import FLIGHT, Mode, Range
 from ..impact.impact import Impact, zeno_closure
 from ..slip.stopping import WEAK, finish_stop
 from .beginning import Beginning, beginning
-from .compiled import (
-    OMEGA,
-)
+from .compiled import OMEGA
 from .course_state import NO_SLIP, SLIP_FLOOR
-from .endings import EndError
+from .endings import SINGULAR, EndError
 from .events import EventKind
+from .mode_integrator import PAUSE
 from .near_rest import (
     departure,
     first_direction,
@@ -56,11 +55,14 @@ class Course(RollingCourse):
                     progress(self.time)
                 if not guard:
                     break
-                self._handle(guard)
+                if guard != PAUSE:
+                    self._handle(guard)
         except EndError as stop:
             self._end(stop.ending, str(stop))
         except RunError as error:
             self._end("failure", str(error.args[0]))
+        except np.linalg.LinAlgError:
+            self._end("singular", SINGULAR)
 
     # --- modes -----------------------------------------------------------------------------
 

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ...core.arrays import FloatArray
+from ...flow.cost import Pace
+from ...flow.validation import extremes_in_words
 from ..friction.contensou import held_range_of, range_of
 from ..friction.modes import Mode, Range
 from ..impact.impact import Impact, impact
@@ -21,7 +24,7 @@ from .compiled import (
     CompiledContact,
     ContactNumbers,
 )
-from .endings import EndError, Ending
+from .endings import SINGULAR, EndError, Ending
 from .events import ContactEvent, EventKind
 from .mode_integrator import ModeIntegrator, with_values
 from .near_rest import (
@@ -39,6 +42,9 @@ LAST_BOUNCE = 1e-7
 
 #: So many events without progress of time end a motion.
 _STUCK = 60
+
+#: After so many steps in one mode Python says how far the motion has come, and acts on Ctrl-C.
+_STRETCH = 2000
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,14 +92,17 @@ class CourseState:
         self.mode = Mode()
         self.pieces: list[Piece] = []
         self.events: list[ContactEvent] = []
-        self.steps, self.reason = 0, ""
+        self.steps, self.reason, self._pace = 0, "", Pace()
         self.ending: Ending = ""
         self._dry = dry_friction(contact.situation)
         self._spin_sign = 1.0
         self._next_moment = self._idle = 0
         self._floor_factor = 1.0
         known = contact.numbers(state)
-        self._length = float(np.linalg.norm(known.r))
+        body = contact.situation.body
+        # a body may touch its support with its centre of mass
+        gyration = math.sqrt(float(np.trace(body.tensor)) / (2 * body.mass))
+        self._length = float(np.linalg.norm(known.r)) or gyration
         fall = math.sqrt(1e-6 * float(np.linalg.norm(known.free_acceleration)) * self._length)
         turning = float(np.linalg.norm(state[OMEGA])) * self._length
         slip = float(np.linalg.norm(known.slip))
@@ -112,23 +121,39 @@ class CourseState:
             self.pieces.append(replace(last, begin=self.time, times=sample, states=columns[None]))
 
     def _integrate(self) -> str:
-        """Integrate in the present mode up to the next event; return its guard."""
+        """Integrate in the present mode up to the next event or pause; return its guard."""
         integrator = self._integrator(self.mode)
         wanted = self.moments[self._next_moment :]
-        outcome = integrator.advance(self.time, self.state, list(wanted), float(self.moments[-1]))
+        last = float(self.moments[-1])
+        outcome = integrator.advance(self.time, self.state, list(wanted), last, _STRETCH)
         self._add_piece(integrator, outcome.time, outcome.samples)
         self.steps += outcome.steps
         self._idle = 0 if outcome.time > self.time else self._idle + 1
         self.time, self.state = outcome.time, outcome.state
         if outcome.guard == "failure":
-            raise EndError(
-                "singular", "the motion comes to a singular end: its state stops being a number"
-            )
+            raise EndError("singular", "; ".join(filter(None, (SINGULAR, self._extremes()))))
         if self._idle > _STUCK or len(self.events) > self.rules.most_events:
             raise EndError(
                 "many events", f"{len(self.events)} events up to t = {self.time:.9g}: too many"
             )
+        length = last - float(self.moments[0])
+        if length:
+            done = (self.time - float(self.moments[0])) / length
+            self._pace.check(done, f"to follow a motion for {length:g} s")
         return outcome.guard
+
+    def _extremes(self) -> str:
+        """The numbers that make a step impossible, in words; empty once there was one."""
+        if self.time > self.moments[0]:
+            return ""
+        integrator, size = self._integrator(self.mode), len(self.state)
+        names = [*map(str, integrator.system.symbols), *integrator.places]
+
+        def finite(numbers: Sequence[float]) -> bool:
+            values = np.array(numbers)
+            return integrator.has_step(values[:size], values[size:])
+
+        return extremes_in_words(names, [*self.state, *integrator.values], finite)
 
     def _add_piece(self, integrator: ModeIntegrator, end: float, states: FloatArray) -> None:
         times = self.moments[self._next_moment : self._next_moment + len(states)]

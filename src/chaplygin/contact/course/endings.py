@@ -36,6 +36,8 @@ ENDINGS: Mapping[Ending, str] = {
     "failure": "the integration failed",
 }
 
+SINGULAR = "the motion comes to a singular end: its state stops being a number"
+
 
 class EndError(Exception):
     """A motion that cannot go on.

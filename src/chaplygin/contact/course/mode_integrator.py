@@ -15,6 +15,9 @@ from ...core.system import System
 from ...core.vectors import to_components
 from ...flow.taylor import CompiledSystem
 
+#: The guard of a piece that ended after the steps allowed.
+PAUSE = "pause"
+
 
 @dataclass(frozen=True)
 class Outcome:
@@ -25,8 +28,8 @@ class Outcome:
     time : float
     state : array (size,)
     guard : str
-        Name of the guard that ended it; empty at the end of the interval, ``"failure"`` if the
-        state stopped being a number.
+        Name of the guard that ended it; empty at the end of the interval, `PAUSE` after the steps
+        allowed, ``"failure"`` if the state stopped being a number.
     samples : array (n, size)
         States at the sample times that were passed.
     steps : int
@@ -131,7 +134,7 @@ class ModeIntegrator:
             Sample times, increasing, from `time` to `end`.
         end : float
         most_steps : int
-            Number of steps after which to give up with the guard ``"failure"``; 0 for no limit.
+            Number of steps after which to stop with the guard `PAUSE`; 0 for no limit.
         """
         stepper = self.stepper
         # heyoka counts the parameters up to the last one that occurs in the formulas
@@ -159,9 +162,23 @@ class ModeIntegrator:
         if code > _SUCCESS:
             guard = self.system.guards[self.code.watched[-code - 1]].name
         elif code != _TIME_LIMIT:
-            guard = "failure"
+            guard = PAUSE if code == _STEP_LIMIT else "failure"
         samples = np.concatenate([first, values[1 : len(moments) - at_start + 1]])
+        if guard == "failure":
+            # the last good state is that of the last sample
+            good = (grid[len(values) - 1], values[-1]) if len(values) else (time, np.array(state))
+            return Outcome(float(good[0]), good[1], guard, samples, steps)
         return Outcome(float(stepper.time), np.array(stepper.state), guard, samples, steps)
+
+    def has_step(self, state: FloatArray, values: FloatArray) -> bool:
+        """Whether a step can be made from a state (size,), with these values of the parameters."""
+        stepper = copy.copy(self.stepper)
+        count = min(len(values), len(stepper.pars))
+        stepper.pars[:count] = values[:count]
+        stepper.time = 0.0
+        stepper.state[:] = state
+        code = int(stepper.step()[0])
+        return code > _SUCCESS or code in (_SUCCESS, _TIME_LIMIT)
 
     def series(
         self, time: float, state: FloatArray, end: float
@@ -196,7 +213,7 @@ class ModeIntegrator:
         return list(np.ldexp(1.0, -exponents))
 
 
-_TIME_LIMIT, _SUCCESS = -4294967299, -4294967297
+_TIME_LIMIT, _STEP_LIMIT, _SUCCESS = -4294967299, -4294967298, -4294967297
 
 
 def with_values(mode: ModeIntegrator, values: Mapping[str, float]) -> ModeIntegrator:

@@ -278,7 +278,10 @@ def _parameter(name: str) -> sp.Symbol:
 def _formula(key: str, written: Quantity, known: Mapping[str, sp.Symbol]) -> sp.Expr:
     """A formula as typed or as a SymPy expression, in known symbols."""
     if isinstance(written, str):
-        return parse(written, known, key)
+        try:
+            return parse(written, known)
+        except InputError as error:
+            raise InputError(f"{key}: {error.message}") from None
     formula = sp.sympify(written)
     formula = formula.xreplace({s: known[s.name] for s in formula.free_symbols if s.name in known})
     unknown = sorted(map(str, formula.free_symbols - set(known.values())))

@@ -16,10 +16,10 @@ from ...contact.course.events import ContactEvent
 from ...contact.course.rules import Rules
 from ...contact.equations.situation import FrictionalContact
 from ...contact.friction.modes import FLIGHT
-from ...contact.motion import ContactMotion, contact_motion
+from ...contact.motion import ContactMotion, InterruptedMotionError, contact_motion
 from ...core.arrays import FloatArray
 from ...core.system import Guard, System
-from ...errors import InputError, RunError
+from ...errors import InputError, InterruptionError, RunError
 from ...flow.trajectory import Event, Statistics, Trajectory, by_name
 
 #: The law of energy with all work lost.
@@ -108,11 +108,16 @@ def contact_trajectory(
         If there is no motion from the start.
     RunError
         If the motion ends early, but for the lift-off at which it was to stop; it carries the
-        trajectory so far.
+        trajectory so far.  An InterruptionError if it is interrupted.
     """
     began = clock.perf_counter()
-    motion = contact_motion(compiled, state, times, rules, progress=progress)
-    if not len(motion.times) or (motion.reason and motion.end_time <= times[0]):
+    interrupted = False
+    try:
+        motion = contact_motion(compiled, state, times, rules, progress=progress)
+    except InterruptedMotionError as stop:
+        motion, interrupted = stop.partial, True
+    stopped = motion.reason and not interrupted
+    if not len(motion.times) or (stopped and motion.end_time <= times[0]):
         raise InputError(f"there is no motion from here: {_advice(motion.reason, rules)}")
     recorded = motion.observables()
     works = (by_name(system, motion.states, name) for name in work_names(system))
@@ -139,6 +144,8 @@ def contact_trajectory(
         changes=tuple(motion.events),
         reason=motion.reason,
     )
+    if interrupted:
+        raise InterruptionError(motion.reason, motion.end_time, trajectory)
     if motion.reason and not _is_asked_for(trajectory):
         raise RunError(_advice(motion.reason, rules), motion.end_time, trajectory)
     return trajectory

@@ -71,7 +71,7 @@ class ContactChart:
                 continue
             arrays["ended"][row, column] = motion.end_time
             for name, item in EVENT_NUMBERS.items():
-                arrays[name][row, column] = item.of(motion, system)
+                arrays[name][row, column] = item.of(motion)
             number = self.of(motion, system, not motion.reason)
             arrays[self.of.word][row, column] = number
             if not member.outcome and not np.isfinite(number):
@@ -96,14 +96,16 @@ def _known(experiment: str) -> dict[str, float]:
 
 
 @lru_cache(maxsize=256)
-def _formula(text: str, names: tuple[str, ...]) -> tuple[Callable[..., float], list[str]]:
-    value = parse(text, {name: sp.Symbol(name, real=True) for name in names})
+def _formula(
+    text: str, names: tuple[str, ...], where: str = ""
+) -> tuple[Callable[..., float], list[str]]:
+    value = parse(text, {name: sp.Symbol(name, real=True) for name in names}, where)
     used = sorted(value.free_symbols, key=str)
     return sp.lambdify(used, value, "math"), [str(symbol) for symbol in used]
 
 
-def _names_in(text: str, names: tuple[str, ...]) -> list[str]:
-    return _formula(text, names)[1]
+def _names_in(text: str, names: tuple[str, ...], where: str = "") -> list[str]:
+    return _formula(text, names, where)[1]
 
 
 def contact_chart(
@@ -150,7 +152,7 @@ def contact_chart(
     numbers = FileNumbers(friction_experiment(experiment))
     texts = dict(formulas or {})
     names = (*numbers.known(), x.name, y.name)
-    used = {name for text in texts.values() for name in _names_in(text, names)}
+    used = {n for name, text in texts.items() for n in _names_in(text, names, f"{name} = {text}")}
     for name in texts:
         numbers.path(name)
     for item in (x, y):

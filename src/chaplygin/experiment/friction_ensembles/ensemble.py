@@ -124,14 +124,14 @@ class ContactEnsembleWork:
             return
         count = samples_reached(motion, times)
         recorded = recorded_values(motion, system)
-        works = sum(recorded[str(name)] for name in system.state if str(name).startswith("work_"))
+        works = sum(values for name, values in recorded.items() if name.startswith("work_"))
         recorded[BALANCE] = recorded["energy"] + works
         for name, values in recorded.items():
             if name in arrays:
                 arrays[name][place, :count] = values[:count]
         arrays["mode"][place, :count] = motion.modes[:count]
         for name, number in EVENT_NUMBERS.items():
-            arrays[name][place] = number.of(motion, system)
+            arrays[name][place] = number.of(motion)
         arrays["lowest_gap"][place] = recorded["gap"].min()
         arrays["steps"][place] = motion.steps
 

@@ -33,38 +33,32 @@ class EventNumber:
     ----------
     meaning, unit : str
     of : callable
-        Of a motion and its system.
+        Of a motion.
     """
 
     meaning: str
     unit: str
-    of: Callable[[ContactMotion, System], float]
+    of: Callable[[ContactMotion], float]
 
 
-def _last_event(motion: ContactMotion, _: System) -> float:
+def _last_event(motion: ContactMotion) -> float:
     return motion.events[-1].time if motion.events else float("nan")
 
 
-def _energy_lost(motion: ContactMotion, system: System) -> float:
-    names = [str(symbol) for symbol in system.symbols]
-    end = motion.end_state
-    return float(sum(end[names.index(name)] for name in work_names(system)))
-
-
-def _time_of(kind: str) -> Callable[[ContactMotion, System], float]:
-    return lambda motion, _: next((e.time for e in motion.events if e.kind == kind), float("nan"))
+def _time_of(kind: str) -> Callable[[ContactMotion], float]:
+    return lambda motion: next((e.time for e in motion.events if e.kind == kind), float("nan"))
 
 
 #: Numbers of every motion of an ensemble or a chart.
 EVENT_NUMBERS: Mapping[str, EventNumber] = {
-    "events": EventNumber("number of events", "1", lambda m, _: float(len(m.events))),
+    "events": EventNumber("number of events", "1", lambda m: float(len(m.events))),
     "final_mode": EventNumber(
-        "mode at the end", "1", lambda m, _: float(MODE_NAMES.index(m.intervals[-1].mode))
+        "mode at the end", "1", lambda m: float(MODE_NAMES.index(m.intervals[-1].mode))
     ),
     "last_event": EventNumber("time of the last event", "s", _last_event),
     "first_stick": EventNumber("time at which sliding ends first", "s", _time_of("stick")),
-    "energy_lost": EventNumber("energy lost to friction and impacts", "J", _energy_lost),
-    "duration": EventNumber("time until the motion ends", "s", lambda m, _: m.end_time),
+    "energy_lost": EventNumber("energy lost to friction and impacts", "J", lambda m: m.energy_lost),
+    "duration": EventNumber("time until the motion ends", "s", lambda m: m.end_time),
 }
 
 
@@ -134,9 +128,9 @@ class MotionNumber:
             Whether it reached its last time; values along it are of no account otherwise.
         """
         if self.word in EVENT_NUMBERS:
-            return EVENT_NUMBERS[self.word].of(motion, system)
+            return EVENT_NUMBERS[self.word].of(motion)
         if self.word == "first":
-            return _time_of(self.subject)(motion, system)
+            return _time_of(self.subject)(motion)
         if self.word == "count":
             return float(sum(event.kind == self.subject for event in motion.events))
         if not complete:
@@ -190,20 +184,17 @@ def motion_number(text: str, system: System) -> MotionNumber:
         if kind not in _KINDS:
             raise InputError(f"{text}: no event is called {subject}{nearest(subject, _KINDS)}")
         return MotionNumber(word, kind)
-    _function(subject, tuple(_columns(system)))
+    _function(subject, tuple(_columns(system)), text)
     return MotionNumber(word, subject)
 
 
 def recorded_values(motion: ContactMotion, system: System) -> dict[str, FloatArray]:
-    """States and observables at the samples, (n,) or (n, size), by the names of datasets."""
-    values: dict[str, FloatArray] = {}
-    first = 0
-    for name in system.state:
-        size = len(flat([name]))
-        block = motion.states[:, first : first + size]
-        values[str(name)] = block[:, 0] if size == 1 else block
-        first += size
-    return values | motion.observables()
+    """States and observables at the samples, (n,) or (n, size), by the names of datasets.
+
+    A law of friction of the system that the motion lacks, its coefficient being zero, does no work.
+    """
+    none = dict.fromkeys(work_names(system), np.zeros(len(motion.times)))
+    return none | motion.variables() | motion.observables()
 
 
 def values_of_formula(text: str, motion: ContactMotion, system: System) -> FloatArray:
@@ -221,8 +212,9 @@ def values_of_formula(text: str, motion: ContactMotion, system: System) -> Float
 
 
 def require_formula(text: str, system: System) -> None:
-    """Raise InputError unless a text is a formula in recorded quantities."""
-    _function(text, tuple(_columns(system)))
+    """Raise InputError unless a text is a formula in recorded quantities, and no constant."""
+    if not _function(text, tuple(_columns(system)), "quantity")[1]:
+        raise InputError(f"quantity {text}: it is the same at all times")
 
 
 def formula_at(text: str, mode: ModeIntegrator, states: FloatArray, system: System) -> FloatArray:
@@ -230,12 +222,15 @@ def formula_at(text: str, mode: ModeIntegrator, states: FloatArray, system: Syst
     columns = _columns(system)
     function, used = _function(text, tuple(columns))
     needed = {columns[name][0] for name in used}
-    places = _state_places(system)
-    values = mode.outputs(states) if needed - places.keys() else {}
+    absent = set(work_names(system)) - {str(name) for name in mode.system.state}
+    places = _state_places(mode.system)
+    values = mode.outputs(states) if needed - places.keys() - absent else {}
     arguments = []
     for name in used:
         variable, place = columns[name]
-        if variable in places:
+        if variable in absent:
+            arguments.append(np.zeros(len(states)))
+        elif variable in places:
             arguments.append(states[:, places[variable] + max(place, 0)])
         else:
             block = values[variable]
@@ -283,9 +278,11 @@ def _units(system: System) -> dict[str, str]:
 
 
 @lru_cache(maxsize=64)
-def _function(text: str, names: tuple[str, ...]) -> tuple[Callable[..., FloatArray], list[str]]:
+def _function(
+    text: str, names: tuple[str, ...], where: str = ""
+) -> tuple[Callable[..., FloatArray], list[str]]:
     """A formula as a function of arrays, and the quantities that it uses in their order."""
     known = {name: sp.Symbol(name, real=True) for name in names}
-    value = parse(text, known)
+    value = parse(text, known, where)
     used = sorted(value.free_symbols, key=str)
     return sp.lambdify(used, value, "numpy"), [str(symbol) for symbol in used]

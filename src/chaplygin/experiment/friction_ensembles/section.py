@@ -105,6 +105,7 @@ class ContactSection:
             self.count,
         )
         course.run()
+        columns = contact.columns
         arrays["outcome"][place] = _outcome_of(course, self.count)
         complete = len(course.crossings) >= self.count
         arrays["ended"][place] = course.crossings[-1].time if complete else course.time
@@ -112,12 +113,10 @@ class ContactSection:
         for number, crossing in enumerate(course.crossings):
             arrays["time"][place, number] = crossing.time
             arrays["mode"][place, number] = MODE_NAMES.index(crossing.mode)
-            at = 0
-            for name in system.state:
-                size = len(flat([name]))
-                row = crossing.state[at : at + size]
-                arrays[str(name)][place, number] = row if size > 1 else row[0]
-                at += size
+            for name in map(str, system.state):
+                # a law of friction whose coefficient is zero does no work
+                row = crossing.state[columns[name]] if name in columns else np.zeros(1)
+                arrays[name][place, number] = row if len(row) > 1 else row[0]
             for name, text in self.coordinates:
                 states = crossing.state[None]
                 value = formula_at(text, crossing.integrator, states, system)
