@@ -20,12 +20,7 @@ from .course_state import NO_SLIP, SLIP_FLOOR
 from .endings import SINGULAR, EndError
 from .events import EventKind
 from .mode_integrator import PAUSE
-from .near_rest import (
-    departure,
-    first_direction,
-    frozen_slip,
-    state_after_stop,
-)
+from .near_rest import departure, first_direction, frozen_slip, state_after_stop
 from .rolling_course import RollingCourse
 
 #: Gaps, normal velocities and normal accelerations below this part of the typical ones are none.
