@@ -1,6 +1,6 @@
 /** The laboratory of one model: what is computed, what is shown, and how both change. */
 
-import { meshOfGrid } from "./engine/body_mesh";
+import { meshOfGrid, type Mesh } from "./engine/body_mesh";
 import { doubles, floats } from "./encoding";
 import type { Engine, State, Values } from "./engine/engine";
 import type { PageModel } from "./model";
@@ -8,7 +8,6 @@ import { Cell, latest } from "./page/cell";
 import { History, instants, opening, same, type Experiment } from "./page/experiment";
 import { Clock, fittingSpeed } from "./playback/clock";
 import type { Motion } from "./playback/motion";
-import type { Surface } from "./scene/body";
 
 /** A motion with what it was computed from. */
 export interface Shown {
@@ -16,7 +15,7 @@ export interface Shown {
   motion: Motion;
   /** The state at its start; null where only the recorded samples are known. */
   state: Float64Array | null;
-  surface: Surface | null;
+  surface: Mesh | null;
 }
 
 /** Everything that panels of the page share. */
@@ -131,7 +130,7 @@ export function recordedMotion(model: PageModel): Motion {
 }
 
 /** The surface of the body for the parameters of the model. */
-export function surfaceOf(model: PageModel): Surface | null {
+export function surfaceOf(model: PageModel): Mesh | null {
   const body = model.scene.body;
   return body === null ? null : meshOfGrid(body, floats(body.positions));
 }

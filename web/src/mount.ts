@@ -1,6 +1,9 @@
 /** Puts a laboratory into an element of a page. */
 
+import { bifurcationPanel } from "./bifurcation/bifurcation_panel";
+import { chartPanel } from "./chart/chart_panel";
 import { experimentPanel } from "./controls/experiment_panel";
+import { downloadsPanel } from "./downloads/downloads_panel";
 import { computed, Lab, recordedMotion, surfaceOf, type Shown } from "./lab";
 import { lawReadings, lawsPanel, type LawReading } from "./laws/laws_panel";
 import { element } from "./page/dom";
@@ -75,6 +78,8 @@ async function open(source: Source): Promise<Lab> {
   }
   const lab = new Lab(model, engine, first);
   if (note !== "") lab.say(note, true);
+  const t = Number(asked?.choices["t"]);
+  if (Number.isFinite(t)) lab.clock.seek(t);
   return lab;
 }
 
@@ -91,20 +96,21 @@ function build(target: HTMLElement, holder: HTMLElement, lab: Lab): void {
     message.textContent = sentence;
     message.classList.toggle("lab-refused", lab.refused.value);
   });
-  const stage = scene?.stage ?? null;
-  const link = permalink(lab);
   const plots = plotsPanel(lab);
   const pictures: Panel[] = [{ name: "plots", title: "Over time", content: plots.element }];
   const section = sectionPanel(lab);
   if (section !== null) pictures.push({ name: "section", title: "Section", content: section.element, shown: () => section.shown() });
+  const chart = chartPanel(lab, section === null ? null : () => section.setting());
+  if (chart !== null) pictures.push({ name: "chart", title: "Chart", content: chart.element, shown: () => chart.shown() });
+  const bifurcation = bifurcationPanel(lab);
+  if (bifurcation !== null) pictures.push({ name: "bifurcation", title: "Bifurcation diagram", content: bifurcation.element, shown: () => bifurcation.shown() });
   const values: Panel[] = [];
   const experiment = experimentPanel(lab);
   if (experiment !== null) values.push({ name: "experiment", title: "Start and parameters", content: experiment });
   const laws = lawsPanel(lab);
   if (laws !== null) values.push({ name: "laws", title: "Laws", content: laws });
-  void stage;
-  void link;
-  values.push({ name: "keys", title: "Keys", content: help() });
+  const downloads = downloadsPanel({ lab, scene, plots, section, address: permalink(lab) });
+  values.push({ name: "downloads", title: "Save", content: downloads }, { name: "keys", title: "Keys", content: help() });
   const view = element("div", { class: "lab-view" }, scene?.element ?? null, transport(lab, full), scene?.switches ?? null, message);
   holder.append(view, tabs("Values", values).element, tabs("Pictures", pictures).element);
   holder.addEventListener("keydown", (event) => {

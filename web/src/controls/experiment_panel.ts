@@ -5,7 +5,7 @@ import type { PageModel } from "../model";
 import { element } from "../page/dom";
 import { changed, opening } from "../page/experiment";
 import { formula } from "../page/mathml";
-import { row } from "../playback/motion";
+import { startInputs } from "./start_inputs";
 import { rangeAround, slider, type Slider } from "./slider";
 
 /** The panel; null where nothing can be changed. */
@@ -73,26 +73,3 @@ function usualValues(model: PageModel): { inputs: Map<string, number>; parameter
     parameters: new Map(model.parameters.map((parameter) => [parameter.name, parameter.value])),
   };
 }
-
-/** The start inputs of the experiment; those of a state are read off the motion where it records them. */
-function startInputs(lab: Lab): Record<string, number> {
-  const { start } = lab.wanted.value;
-  if ("inputs" in start) return { ...start.inputs };
-  const { motion } = lab.shown.value;
-  const found: Record<string, number> = {};
-  for (const { name } of lab.model.start_inputs) {
-    const place = lab.model.state.findIndex((each) => each.name === name);
-    const value = place >= 0 ? start.state[place] : recorded(lab, name, motion.times[0] ?? 0);
-    if (value !== undefined && Number.isFinite(value)) found[name] = value;
-  }
-  return found;
-}
-
-function recorded(lab: Lab, name: string, t: number): number | undefined {
-  const cut = name.lastIndexOf("_");
-  const column = lab.model.columns.find((each) => each.name === name || each.name === name.slice(0, cut));
-  if (column === undefined) return undefined;
-  const index = column.name === name ? 0 : Number(name.slice(cut + 1)) - 1;
-  return row(lab.shown.value.motion, column.name, column.width, t)?.[index];
-}
-

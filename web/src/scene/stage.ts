@@ -158,10 +158,19 @@ export class Stage {
     this.renderer.render(this.world, this.camera);
   }
 
-  /** A picture of an instant, with the colour of the paper behind it. */
-  async picture(t: number, width: number, height: number, ratio: number): Promise<HTMLCanvasElement> {
+  /** Do some work with pictures of another size. */
+  async sized<R>(width: number, height: number, ratio: number, work: () => Promise<R> | R): Promise<R> {
     const [wide, high] = [this.width, this.height];
     this.resize(width, height, ratio);
+    try {
+      return await work();
+    } finally {
+      this.resize(wide, high);
+    }
+  }
+
+  /** A picture of an instant, with the colour of the paper behind it. */
+  picture(t: number): HTMLCanvasElement {
     this.draw(t);
     const sheet = document.createElement("canvas");
     sheet.width = this.canvas.width;
@@ -172,8 +181,6 @@ export class Stage {
       pen.fillRect(0, 0, sheet.width, sheet.height);
       pen.drawImage(this.canvas, 0, 0);
     }
-    this.resize(wide, high);
-    this.draw(t);
     return sheet;
   }
 

@@ -1,0 +1,106 @@
+/** Cells of a chart, computed by as many workers as there are processors to spare. */
+
+import type { Engine, State } from "../engine/engine";
+import type { PageModel } from "../model";
+import type { Experiment } from "../page/experiment";
+import type { SectionSetting } from "../section/orbits";
+import { workerCount, workerEngine, type WorkerEngine } from "../sources/workers";
+import { coarseFirst, middle, type Cell } from "./grid";
+import { rotationNumber } from "./rotation_number";
+
+/** What a chart shows: over two parameters or start inputs, or over the points of a section. */
+export interface ChartSetting {
+  kind: "megno" | "lyapunov" | "rotation";
+  /** Names of start inputs or parameters; null for points of the section. */
+  x: string | null;
+  y: string | null;
+  xRange: [number, number];
+  yRange: [number, number];
+  size: number;
+  until: number;
+}
+
+/** Where a chart is computed from. */
+export interface ChartGround {
+  model: PageModel;
+  experiment: Experiment;
+  /** The state of the motion in the scene. */
+  reference: Float64Array;
+  section: SectionSetting | null;
+}
+
+/** Cells that a worker is given at a time. */
+const TILE = 8;
+
+/** The experiment of a cell; a message where it has none. */
+export async function cellStart(engine: Engine, ground: ChartGround, setting: ChartSetting, x: number, y: number): Promise<{ experiment: Experiment; state: Float64Array } | { message: string }> {
+  const { model, experiment, reference, section } = ground;
+  if (setting.x === null || setting.y === null) {
+    if (section === null) return { message: "There is no section." };
+    const { on, value, direction } = section;
+    const task = { parameters: experiment.parameters, reference, section: { on, value, direction, x: section.x, y: section.y }, x, y };
+    const found = await engine.startOnLevel(task);
+    return "message" in found ? found : { experiment: { ...experiment, start: { state: Array.from(found.state) } }, state: found.state };
+  }
+  const given: [string, number][] = [[setting.x, x], [setting.y, y]];
+  const inputs = given.filter(([name]) => model.start_inputs.some((input) => input.name === name));
+  const parameters = { ...experiment.parameters, ...Object.fromEntries(given.filter((each) => !inputs.includes(each))) };
+  const { start } = experiment;
+  const next: Experiment["start"] = "state" in start && inputs.length === 0 ? start : { inputs: { ...("inputs" in start ? start.inputs : {}), ...Object.fromEntries(inputs) } };
+  const state: State = "state" in next ? { state: Float64Array.from(next.state) } : await engine.startFrom({ parameters, inputs: next.inputs });
+  return "message" in state ? state : { experiment: { ...experiment, parameters, start: next }, state: state.state };
+}
+
+/** The value of a cell; not a number where there is none. */
+export async function cellValue(engine: Engine, ground: ChartGround, setting: ChartSetting, x: number, y: number): Promise<number> {
+  const start = await cellStart(engine, ground, setting, x, y);
+  if ("message" in start) return NaN;
+  const { parameters } = start.experiment;
+  if (setting.kind !== "rotation") return engine.indicator({ parameters, start: start.state, until: setting.until, kind: setting.kind });
+  const { section, model } = ground;
+  if (section === null) return NaN;
+  const index = model.quantities.findIndex(({ name }) => name === section.x);
+  const { rows, dimension } = await engine.section({ parameters, start: start.state, on: section.on, value: section.value, direction: section.direction, points: 300, until: setting.until });
+  if (rows.length === 0) return NaN;
+  const values = await engine.quantities(parameters, rows, dimension);
+  const width = model.quantities.length;
+  return rotationNumber(Float64Array.from({ length: values.length / width }, (_, k) => values[k * width + index] ?? NaN));
+}
+
+/** A chart being computed. */
+export interface ChartRun {
+  values: Float64Array;
+  /** Settled when all cells are done, or the run was stopped. */
+  done: Promise<void>;
+  stop(): void;
+}
+
+/** Compute a chart; `progress` hears of each tile. */
+export function chartRun(ground: ChartGround, setting: ChartSetting, progress: (cells: readonly Cell[], share: number) => void): ChartRun {
+  const { size } = setting;
+  const values = new Float64Array(size * size).fill(NaN);
+  const cells = coarseFirst(size);
+  const workers: WorkerEngine[] = Array.from({ length: workerCount() }, () => workerEngine(ground.model));
+  let next = 0;
+  let finished = 0;
+  let stopped = false;
+  const work = async ({ engine }: WorkerEngine): Promise<void> => {
+    while (!stopped && next < cells.length) {
+      const tile = cells.slice(next, next + TILE);
+      next += tile.length;
+      for (const { column, row } of tile) {
+        const [x, y] = [middle(setting.xRange, column, size), middle(setting.yRange, row, size)];
+        const value = await cellValue(engine, ground, setting, x, y).catch(() => NaN);
+        if (stopped) return;
+        values[row * size + column] = value;
+      }
+      finished += tile.length;
+      progress(tile, finished / cells.length);
+    }
+  };
+  const stop = (): void => {
+    stopped = true;
+    for (const worker of workers) worker.end();
+  };
+  return { values, done: Promise.all(workers.map(work)).then(stop, stop), stop };
+}
