@@ -85,7 +85,7 @@ async function open(source: Source): Promise<Lab> {
 
 function build(target: HTMLElement, holder: HTMLElement, lab: Lab): void {
   const scene = scenePanel(lab);
-  const still = target.querySelector<HTMLElement>(".lab-still");
+  const still = target.querySelector<HTMLElement>(".chaplygin-still");
   if (scene !== null) target.classList.add("lab-live");
   const full = (): void => {
     if (document.fullscreenElement !== null) void document.exitFullscreen();

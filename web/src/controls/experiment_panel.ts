@@ -58,13 +58,17 @@ export function experimentPanel(lab: Lab): HTMLElement | null {
     { class: "lab-sliders" },
     group("Start", starts, note),
     group("Parameters", parameters, null),
-    element("fieldset", {}, element("legend", {}, "Run"), until.element, reset),
+    element("div", { role: "group", "aria-label": "Run" }, head("Run"), until.element, reset),
   );
 }
 
 function group(words: string, sliders: readonly (readonly [string, Slider])[], note: HTMLElement | null): HTMLElement | null {
   if (sliders.length === 0) return null;
-  return element("fieldset", {}, element("legend", {}, words), ...sliders.map(([, made]) => made.element), note);
+  return element("div", { role: "group", "aria-label": words }, head(words), ...sliders.map(([, made]) => made.element), note);
+}
+
+function head(words: string): HTMLElement {
+  return element("p", { class: "lab-group-head" }, words);
 }
 
 function usualValues(model: PageModel): { inputs: Map<string, number>; parameters: Map<string, number> } {

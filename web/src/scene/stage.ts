@@ -139,6 +139,8 @@ export class Stage {
 
   /** Draw the instant `t`. */
   draw(t: number): void {
+    // curves have a width in pixels: nothing is drawn before the size of the picture is known
+    if (this.width === 1) return;
     const now = pose(this.motion, t);
     this.place(now);
     if (this.shown.follow) this.follow(now);
