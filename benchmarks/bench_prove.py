@@ -38,15 +38,15 @@ def by_sympy(name: str, law_name: str) -> bool:
     system = from_catalogue(name)
     law = next(law for law in system.integrals if law.name == law_name)
     ground = LevelSet(system, law.on)
-    value = ground.expanded(to_components(law.value))
+    value = ground.expand(to_components(law.value))
     rate = sp.Add(
         *(
-            sp.diff(value, s) * ground.expanded(v)
+            sp.diff(value, s) * ground.expand(v)
             for s, v in zip(system.symbols, system.rates, strict=True)
         )
     )
     numerator, _ = sp.fraction(sp.together(rate))
-    relations = [sp.fraction(sp.together(ground.expanded(c)))[0] for c in ground.conditions]
+    relations = [sp.fraction(sp.together(ground.expand(c)))[0] for c in ground.conditions]
     moving = system.symbols
     _, rest = sp.reduced(sp.expand(numerator), relations, *moving, order="lex")
     return bool(sp.expand(rest) == 0)

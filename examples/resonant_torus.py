@@ -69,7 +69,7 @@ def rotation_number(root: Any) -> Any:
     """How often z₁ goes around while z₂ goes around once, for I₁ < r < I₂ (mpmath)."""
     with ctx.workdps(DIGITS + 10):
         lengths = periods(root)
-        first, second = lengths.around_ovals(lengths.normalised((arb(0), arb(1))))
+        first, second = lengths.around_ovals(lengths.normalised_integrals((arb(0), arb(1))))
         return mpmath.mpf(abs(first / second).str(DIGITS, radius=False))
 
 

@@ -105,7 +105,9 @@ def section_points(system: System, state: np.ndarray, count: int, each: int = 20
     for _ in range(count // each):
         crossed = flow.crossings(states, each)
         if crossed.outcome[0]:
-            raise RunError(flow.status_message(int(crossed.outcome[0])), float(crossed.ended[0]))
+            raise RunError(
+                flow.status_message(int(crossed.outcome[0])), float(crossed.end_times[0])
+            )
         points.append(crossed.states[0])
         states, _ = project_to_level(level, points[-1][-1:], [0.0, energy])
     return np.concatenate(points)

@@ -349,8 +349,8 @@ MISTAKES: dict[str, Callable[[], Any]] = {
     "Isomorphism": lambda: c.Isomorphism("i", "chaplygin-ball", {}),
     "Reduction": lambda: c.Reduction("r", "x", "y"),
     "Separation": lambda: c.Separation("r", None, None),
-    "thinned": lambda: T.thinned("x"),
-    "thinned 0": lambda: T.thinned(0),
+    "thinned": lambda: T.subsample("x"),
+    "thinned 0": lambda: T.subsample(0),
 }
 
 

@@ -53,7 +53,7 @@ SHOWN: Mapping[str, tuple[Callable[[], Any], str]] = {
     "motions of a batch": (
         lambda: ch.batch_integrator(ball()[0]).propagate([ball()[1][:6]] * 50, [1.0, 2.0]),
         "BatchTrajectories(states=array(50, 2, 6), deviations=None, outcome=array(50,), "
-        "ended=array(50,), steps=array(50,))",
+        "end_times=array(50,), steps=array(50,))",
     ),
     "spectrum": (
         lambda: ch.lyapunov_spectrum(*ball(), until=50.0),

@@ -238,12 +238,12 @@ def _one_of(kinds: list[_Kind | None]) -> _Kind | None:
     if len(known) < len(kinds):
         return None
     return _Kind(
-        _listed(list(dict.fromkeys(kind.words for kind in known))),
+        _enumeration(list(dict.fromkeys(kind.words for kind in known))),
         lambda value: any(kind.fits(value) for kind in known),
     )
 
 
-def _listed(words: list[str]) -> str:
+def _enumeration(words: list[str]) -> str:
     *others, last = words
     return f"{', '.join(others)} or {last}" if others else last
 
@@ -304,7 +304,7 @@ def _plural(kind: _Kind | None) -> str:
     return f"entries, each {kind.words}"
 
 
-def _shown(value: Any) -> str:
+def _short_text(value: Any) -> str:
     """A refused value in a few words."""
     if isinstance(value, str):
         return f"the text {value[:_LONGEST]!r}"
@@ -385,7 +385,9 @@ def _checking(
                     each = [(argument, value)]
             for place, item in each:
                 if not kind.fits(item):
-                    raise InputError(f"{name}: {place} must be {kind.words}, not {_shown(item)}")
+                    raise InputError(
+                        f"{name}: {place} must be {kind.words}, not {_short_text(item)}"
+                    )
         return function(*arguments, **named)
 
     return called

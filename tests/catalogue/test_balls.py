@@ -134,4 +134,4 @@ def test_the_search_finds_the_integrals_and_no_others(name, asked):
     question = search_request(system, momenta="omega", coordinates="R", **options)
     found = list(integrals(question))
     assert all(finding.proven for finding in found)
-    assert {finding.known.split(",")[0] for finding in found} == expected
+    assert {finding.catalogue_law.split(",")[0] for finding in found} == expected

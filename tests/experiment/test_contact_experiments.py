@@ -213,7 +213,7 @@ def test_a_table_has_the_samples_alone(
 
 def test_thinning_keeps_the_modes(billiard: tuple[ContactTrajectory, xr.Dataset]) -> None:
     trajectory, _ = billiard
-    thin = trajectory.thinned(5)
+    thin = trajectory.subsample(5)
     np.testing.assert_array_equal(thin.times, trajectory.times[::5])
     np.testing.assert_array_equal(thin.modes, trajectory.modes[::5])
     assert thin.changes == trajectory.changes

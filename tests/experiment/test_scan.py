@@ -31,7 +31,7 @@ def test_a_rolling_body_starts_by_its_angular_velocity() -> None:
 
 def test_other_systems_start_by_their_state() -> None:
     made = plane_of(study('[system]\nname = "neumann"\n'), axis("M_1=0:1:2"), axis("c=1:2:2"))
-    assert made.given is made.system
+    assert made.original_system is made.system
     assert not made.cells(0, 2).reasons.any()
 
 

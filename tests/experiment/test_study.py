@@ -271,7 +271,7 @@ def test_finer_samples_do_not_disturb_the_given_ones():
     made = study()
     plain, fine = made.trajectory(), made.trajectory(pieces=3)
     assert len(fine.times) == 13
-    thin = fine.thinned(3)
+    thin = fine.subsample(3)
     assert thin.times.tolist() == plain.times.tolist()
     assert thin.states.tolist() == plain.states.tolist()
     for name, values in plain.recorded.items():

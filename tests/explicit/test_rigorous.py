@@ -198,7 +198,7 @@ def test_strip_bound_holds_inside(motion: SeparatedMotion) -> None:
         for _ in range(6):
             heights = generator.uniform(-1, 1, size=2) * strip.half
             N, rate = Numerators(torus, heights).boxes(lines_of((20, 20), (1, 1)), (0.0, 0.0))
-            (values,) = branch.continued(*direction(N, rate))
+            (values,) = branch.values_on_boxes(*direction(N, rate))
             assert np.abs(values.middle).max() < strip.bounds[0]
 
 

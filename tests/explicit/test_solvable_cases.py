@@ -71,7 +71,7 @@ BALL = Rolling(Body(1.3, MOMENTS, Ball(0.9)))
 def test_rolling_bodies(rolling: Rolling, name: str) -> None:
     found = find_match(problem_of(rolling))
     assert found is not None
-    assert (found.known.name, found.level) == (name, ())
+    assert (found.known_system.name, found.level) == (name, ())
     assert set(found.own.leading.free_symbols) <= {
         *rolling.system().defaults,
         *(symbol for symbol, _ in found.own.constants),
@@ -91,7 +91,7 @@ def test_rolling_bodies(rolling: Rolling, name: str) -> None:
 def test_systems_of_the_catalogue(name: str, parameters: dict[str, float], separation: str) -> None:
     found = find_match(catalogue(name, **parameters))
     assert found is not None
-    assert (found.known.name, found.level) == (separation, ())
+    assert (found.known_system.name, found.level) == (separation, ())
 
 
 @pytest.mark.slow
@@ -100,7 +100,7 @@ def test_a_relation_of_the_known_system_is_a_condition_on_the_start() -> None:
     start = initial_state(system, NO_SPIN, GAMMA)
     found = find_match(Problem(system, system.defaults, start))
     assert found is not None
-    assert (found.known.name, found.level) == ("veselova", ())
+    assert (found.known_system.name, found.level) == ("veselova", ())
     trajectory = integrate(system, start, np.linspace(0.0, 5.0, 3))
     assert np.abs(solve(system, start).states(trajectory.times) - trajectory.states).max() < 1e-12
 
@@ -109,12 +109,12 @@ def test_the_area_constant_chooses_the_separation() -> None:
     # (Iω, γ) = 0.36·2 − 0.72·1
     found = find_match(problem_of(BALL, (2.0, 1.0, 0.0)))
     assert found is not None
-    assert found.known.name == "chaplygin-ball"
+    assert found.known_system.name == "chaplygin-ball"
     # the doubles nearest to 2 and 3/14 leave 10⁻¹⁷: a motion of its own
     for omega in ((math.nextafter(2.0, 3.0), 1.0, 0.0), (1.0, 1.0, 3 / 14)):
         found = find_match(problem_of(BALL, omega))
         assert found is not None
-        assert found.known.name == "chaplygin-ball-area"
+        assert found.known_system.name == "chaplygin-ball-area"
 
 
 @pytest.mark.parametrize("radius", [0.45, 0.4500001])
@@ -159,7 +159,7 @@ def test_a_system_in_other_letters() -> None:
     start = (0.8, -0.4, -0.6, *GAMMA)
     found = find_match(Problem(system, system.defaults, start))
     assert found is not None
-    assert found.known.name == "veselova"
+    assert found.known_system.name == "veselova"
     assert found.own.poles == tuple(real_symbol(s) for s in "ABC")
     solution = solution_of(Problem(system, system.defaults, start))
     trajectory = integrate(system, start, np.linspace(0.0, 20.0, 5))

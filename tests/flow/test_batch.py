@@ -59,7 +59,7 @@ def test_an_oscillator_with_its_own_frequency_in_each_lane() -> None:
     np.testing.assert_allclose(found.states[..., 0], np.cos(angles), atol=3e-11)
     assert found.states[:, 0].tolist() == [[1.0, 0.0]] * 21
     assert not found.outcome.any()
-    assert found.ended.tolist() == [20.0] * 21
+    assert found.end_times.tolist() == [20.0] * 21
 
 
 def test_a_planet() -> None:
@@ -110,7 +110,7 @@ def test_bodies_against_the_reference(name: str) -> None:
     back = batch_integrator(system, tolerance=1e-15, backward=True).propagate(
         found.states[:, -1], [-end]
     )
-    assert back.ended.tolist() == [-end] * 2
+    assert back.end_times.tolist() == [-end] * 2
     assert scaled(back.states[:, 0], states) < 5e-12
 
 

@@ -88,4 +88,4 @@ def test_no_guard_is_jumped_over(guard: sp.Expr, time: float) -> None:
         flow = batch_integrator(guarded)
         found = flow.propagate([start], [100.0])
         assert flow.status_message(found.outcome[0]) == "it is too high"
-        assert found.ended[0] == pytest.approx(time - np.arcsin(start[0]), abs=1e-10)
+        assert found.end_times[0] == pytest.approx(time - np.arcsin(start[0]), abs=1e-10)

@@ -8,7 +8,7 @@ from flint import acb, arb, ctx, fmpq
 
 from chaplygin.errors import InputError
 from chaplygin.formulas.balls import ball_function
-from chaplygin.formulas.program import ANALYTIC, ENTIRE, REAL, StraightLineProgram, needed
+from chaplygin.formulas.program import ANALYTIC, ENTIRE, REAL, StraightLineProgram, needed_steps
 
 x, y, z = sp.symbols("x y z", real=True)
 
@@ -77,7 +77,7 @@ def test_what_is_not_allowed_is_refused() -> None:
 
 def test_steps_are_computed_once_and_only_if_needed() -> None:
     steps = ((y, x**2), (z, y + 1), (sp.Symbol("unused"), sp.gamma(x)))
-    assert needed(steps, [z]) == steps[:2]
+    assert needed_steps(steps, [z]) == steps[:2]
     program = StraightLineProgram((x,), [z * y, z], steps)
     assert program.run([fmpq(3)]) == [90, 10]
     kinds = [operation.kind for operation in program.operations]

@@ -55,7 +55,7 @@ def kept(body):
     """Whether dσ = θ is proven for a density in closed form, with the numbers of the body."""
     form = one_form(body)
     numbers = tuple(p.symbol - exact_number(p.default) for p in form.system.parameters)
-    system, law = form.integrated(closed_form(body, form, numbers))
+    system, law = form.density_law(closed_form(body, form, numbers))
     spin = True if form.spin is None else prove(form.system, replace(form.spin, on=numbers))
     return spin and prove(system, replace(law, on=numbers))
 

@@ -156,9 +156,9 @@ class TestPositive:
         assert domain == (2 - y > 0,)
 
     def test_the_kinetic_form_is_positive(self):
-        product = Signs(frozenset({m}), known=((a * x + 5) * m,))
+        product = Signs(frozenset({m}), positive_products=((a * x + 5) * m,))
         assert positive(((a * x + 5, HALF),), product)[1] == ()
-        two = Signs(frozenset({m}), known=((a * x + 5) * (b - x),))
+        two = Signs(frozenset({m}), positive_products=((a * x + 5) * (b - x),))
         assert positive(((a * x + 5, HALF),), two)[1] == (a * x + 5 > 0,)
 
     def test_definite(self):

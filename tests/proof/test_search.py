@@ -175,8 +175,12 @@ def test_more_products_than_points_are_owned_up_to(monkeypatch: pytest.MonkeyPat
 @pytest.mark.slow
 def test_what_is_known_is_named() -> None:
     found = found_in(from_catalogue("chaplygin-ball"))
-    assert {finding.known.partition(",")[0] for finding in found} == {"area", "momentum", "energy"}
-    assert [finding.known for finding in found_in(bare("chaplygin-ball"))] == ["", "", ""]
+    assert {finding.catalogue_law.partition(",")[0] for finding in found} == {
+        "area",
+        "momentum",
+        "energy",
+    }
+    assert [finding.catalogue_law for finding in found_in(bare("chaplygin-ball"))] == ["", "", ""]
 
 
 @pytest.mark.slow

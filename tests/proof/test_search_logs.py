@@ -49,7 +49,7 @@ def test_what_is_claimed_stops_no_search(search, claimed):
     found = list(search(search_request(predators(BESIDE, *laws))))
     assert found
     assert all(finding.proven for finding in found)
-    assert not any(finding.known for finding in found)
+    assert not any(finding.catalogue_law for finding in found)
 
 
 def test_the_integral_of_lotka_and_volterra(candidates):
@@ -63,7 +63,7 @@ def test_the_integral_of_lotka_and_volterra(candidates):
     (found,) = integrals(question)
     (formula,) = candidates
     assert sp.expand(formula - VOLTERRA) == 0 or sp.expand(formula + VOLTERRA) == 0
-    assert found.known == "planted"
+    assert found.catalogue_law == "planted"
 
 
 def test_a_field_with_logarithms(candidates):

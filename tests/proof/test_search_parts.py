@@ -11,7 +11,7 @@ from chaplygin.catalogue import from_catalogue
 from chaplygin.core.vectors import Diagonal, dot, norm_squared, real_symbol, vectors
 from chaplygin.errors import InputError
 from chaplygin.search.ansatz import Ansatz, table
-from chaplygin.search.input_formulas import condition, formula, quantities, spelt
+from chaplygin.search.input_formulas import code_spelling, condition, formula, quantities
 from chaplygin.search.modular_jets import PRIMES, Evaluator, Jet, inverse, square_root
 from chaplygin.search.modular_linalg import combination, independent_columns, nullspace, rational
 from chaplygin.search.phase_space import search_space
@@ -197,6 +197,6 @@ def test_conditions_and_names_as_typed() -> None:
     assert condition("k = -1", system) == real_symbol("k") + 1
     assert condition("I_1 = I_2", system) == real_symbol("I_1") - real_symbol("I_2")
     assert quantities("ω, γ_3", system) == (*omega.symbols, gamma.symbols[2])
-    assert spelt("Γ₁² λ") == "Gamma_1**2 lambda"
+    assert code_spelling("Γ₁² λ") == "Gamma_1**2 lambda"
     with pytest.raises(InputError, match="unknown name 'omega_1'"):
         condition("omega_1 = 1", system)

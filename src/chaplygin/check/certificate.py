@@ -10,7 +10,7 @@ from .certificate_points import check_sample, check_witness
 from .claim.claim import Claim, read_claim
 from .claim.errors import BadInputError, CheckError, UndefinedError
 from .claim.formulas import names_in, parse, parse_condition
-from .claim.json_data import field, integer, listed, mapping, only, text
+from .claim.json_data import as_list, field, integer, mapping, only, text
 from .claim.separation import check_separation
 from .identities.accuracy import with_precision
 from .identities.basis import Basis, read_basis
@@ -57,7 +57,7 @@ def _check(data: Mapping[str, object]) -> None:
     conditions: list[Condition] = []
     if verdict == "proven where":
         allowed.append("conditions")
-        stated = listed(field(data, "conditions", what), f"the conditions of {what}")
+        stated = as_list(field(data, "conditions", what), f"the conditions of {what}")
         conditions = [_condition(t, claim) for t in stated]
         if not conditions:
             raise CheckError("the verdict is proven where, but no condition says where")
@@ -95,7 +95,7 @@ class _Proofs:
         self.stated = field(data, "claim", "the certificate")
         self.proofs = [
             mapping(proof, f"proof {i}")
-            for i, proof in enumerate(listed(field(data, "proofs", "the certificate"), "proofs"))
+            for i, proof in enumerate(as_list(field(data, "proofs", "the certificate"), "proofs"))
         ]
         self.bases: list[Basis] = []
         self.roles: list[set[str]] = []
@@ -166,7 +166,7 @@ class _Proofs:
             last = len(self.proofs) - 1
             numbers = [
                 integer(n, f"a proof at {where}", 0, last)
-                for n in listed(field(data, "numbers", where), where)
+                for n in as_list(field(data, "numbers", where), where)
             ]
             for i in numbers:
                 self._check_region(i, basis, node, where)
@@ -177,7 +177,7 @@ class _Proofs:
 
     def _check_region(self, number: int, basis: Basis, node: Node, where: str) -> None:
         what = f"the region of proof {number}"
-        for words in listed(self.proofs[number].get("region", []), what):
+        for words in as_list(self.proofs[number].get("region", []), what):
             formula = parse(words, what)
             if all(
                 with_precision(partial(same, basis, equation, formula)) is None

@@ -21,7 +21,7 @@ from .claim.errors import CheckError, UndefinedError
 from .claim.evaluate import Point
 from .claim.formulas import Formula, names_in, number, parse
 from .claim.jets import ball
-from .claim.json_data import field, integer, listed, mapping, only, rational, text
+from .claim.json_data import as_list, field, integer, mapping, only, rational, text
 from .claim.polynomials import Poly, Ring
 from .claim.quotients import quotient
 from .claim.residuals import each_residual, rank_at_least, ranked, residuals
@@ -53,7 +53,7 @@ def check_witness(claim: Claim, data: object) -> None:
             raise CheckError(f"the residual at the witness is not {stated}")
 
 
-def located(claim: Claim, data: object) -> Point:
+def point_of_level(claim: Claim, data: object) -> Point:
     """A point of the level in the domain of the law; CheckError where it is none."""
     with ctx.workprec(PRECISION):
         point = _StatedPoint(claim, data)
@@ -171,7 +171,7 @@ class _StatedPoint:
         only(data, what, "poly", "near", "radius")
         stated = mapping(field(data, "poly", what), what)
         only(stated, what, "ring", "terms")
-        names = [text(n, what) for n in listed(field(stated, "ring", what), what)]
+        names = [text(n, what) for n in as_list(field(stated, "ring", what), what)]
         if word not in names or not set(names) <= {*self.balls, word}:
             raise CheckError(f"{what} is a root of a polynomial in what is not known before it")
         if len(set(names)) < len(names):

@@ -99,14 +99,14 @@ def _claim_block(judgement: Judgement, wide: bool) -> RenderableType:
     from rich.table import Table
 
     from ..printing.plain_text import plain_words
-    from .prove import styled
+    from .prove import coloured_decision
 
     head = Table.grid(padding=(0, 2), expand=wide)
     head.add_column(ratio=1 if wide else None)
     head.add_column(justify="right", no_wrap=True)
     head.add_column(justify="right", no_wrap=True, min_width=8)
     verdicts = [v for v in (judgement.printed, judgement.corrected) if v is not None]
-    shown = " → ".join(styled(verdict.decision) for verdict in verdicts)
+    shown = " → ".join(coloured_decision(verdict.decision) for verdict in verdicts)
     head.add_row(
         f"[bold]{escape(plain_words(judgement.claim.source))}[/]",
         shown,

@@ -216,7 +216,7 @@ def _result_lines(finding: SearchResult) -> list[str]:
         if verdict.decision in ("proven", "proven where")
         else f"only observed, {verdict.words}"
     )
-    known = f"; repeats {finding.known}" if finding.known else ""
+    known = f"; repeats {finding.catalogue_law}" if finding.catalogue_law else ""
     label = "ρ" if finding.kind == "measure" else text(real_symbol(law.name))
     if finding.kind == "symmetry":
         formula = ",  ".join(f"{text(name)} ↦ {text(value)}" for name, value in finding.formula)
@@ -286,6 +286,6 @@ def _finding_json(finding: SearchResult, text: Any, latex: Any) -> dict[str, obj
         "verdict": verdict.decision,
         "conditions": list(verdict.conditions),
         "reason": verdict.reason,
-        "repeats": finding.known,
+        "repeats": finding.catalogue_law,
         "seconds": round(verdict.seconds, 3),
     }

@@ -111,7 +111,7 @@ def _print(spectrum: Spectrum, turned: Any) -> None:
     from rich.markup import escape
     from rich.table import Table
 
-    from ..analysis.lyapunov.report import remarks, rounded, word
+    from ..analysis.lyapunov.report import remarks, significant_digits, word
 
     typer.echo(spectrum.system.title)
     typer.echo(
@@ -124,11 +124,13 @@ def _print(spectrum: Spectrum, turned: Any) -> None:
     table.add_column("error", justify="right", no_wrap=True)
     table.add_column("")
     for number, item in enumerate(spectrum.exponents, 1):
-        table.add_row(f"λ{number}", *rounded(item.value, item.error), word(item))
+        table.add_row(f"λ{number}", *significant_digits(item.value, item.error), word(item))
     total, mean = spectrum.total, spectrum.volume.divergence
     if spectrum.exponents:
-        table.add_row("sum", *rounded(total.value, total.error), word_of_sum(total))
-    table.add_row("divergence", *rounded(mean.value, mean.error), "mean along the motion")
+        table.add_row("sum", *significant_digits(total.value, total.error), word_of_sum(total))
+    table.add_row(
+        "divergence", *significant_digits(mean.value, mean.error), "mean along the motion"
+    )
     zeros = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
     zeros.add_column("trivial", style="bold", no_wrap=True)
     zeros.add_column("exponent", justify="right", no_wrap=True)

@@ -171,7 +171,7 @@ def _words(law: Law) -> str:
     return f"{kind}: {meaning}" if meaning else kind
 
 
-def styled(decision: str) -> str:
+def coloured_decision(decision: str) -> str:
     """A verdict in its colour, for the terminal."""
     return f"[{COLOURS[decision]}]{decision}[/]"
 
@@ -203,12 +203,14 @@ def _print(done: list[_Attempt]) -> None:
             escape(law.name),
             escape(f"{_words(law)} {where}".strip()),
             escape(law.source),
-            styled(verdict.decision),
+            coloured_decision(verdict.decision),
             f"{verdict.terms:,}" if verdict.terms else "",
             f"{verdict.seconds:.2f} s",
         )
         if printed is not None:
-            table.add_row("", escape(f"as printed: {law.misprint}"), "", styled(printed.decision))
+            table.add_row(
+                "", escape(f"as printed: {law.misprint}"), "", coloured_decision(printed.decision)
+            )
     shown.print(table)
     if len(done) > 1:
         shown.print(f"\n{_count_text([attempt.verdict for attempt in done])}")

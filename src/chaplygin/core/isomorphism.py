@@ -10,7 +10,7 @@ import sympy as sp
 from ..arguments import Declared, arguments_checked
 from ..errors import InputError
 from .laws import Law
-from .named_formulas import Pairs, repeated, scalar_names
+from .named_formulas import Pairs, repeated_name, scalar_names
 from .system import System
 
 
@@ -81,5 +81,5 @@ class Isomorphism(Law):
                 f"the law {self.name!r}: its {part} names {', '.join(strange)}, which is no {kind} "
                 f"of {self.target.name}"
             )
-        if twice := repeated(named):
+        if twice := repeated_name(named):
             raise InputError(f"the law {self.name!r}: its {part} names {twice} twice")

@@ -15,7 +15,7 @@ import sympy as sp
 
 from ..arguments import Declared, Formula, Formulas, arguments_checked
 from ..errors import InputError
-from .named_formulas import Pairs, repeated, scalar_names, with_formulas
+from .named_formulas import Pairs, repeated_name, scalar_names, with_formulas
 from .overview import WithShortRepr
 
 
@@ -43,7 +43,7 @@ class Rate(sp.Function):
 
 
 def _check_named(law: str, quantities: Pairs) -> None:
-    if twice := repeated(scalar_names(quantities)):
+    if twice := repeated_name(scalar_names(quantities)):
         raise InputError(
             f"the law {law!r} names two quantities {twice}; each needs a name of its own"
         )

@@ -56,6 +56,6 @@ def scalar_names(pairs: Pairs) -> list[sp.Symbol]:
     return [symbol for symbols in names for symbol in symbols]
 
 
-def repeated(names: Sequence[sp.Symbol]) -> sp.Symbol | None:
+def repeated_name(names: Sequence[sp.Symbol]) -> sp.Symbol | None:
     """A name that occurs more than once, or None."""
     return next((name for i, name in enumerate(names) if name in names[:i]), None)

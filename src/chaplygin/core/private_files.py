@@ -45,7 +45,7 @@ def _distrust(folder: Path) -> str:
 def read_private(path: Path) -> bytes | None:
     """The content of a file, or None if there is none that can be trusted."""
     try:
-        folder = _trusted(path.parent)
+        folder = _trusted_folder(path.parent)
         if folder is None:
             return None
         handle = os.open(folder / path.name, _OPEN_FLAGS)
@@ -65,7 +65,7 @@ def write_private(path: Path, content: bytes) -> bool:
     temporary = None
     try:
         _create(path.parent)
-        folder = _trusted(path.parent)
+        folder = _trusted_folder(path.parent)
         if folder is None:
             return False
         with tempfile.NamedTemporaryFile(dir=folder, delete=False) as stream:
@@ -91,7 +91,7 @@ def _seal(path: Path, content: bytes) -> bytes:
     return hashlib.sha256(path.name.encode() + b"\0" + content).hexdigest().encode()
 
 
-def _trusted(folder: Path) -> Path | None:
+def _trusted_folder(folder: Path) -> Path | None:
     """A folder, links resolved, if its files can be trusted; otherwise one warning says why not."""
     # resolved once, so that nobody can redirect a link after the check of its target
     resolved = folder.resolve(strict=True)

@@ -240,7 +240,7 @@ def _parts(vector: MatrixExpr) -> list[tuple[Scalar, MatrixExpr]]:
     return [(sp.S.One, vector)]
 
 
-def _oriented(atom: MatrixExpr) -> tuple[int, MatrixExpr]:
+def _ordered_product(atom: MatrixExpr) -> tuple[int, MatrixExpr]:
     """A vector product with its factors in a fixed order, and its sign."""
     if isinstance(atom, Cross):
         left, right = atom.args
@@ -254,7 +254,7 @@ def cross(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
     total: MatrixExpr = zero
     for a, u in _parts(left):
         for b, v in _parts(right):
-            if _oriented(u)[1] != _oriented(v)[1]:
+            if _ordered_product(u)[1] != _ordered_product(v)[1]:
                 total = total + (a * b) * Cross(u, v)
     return total
 

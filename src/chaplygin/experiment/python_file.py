@@ -128,12 +128,14 @@ class _PlacingErrors:
         elif isinstance(error, SystemExit):
             words = "the file ends the program before it has defined a system"
         else:
-            words = f"{type(error).__name__}: {' '.join(_said(error).split())}".removesuffix(": ")
+            words = f"{type(error).__name__}: {' '.join(_message(error).split())}".removesuffix(
+                ": "
+            )
         place = f"{self.path}, line {lines[-1]}" if lines else str(self.path)
         raise InputError(words, place) from None
 
 
-def _said(error: BaseException) -> str:
+def _message(error: BaseException) -> str:
     """The message of an error of foreign code, empty where that fails too."""
     try:
         return str(error)

@@ -157,7 +157,7 @@ class Study(WithOverview):
         progress : callable, optional
             Called with the fraction done.
         pieces : int
-            Into how many pieces each sample interval is divided; see `Trajectory.thinned`.
+            Into how many pieces each sample interval is divided; see `Trajectory.subsample`.
         dense : bool
             Keep the continuous trajectory.
 

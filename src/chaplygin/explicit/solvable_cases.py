@@ -141,7 +141,7 @@ class Match:
 
     Attributes
     ----------
-    known : SeparatedSystem
+    known_system : SeparatedSystem
         In the symbols of its own system.
     own : SeparatedSystem
         The same in the symbols of the problem.
@@ -150,7 +150,7 @@ class Match:
         are on its level.
     """
 
-    known: SeparatedSystem
+    known_system: SeparatedSystem
     own: SeparatedSystem
     level: tuple[Condition, ...]
 
@@ -286,7 +286,7 @@ def _axisymmetric(
     from .degenerate.exact_start import PRECISION
     from .degenerate.recognise_axisymmetric import chaplygin_of_revolution, veselova_of_revolution
 
-    own, name = match.own, match.known.name
+    own, name = match.own, match.known_system.name
     if problem.system.reconstruction is None or name not in (*VESELOVA_LIKE, *CHAPLYGIN_BALL_LIKE):
         return None
     with ctx.workprec(PRECISION):

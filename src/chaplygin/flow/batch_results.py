@@ -19,7 +19,7 @@ class BatchTrajectories(WithShortRepr):
     deviations : array (motions, times, deviations, size) or None
     outcome : array (motions,) of int
         0 if the last time was reached; see :meth:`BatchIntegrator.status_message` for other codes.
-    ended : array (motions,)
+    end_times : array (motions,)
         The time that was reached.
     steps : array (motions,) of int
         Steps that were tried.
@@ -30,7 +30,7 @@ class BatchTrajectories(WithShortRepr):
     states: FloatArray
     deviations: FloatArray | None
     outcome: IntArray
-    ended: FloatArray
+    end_times: FloatArray
     steps: IntArray
     rest: FloatArray | None = None
 
@@ -57,6 +57,6 @@ class BatchCrossings(WithShortRepr):
     deviations: FloatArray | None
     counts: IntArray
     outcome: IntArray
-    ended: FloatArray
+    end_times: FloatArray
     steps: IntArray
     rest: FloatArray | None = None

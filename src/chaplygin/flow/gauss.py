@@ -57,14 +57,14 @@ class GaussTrajectories(WithShortRepr):
     rest : array (motions, times, size)
         The next 16 digits of the states, to be added to them; 14 are right with 30 digits, and
         with 16 digits they only give the rounding error of the last one.
-    outcome, ended, steps : arrays (motions,)
+    outcome, end_times, steps : arrays (motions,)
         As in :class:`chaplygin.flow.batch.BatchTrajectories`.
     """
 
     states: FloatArray
     rest: FloatArray
     outcome: IntArray
-    ended: FloatArray
+    end_times: FloatArray
     steps: IntArray
 
 
@@ -78,7 +78,7 @@ class GaussIntegrator:
     digits : 16 or 30
     backward : bool
         Whether time runs backward; times are negative then.
-    held : tuple of str
+    held_names : tuple of str
         Integrals and relations on whose level the state is held.
     code : Native
     """
@@ -86,7 +86,7 @@ class GaussIntegrator:
     system: System
     digits: int
     backward: bool
-    held: tuple[str, ...]
+    held_names: tuple[str, ...]
     code: native.Native = field(repr=False)
 
     @cached_property
@@ -138,7 +138,7 @@ class GaussIntegrator:
         """
         first = np.asarray(start)[np.newaxis]
         motion = self._call(first, np.array([abs(until)]), parameters, 1, FEW_STEPS)
-        require_steps(until, motion.outcome[0], motion.ended[0], motion.steps[0])
+        require_steps(until, motion.outcome[0], motion.end_times[0], motion.steps[0])
 
     def _call(
         self,

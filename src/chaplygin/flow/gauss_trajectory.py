@@ -74,7 +74,7 @@ def collocate(
     flow = gauss_integrator(watched, point, constants, digits, backward=backward)
     flow.require_reach(point, float(moments[-1] - moments[0]), constants)
     motion = flow.propagate([point], moments - moments[0], constants)
-    outcome, reached = int(motion.outcome[0]), float(motion.ended[0] + moments[0])
+    outcome, reached = int(motion.outcome[0]), float(motion.end_times[0] + moments[0])
     events: tuple[Event, ...] = ()
     if outcome >= len(STATUS_MESSAGES):
         guard = watched.guards[outcome - len(STATUS_MESSAGES)]
@@ -91,7 +91,7 @@ def collocate(
         order=16 if digits == 16 else 32,
         tolerance=1e-16 if digits == 16 else 1e-30,
         precision="double" if digits == 16 else "quad",
-        corrections=int(motion.steps[0]) if flow.held else 0,
+        corrections=int(motion.steps[0]) if flow.held_names else 0,
         seconds=clock.perf_counter() - began,
         from_cache=flow.code.from_cache,
     )

@@ -83,11 +83,11 @@ class Translator(Evaluation[hy.expression]):
         return product / hy.prod([self._visit(factor) for factor in below]) if below else product
 
     def _power(self, formula: sp.Pow) -> hy.expression:
-        return self._raised(self._visit(formula.base), formula.exp)
+        return self._integer_power(self._visit(formula.base), formula.exp)
 
-    def _raised(self, base: hy.expression, exponent: sp.Expr) -> hy.expression:
+    def _integer_power(self, base: hy.expression, exponent: sp.Expr) -> hy.expression:
         if exponent.is_Integer and exponent < 0:
-            return hy.expression(1.0) / self._raised(base, -exponent)
+            return hy.expression(1.0) / self._integer_power(base, -exponent)
         if exponent == sp.Rational(1, 2):
             return hy.sqrt(base)
         if exponent == sp.Rational(-1, 2):

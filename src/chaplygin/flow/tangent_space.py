@@ -266,7 +266,7 @@ class Stretch:
         Logarithms of the sizes of what is excluded, at the end; see `TangentSpace.excluded`.
     outcome : (n,) array of int
         0, or why a motion ended; see ``BatchIntegrator.reason``.
-    ended : (n,) array
+    end_times : (n,) array
         When, counted from the start of the interval.
     """
 
@@ -276,7 +276,7 @@ class Stretch:
     lengths: FloatArray
     sizes: FloatArray
     outcome: IntArray
-    ended: FloatArray
+    end_times: FloatArray
 
 
 def propagate(
@@ -331,4 +331,6 @@ def propagate(
         frames, lengths = orthonormal(frames, basis)
         with np.errstate(divide="ignore"):
             logs = np.log(lengths)
-        yield Stretch(run.states[:, :-1], states, frames, logs, excluded, run.outcome, run.ended)
+        yield Stretch(
+            run.states[:, :-1], states, frames, logs, excluded, run.outcome, run.end_times
+        )

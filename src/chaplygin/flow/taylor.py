@@ -44,7 +44,7 @@ class CompiledSystem:
     core, lift, laws : tuple of Block
         The relations of the reduced state, of its lift to space, and the integrals; at most one
         block each.
-    watched : tuple of int
+    variable_guards : tuple of int
         Guards that can change during a motion; others are the same in every state.
     from_cache : bool
         Whether the code came from the cache.
@@ -55,7 +55,7 @@ class CompiledSystem:
     core: tuple[Block, ...]
     lift: tuple[Block, ...]
     laws: tuple[Block, ...]
-    watched: tuple[int, ...]
+    variable_guards: tuple[int, ...]
     from_cache: bool = False
 
 

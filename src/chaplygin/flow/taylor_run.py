@@ -130,7 +130,7 @@ class TaylorRun:
 
     def _scale_events(self, state: WorkingArray) -> None:
         """Set the factors of the events: powers of two, which scale large guards to one."""
-        if not self.code.watched:
+        if not self.code.variable_guards:
             return
         first = np.array([float(x) for x in self.first_guards])
         sizes = np.abs(first)
@@ -140,7 +140,7 @@ class TaylorRun:
             varied[i] = value * 9 / 8
             change = 8 * np.abs([float(x) for x in self._guards(varied)] - first)
             sizes = np.fmax(sizes, np.where(np.isfinite(change), change, 0.0))
-        exponents = np.maximum(np.frexp(sizes[list(self.code.watched)])[1], 0)
+        exponents = np.maximum(np.frexp(sizes[list(self.code.variable_guards)])[1], 0)
         factors = np.ldexp(1.0, -exponents)
         self.stepper.pars[len(self.parameters) :] = [self.kind(x) for x in factors]
 
@@ -278,7 +278,7 @@ class TaylorRun:
 
     def _record_event(self, code: int, now: WorkingNumber, log: RunLog, on_liftoff: str) -> bool:
         """Record that a guard was passed; return whether to go on."""
-        guard = self.system.guards[self.code.watched[-code - 1 if code < 0 else code]]
+        guard = self.system.guards[self.code.variable_guards[-code - 1 if code < 0 else code]]
         go_on = guard.lift_off and on_liftoff == "warn"
         log.events.append(Event(float(now), guard, not go_on))
         if not go_on and now != log.times[-1]:

@@ -184,7 +184,7 @@ class Trajectory(WithOverview):
         return f"{float(max(abs(value - values[0]) for value in values)):.1e}"
 
     @arguments_checked
-    def thinned(self, pieces: int) -> Trajectory:
+    def subsample(self, pieces: int) -> Trajectory:
         """Every `pieces`-th sample, and the last one."""
         require_pieces(pieces)
         last = len(self.times) - 1

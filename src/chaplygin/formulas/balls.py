@@ -13,7 +13,7 @@ import sympy as sp
 from flint import acb, arb, fmpq
 
 from ..core.vectors import to_components
-from .program import REAL, Steps, StraightLineProgram, needed
+from .program import REAL, Steps, StraightLineProgram, needed_steps
 
 __all__ = [
     "Steps",
@@ -24,7 +24,7 @@ __all__ = [
     "ball_values",
     "components",
     "exact",
-    "needed",
+    "needed_steps",
     "number",
 ]
 

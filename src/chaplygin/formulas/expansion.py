@@ -167,7 +167,9 @@ class TaylorExpansion(Evaluation[Series]):
     def _formal_value(self, formula: sp.Expr) -> Number:
         """A number of its own for a transcendental value."""
         if formula not in self._formal:
-            self._formal[formula] = self.numbers.drawn(random.Random(f"{self._seed} {formula}"))
+            self._formal[formula] = self.numbers.random_number(
+                random.Random(f"{self._seed} {formula}")
+            )
         return self._formal[formula]
 
     def _unspecified_function(self, formula: sp.Expr) -> Series:

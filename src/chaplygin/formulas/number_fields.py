@@ -102,11 +102,13 @@ class Rationals:
         """The number π."""
         raise NotExactError
 
-    def known(self, name: str, arguments: Sequence[fmpq]) -> NoReturn:
+    def function_value(self, name: str, arguments: Sequence[fmpq]) -> NoReturn:
         """A value of a function such as the logarithm, which is not rational."""
         raise NotExactError
 
-    def unspecified(self, function: str, orders: Sequence[int], arguments: Sequence[fmpq]) -> fmpq:
+    def unspecified_value(
+        self, function: str, orders: Sequence[int], arguments: Sequence[fmpq]
+    ) -> fmpq:
         """A value of an unspecified function, or of one of its partial derivatives."""
         return _arbitrary_number(f"{function}{tuple(orders)}{arguments}")
 
@@ -173,14 +175,16 @@ class Balls:
         """The number π."""
         return arb.pi()
 
-    def known(self, name: str, arguments: Sequence[arb]) -> arb:
+    def function_value(self, name: str, arguments: Sequence[arb]) -> arb:
         """A value of a function such as the logarithm; ZeroDivisionError where it has none."""
         value: arb = getattr(arb, name)(*arguments)
         if not value.is_finite():
             raise ZeroDivisionError
         return value
 
-    def unspecified(self, function: str, orders: Sequence[int], arguments: Sequence[arb]) -> arb:
+    def unspecified_value(
+        self, function: str, orders: Sequence[int], arguments: Sequence[arb]
+    ) -> arb:
         """A value of an unspecified function, or of one of its partial derivatives."""
         key = (function, tuple(orders))
         for other, points, value in self._seen:

@@ -132,7 +132,7 @@ class StraightLineProgram(Evaluation[int]):
         self.operations: list[Operation] = []
         self._arguments = len(names)
         self._functions = functions
-        self.define(needed(steps, formulas))
+        self.define(needed_steps(steps, formulas))
         self.results = [self(sp.sympify(formula)) for formula in formulas]
 
     def run(self, arguments: Sequence[Any], arithmetic: BallArithmetic = BALLS) -> list[Any]:
@@ -213,7 +213,7 @@ class StraightLineProgram(Evaluation[int]):
         )
 
 
-def needed(steps: Steps, formulas: Sequence[sp.Expr]) -> Steps:
+def needed_steps(steps: Steps, formulas: Sequence[sp.Expr]) -> Steps:
     """Those steps alone on which formulas depend."""
     symbols = set().union(*(formula.free_symbols for formula in formulas))
     chain = []

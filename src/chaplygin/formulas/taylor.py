@@ -57,7 +57,7 @@ class Rational:
         fraction = _fraction(value)
         return fmpq(fraction.numerator, fraction.denominator)
 
-    def drawn(self, dice: random.Random) -> Number:
+    def random_number(self, dice: random.Random) -> Number:
         """A small number at random, not zero."""
         return fmpq(dice.choice((-1, 1)) * dice.randint(1, HEIGHT), dice.randint(1, HEIGHT))
 
@@ -107,7 +107,7 @@ class Modular:
         above = nmod(fraction.numerator % self.prime, self.prime)
         return above / nmod(fraction.denominator, self.prime)
 
-    def drawn(self, dice: random.Random) -> Number:
+    def random_number(self, dice: random.Random) -> Number:
         """A number at random, not zero."""
         return nmod(dice.randrange(1, self.prime), self.prime)
 
@@ -274,7 +274,7 @@ class Series:
     def __truediv__(self, other: Series) -> Series:
         return self * other.power(-1, 1)
 
-    def scaled(self, factor: Number) -> Series:
+    def multiple(self, factor: Number) -> Series:
         """A multiple by a number."""
         whole = factor if self.numbers.exact else int(factor)
         return self._with_parts([part * whole for part in self.parts])

@@ -70,7 +70,7 @@ def density_from_powers(
     )
 
 
-def integrated(given: LiftedFields, powers: Powers, level: Level) -> tuple[System, Identity]:
+def density_law(given: LiftedFields, powers: Powers, level: Level) -> tuple[System, Identity]:
     """The law that σ has the derivatives θ along the admissible fields.
 
     Parameters

@@ -19,7 +19,7 @@ from ..parsing.exact_decimals import exact_number
 from ..proof.fields.budget import EFFORT
 from ..proof.prover import prove
 from ..proof.verdict import Verdict
-from .density_fit import density_from_powers, integrated
+from .density_fit import density_from_powers, density_law
 from .lifted_fields import LiftedFields, lift
 from .parameter_conditions import Level, branches
 from .positivity import Powers, Signs, positive
@@ -172,7 +172,7 @@ def _measure(
         verdict = Verdict(law.name, "undecided", reason=str(reason))
     if not verdict:
         # dσ = θ along the admissible fields is the same statement, in fewer variables
-        verdict = prove(*integrated(lifted, potential, level), effort=effort)
+        verdict = prove(*density_law(lifted, potential, level), effort=effort)
     return (law, verdict, domain) if verdict else None
 
 

@@ -81,7 +81,7 @@ class OneForm:
     closed: Measure
     period: Identity
 
-    def integrated(self, powers: Powers) -> tuple[System, Identity]:
+    def density_law(self, powers: Powers) -> tuple[System, Identity]:
         """The law dσ = θ for e^σ a product of powers, along every turn u of the normal.
 
         Parameters

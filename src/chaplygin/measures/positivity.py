@@ -25,7 +25,7 @@ class Signs:
         Parameters that are positive.
     relations : tuple of formula
         Vanish on the configuration space.
-    known : tuple of formula
+    positive_products : tuple of formula
         Products of factors that are positive for another reason.
     numbers : pairs (Symbol, number)
         Values of the parameters at which signs are tried.
@@ -33,7 +33,7 @@ class Signs:
 
     positive: frozenset[sp.Symbol]
     relations: tuple[sp.Expr, ...] = ()
-    known: tuple[sp.Expr, ...] = ()
+    positive_products: tuple[sp.Expr, ...] = ()
     numbers: tuple[tuple[sp.Symbol, float], ...] = ()
 
 
@@ -125,7 +125,7 @@ def _without_squares_of_sines(total: dict[sp.Expr, sp.Expr]) -> dict[sp.Expr, sp
 def _positive_bases(bases: Sequence[sp.Expr], signs: Signs) -> set[sp.Expr]:
     """The bases that are positive on the whole configuration space."""
     proven = {base for base in bases if _is_positive(base, signs)}
-    for product in signs.known:
+    for product in signs.positive_products:
         factors = [f.as_base_exp() for f in sp.Mul.make_args(sp.factor(product))]
         open_ = [(f, n) for f, n in factors if not f.is_number and not _is_positive(f, signs)]
         if len(open_) == 1 and open_[0][1] % 2:

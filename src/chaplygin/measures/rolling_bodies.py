@@ -115,7 +115,7 @@ def _proofs_by_quadrature(
 ) -> Iterator[Verdict]:
     """Verdicts on the spin and on dσ = θ, up to the first that is not proven."""
     laws = [(form.system, form.spin)] if form.spin is not None else []
-    for system, law in (*laws, form.integrated(powers)):
+    for system, law in (*laws, form.density_law(powers)):
         verdict = prove(system, replace(law, on=level), effort=effort)
         yield verdict
         if not verdict:

@@ -15,7 +15,7 @@ import sympy
 
 from ..errors import nearest
 from .grammar import CONSTANTS, FUNCTIONS, MAX_LENGTH, PRODUCTS, RESERVED
-from .paper_notation import spelt
+from .paper_notation import code_spelling
 from .scalar import Scalars
 from .syntax import Source, syntax_tree
 from .vector import Formula, Named, Vectors
@@ -58,7 +58,7 @@ def parse(text: str, names: Mapping[str, sympy.Symbol], where: str = "") -> symp
         (``1/0``, ``sqrt(-1)``) or is absurdly large. The message is one sentence, followed by
         the formula and a caret under the offending character.
     """
-    source = Source(spelt(text), where, _in_order(names, RESERVED))
+    source = Source(code_spelling(text), where, _in_order(names, RESERVED))
     return Scalars(source, {**CONSTANTS, **names}).read(syntax_tree(source), 0)
 
 
@@ -92,7 +92,7 @@ def parse_formula(text: str, names: Mapping[str, Named], where: str = "") -> For
     """
     scalars = {str(s): s for name in names.values() for s in _components(name)}
     words = _in_order([*names, *scalars], RESERVED | PRODUCTS)
-    source = Source(spelt(text), where, words, brackets=True)
+    source = Source(code_spelling(text), where, words, brackets=True)
     return Vectors(source, {**CONSTANTS, **scalars}, names).read(syntax_tree(source), 0)
 
 

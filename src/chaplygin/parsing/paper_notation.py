@@ -17,7 +17,7 @@ _PLAIN = str.maketrans(
 _GREEK = re.compile(r"GREEK (SMALL|CAPITAL) LETTER (\w+)")
 
 
-def spelt(text: str) -> str:
+def code_spelling(text: str) -> str:
     """A text with Greek letters, indices, powers and signs spelt as in code."""
     return text if text.isascii() else "".join(map(_word, text.translate(_PLAIN)))
 

@@ -35,21 +35,21 @@ class Vectors:
     Parameters
     ----------
     source : Source
-    known : mapping of str to Symbol
+    symbols : mapping of str to Symbol
         The scalars that it may contain, components of vectors among them.
     names : mapping of str to Symbol, Vector or Diagonal
         Everything that has a name.
     """
 
     source: Source
-    known: Mapping[str, sympy.Expr]
+    symbols: Mapping[str, sympy.Expr]
     names: Mapping[str, Named]
 
     @cached_property
     def scalars(self) -> Scalars:
         """The reader of what is no vector."""
         vectors = {n for n, value in self.names.items() if not isinstance(value, sympy.Symbol)}
-        return Scalars(self.source, self.known, vectors, {"dot": self.dot})
+        return Scalars(self.source, self.symbols, vectors, {"dot": self.dot})
 
     def error(self, message: str, node: ast.expr) -> InputError:
         """Point at the first character of `node`."""

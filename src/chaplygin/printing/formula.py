@@ -164,11 +164,13 @@ class _Writer:
                 dyad = self.notation.dyad.join(guard(x, Precedence.PRODUCT) for x in (left, right))
                 piece = Fragment(dyad, Precedence.CROSS)
                 following = tensors[index + 1 :]
-                return piece if not following else self._juxtaposed(piece, self._chain(following))
+                return (
+                    piece if not following else self._juxtaposition(piece, self._chain(following))
+                )
         pieces = [self.piece(tensor) for tensor in tensors]
-        return pieces[0] if len(pieces) == 1 else self._juxtaposed(*pieces)
+        return pieces[0] if len(pieces) == 1 else self._juxtaposition(*pieces)
 
-    def _juxtaposed(self, *pieces: Fragment) -> Fragment:
+    def _juxtaposition(self, *pieces: Fragment) -> Fragment:
         return Fragment(
             " ".join(self.notation.guard(piece, Precedence.PRODUCT) for piece in pieces),
             Precedence.PRODUCT,

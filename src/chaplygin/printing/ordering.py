@@ -55,7 +55,7 @@ def is_negative(term: sp.Basic) -> bool:
     return False
 
 
-def negated(tensor: MatrixExpr) -> MatrixExpr:
+def opposite(tensor: MatrixExpr) -> MatrixExpr:
     """Minus a vector or tensor, sums term by term."""
     if isinstance(tensor, MatAdd):
         return MatAdd(*(-1 * term for term in tensor.args))
@@ -142,7 +142,7 @@ def factors_of(formula: sp.Basic) -> Factors:
     for tensor in tensors:
         minus = is_negative(tensor)
         negative ^= minus
-        signless.append(negated(tensor) if minus else tensor)
+        signless.append(opposite(tensor) if minus else tensor)
     if len(signless) > 1:
         signless = [tensor for tensor in signless if not isinstance(tensor, Identity)] or signless[
             :1

@@ -17,7 +17,7 @@ from functools import cached_property
 import sympy as sp
 
 from ..check import CheckError
-from ..check.certificate_points import located
+from ..check.certificate_points import point_of_level
 from ..check.claim.claim import Claim as CheckedClaim, read_claim
 from ..check.claim.errors import UndefinedError
 from ..core.isomorphism import Isomorphism
@@ -177,7 +177,7 @@ class _Checker:
             return False
         point = witness_point(claim, level, trial.values)
         if point is not None:
-            located(self.read, point)
+            point_of_level(self.read, point)
         return point is not None
 
 

@@ -67,7 +67,7 @@ def _own(law: Law, level: LevelSet, field: UnreducedField) -> list[_Value]:
 
 
 def _value(level: LevelSet, quantities: Mapping[sp.Symbol, sp.Expr], evaluate: Evaluator) -> _Value:
-    table = {**level.named, **{str(s): s for s in quantities}}
+    table = {**level.symbols_by_name, **{str(s): s for s in quantities}}
 
     def value(formula: Formula) -> tuple[str, Element]:
         made_of = sympy_formula(formula, table)

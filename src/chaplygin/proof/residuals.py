@@ -32,7 +32,7 @@ from ..printing.formula import text
 from .fields.field import Field, FieldElement
 from .level.level_set import LevelSet
 from .level.named_formulas import components, quantities_in_order, scalars
-from .level.separability import separated
+from .level.separability import separation_residuals
 from .level.time_derivatives import without_rates, without_second_rates
 
 Row: TypeAlias = Sequence[FieldElement]
@@ -85,7 +85,7 @@ def _(law: Reduction, level: LevelSet, field: Field) -> Residuals:
 def _(law: Separation, level: LevelSet, field: Field) -> Residuals:
     yield from residuals.dispatch(Reduction)(law, level, field)
     evaluate = level.evaluator(field).with_steps(quantities_in_order(law, level))
-    for what, formula in separated(law, level):
+    for what, formula in separation_residuals(law, level):
         yield what, evaluate.value(formula)
 
 
@@ -335,7 +335,7 @@ def target_state(law: Isomorphism, level: LevelSet, evaluate: Evaluator) -> dict
     theirs = {*images, *constants, *(s for s, _ in target.scalar_definitions)}
     state = set(level.system.symbols)
     beside = {s for condition in law.onto for s in to_components(condition).free_symbols} - theirs
-    if turning := {s for s in beside if level.expanded(s).free_symbols & state}:
+    if turning := {s for s in beside if level.expand(s).free_symbols & state}:
         raise InputError(
             f"the law {law.name!r}: its level of {target.name} uses "
             f"{', '.join(sorted(map(str, turning)))}, which depends on the state of "

@@ -150,7 +150,7 @@ def _run(
         except OutOfReachError as reason:
             run.failure = str(reason)
         for key, (poly, sign) in field.decisions.items():
-            run.words[key] = f"{field.shown(poly if sign > 0 else -poly)} > 0"
+            run.words[key] = f"{field.readable_polynomial(poly if sign > 0 else -poly)} > 0"
         return run
 
 

@@ -63,7 +63,7 @@ def _original(claim: Claim, coordinates: Mapping[sp.Symbol, object]) -> dict[str
         if not (isinstance(s, str) and isinstance(c, str)):
             return None
         point[angle] = {"formula": f"atan2({s}, {c})/({unit})"}
-    for symbol, formula in claim.expressed:
+    for symbol, formula in claim.expressions:
         point[symbol] = {"formula": str(formula)}
     # roots of one polynomial may be needed by another: rational numbers first
     ordered = sorted(point.items(), key=lambda pair: not isinstance(pair[1], str))

@@ -76,7 +76,7 @@ def write_study(
         trajectory, failure = error.partial, error
     smooth = dataset_of(study, trajectory, complete=failure is None)
     plan = None if study.subject.plan is None else plan_motion(study.subject.plan, trajectory)
-    trajectory = trajectory.thinned(pieces)
+    trajectory = trajectory.subsample(pieces)
     dataset = dataset_of(study, trajectory, complete=failure is None)
     # what is there is of this study, or may be replaced
     write(dataset, folder / "trajectory.nc", force=True)

@@ -28,7 +28,7 @@ _PLAIN = str.maketrans(
 )
 
 
-def spelt(text: str) -> str:
+def code_spelling(text: str) -> str:
     """The text with Greek letters, indices and powers as they are spelt in code."""
     words = []
     for character in text.translate(_PLAIN):
@@ -99,7 +99,7 @@ def _read(text: str, system: System, names: Mapping[str, sp.Symbol], where: str)
         products[symbol] = dot(left, right)
         return f" {symbol} "
 
-    plain = _PRODUCT.sub(product_symbol, spelt(text))
+    plain = _PRODUCT.sub(product_symbol, code_spelling(text))
     left, _, right = plain.partition("=")
     known = {**names, **{name: sp.Symbol(name, real=True) for name in products}}
     expression = parse(left, known, where)
@@ -162,7 +162,7 @@ def quantities(names: str, system: System, where: str = "") -> tuple[sp.Expr, ..
     scalars, named = _scalars(system), _tensors_by_name(system)
     vectors = {name: v for name, v in named.items() if isinstance(v, Vector)}
     scalars_asked: list[sp.Expr] = []
-    for name in filter(None, (part.strip() for part in _COMMA.split(spelt(names)))):
+    for name in filter(None, (part.strip() for part in _COMMA.split(code_spelling(names)))):
         if name in vectors:
             scalars_asked += vectors[name].symbols
         elif name in scalars:

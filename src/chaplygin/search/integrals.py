@@ -278,7 +278,9 @@ class _Search:
         name = f"F_{len(self.formulas)}"
         law = Integral(name, formula, on=self.space.on)
         verdict = prove(self.space.system, law, effort=self.question.effort)
-        return SearchResult("integral", law, verdict, known=self._catalogue_name(formula, degree))
+        return SearchResult(
+            "integral", law, verdict, catalogue_law=self._catalogue_name(formula, degree)
+        )
 
     def _catalogue_name(self, formula: sp.Expr, degree: int) -> str:
         """The law of the catalogue that a formula repeats, up to earlier integrals."""

@@ -89,7 +89,7 @@ def _finding(question: Question, density: tuple[tuple[sp.Expr, sp.Expr], ...]) -
     space = question.stage
     law = Measure("density", density, on=space.on)
     verdict = prove(space.system, law, effort=question.effort)
-    return SearchResult("measure", law, verdict, known=_catalogue_name(space, law))
+    return SearchResult("measure", law, verdict, catalogue_law=_catalogue_name(space, law))
 
 
 def _catalogue_name(space: SearchSpace, law: Measure) -> str:

@@ -179,7 +179,7 @@ class Evaluator(Evaluation[Jet]):
     def _power(self, formula: sp.Pow) -> Jet:
         base, exponent = formula.args
         if exponent.is_Integer:
-            return self._raised(self(base), int(exponent))
+            return self._integer_power(self(base), int(exponent))
         if not exponent.is_Rational:
             return self._symbolic_power(base, exponent)
         if exponent.q.bit_count() != 1:
@@ -187,7 +187,7 @@ class Evaluator(Evaluation[Jet]):
         root = self(base)
         for _ in range(exponent.q.bit_length() - 1):
             root = self._root(root)
-        return self._raised(root, int(exponent.p))
+        return self._integer_power(root, int(exponent.p))
 
     def _function(self, formula: sp.Expr) -> Jet:
         match formula:
@@ -251,12 +251,12 @@ class Evaluator(Evaluation[Jet]):
             inner, theta = self(base), self(letters / number.q)
             wild = power((inner.value + theta.value) % prime(), _WILD)
             slope = theta.value * wild % prime() * inverse(inner.value) % prime()
-            product = product * self._raised(inner.chained(wild, slope), int(number.p))
+            product = product * self._integer_power(inner.chained(wild, slope), int(number.p))
         return product
 
-    def _raised(self, base: Jet, exponent: int) -> Jet:
+    def _integer_power(self, base: Jet, exponent: int) -> Jet:
         if exponent < 0:
-            return self._raised(self._reciprocal(base), -exponent)
+            return self._integer_power(self._reciprocal(base), -exponent)
         below = power(base.value, max(exponent - 1, 0))
         return base.chained(below * base.value % prime(), below * exponent % prime())
 

@@ -68,7 +68,7 @@ class SearchResult:
         None where it was seen modulo a prime alone and not written as a formula.
     verdict : Verdict or None
         What the prover says of it.
-    known : str
+    catalogue_law : str
         The law of the catalogue that it repeats (name, source); empty when it names none.
     remark : str
         What else was seen.
@@ -77,7 +77,7 @@ class SearchResult:
     kind: Kind
     law: Integral | Measure | Symmetry | None
     verdict: Verdict | None
-    known: str = ""
+    catalogue_law: str = ""
     remark: str = ""
 
     @property

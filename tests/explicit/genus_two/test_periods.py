@@ -49,7 +49,7 @@ def test_a_turn_around_an_oval_is_one_unit() -> None:
     found = lattice(curve, (0, 2))
     for index, left in enumerate(found.ovals):
         x, y = abelian(curve, left)
-        turns = found.around_ovals(found.normalised((2 * x, 2 * y)))
+        turns = found.around_ovals(found.normalised_integrals((2 * x, 2 * y)))
         assert turns[index].contains(1)
         assert turns[1 - index].contains(0)
 

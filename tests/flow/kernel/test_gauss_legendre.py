@@ -32,7 +32,7 @@ def test_a_singularity_is_found_and_named(end: float) -> None:
     right = [COLLAPSED, COLLAPSED, 0, 0 if end < 5 else COLLAPSED]
     assert found.outcome.tolist() == right
     ends = [1, 0.5, end, end if end < 5 else 5.0]
-    np.testing.assert_allclose(found.ended, ends, rtol=1e-11)
+    np.testing.assert_allclose(found.end_times, ends, rtol=1e-11)
     np.testing.assert_allclose(found.states[:, 0, 0], first / (1 - first / 4), rtol=4e-16)
     assert flow.status_message(COLLAPSED) == STATUS_MESSAGES[COLLAPSED]
 
@@ -47,7 +47,7 @@ def test_a_guard_ends_the_motion_at_its_moment(end: float) -> None:
     assert found.outcome.tolist() == [left, left, left, right]
     angle = np.arcsin(0.5)
     ends = [np.pi / 2 + angle, angle, 0.0, np.arcsin(2 / 3)]
-    np.testing.assert_allclose(found.ended, ends, atol=1e-11)
+    np.testing.assert_allclose(found.end_times, ends, atol=1e-11)
     assert np.isfinite(found.states[[0, 1, 3], 0]).all()
     assert np.isnan(found.states[:, 1]).all()
 
@@ -59,7 +59,7 @@ def test_a_body_that_leaves_the_plane() -> None:
     states = starts("rattleback", 4) * [30, 30, 30, 1, 1, 1]
     found = gauss_integrator(system, states[0]).propagate(states, [1.0])
     assert found.outcome.tolist() == [len(STATUS_MESSAGES)] * 4
-    for start, ended in zip(states, found.ended, strict=True):
+    for start, ended in zip(states, found.end_times, strict=True):
         (message,) = integrate(system, start, [0.0, 1.0]).events
         assert ended == pytest.approx(message.time, rel=1e-9)
 
@@ -68,7 +68,7 @@ def test_a_state_that_is_no_number() -> None:
     first = [[1.0, 0.0], [2.0, 0.0], [-1.0, 0.0], [np.nan, 0.0], [0.0, 0.0]]
     found = gauss_integrator(LOGARITHM, first[0]).propagate(first, [0.25, 1.5])
     assert found.outcome.tolist() == [NOT_A_NUMBER, 0, *[NOT_A_NUMBER] * 3]
-    np.testing.assert_allclose(found.ended, [1, 1.5, 0, 0, 0], atol=1e-11)
+    np.testing.assert_allclose(found.end_times, [1, 1.5, 0, 0, 0], atol=1e-11)
     assert (found.steps[2:] < 100).all()
     assert np.isnan(found.states[2:]).all()
 
@@ -79,7 +79,7 @@ def test_the_largest_number_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     found = flow.propagate([[1.0, 0.0], [0.0, 0.0]], [1e-3, 100.0])
     assert found.outcome.tolist() == [STEPS, 0]
     assert found.steps[0] == 5
-    assert 1e-3 < found.ended[0] < 50
+    assert 1e-3 < found.end_times[0] < 50
     assert np.isfinite(found.states[0, 0]).all()
 
 

@@ -53,7 +53,7 @@ def test_a_singularity_is_found_and_named() -> None:
     flow = batch_integrator(RUNAWAY)
     found = flow.propagate(first[:, None], [0.1, 1.5])
     assert found.outcome.tolist() == [COLLAPSED, COLLAPSED, 0, 0, COLLAPSED]
-    np.testing.assert_allclose(found.ended, [1, 0.5, 1.5, 1.5, 0.125], atol=1e-11)
+    np.testing.assert_allclose(found.end_times, [1, 0.5, 1.5, 1.5, 0.125], atol=1e-11)
     np.testing.assert_allclose(found.states[:, 0, 0], first / (1 - 0.1 * first), rtol=1e-12)
     np.testing.assert_allclose(found.states[2:4, 1, 0], [-0.4, 2.0], rtol=1e-11)
     assert np.isnan(found.states[[0, 1, 4], 1]).all()
@@ -66,7 +66,7 @@ def test_a_state_that_is_no_number() -> None:
     first = [[1.0, 0.0], [2.0, 0.0], [-1.0, 0.0], [np.nan, 0.0], [0.0, 0.0]]
     found = batch_integrator(LOGARITHM).propagate(first, [0.25, 1.5])
     assert found.outcome.tolist() == [NOT_A_NUMBER, 0, *[NOT_A_NUMBER] * 3]
-    np.testing.assert_allclose(found.ended, [1, 1.5, 0, 0, 0], atol=1e-11)
+    np.testing.assert_allclose(found.end_times, [1, 1.5, 0, 0, 0], atol=1e-11)
     assert np.isnan(found.states[2:]).all()
     right = 2 * np.log(2) - 2 - (0.5 * np.log(0.5) - 0.5)
     assert found.states[1, 1, 1] == pytest.approx(right, abs=1e-12)
@@ -82,7 +82,7 @@ def test_a_guard_ends_its_lane_at_its_moment() -> None:
     assert found.outcome.tolist() == [left, left, left, 0, right, 0]
     angle = np.arcsin(0.5)
     ends = [np.pi / 2 + angle, angle, 0.0, 3.0, np.arcsin(2 / 3), 3.0]
-    np.testing.assert_allclose(found.ended, ends, atol=1e-11)
+    np.testing.assert_allclose(found.end_times, ends, atol=1e-11)
     assert np.isfinite(found.states[[0, 1, 3, 4, 5], 0]).all()
     assert np.isnan(found.states[[0, 1, 2, 4], 1]).all()
     assert [flow.status_message(code) for code in (left, right)] == [
@@ -98,7 +98,7 @@ def test_a_body_that_leaves_the_plane() -> None:
     flow = batch_integrator(system, tolerance=1e-14)
     found = flow.propagate(states, [1.0])
     assert {flow.status_message(int(code)) for code in found.outcome} == {system.guards[0].message}
-    for start, ended in zip(states, found.ended, strict=True):
+    for start, ended in zip(states, found.end_times, strict=True):
         (message,) = integrate(system, start, [0.0, 1.0]).events
         assert message.guard == system.guards[0]
         assert ended == pytest.approx(message.time, rel=1e-9)
@@ -112,8 +112,8 @@ def test_the_largest_number_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     found = flow.propagate(first, [0.5, 100.0])
     assert found.outcome.tolist() == [STEPS, 0, STEPS]
     assert found.steps.tolist() == [10, whole.steps[1], 10]
-    assert (found.ended[[0, 2]] > 0.5).all()
-    assert (found.ended[[0, 2]] < 10).all()
+    assert (found.end_times[[0, 2]] > 0.5).all()
+    assert (found.end_times[[0, 2]] < 10).all()
     np.testing.assert_array_equal(found.states[:, 0], whole.states[:, 0])
 
 
@@ -220,7 +220,7 @@ def test_what_is_not_reached() -> None:
     found = cut.crossings([[0.0, 1.0], [2.0, 0.0], [3.0, 0.0], [np.nan, 0.0]], 3, until=15.0)
     assert found.counts.tolist() == [0, 0, 2, 0]
     assert found.outcome.tolist() == [OVER, OVER, OVER, NOT_A_NUMBER]
-    assert found.ended.tolist() == [15.0, 15.0, 15.0, 0.0]
+    assert found.end_times.tolist() == [15.0, 15.0, 15.0, 0.0]
     rises = [TURN - np.arccos(2 / 3), 2 * TURN - np.arccos(2 / 3)]
     np.testing.assert_allclose(found.times[2, :2], rises, atol=1e-11)
     assert np.isnan(found.states[2, 2]).all()

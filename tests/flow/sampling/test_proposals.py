@@ -47,4 +47,4 @@ def test_every_throw_on_a_level_of_the_whole_sphere_gives_a_point() -> None:
     weighted_points = ends.weighted_points(gauss)
     assert weighted_points.which.tolist() == list(range(30))
     assert (weighted_points.volume > 0).all()
-    assert (ends.perturbed(gauss, gauss) == gauss).all()
+    assert (ends.nearby_proposals(gauss, gauss) == gauss).all()

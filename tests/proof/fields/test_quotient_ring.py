@@ -146,9 +146,9 @@ def test_sine_and_cosine_of_one_angle():
 def test_functions_of_equal_arguments_are_equal():
     field = plain()
     x, y = field.generator("x"), field.generator("y")
-    first = field.unspecified("U", (0,), [x * (x + y)])
-    assert field.vanishes(first - field.unspecified("U", (0,), [x * x + x * y]))
-    assert not field.vanishes(first - field.unspecified("U", (0,), [x]))
+    first = field.unspecified_value("U", (0,), [x * (x + y)])
+    assert field.vanishes(first - field.unspecified_value("U", (0,), [x * x + x * y]))
+    assert not field.vanishes(first - field.unspecified_value("U", (0,), [x]))
     assert field.vanishes(field.exponential(x) * field.exponential(-x) - field.one)
 
 

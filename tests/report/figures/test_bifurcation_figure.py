@@ -106,7 +106,7 @@ def test_the_given_motion_is_marked(diagrams):
     figure = draw_bifurcation_diagram(diagram, mark)
     assert "the given motion" in texts(figure)
     (star,) = (line for line in figure.axes[0].lines if line.get_marker() == "*")
-    assert tuple(star.get_xydata()[0]) == window(diagram, mark).drawn(mark)
+    assert tuple(star.get_xydata()[0]) == window(diagram, mark).drawn_position(mark)
     assert "the given motion" not in texts(draw_bifurcation_diagram(diagram))
 
 

@@ -37,7 +37,7 @@ from chaplygin.report.drawing.style import QUIET
 from chaplygin.report.figures.contact import contact_figures, near_support
 from chaplygin.report.figures.contact_plane import friction_cone, slip_hodograph, turned_steps
 from chaplygin.report.figures.contact_time import energy_parts, energy_stack, friction_share
-from chaplygin.report.figures.mode_bar import EventGroup, EventNames, add_mode_bars, arranged
+from chaplygin.report.figures.mode_bar import EventGroup, EventNames, add_mode_bars, label_positions
 from chaplygin.report.figures.time_series import angular_velocity
 
 MASS, RADIUS, MU, GRAVITY = 0.2, 0.05, 0.25, 9.81
@@ -193,7 +193,7 @@ def test_names_never_touch_and_no_event_is_lost(seed: int) -> None:
     places = np.sort(rng.uniform(0, 400, count) ** rng.uniform(0.5, 1.0))
     kinds = rng.choice(["slip", "stick", "impact without collision", "rest"], count)
     groups = [EventGroup(x, x, (kind,)) for x, kind in zip(places, kinds, strict=True)]
-    names = arranged(groups, lambda name: 4.0 * len(name), (0.0, 400.0), 3.0)
+    names = label_positions(groups, lambda name: 4.0 * len(name), (0.0, 400.0), 3.0)
     assert tuple(kind for name in names for kind in name.group.kinds) == tuple(kinds)
     for left, right in pairwise(names):
         assert left.right + 3.0 <= right.left + 1e-9
@@ -208,7 +208,10 @@ def test_names_of_groups() -> None:
     assert EventGroup(0, 1, ("landing",) * 7).name == "7 × landing"
     assert EventGroup(0, 1, ("slip", "stick", "slip")).name == "3 events"
     far = [EventGroup(0, 0, ("slip",)), EventGroup(90, 90, ("stick",))]
-    assert [n.group.name for n in arranged(far, lambda _: 20, (0, 100), 3)] == ["slip", "stick"]
+    assert [n.group.name for n in label_positions(far, lambda _: 20, (0, 100), 3)] == [
+        "slip",
+        "stick",
+    ]
 
 
 def names_in(figure: Figure) -> list[list[Bbox]]:
@@ -218,7 +221,7 @@ def names_in(figure: Figure) -> list[list[Bbox]]:
     renderer = canvas.get_renderer()
     found = [child for axes in figure.axes for child in axes.get_children()]
     return [
-        [Bbox.from_bounds(n.left, 0, n.width, 1) for n in names.placed(renderer)]
+        [Bbox.from_bounds(n.left, 0, n.width, 1) for n in names.drawn_names(renderer)]
         for names in found
         if isinstance(names, EventNames)
     ]

@@ -54,7 +54,7 @@ def sorted_laws(whole: RankSample, verdicts: Mapping[str, Verdict]) -> Applicabl
         if not verdict:
             uncounted.append(IgnoredLaw(law.name, _why(verdict)))
             continue
-        moving = tuple(c for c in law.on if whole.expanded(to_components(c)).free_symbols & state)
+        moving = tuple(c for c in law.on if whole.expand(to_components(c)).free_symbols & state)
         fixed = tuple(c for c in law.on if c not in moving)
         if not all(map(whole.vanishes, fixed)):
             where = condition_text(replace(law, on=fixed), system, text)

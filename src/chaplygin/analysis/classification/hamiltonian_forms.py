@@ -149,7 +149,7 @@ def _commute(
 ) -> bool:
     """Whether two integrals are proven to be in involution."""
     system = sample.level_set.system
-    formula = sample.expanded(to_components(one.value))
+    formula = sample.expand(to_components(one.value))
     gradient = sp.Matrix([sp.diff(formula, s) for s in system.symbols])
     field = dict(zip(system.symbols, to_components(law.structure.matrix) * gradient, strict=True))
     named = f"{other.name} along {one.name}"

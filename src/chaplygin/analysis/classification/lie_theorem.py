@@ -85,7 +85,7 @@ def _rotations(sample: RankSample, on: tuple[sp.Expr, ...]) -> list[Symmetry]:
 def _full(sample: RankSample, law: Symmetry) -> Components:
     """The components of a symmetry field as formulas in the state alone."""
     named = components(law.field, sample.level_set)
-    return {s: sample.expanded(named.get(s, sp.S.Zero)) for s in sample.system.symbols}
+    return {s: sample.expand(named.get(s, sp.S.Zero)) for s in sample.system.symbols}
 
 
 def _independent(sample: RankSample, laws: Sequence[Symmetry]) -> list[Symmetry]:

@@ -125,9 +125,9 @@ class RankSample:
         """Values of the parameters."""
         return rational_parameters(self.system) if self.values is None else self.values
 
-    def expanded(self, formula: sp.Expr) -> sp.Expr:
+    def expand(self, formula: sp.Expr) -> sp.Expr:
         """A formula in the state alone: definitions written out, parameters as numbers."""
-        return self.level_set.expanded(sp.sympify(formula))
+        return self.level_set.expand(sp.sympify(formula))
 
     def at_points(self, compute: Callable[[View], T]) -> list[T]:
         """Results at some points of the level, inside the domain of the equations.
@@ -233,7 +233,7 @@ def conditions_on_parameters(sample: RankSample, laws: Sequence[Law]) -> tuple[s
     """Conditions on parameters under which some laws hold."""
     state = set(sample.system.symbols)
     conditions = (to_components(c) for law in laws for c in law.on)
-    fixed = (c for c in conditions if not sample.expanded(c).free_symbols & state)
+    fixed = (c for c in conditions if not sample.expand(c).free_symbols & state)
     return tuple(dict.fromkeys(fixed))
 
 

@@ -44,7 +44,7 @@ def is_rotation_invariant(sample: RankSample, axis: int) -> Turning | None:
         turning.motion.update(zip(name.symbols, turning.rotation(name.symbols), strict=True))
     if not all(turning.follows(name, formula) for name, formula in system.definitions):
         return None
-    rates = [turning.expanded(rate) for rate in system.rates]
+    rates = [turning.expand(rate) for rate in system.rates]
     wanted = [
         component
         for i in range(0, len(rates), 3)
@@ -67,14 +67,14 @@ class Turning:
         """The change of a vector: e × x."""
         return list(self.hat * sp.Matrix(triple))
 
-    def expanded(self, formula: sp.Expr) -> sp.Expr:
+    def expand(self, formula: sp.Expr) -> sp.Expr:
         """A formula with numbers for parameters and one symbol for what is equal."""
         return formula.xreplace(self.equal)
 
     def follows(self, name: sp.Expr, formula: sp.Expr) -> bool:
         """Whether a definition transforms by its kind; if so, its symbols do so too."""
         symbols, parts = zip(*flat_pairs(((name, formula),)), strict=True)
-        values = [self.expanded(part) for part in parts]
+        values = [self.expand(part) for part in parts]
         if isinstance(name, Symmetric):
             here, there = (_square(t) for t in (values, symbols))
             wanted, change = (
@@ -96,7 +96,7 @@ class Turning:
 
     def keeps(self, formula: sp.Expr) -> bool:
         """Whether a scalar formula is shown not to change."""
-        return vanishes(self._change(self.expanded(to_components(sp.sympify(formula)))))
+        return vanishes(self._change(self.expand(to_components(sp.sympify(formula)))))
 
     def agree(self, values: Sequence[sp.Expr], wanted: Sequence[sp.Expr]) -> bool:
         """Whether formulas change as they must."""

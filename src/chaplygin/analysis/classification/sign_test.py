@@ -49,7 +49,7 @@ def sign(sample: RankSample, formulas: Sequence[sp.Expr]) -> Sign:
 
 def _sign_of(sample: RankSample, formula: sp.Expr) -> Sign:
     formula = to_components(sp.sympify(formula))
-    expanded = sample.expanded(formula)
+    expanded = sample.expand(formula)
     if expanded.is_positive or expanded.is_negative or _divides(sample, formula):
         return "kept"
     try:

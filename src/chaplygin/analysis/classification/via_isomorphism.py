@@ -133,7 +133,7 @@ def _constants(
     values = rational_parameters(law.target)
     moving = []
     for parameter in values:
-        formula = sample.expanded(named.get(parameter, parameter))
+        formula = sample.expand(named.get(parameter, parameter))
         if formula.free_symbols & state:
             moving.append(parameter)
         else:

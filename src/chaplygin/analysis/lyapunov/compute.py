@@ -208,7 +208,7 @@ def _run(
             stretch = next(stretches)
             code = int(stretch.outcome[0])
             if code:
-                ended = k * interval + float(stretch.ended[0])
+                ended = k * interval + float(stretch.end_times[0])
                 raise EarlyEndError(machine.system.name, machine.status_message(code), ended)
             spread = float(np.ptp(stretch.lengths[0])) if space.dimension else 0.0
             if not max(spread, np.abs(stretch.lengths[0]).max(initial=0.0)) <= APART[k >= FIRST]:

@@ -77,7 +77,7 @@ class ChaosIndicator(ABC):
     ) -> dict[str, FloatArray | IntArray]:
         """Values, errors if any, outcomes and times reached, (n,) each."""
 
-    def normalised(
+    def unit_deviations(
         self, deviations: FloatArray, basis: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
         """Deviations of length one and the lengths lost, without the span of a basis."""
@@ -100,14 +100,14 @@ class TangentGrowth:
         The deviations at the end, of length one in the measures of the motion.
     outcome : (n,) array of int
         0, or why a motion ended.
-    ended : (n,) array
+    end_times : (n,) array
         The times reached.
     """
 
     logarithms: FloatArray
     frames: FloatArray
     outcome: IntArray
-    ended: FloatArray
+    end_times: FloatArray
 
 
 def tangent(system: System) -> TangentSpace:
@@ -213,7 +213,7 @@ def _growth_arrays(
         chosen = select_parameters(parameters, live)
         carried = frames[live] * sizes[live, None]
         run = flow.propagate(states[live], [interval], chosen, deviations=carried)
-        ended[live] = k * interval + run.ended
+        ended[live] = k * interval + run.end_times
         outcome[live] = run.outcome
         going = run.outcome == 0
         live, chosen = live[going], select_parameters(chosen, going)
@@ -221,7 +221,7 @@ def _growth_arrays(
         states[live] = relations.on_level(run.states[going, 0], level, chosen, sizes[live])
         basis, _ = space.excluded_basis(states[live], chosen, sizes[live])
         tangents = np.asarray(run.deviations)[going, 0] / sizes[live, None]
-        frames[live], lengths = rule.normalised(tangents, basis)
+        frames[live], lengths = rule.unit_deviations(tangents, basis)
         with np.errstate(divide="ignore"):
             logarithms[live, k] = np.log(lengths)
     frames[outcome != 0] = np.nan
@@ -248,7 +248,12 @@ class MaximalExponent(ChaosIndicator):
         """Values, errors, outcomes and times reached, (n,) each."""
         growth = tangent_growth(self, transverse_space(self.system), 1, starts, parameters)
         value, error = _rate(growth.logarithms[:, :, 0], self.until)
-        return {"value": value, "error": error, "outcome": growth.outcome, "ended": growth.ended}
+        return {
+            "value": value,
+            "error": error,
+            "outcome": growth.outcome,
+            "ended": growth.end_times,
+        }
 
 
 class ExponentSum(ChaosIndicator):
@@ -267,7 +272,12 @@ class ExponentSum(ChaosIndicator):
         space = transverse_space(self.system)
         growth = tangent_growth(self, space, space.dimension, starts, parameters)
         value, error = _rate(growth.logarithms.sum(axis=2), self.until)
-        return {"value": value, "error": error, "outcome": growth.outcome, "ended": growth.ended}
+        return {
+            "value": value,
+            "error": error,
+            "outcome": growth.outcome,
+            "ended": growth.end_times,
+        }
 
 
 def _rate(logarithms: FloatArray, until: float) -> tuple[FloatArray, FloatArray]:
@@ -291,7 +301,7 @@ class FastLyapunovIndicator(ChaosIndicator):
         """Values, outcomes and times reached, (n,) each."""
         growth = tangent_growth(self, tangent(self.system), 1, starts, parameters)
         value = np.cumsum(growth.logarithms[:, :, 0], axis=1).max(axis=1)
-        return {"value": value, "outcome": growth.outcome, "ended": growth.ended}
+        return {"value": value, "outcome": growth.outcome, "ended": growth.end_times}
 
 
 class Megno(ChaosIndicator):
@@ -312,7 +322,7 @@ class Megno(ChaosIndicator):
         before = np.concatenate([np.zeros((len(total), 1)), total[:, :-1]], axis=1)
         count = np.arange(1, self.intervals + 1)
         now = 2.0 * (total - np.cumsum((total + before) / 2, axis=1) / count)
-        return {"value": now.mean(axis=1), "outcome": growth.outcome, "ended": growth.ended}
+        return {"value": now.mean(axis=1), "outcome": growth.outcome, "ended": growth.end_times}
 
 
 class SmallerAlignmentIndex(ChaosIndicator):
@@ -322,7 +332,7 @@ class SmallerAlignmentIndex(ChaosIndicator):
     (Skokos 2001).  It falls evenly on chaotic motions, to −16 where rounding ends it.
     """
 
-    def normalised(
+    def unit_deviations(
         self, deviations: FloatArray, basis: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
         """Each for itself, so that they can become parallel."""
@@ -338,4 +348,4 @@ class SmallerAlignmentIndex(ChaosIndicator):
         u, v = growth.frames[:, 0], growth.frames[:, 1]
         apart = np.minimum(np.linalg.norm(u + v, axis=1), np.linalg.norm(u - v, axis=1))
         value = np.log10(np.maximum(apart, np.finfo(float).eps))
-        return {"value": value, "outcome": growth.outcome, "ended": growth.ended}
+        return {"value": value, "outcome": growth.outcome, "ended": growth.end_times}

@@ -138,14 +138,15 @@ class Spectrum(WithOverview):
     def overview(self) -> Overview:
         """The exponents with their errors, and the zeros that are forced."""
         shown = [
-            " ± ".join(rounded(one.value, one.error)) + f", {word(one)}" for one in self.exponents
+            " ± ".join(significant_digits(one.value, one.error)) + f", {word(one)}"
+            for one in self.exponents
         ]
         forced = [z.name if z.name == z.kind else f"{z.kind} {z.name}" for z, _ in self.removed]
         return Overview(
             f"Lyapunov exponents of {self.system.title}, t = {self.began:g} to {self.until:g}",
             (
                 *((f"λ_{i}", text) for i, text in enumerate(shown, 1)),
-                ("sum", " ± ".join(rounded(self.total.value, self.total.error))),
+                ("sum", " ± ".join(significant_digits(self.total.value, self.total.error))),
                 ("trivial", "; ".join(forced)),
             ),
         )
@@ -180,7 +181,7 @@ def word(item: Average) -> str:
     return "nearby motions diverge" if item.value > 0 else "nearby motions converge"
 
 
-def rounded(value: float, error: float) -> tuple[str, str]:
+def significant_digits(value: float, error: float) -> tuple[str, str]:
     """A number and its error, to two digits of the error."""
     places = max(0, 1 - floor(log10(error))) if error > 0 else 12
     # a zero has no sign
@@ -278,7 +279,7 @@ def _volumes(spectrum: Spectrum) -> Iterator[str]:
         "with a smooth positive density (observed, not proven)"
     )
     if spectrum.chaotic and total.value < 0:
-        value, error = rounded(*spectrum.dimension)
+        value, error = significant_digits(*spectrum.dimension)
         level = any(item.kind == "integral" for item, _ in spectrum.removed)
         place = " on the level of the integrals" if level else ""
         yield f"a chaotic set {end} it, of Kaplan–Yorke dimension {value} ± {error}{place}"

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...core.arrays import FloatArray
-from .maps import Map, normalised
+from .maps import Map, normalised_functions
 
 #: Differentials whose part across the others is a smaller share of them are dependent.
 DEPENDENT = 1e-7
@@ -94,7 +94,7 @@ def multipliers(section_map: Map, point: FloatArray, slope: FloatArray) -> Multi
     """
     sizes = section_map.sizes(point[None])
     slope = slope * sizes / sizes[:, None]
-    _, domain = normalised(
+    _, domain = normalised_functions(
         np.zeros(len(section_map.domain.names)), section_map.domain.slopes(point[None])[0], sizes
     )
     basis = complement(domain)

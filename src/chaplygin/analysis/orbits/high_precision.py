@@ -20,7 +20,7 @@ from ...flow.batch import batch_integrator
 from ...flow.gauss import gauss_integrator
 from ...flow.kernel.double_double_conversion import from_pairs
 from ...formulas.multiprecision import slopes
-from .maps import normalised
+from .maps import normalised_functions
 from .periodic import NoOrbitError, Orbit, held_values, periodic_difference, shortest
 from .return_map import ReturnMap
 
@@ -95,7 +95,7 @@ class _Problem:
     """
 
     section_map: ReturnMap
-    held: Mapping[str, float]
+    held_integrals: Mapping[str, float]
     sizes: FloatArray
 
     def step(self, point: list[mpmath.mpf], duration: mpmath.mpf) -> FloatArray:
@@ -125,7 +125,7 @@ class _Problem:
         ]
         gaps = [float(m - t) for m, t in zip(misses, whole_turns, strict=True)]
         sizes = self.sizes[:-1]
-        excess, rows = normalised(*self._levels(point), sizes)
+        excess, rows = normalised_functions(*self._levels(point), sizes)
         closing = np.column_stack(
             [np.asarray(moved.deviations)[0, 0].T - np.eye(size), [float(r) for r in rates]]
         )
@@ -142,9 +142,15 @@ class _Problem:
         """Relations, the section and integrals less their values, with slopes."""
         section = self.section_map.section
         laws = {law.name: law.value for law in section.system.integrals}
-        wanted = [*section.system.relations, section.section.value, *(laws[n] for n in self.held)]
+        wanted = [
+            *section.system.relations,
+            section.section.value,
+            *(laws[n] for n in self.held_integrals),
+        ]
         values, rows = self._numbers([to_components(f) for f in wanted], point)
-        targets = [0.0] * (len(wanted) - len(self.held)) + list(self.held.values())
+        targets = [0.0] * (len(wanted) - len(self.held_integrals)) + list(
+            self.held_integrals.values()
+        )
         excess = [float(v - mpmath.mpf(t)) for v, t in zip(values, targets, strict=True)]
         slopes = [[float(rows[i, j]) for j in range(len(point))] for i in range(len(wanted))]
         return np.array(excess), np.array(slopes)

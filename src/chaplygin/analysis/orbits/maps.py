@@ -114,7 +114,7 @@ class Map(Protocol):
         ...
 
 
-def normalised(
+def normalised_functions(
     values: FloatArray, slopes: FloatArray, sizes: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Values (..., r) and slopes (..., r, size) of functions, normalised by slopes."""

@@ -17,7 +17,7 @@ import numpy as np
 from ...core.arrays import FloatArray
 from ...errors import InputError, RunError
 from .floquet import Multipliers, multipliers
-from .maps import Image, Map, normalised
+from .maps import Image, Map, normalised_functions
 
 #: Singular values below this share of the greatest belong to a family.
 FAMILY = 1e-10
@@ -91,14 +91,14 @@ class Equations:
     Parameters
     ----------
     map : Map
-    held : mapping of str to float
+    held_integrals : mapping of str to float
         Integrals with the values that they must have.
     sizes : array (size,)
         By which coordinates are measured.
     """
 
     map: Map
-    held: Mapping[str, float]
+    held_integrals: Mapping[str, float]
     sizes: FloatArray
 
     def __call__(self, points: FloatArray) -> tuple[FloatArray, FloatArray, Image]:
@@ -119,13 +119,15 @@ class Equations:
             closing[k, :, (k + 1) % count] += np.eye(size)
         domain = self.map.domain
         places = np.zeros((count, len(domain.names), count, size))
-        missed, local = normalised(domain.values(points), domain.slopes(points), self.sizes)
+        missed, local = normalised_functions(
+            domain.values(points), domain.slopes(points), self.sizes
+        )
         for k, slope in enumerate(local):
             places[k, :, k] = slope
-        rows = [self.map.integrals.names.index(name) for name in self.held]
+        rows = [self.map.integrals.names.index(name) for name in self.held_integrals]
         levels = np.zeros((len(rows), count, size))
-        excess = self.map.integrals.values(points[:1])[0, rows] - list(self.held.values())
-        excess, levels[:, 0] = normalised(
+        excess = self.map.integrals.values(points[:1])[0, rows] - list(self.held_integrals.values())
+        excess, levels[:, 0] = normalised_functions(
             excess, self.map.integrals.slopes(points[:1])[0, rows], self.sizes
         )
         residuals = np.concatenate([(gaps / self.sizes).ravel(), missed.ravel(), excess])
@@ -178,7 +180,7 @@ def shortest(slopes: FloatArray, residuals: FloatArray) -> FloatArray:
 def onto(section_map: Map, points: FloatArray, sizes: FloatArray) -> FloatArray:
     """The points of the domain of a map that are next to given ones, to rounding."""
     for _ in range(8):
-        misses, slopes = normalised(
+        misses, slopes = normalised_functions(
             section_map.domain.values(points), section_map.domain.slopes(points), sizes
         )
         if not misses.size or np.abs(misses).max() < 1e-15:

@@ -111,7 +111,7 @@ class ScanGrid:
     ----------
     system : System
         Whose motions they are.
-    given : System
+    original_system : System
         The system in the variables in which a start is given; its definitions give
         the state of `system`.
     base : tuple of float
@@ -122,18 +122,18 @@ class ScanGrid:
         Parameters and variables of the start, by formulas in the axes and parameters.
     levels : tuple of (Expr, Expr)
         Quantities of the start, and the formulas of their values.
-    held : tuple of Symbol
+    fixed_symbols : tuple of Symbol
         Variables of the start that are not to be moved.
     """
 
     system: System
-    given: System
+    original_system: System
     base: tuple[float, ...]
     x: Axis
     y: Axis
     set: tuple[tuple[sp.Symbol, sp.Expr], ...]
     levels: tuple[tuple[sp.Expr, sp.Expr], ...]
-    held: tuple[sp.Symbol, ...]
+    fixed_symbols: tuple[sp.Symbol, ...]
 
     def cells(self, first: int, last: int) -> GridCells:
         """The cells of rows first, …, last − 1, row by row."""
@@ -150,7 +150,7 @@ class ScanGrid:
             if symbol in self.system.defaults:
                 known[symbol] = parameters[symbol] = value
             else:
-                starts[:, self.given.symbols.index(symbol)] = value
+                starts[:, self.original_system.symbols.index(symbol)] = value
         targets = [_numbers_of(value, known, count) for _, value in self.levels]
         good = np.isfinite(starts).all(axis=1) & _admissible(self.system, known, count)
         reasons = np.where(good, 0, INADMISSIBLE)
@@ -159,7 +159,7 @@ class ScanGrid:
             value[~good] = self.system.defaults[symbol]
         starts, met = self._projected_starts(starts, targets, parameters)
         reasons[good & ~met] = NO_STATE
-        states = Formulas(self.given, self.system.symbols)(starts, parameters)
+        states = Formulas(self.original_system, self.system.symbols)(starts, parameters)
         states[reasons != 0] = np.nan
         return GridCells(states, parameters, reasons)
 
@@ -170,26 +170,32 @@ class ScanGrid:
         parameters: Mapping[sp.Symbol, FloatArray],
     ) -> tuple[FloatArray, BoolArray]:
         """Starts on the relations and then on the levels, and whether they are there."""
-        relations = tuple(to_components(relation) for relation in self.given.relations)
+        relations = tuple(to_components(relation) for relation in self.original_system.relations)
         met: BoolArray = np.asarray(np.isfinite(starts).all(axis=1))
-        fixed = {*self.held, *(symbol for symbol, _ in self.set)}
+        fixed = {*self.fixed_symbols, *(symbol for symbol, _ in self.set)}
         if relations:
             starts, there = project_to_level(
-                Formulas(self.given, relations), starts, 0.0, parameters, self._others(fixed)
+                Formulas(self.original_system, relations),
+                starts,
+                0.0,
+                parameters,
+                self._others(fixed),
             )
             met &= there
         if targets:
             # directions keep still as long as something else can be moved
-            wider = fixed | directions(self.given)
+            wider = fixed | directions(self.original_system)
             moved = self._others(wider) if any(self._others(wider)) else self._others(fixed)
             wanted = np.stack([*(np.zeros(len(starts)) for _ in relations), *targets], axis=1)
-            level = Formulas(self.given, (*relations, *(value for value, _ in self.levels)))
+            level = Formulas(
+                self.original_system, (*relations, *(value for value, _ in self.levels))
+            )
             starts, there = project_to_level(level, starts, wanted, parameters, moved)
             met &= there
         return starts, met
 
     def _others(self, fixed: Collection[sp.Symbol]) -> list[bool]:
-        return [symbol not in fixed for symbol in self.given.symbols]
+        return [symbol not in fixed for symbol in self.original_system.symbols]
 
 
 def scan_grid(
@@ -212,7 +218,7 @@ def scan_grid(
         The start that is varied: the state by name, or ω and γ where these give the state.
     formulas : mapping of str to str, optional
         Parameters, variables of the start or levels, by formulas in the axes and the parameters.
-    held : collection of str, optional
+    fixed_symbols : collection of str, optional
         Variables of the start, or vectors of them, that are not to be moved.
 
     Raises
@@ -257,7 +263,14 @@ def scan_grid(
     # parameters first: formulas of the start may use them
     assignments.sort(key=lambda pair: pair[0] not in system.defaults)
     return ScanGrid(
-        system, described, base, x, y, tuple(assignments), tuple(conditions), _held(described, held)
+        system,
+        described,
+        base,
+        x,
+        y,
+        tuple(assignments),
+        tuple(conditions),
+        _fixed_symbols(described, held),
     )
 
 
@@ -268,7 +281,7 @@ def _useful(system: System) -> list[str]:
     )
 
 
-def _held(system: System, held: Collection[str]) -> tuple[sp.Symbol, ...]:
+def _fixed_symbols(system: System, held: Collection[str]) -> tuple[sp.Symbol, ...]:
     parts = {str(name): flat([name]) for name in system.state}
     parts |= {str(symbol): (symbol,) for symbol in system.symbols}
     for name in held:

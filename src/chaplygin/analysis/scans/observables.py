@@ -56,7 +56,7 @@ class SurvivalTime:
         run = batch_integrator(self.system, tolerance=self.tolerance, device=self.device).propagate(
             starts, [self.until], parameters
         )
-        return {"value": run.ended, "outcome": run.outcome, "ended": run.ended}
+        return {"value": run.end_times, "outcome": run.outcome, "ended": run.end_times}
 
 
 @dataclass(frozen=True)
@@ -87,7 +87,7 @@ class TimeAverage:
         )
         run = flow.propagate(_from_zero(starts), [self.until], parameters)
         mean = run.states[:, 0, -1] / self.until
-        return {"value": mean, "outcome": run.outcome, "ended": run.ended}
+        return {"value": mean, "outcome": run.outcome, "ended": run.end_times}
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ class Maximum:
         """Values, outcomes and times reached, (n,) each."""
         flow = batch_integrator(self.system, tolerance=self.tolerance, device=self.device)
         seen = observe(flow, self.formula, starts, self.until, self.samples, parameters)
-        return {"value": seen.values.max(axis=1), "outcome": seen.outcome, "ended": seen.ended}
+        return {"value": seen.values.max(axis=1), "outcome": seen.outcome, "ended": seen.end_times}
 
 
 @dataclass(frozen=True)
@@ -176,7 +176,7 @@ class Frequency:
         flow = batch_integrator(turns, tolerance=self.tolerance, device=self.device)
         seen = observe(flow, TOTAL, _from_zero(starts), self.until, self.samples, parameters)
         value, error = average(np.diff(seen.values, axis=1) * (self.samples / self.until))
-        return {"value": value, "error": error, "outcome": seen.outcome, "ended": seen.ended}
+        return {"value": value, "error": error, "outcome": seen.outcome, "ended": seen.end_times}
 
 
 def _with_total(system: System, formula: sp.Expr) -> System:
@@ -210,13 +210,13 @@ class ObservedSeries:
         From the start on; not numbers after the end of a motion.
     outcome : (n,) array of int
         0, or why a motion ended; see ``BatchIntegrator.reason``.
-    ended : (n,) array
+    end_times : (n,) array
         The times reached.
     """
 
     values: FloatArray
     outcome: IntArray
-    ended: FloatArray
+    end_times: FloatArray
 
 
 def observe(
@@ -255,5 +255,5 @@ def observe(
         run = flow.propagate(states[live], times[some] - times[first], chosen)
         series[live, some] = values(flow.system, [formula], run.states, chosen)[..., 0]
         outcome[live], states[live] = run.outcome, run.states[:, -1]
-        ended[live] = times[first] + run.ended
+        ended[live] = times[first] + run.end_times
     return ObservedSeries(series, outcome, ended)

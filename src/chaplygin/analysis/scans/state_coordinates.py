@@ -6,7 +6,7 @@ coordinate may be fixed, or solved for on a level of an integral: so the Andoyer
 integral::
 
     variables = chart(system, "andoyer-ratio")
-    plane = variables.fixed({"g": pi / 2, "H": 0.3}).solved("G", "energy", 1.0)
+    plane = variables.fixed({"g": pi / 2, "H": 0.3}).without_coordinate("G", "energy", 1.0)
     states = plane.state([[0.5, 0.1]])
 
 If there is no state, or none that formulas determine (G = |L|), the result is not-a-number;
@@ -153,7 +153,7 @@ class StateCoordinates:
             _range=span,
         )
 
-    def solved(self, name: str, integral: str, value: float) -> StateCoordinates:
+    def without_coordinate(self, name: str, integral: str, value: float) -> StateCoordinates:
         """The chart without a coordinate, which is found from the value of an integral.
 
         Parameters
@@ -247,7 +247,7 @@ def chart(
     if level and name != "directions":
         raise InputError(
             f"coordinates {name!r} are those of all states: use .fixed({{'H': ...}}) and "
-            ".solved('G', 'energy', ...) for a level"
+            ".without_coordinate('G', 'energy', ...) for a level"
         )
     return CHARTS[name](system, dict(level or {}), dict(parameters or {}))
 

@@ -32,7 +32,7 @@ def velocity() -> Case:
     laws = []
     for shift in (sp.S.Zero, d):
         tensor = (sp.Add(*ball.I.symbols) + shift) / 2 * identity - ball.I
-        drawn = ball.drawn(tensor * n)
+        drawn = ball.contact_inertia(tensor * n)
         excess = dot(n, drawn) * ball.omega - cross(drawn, rate(n)) - dot(tensor * M, n) * n
         meaning = "angular velocity from n and its rate"
         laws.append((system, Identity("velocity", excess, meaning, on=(k + 1,))))
@@ -123,12 +123,12 @@ def with_area() -> Case:
     """
     half = (sp.Add(*ball.I.symbols) + d) / 2
     tensor = half * identity - ball.I
-    drawn = ball.drawn(tensor * n)
+    drawn = ball.contact_inertia(tensor * n)
     form, area = dot(n, drawn), dot(tensor * M, n)
     swing, spin = cross(drawn, rate(n)), area * n
 
     def energy(turning: sp.MatrixExpr) -> sp.Expr:
-        shared = ball.drawn(turning)
+        shared = ball.contact_inertia(turning)
         return half * dot(shared, turning) - norm_squared(shared)
 
     law = Identity(

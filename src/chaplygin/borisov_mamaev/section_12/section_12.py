@@ -121,9 +121,9 @@ def around_sphere_linear() -> Verdict:
     """k = −1, F₂ = (AM, n): the parts of (M, ω) and M² linear in ṅ are not zero unless F₂ is."""
     system = sphere.equations_on_sphere()
     tensor = (sp.Add(*sphere.I.symbols) + sphere.d) / 2 * identity - sphere.I
-    drawn = sphere.drawn(tensor * sphere.n)
+    drawn = sphere.contact_inertia(tensor * sphere.n)
     swing, area = cross(drawn, rate(sphere.n)), dot(tensor * sphere.M, sphere.n)
-    shared, spun = sphere.drawn(swing), sphere.drawn(sphere.n)
+    shared, spun = sphere.contact_inertia(swing), sphere.contact_inertia(sphere.n)
     form = dot(sphere.n, drawn)
     # ω = (Bn×ṅ + F₂n)/(n, Bn), and (8.4) is the case F₂ = 0
     parts = (2 * area * dot(spun, swing), 2 * area * dot(spun, shared))

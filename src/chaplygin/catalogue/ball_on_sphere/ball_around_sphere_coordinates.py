@@ -93,7 +93,7 @@ def _turn(which: int) -> MatrixExpr:
     return constant([-z * a**2 + a * middle - z * _share for a in A.symbols])
 
 
-def _spun(turn: Vector) -> MatrixExpr:
+def _weighted_turn(turn: Vector) -> MatrixExpr:
     """e₃ (A_j − A_k) q_i."""
     differences = [A.symbols[j] - A.symbols[k] for _, j, k in _CYCLE]
     return E_3 * constant([x * q for x, q in zip(differences, turn, strict=True)])
@@ -161,7 +161,8 @@ def _averages() -> tuple[sp.Expr, ...]:
 def _laws() -> tuple[Law, ...]:
     drawn = constant([j * a - d * _level for j, a in zip(J.symbols, A.symbols, strict=True)])
     turned = [
-        2 * u[0] * u[1] * cubic(z) * cross(drawn, constant(_log_rates(i))) - form * S * _spun(turn)
+        2 * u[0] * u[1] * cubic(z) * cross(drawn, constant(_log_rates(i)))
+        - form * S * _weighted_turn(turn)
         for i, (z, turn) in enumerate(zip(u, turns, strict=True))
     ]
     first, second, third, fourth = _averages()

@@ -30,7 +30,7 @@ _SOURCE = "§8.1, (8.1)"
 _SUMMARY = "A balanced, dynamically asymmetric ball rolls without slipping on a fixed sphere."
 
 
-def drawn(vector: MatrixExpr) -> MatrixExpr:
+def contact_inertia(vector: MatrixExpr) -> MatrixExpr:
     """I_Q u = J u − d n (n, u) for a vector u: from angular velocity to momentum."""
     return J * vector - d * dot(n, vector) * n
 
@@ -91,7 +91,7 @@ def equations_in_omega() -> System:
         parameters=(*_inertia, _d, _k),
         definitions=(
             *_TENSORS,
-            (M, drawn(omega)),
+            (M, contact_inertia(omega)),
             (ndot, k * cross(n, omega)),
             # the rate of I_Q is −d (ṅ⊗n + n⊗ṅ), and (ṅ, ω) = 0
             (omegadot, _velocity(cross(M, omega) + d * dot(n, omega) * ndot)),

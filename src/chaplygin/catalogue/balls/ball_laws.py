@@ -122,7 +122,7 @@ def _rotation(ball: RollingBall) -> Integral:
 def _golf(ball: RollingBall) -> tuple[Law, ...]:
     """The ball in an upright pipe goes up and down: it does not fall."""
     i = _third(ball)
-    x, y, z = ball.surface.turned(R.symbols)
+    x, y, z = ball.surface.own_coordinates(R.symbols)
     sign = ball.surface.sign
     about = 2 * sign * omega.symbols[i] / ell
     turn, total = b * about, sigma + about * z
@@ -218,7 +218,7 @@ def quadratic(ball: RollingBall, stiffness: sp.Expr = sp.S.Zero) -> Integral:
     stiffness : sympy.Expr
         κ of the potential κR²/2 on an ellipsoid.
     """
-    speeds = ball.surface.turned(v.symbols)
+    speeds = ball.surface.own_coordinates(v.symbols)
     if isinstance(ball.surface, Paraboloid):
         x, y, _ = speeds
         units = "m/s^2"

@@ -37,11 +37,11 @@ def build(p: Numbers) -> System:
         *top.sphere_parameters(p["R"], p["c"], p["g"]),
         positive(top.nu, "friction in proportion to slip and normal force", p["nu"], "s/m"),
     )
-    system = top.sliding_top(top.NORMAL_VISCOUS, _checked(parameters))
+    system = top.sliding_top(top.NORMAL_VISCOUS, _with_positive_numbers(parameters))
     return replace(system, title=TITLE, summary=SUMMARY, laws=top.laws())
 
 
-def _checked(parameters: tuple[Parameter, ...]) -> tuple[Parameter, ...]:
+def _with_positive_numbers(parameters: tuple[Parameter, ...]) -> tuple[Parameter, ...]:
     """The parameters, those that must be positive checked."""
     free = (top.c, top.g)
     return tuple(

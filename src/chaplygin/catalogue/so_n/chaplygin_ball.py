@@ -155,7 +155,7 @@ def invariants(k: Skew, gamma: Column) -> tuple[Pairs, tuple[Integral, ...]]:
     return tuple(definitions), tuple(laws)
 
 
-def _solved(inertia: Inertia) -> tuple[Pairs, Pairs]:
+def _velocity_steps(inertia: Inertia) -> tuple[Pairs, Pairs]:
     """ω by the momentum: the steps, and what a page shows of them."""
     match inertia:
         case MassTensor():
@@ -187,7 +187,7 @@ class ChaplyginBall(Family):
         """The equations reduced by the translations, in k and γ."""
         n = inertia.dimension
         k, omega, gamma = momentum_of(n), omega_of(n), gamma_of(n)
-        solved, page = _solved(inertia)
+        solved, page = _velocity_steps(inertia)
         named, integrals = invariants(k, gamma)
         energy = HALF * MatrixProduct(k, omega)
         laws: tuple[Law, ...] = (

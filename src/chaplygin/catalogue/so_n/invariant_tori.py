@@ -75,7 +75,7 @@ def torus_system(
         others = [x for i, x in enumerate(sigma) if i != k]
         roots = [x for i, pair in enumerate(ends) if i != k for x in pair]
         beyond = sp.Mul(*(_distance(sigma[k], x, ends[k]) for x in roots))
-        gap = sp.Mul(*(sigma[k] - x if k > i else x - sigma[k] for i, x in _numbered(sigma, k)))
+        gap = sp.Mul(*(sigma[k] - x if k > i else x - sigma[k] for i, x in _others(sigma, k)))
         factor = total - sp.Add(*others)
         rates[phi[k]] = 2 * sp.sqrt(beyond / factor) / gap
         density[beyond] = -sp.Rational(1, 2)
@@ -94,7 +94,7 @@ def torus_system(
     )
 
 
-def _numbered(sigma: Sequence[sp.Symbol], k: int) -> list[tuple[int, sp.Symbol]]:
+def _others(sigma: Sequence[sp.Symbol], k: int) -> list[tuple[int, sp.Symbol]]:
     return [(i, x) for i, x in enumerate(sigma) if i != k]
 
 

@@ -12,7 +12,7 @@ from .errors import CheckError
 from .evaluate import Point
 from .formulas import Formula, names_in, parse, parse_condition
 from .jets import Number
-from .json_data import field, integer, items, listed, mapping, only, text
+from .json_data import as_list, field, integer, items, mapping, only, text
 from .unspecified_functions import Functions
 
 _NAME = re.compile(r"[^\W\d]\w*")
@@ -133,7 +133,7 @@ class Claim:
 
 
 def _formulas(data: object, what: str) -> tuple[Formula, ...]:
-    return tuple(parse(t, f"{what} {i}") for i, t in enumerate(listed(data, what), 1))
+    return tuple(parse(t, f"{what} {i}") for i, t in enumerate(as_list(data, what), 1))
 
 
 def _name(data: object, what: str) -> str:
@@ -144,12 +144,12 @@ def _name(data: object, what: str) -> str:
 
 
 def _names(data: object, what: str) -> tuple[str, ...]:
-    return tuple(_name(word, what) for word in listed(data, what))
+    return tuple(_name(word, what) for word in as_list(data, what))
 
 
 def _pairs(data: object, what: str) -> tuple[tuple[str, Formula], ...]:
     pairs = []
-    for pair in listed(data, what):
+    for pair in as_list(data, what):
         word, formula = items(pair, 2, what)
         pairs.append((_name(word, what), parse(formula, f"{what} {word}")))
     _distinct([word for word, _ in pairs], what)
@@ -191,7 +191,7 @@ def read_system(data: object, what: str) -> ClaimedSystem:
     guards = _formulas(data.get("guards", []), f"the guards of {what}")
     admissible = tuple(
         part
-        for condition in listed(data.get("admissible", []), what)
+        for condition in as_list(data.get("admissible", []), what)
         for part in parse_condition(condition, f"what is admissible in {what}")
     )
     _require([*rates, *relations, *guards], known, what)
@@ -282,7 +282,7 @@ def _require_names(pairs: Iterable[tuple[str, Formula]], known: set[str], what: 
 
 def _density(data: object, system: ClaimedSystem, what: str) -> tuple[tuple[Formula, Formula], ...]:
     factors = []
-    for pair in listed(data, what):
+    for pair in as_list(data, what):
         base, exponent = items(pair, 2, f"the density of {what}")
         factor = parse(base, f"the density of {what}"), parse(exponent, f"the density of {what}")
         if system.reach([factor[1]]) & set(system.state):

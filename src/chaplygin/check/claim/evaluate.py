@@ -17,9 +17,9 @@ from .jets import (
     arctangent,
     ball,
     general_power,
+    integer_power,
     inverse,
     multiply,
-    raised,
     rational_power,
     slopes_of,
 )
@@ -172,7 +172,7 @@ class Point:
         if value.denominator == 1:
             if abs(value) > 10_000:
                 raise CheckError(f"the exponent {value} is too large")
-            return raised(self(base), int(value))
+            return integer_power(self(base), int(value))
         return rational_power(self(base), value)
 
     def _known_function(self, word: str, parts: tuple[Formula, ...]) -> Number:

@@ -114,13 +114,13 @@ def names_in(formulas: Iterable[Formula]) -> set[str]:
     return {node.word for node in walk(formulas) if node.kind == "name"}
 
 
-def replaced(formula: Formula, table: Mapping[str, Formula]) -> Formula:
+def substitution(formula: Formula, table: Mapping[str, Formula]) -> Formula:
     """A formula with symbols replaced."""
     if formula.kind == "name":
         return table.get(formula.word, formula)
     if not formula.parts:
         return formula
-    return _node(formula.kind, formula.word, [replaced(part, table) for part in formula.parts])
+    return _node(formula.kind, formula.word, [substitution(part, table) for part in formula.parts])
 
 
 def parse(text: object, what: str) -> Formula:
@@ -352,7 +352,7 @@ class _Reader:
         self._expect(")")
         if any(v.kind != "name" for v in variables) or len(points) != len(variables):
             raise self._wrong("substitutes for something that is no name")
-        return replaced(inner, {v.word: p for v, p in zip(variables, points, strict=True)})
+        return substitution(inner, {v.word: p for v, p in zip(variables, points, strict=True)})
 
     def _points(self, start: int, count: int) -> list[Formula]:
         """Places after the variables: a bracketed list if the variables stand in one."""

@@ -98,22 +98,22 @@ def inverse(a: Number) -> Number:
     return _through(a, value, multiply(arb(-1), multiply(value, value)))
 
 
-def raised(a: Number, exponent: int) -> Number:
+def integer_power(a: Number, exponent: int) -> Number:
     """A power with an integer exponent."""
     if exponent < 0:
-        return inverse(raised(a, -exponent))
+        return inverse(integer_power(a, -exponent))
     if not isinstance(a, Jet):
         return a**exponent
     if exponent == 0:
         return arb(1)
-    lower = raised(a.value, exponent - 1)
+    lower = integer_power(a.value, exponent - 1)
     return _through(a, multiply(lower, a.value), multiply(arb(exponent), lower))
 
 
 def rational_power(a: Number, exponent: Fraction) -> Number:
     """A power of a positive number with a rational exponent."""
     if exponent.denominator == 1:
-        return raised(a, int(exponent))
+        return integer_power(a, int(exponent))
     if not isinstance(a, Jet):
         if not a > 0:
             raise UndefinedError("a root of what is not positive")

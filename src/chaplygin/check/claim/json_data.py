@@ -35,7 +35,7 @@ def field(data: Mapping[str, object], key: str, what: str) -> object:
     return data[key]
 
 
-def listed(data: object, what: str) -> Sequence[object]:
+def as_list(data: object, what: str) -> Sequence[object]:
     """A list."""
     if not isinstance(data, (list, tuple)):
         raise CheckError(f"{what} is no list")
@@ -44,7 +44,7 @@ def listed(data: object, what: str) -> Sequence[object]:
 
 def items(data: object, size: int, what: str) -> Sequence[object]:
     """A list of so many things."""
-    parts = listed(data, what)
+    parts = as_list(data, what)
     if len(parts) != size:
         raise CheckError(f"{what} has {len(parts)} parts instead of {size}")
     return parts

@@ -14,7 +14,7 @@ from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from .errors import CheckError
 from .jets import inverse
-from .json_data import field, integer, items, listed, mapping, only, rational
+from .json_data import as_list, field, integer, items, mapping, only, rational
 
 Poly: TypeAlias = fmpq_mpoly
 #: A product of powers of polynomials.
@@ -51,10 +51,10 @@ class Ring:
         """A polynomial from its list of terms."""
         terms: dict[tuple[int, ...], fmpq] = {}
         size = len(self.names)
-        for term in listed(data, what):
+        for term in as_list(data, what):
             coefficient, powers = items(term, 2, f"a term of {what}")
             number = rational(coefficient, f"a coefficient of {what}")
-            powers = listed(powers, f"a term of {what}")
+            powers = as_list(powers, f"a term of {what}")
             if not number or len(powers) % 2:
                 raise CheckError(f"a term of {what} is zero or lacks an exponent")
             exponents = [0] * max(size, 1)
@@ -72,7 +72,7 @@ class Ring:
     def powers(self, data: object, what: str, negative: bool = False) -> Powers:
         """A list of polynomials with powers; none of the polynomials is zero."""
         powers = []
-        for pair in listed(data, what):
+        for pair in as_list(data, what):
             poly, power = items(pair, 2, what)
             factor = self.read(poly, what)
             if factor.is_zero():

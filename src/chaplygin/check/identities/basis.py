@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from ..claim.errors import CheckError
 from ..claim.formulas import Formula
-from ..claim.json_data import field, listed, mapping
+from ..claim.json_data import as_list, field, mapping
 from ..claim.polynomials import Poly, monic
 from .case_tree import Signs
 from .divisors import Entry, nonzero_factors, read_divisors
@@ -66,7 +66,7 @@ def read_basis(
     for auxiliary in generators.auxiliary:
         if auxiliary.positive:
             certain.learn(generators.ring.generator(auxiliary.name), 1)
-    positives = listed(field(data, "positive", what), f"what is positive in {what}")
+    positives = as_list(field(data, "positive", what), f"what is positive in {what}")
     for item in positives:
         learn_positive(item, generators, samples, certain, what)
     signs = certain.copy()
@@ -79,7 +79,7 @@ def read_basis(
     sums = [PositiveSum(mapping(item, what), generators, what) for item in stated]
     written = [
         ring.read(field(mapping(item, what), "poly", what), what)
-        for item in listed(field(data, "equations", what), what)
+        for item in as_list(field(data, "equations", what), what)
     ]
     settle(certain, radicands, sums, nonzero, written)
     left = settle(signs, radicands, sums, nonzero, written)

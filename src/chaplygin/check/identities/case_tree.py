@@ -13,7 +13,7 @@ from typing import TypeAlias
 from flint import fmpq
 
 from ..claim.errors import CheckError
-from ..claim.json_data import field, integer, items, listed, mapping, only, rational
+from ..claim.json_data import as_list, field, integer, items, mapping, only, rational
 from ..claim.polynomials import Poly, Ring, monic
 
 DEPTH = 200
@@ -166,7 +166,7 @@ def _zero(node: Node, data: Mapping[str, object], where: str) -> None:
     if node.numerators is None:
         raise CheckError(f"{where} has a case 'zero', which has no place there")
     numbers = set()
-    for item in listed(field(data, "identities", where), where):
+    for item in as_list(field(data, "identities", where), where):
         identity = mapping(item, where)
         only(identity, where, "residual", "factors", "constant", "quotients")
         last = len(node.numerators) - 1
@@ -219,7 +219,7 @@ def _squares(node: Node, data: Mapping[str, object], where: str, depth: int) -> 
     poly = _membership(node, data, where)
     total = node.ring.constant(0)
     bases = []
-    for term in listed(field(data, "terms", where), f"the terms of {where}"):
+    for term in as_list(field(data, "terms", where), f"the terms of {where}"):
         weight, constant, base = items(term, 3, f"a term of {where}")
         powers = node.ring.powers(weight, f"a weight of {where}")
         number = _constant(constant, f"a constant of {where}")

@@ -13,7 +13,7 @@ from ..claim.errors import CheckError, UndefinedError
 from ..claim.evaluate import Point
 from ..claim.formulas import Formula, call, name, parse, product
 from ..claim.jets import Number
-from ..claim.json_data import items, listed, text
+from ..claim.json_data import as_list, items, text
 from ..claim.unspecified_functions import Functions
 from .accuracy import agree
 
@@ -60,8 +60,8 @@ def read_change(claim: Claim, data: object, what: str) -> Change:
     system = claim.system
     used: set[str] = {*system.symbols, *system.definitions, *claim.law.quantities}
     gone: set[str] = set()
-    for part in listed(data, f"the substitution of {what}"):
-        kind = listed(part, f"a substitution of {what}")[:1]
+    for part in as_list(data, f"the substitution of {what}"):
+        kind = as_list(part, f"a substitution of {what}")[:1]
         if list(kind) == ["circle"]:
             _, angle, sine, cosine, unit = (text(t, what) for t in items(part, 5, what))
             frequency = parse(unit, f"the unit of an angle of {what}")

@@ -11,7 +11,7 @@ from ..claim.domain import GRAM
 from ..claim.errors import CheckError, UndefinedError
 from ..claim.formulas import Formula, parse
 from ..claim.jets import Number
-from ..claim.json_data import choice, field, listed, mapping, only, rational, text
+from ..claim.json_data import as_list, choice, field, mapping, only, rational, text
 from ..claim.polynomials import Powers, monic
 from ..claim.residuals import target_point
 from .accuracy import InaccurateError, agree
@@ -43,7 +43,7 @@ def read_divisors(
     logs = [[s.logarithms[i] for s in samples] for i in range(len(samples[0].logarithms))]
     entries: list[Entry] = []
     matched: list[int | None] = [None] * (len(roots) + len(logs))
-    for number, data_of_one in enumerate(listed(field(data, "divisors", what), what)):
+    for number, data_of_one in enumerate(as_list(field(data, "divisors", what), what)):
         label = f"divisor {number} of {what}"
         item = mapping(data_of_one, label)
         only(item, label, "formula", "content", "factors", "where")
@@ -83,7 +83,7 @@ def read_divisors(
 def nonzero_factors(generators: Generators, entries: Sequence[Entry]) -> frozenset[str]:
     """Keys of factors that do not vanish, where those in denominators are known not to."""
     keys = {monic(generators.ring.generator(a.name))[0] for a in generators.auxiliary if a.positive}
-    for names, _ in generators.inverted:
+    for names, _ in generators.inverses:
         # the inverse of a matrix is one that has an inverse
         a, b, c, d, e, f = (generators.ring.generator(word) for word in names)
         keys.add(monic(a * (d * f - e * e) + b * (c * e - b * f) + c * (b * e - c * d))[0])

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from ..claim.errors import CheckError, UndefinedError
 from ..claim.formulas import Formula, parse
-from ..claim.json_data import field, items, listed, mapping, only, text
+from ..claim.json_data import as_list, field, items, mapping, only, text
 from ..claim.polynomials import Poly, Powers, Ring, monic
 from .accuracy import agree
 from .case_tree import Signs
@@ -25,7 +25,7 @@ def read_equations(
     """The polynomials that vanish on the level, each with what it comes from checked."""
     polys: list[Poly] = []
     ring = generators.ring
-    for number, data_of_one in enumerate(listed(field(data, "equations", what), what)):
+    for number, data_of_one in enumerate(as_list(field(data, "equations", what), what)):
         label = f"equation {number} of {what}"
         item = mapping(data_of_one, label)
         only(item, label, "poly", "from", "denominator", "quotients")

@@ -84,9 +84,9 @@ class Generators:
     domain: Domain
     ring: Ring
     auxiliary: tuple[Auxiliary, ...]
-    settled: Mapping[str, Formula]
-    exchanged: Mapping[str, Exchange]
-    inverted: tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]
+    settled_formulas: Mapping[str, Formula]
+    exchanges: Mapping[str, Exchange]
+    inverses: tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]
     zeros: tuple[Formula, ...]
     signs: tuple[tuple[Poly, int], ...]
     near: Mapping[str, Fraction]
@@ -121,7 +121,7 @@ class Generators:
 
     def _sample(self, generator: random.Random, attempt: int) -> Sample:
         functions = Functions(f"{attempt}")
-        drawn = {word: self._drawn(word, generator, attempt) for word in self.plain}
+        drawn = {word: self._random_value(word, generator, attempt) for word in self.plain}
         solver = _Solver(self, drawn, functions)
         values: list[arb] = [arb(0)] * len(self.ring.names)
         for word, value in drawn.items():
@@ -136,14 +136,14 @@ class Generators:
             if not self.ring.value(poly, values) * sign > 0:
                 raise UndefinedError("a sign is not as assumed")
         known = {word: solver(name(word)) for word in self.claim.system.symbols}
-        point = self.claim.system.point(known, functions, self.settled)
+        point = self.claim.system.point(known, functions, self.settled_formulas)
         for word in self.plain:
             defined = word in self.claim.system.definitions
             if defined and not point(name(word)).overlaps(drawn[word]):
                 raise CheckError(f"the generator {word} does not agree with its definition")
         return Sample(values, point, *self.domain.values(point))
 
-    def _drawn(self, word: str, generator: random.Random, attempt: int) -> arb:
+    def _random_value(self, word: str, generator: random.Random, attempt: int) -> arb:
         mode = attempt % 3
         fine = generator.randint(-(2**22), 2**22)
         if mode == 2 and word in self.near:
@@ -195,12 +195,12 @@ class _Solver(Point):
         self, generators: Generators, drawn: Mapping[str, arb], functions: Functions
     ) -> None:
         super().__init__(
-            drawn, generators.claim.system.definitions, {}, functions, generators.settled
+            drawn, generators.claim.system.definitions, {}, functions, generators.settled_formulas
         )
         self._generators = generators
-        self._parameters = generators.exchanged
+        self._parameters = generators.exchanges
         self._open: set[str] = set()
-        self._places = {word: (a, i) for a, j in generators.inverted for i, word in enumerate(j)}
+        self._places = {word: (a, i) for a, j in generators.inverses for i, word in enumerate(j)}
 
     def _prepare(self, formula: Formula) -> None:
         """Definitions are followed as they come."""
@@ -223,8 +223,8 @@ class _Solver(Point):
             change = self._parameters[word]
             difference = add(self._named(change.name), multiply(arb(-1), self(change.rest)))
             return difference / arb(fmpq(change.factor.numerator, change.factor.denominator))
-        if word in self._generators.settled:
-            return self(self._generators.settled[word])
+        if word in self._generators.settled_formulas:
+            return self(self._generators.settled_formulas[word])
         if word in self.definitions:
             return self(self.definitions[word])
         if word in ("pi", "E"):

@@ -9,7 +9,7 @@ from flint import arb, fmpq
 from ..claim.claim import Claim
 from ..claim.errors import CheckError, UndefinedError
 from ..claim.formulas import Formula, parse, parse_condition
-from ..claim.json_data import field, items, listed, mapping, only, rational, text
+from ..claim.json_data import as_list, field, items, mapping, only, rational, text
 from ..claim.polynomials import Poly, monic
 from .accuracy import agree
 from .case_tree import Signs
@@ -117,7 +117,7 @@ class PositiveSum:
         if field(data, "strict", label) is not True:
             raise CheckError(f"{label}: a sum that is not strictly positive")
         self.terms = []
-        for term in listed(field(data, "terms", label), label):
+        for term in as_list(field(data, "terms", label), label):
             weight, constant, base = items(term, 3, label)
             number = rational(constant, label)
             if number <= 0:
@@ -126,7 +126,7 @@ class PositiveSum:
             base_poly = ring.read(inner, label)
             self.terms.append((ring.powers(weight, label), number, base_poly))
         self.quotients = [
-            ring.read(q, label) for q in listed(field(data, "quotients", label), label)
+            ring.read(q, label) for q in as_list(field(data, "quotients", label), label)
         ]
 
     def holds(self, signs: Signs, nonzero: frozenset[str], equations: Sequence[Poly]) -> bool:

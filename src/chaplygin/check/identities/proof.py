@@ -15,7 +15,7 @@ from functools import partial
 from ..claim.claim import Claim
 from ..claim.errors import CheckError, UndefinedError
 from ..claim.formulas import Formula, parse
-from ..claim.json_data import field, listed, only, text
+from ..claim.json_data import as_list, field, only, text
 from ..claim.polynomials import Poly, monic
 from ..claim.residuals import residuals
 from .accuracy import InaccurateError, agree, with_precision
@@ -44,7 +44,7 @@ def check_proof(
     ring = basis.generators.ring
     numerators = [
         ring.fraction(item, f"a residual of {what}")[0]
-        for item in listed(field(data, "residuals", what), what)
+        for item in as_list(field(data, "residuals", what), what)
     ]
 
     def leaf(node: Node, data: Mapping[str, object], where: str) -> None:
@@ -57,7 +57,7 @@ def check_proof(
 
 def read_region(data: Mapping[str, object], claim: Claim, what: str) -> tuple[Formula, ...]:
     """The equations of the part of the level that a proof treats."""
-    region = listed(data.get("region", []), f"the region of {what}")
+    region = as_list(data.get("region", []), f"the region of {what}")
     formulas = tuple(parse(formula, f"the region of {what}") for formula in region)
     known = {*claim.system.symbols, *claim.system.definitions}
     for formula in formulas:
@@ -71,7 +71,7 @@ def _checked_residuals(
 ) -> Basis:
     generators = read_generators(data, claim, what)
     basis = read_basis(data, generators, region, what)
-    stated = listed(field(data, "residuals", what), f"the residuals of {what}")
+    stated = as_list(field(data, "residuals", what), f"the residuals of {what}")
     fractions = [generators.ring.fraction(item, f"a residual of {what}") for item in stated]
     for sample in basis.samples:
         try:

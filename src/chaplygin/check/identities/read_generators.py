@@ -10,7 +10,7 @@ from ..claim.claim import Claim
 from ..claim.domain import domain
 from ..claim.errors import CheckError, UndefinedError
 from ..claim.formulas import Formula, parse
-from ..claim.json_data import choice, field, integer, items, listed, mapping, only, rational, text
+from ..claim.json_data import as_list, choice, field, integer, items, mapping, only, rational, text
 from ..claim.polynomials import Poly, Ring
 from ..claim.quotients import quotient
 from .generators import Auxiliary, Exchange, Generators
@@ -35,7 +35,7 @@ ONE = {"exp", "log", "asin", "acos", "atan"}
 
 def read_generators(data: Mapping[str, object], claim: Claim, what: str) -> Generators:
     """Read ring, auxiliary symbols and generators of a proof."""
-    names = [text(n, f"the ring of {what}") for n in listed(field(data, "ring", what), what)]
+    names = [text(n, f"the ring of {what}") for n in as_list(field(data, "ring", what), what)]
     if len(set(names)) < len(names):
         raise CheckError(f"the ring of {what} has a generator twice")
     ring = Ring(names)
@@ -48,9 +48,9 @@ def read_generators(data: Mapping[str, object], claim: Claim, what: str) -> Gene
         domain=domain(claim, settled),
         ring=ring,
         auxiliary=_auxiliaries(data.get("auxiliary", []), ring, what),
-        settled=settled,
-        exchanged=exchanged,
-        inverted=_read_inverted(data.get("inverted", []), claim, what),
+        settled_formulas=settled,
+        exchanges=exchanged,
+        inverses=_read_inverted(data.get("inverted", []), claim, what),
         zeros=_read_zeros(data.get("zeros", []), claim, what),
         signs=_read_signs(data.get("signs", []), ring, what),
         near=_read_near(data.get("near", {}), ring, what),
@@ -66,7 +66,7 @@ def read_generators(data: Mapping[str, object], claim: Claim, what: str) -> Gene
 def _auxiliaries(data: object, ring: Ring, what: str) -> tuple[Auxiliary, ...]:
     auxiliaries: list[Auxiliary] = []
     meanings: dict[str, object] = {}
-    for pair in listed(data, f"the auxiliary symbols of {what}"):
+    for pair in as_list(data, f"the auxiliary symbols of {what}"):
         name, meaning = items(pair, 2, f"an auxiliary symbol of {what}")
         word = text(name, "an auxiliary symbol")
         if word not in ring.names or word in meanings:
@@ -117,7 +117,7 @@ def _auxiliary(word: str, data: Mapping[str, object], ring: Ring) -> Auxiliary:
         only(data, what, "kind", "of")
         return replace(symbol, of=(ring.fraction(of, what),))
     only(data, what, "kind", "of", "name", *(["orders"] if kind == "function" else []))
-    arguments = tuple(ring.fraction(part, what) for part in listed(of, what))
+    arguments = tuple(ring.fraction(part, what) for part in as_list(of, what))
     name = text(field(data, "name", what), what)
     symbol = replace(symbol, word=name, of=arguments)
     if kind == "function":
@@ -130,7 +130,7 @@ def _auxiliary(word: str, data: Mapping[str, object], ring: Ring) -> Auxiliary:
 
 def _read_settled(data: object, claim: Claim, what: str) -> dict[str, Formula]:
     settled: dict[str, Formula] = {}
-    for pair in listed(data, f"what is settled in {what}"):
+    for pair in as_list(data, f"what is settled in {what}"):
         word, formula = (text(t, what) for t in items(pair, 2, f"what is settled in {what}"))
         if word not in claim.system.parameters or word in settled:
             raise CheckError(f"{what} settles {word!r}, which is no parameter, or twice")
@@ -186,7 +186,7 @@ def _linear_solution(poly: Poly, word: str, ring: Ring) -> Poly | None:
 
 def _read_exchanged(data: object, claim: Claim, what: str) -> dict[str, Exchange]:
     exchanges: dict[str, Exchange] = {}
-    for four in listed(data, f"what is exchanged in {what}"):
+    for four in as_list(data, f"what is exchanged in {what}"):
         word, factor, parameter, constant = items(four, 4, f"what is exchanged in {what}")
         word, parameter = (text(t, f"what is exchanged in {what}") for t in (word, parameter))
         number = rational(factor, f"a factor of what is exchanged in {what}")
@@ -203,7 +203,7 @@ def _read_inverted(
     data: object, claim: Claim, what: str
 ) -> tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]:
     inverted = []
-    for pair in listed(data, f"what is inverted in {what}"):
+    for pair in as_list(data, f"what is inverted in {what}"):
         names, of = (
             tuple(text(word, what) for word in items(six, 6, what))
             for six in items(pair, 2, f"what is inverted in {what}")
@@ -217,7 +217,7 @@ def _read_inverted(
 
 def _read_zeros(data: object, claim: Claim, what: str) -> tuple[Formula, ...]:
     zeros = []
-    for formula in listed(data, f"the zeros of {what}"):
+    for formula in as_list(data, f"the zeros of {what}"):
         zero = parse(formula, f"a zero of {what}")
         if zero.kind != "function" or zero not in claim.conditions:
             raise CheckError(f"{what} takes {formula} for zero, which no condition says")
@@ -227,7 +227,7 @@ def _read_zeros(data: object, claim: Claim, what: str) -> tuple[Formula, ...]:
 
 def _read_signs(data: object, ring: Ring, what: str) -> tuple[tuple[Poly, int], ...]:
     signs = []
-    for pair in listed(data, f"the signs of {what}"):
+    for pair in as_list(data, f"the signs of {what}"):
         poly, sign = items(pair, 2, f"a sign of {what}")
         factor = ring.read(poly, f"a sign of {what}")
         if factor.is_constant():

@@ -17,7 +17,7 @@ from ..claim.domain import Domain, domain
 from ..claim.errors import CheckError
 from ..claim.evaluate import Point
 from ..claim.formulas import Formula, call, parse, total
-from ..claim.json_data import listed, text
+from ..claim.json_data import as_list, text
 from .accuracy import agree, with_precision
 from .change_of_variables import Change, PointPair, point_pairs, read_change, slopes_determinant
 from .proof import Condition
@@ -29,7 +29,7 @@ LAW, CONSISTENCY = "law", "consistency"
 
 def expressed_variables(data: object) -> tuple[tuple[str, str], ...]:
     """The variables that are expressed by others, with the texts of their formulas."""
-    parts = [listed(part, "a substitution") for part in listed(data or [], "a substitution")]
+    parts = [as_list(part, "a substitution") for part in as_list(data or [], "a substitution")]
     return tuple(
         sorted(
             (text(part[1], "a variable"), text(part[2], "a formula"))

@@ -140,7 +140,7 @@ class ModeIntegrator:
         # heyoka counts the parameters up to the last one that occurs in the formulas
         count = min(len(self.values), len(stepper.pars))
         stepper.pars[:count] = self.values[:count]
-        if self.code.watched:
+        if self.code.variable_guards:
             stepper.pars[count:] = self._event_scales(state)
             if stepper.time != time or not np.array_equal(stepper.state, state):
                 # heyoka is deaf for a while to an event that has just happened, but not elsewhere
@@ -160,7 +160,7 @@ class ModeIntegrator:
         code = int(outcome)
         guard = ""
         if code > _SUCCESS:
-            guard = self.system.guards[self.code.watched[-code - 1]].name
+            guard = self.system.guards[self.code.variable_guards[-code - 1]].name
         elif code != _TIME_LIMIT:
             guard = PAUSE if code == _STEP_LIMIT else "failure"
         samples = np.concatenate([first, values[1 : len(moments) - at_start + 1]])
@@ -194,7 +194,7 @@ class ModeIntegrator:
         stepper = self.stepper
         count = min(len(self.values), len(stepper.pars))
         stepper.pars[:count] = self.values[:count]
-        if self.code.watched:
+        if self.code.variable_guards:
             stepper.pars[count:] = self._event_scales(state)
             stepper.reset_cooldowns()
         stepper.time = time
@@ -208,7 +208,7 @@ class ModeIntegrator:
 
     def _event_scales(self, state: FloatArray) -> list[float]:
         """Powers of two that scale large guards to one."""
-        sizes = np.abs(self.guard_values(state)[list(self.code.watched)])
+        sizes = np.abs(self.guard_values(state)[list(self.code.variable_guards)])
         exponents = np.maximum(np.frexp(np.where(np.isfinite(sizes), sizes, 1.0))[1], 0)
         return list(np.ldexp(1.0, -exponents))
 

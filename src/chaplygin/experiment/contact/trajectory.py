@@ -67,9 +67,9 @@ class ContactTrajectory(Trajectory):
         """The kinds of events with their numbers, the most frequent first."""
         return dict(Counter(event.kind for event in self.changes).most_common())
 
-    def thinned(self, pieces: int) -> ContactTrajectory:
+    def subsample(self, pieces: int) -> ContactTrajectory:
         """Every `pieces`-th sample, and the last one."""
-        thin = super().thinned(pieces)
+        thin = super().subsample(pieces)
         assert isinstance(thin, ContactTrajectory)
         last = len(self.times) - 1
         return replace(thin, modes=self.modes[[*range(0, last, pieces), last]])

@@ -49,13 +49,13 @@ class Condition:
 
     Attributes
     ----------
-    written : sympy.Expr
+    paper_formula : sympy.Expr
         As it is written on paper.
     formula : sympy.Expr
         The same in state and parameters of the problem.
     """
 
-    written: sp.Expr
+    paper_formula: sp.Expr
     formula: sp.Expr
 
 
@@ -114,7 +114,7 @@ def _off_level(problem: Problem, level: Sequence[Condition]) -> _Obstacle:
 
 def _condition_text(problem: Problem, condition: Condition) -> str:
     """A condition by its formula, or by the integral that it is where the formula is long."""
-    written = text(condition.written)
+    written = text(condition.paper_formula)
     if len(written) <= SHORT:
         return f"{written} = 0"
     laws = [law for law in problem.system.integrals if problem.vanish(law.on, ROUNDED)]

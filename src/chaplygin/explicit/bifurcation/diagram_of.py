@@ -31,7 +31,7 @@ def diagram_of(problem: Problem) -> tuple[Diagram, tuple[float, float]] | None:
     if match is None or match.level:
         return None
     own = match.own
-    if match.known.name == "chaplygin-ball-area":
+    if match.known_system.name == "chaplygin-ball-area":
         return _with_area(problem, own.poles, own.roots[4], [c for _, c in own.constants[:3]])
     diagram = bifurcation_diagram(own, problem.parameters)
     symbols = own.system.symbols

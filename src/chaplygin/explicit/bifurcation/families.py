@@ -102,7 +102,7 @@ class IntegralPlane:
         e_i, in parameters; the i-th belongs to the body axis i.
     cofactor : formula
         In parameters, the symbols of the axes and :data:`Z`.
-    held : pairs of Symbol to float
+    fixed_parameters : pairs of Symbol to float
         Constants of the motion that the plane holds fixed, with the values they have by default.
     resting : str
         What a motion with νᵢ = 0 is, with a place for the number of the axis.
@@ -116,7 +116,7 @@ class IntegralPlane:
     poles: tuple[sp.Expr, sp.Expr, sp.Expr]
     cofactor: sp.Expr
     bounds: tuple[Bound, ...] = ()
-    held: tuple[tuple[sp.Symbol, float], ...] = ()
+    fixed_parameters: tuple[tuple[sp.Symbol, float], ...] = ()
     resting: str = UNSAID
 
 
@@ -185,7 +185,7 @@ def chaplygin_ball_with_area() -> IntegralPlane:
         poles=(poles[0], poles[1], poles[2]),
         cofactor=-4 * Z * ((2 * h * Z - f) * (Z - D) - D * g**2),
         bounds=(Bound(f - g**2, "motion with the momentum M vertical"),),
-        held=((f, 1.0),),
+        fixed_parameters=((f, 1.0),),
         resting=ROTATION,
     )
 
@@ -250,7 +250,7 @@ def numbers(
         If a name is unknown, a value is no number, or a held constant is not positive.
     """
     known = {str(s): (s, value) for s, value in plane.system.defaults.items()}
-    known |= {str(s): (s, value) for s, value in plane.held}
+    known |= {str(s): (s, value) for s, value in plane.fixed_parameters}
     values = dict(known.values())
     require_parameters(plane.name, known, given)
     for name, value in given.items():
@@ -261,7 +261,7 @@ def numbers(
         raise InputError(
             f"{plane.name}: the parameters must be numbers, decimal or rational"
         ) from problem
-    for symbol, _ in plane.held:
+    for symbol, _ in plane.fixed_parameters:
         if exact_values[symbol] <= 0:
             raise InputError(
                 f"{plane.name}: {symbol} = {exact_values[symbol]}: it must be positive"

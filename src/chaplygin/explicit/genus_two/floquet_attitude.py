@@ -120,7 +120,7 @@ def reduction(
     first = int(abs(V[1]) > abs(V[0]))
     speeds = (float(V[first]), float(V[1 - first]))
     # the phase that makes the turn comes first
-    waves = [f if first == 0 else f.transposed() for f in series(turning)]
+    waves = [f if first == 0 else f.transpose() for f in series(turning)]
     places = _PLACES[0]
     while True:
         planes = _turn_attitudes(waves, speeds, places)

@@ -75,7 +75,7 @@ class Lattice:
     Y: arb_mat
     halves: tuple[Integers, ...]
 
-    def normalised(self, pair: Pair) -> Pair:
+    def normalised_integrals(self, pair: Pair) -> Pair:
         """P⁻¹ applied to a pair of integrals."""
         return _matrix_product(self.inverse, pair)
 

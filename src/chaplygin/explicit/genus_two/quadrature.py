@@ -50,7 +50,7 @@ class Series:
     coefficients: ComplexArray
     grid: tuple[int, int]
 
-    def transposed(self) -> Series:
+    def transpose(self) -> Series:
         """The function with its two phases exchanged."""
         return Series(self.second, self.first, self.coefficients.T, self.grid[::-1])
 

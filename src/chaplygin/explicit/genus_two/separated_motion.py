@@ -10,7 +10,7 @@ from flint import arb
 
 from ...arguments import Written
 from ...core.system import flat_pairs
-from ...formulas.balls import Steps, Values, ball, ball_values, components, needed
+from ...formulas.balls import Steps, Values, ball, ball_values, components, needed_steps
 from ..base.exact_start import on_phase_space
 from .curve import Curve
 from .separation import SeparatedSystem, nu, nuprime
@@ -111,4 +111,4 @@ def chain(
     parameters = tuple(p.symbol for p in separable.system.parameters)
     constants = tuple(name for name, _ in separable.constants)
     arguments = (*nu.symbols, *nuprime.symbols, *parameters, *constants)
-    return arguments, needed(steps, formulas)
+    return arguments, needed_steps(steps, formulas)

@@ -169,8 +169,8 @@ def torus(
     start = divisor_of(nu, nuprime, poles, weights, speeds if along is None else along)
     ovals = (curve.oval_of(start.z[0]), curve.oval_of(start.z[1]))
     periods = lattice(curve, ovals)
-    V = periods.normalised((speeds[0], speeds[1]))
-    turning = V if along is None else periods.normalised((along[0], along[1]))
+    V = periods.normalised_integrals((speeds[0], speeds[1]))
+    turning = V if along is None else periods.normalised_integrals((along[0], along[1]))
     v_0 = _phases(
         periods,
         [
@@ -247,7 +247,7 @@ def _phases(periods: Lattice, angles: Sequence[arb]) -> Pair:
     for left, s in zip(periods.ovals, angles, strict=True):
         step = abelian(periods.curve, left, s)
         total = (total[0] + step[0], total[1] + step[1])
-    v = periods.normalised(total)
+    v = periods.normalised_integrals(total)
     halves = [periods.halves[left][0] for left in periods.ovals]
     return (
         v[0] + arb(halves[0][0] + halves[1][0]) / 2,

@@ -111,7 +111,7 @@ class Branch:
         self._signs = {}
         self._run(vector, rate, self._signs)
 
-    def continued(self, vector: Sequence[Affine], rate: Sequence[Affine]) -> list[Any]:
+    def values_on_boxes(self, vector: Sequence[Affine], rate: Sequence[Affine]) -> list[Any]:
         """Values on boxes, after :meth:`learn`; rests are infinite where a branch may be left.
 
         Where the rests are finite on boxes that cover the four tori Im v = (±r₁, ±r₂), every

@@ -66,7 +66,7 @@ def _values(
     half = 0.5 / boxes
     with np.errstate(all="ignore"):
         N, rate = Numerators(torus, heights).boxes(lines_of(counts, periods), (half, half))
-        return branch.continued(*direction(N, rate))
+        return branch.values_on_boxes(*direction(N, rate))
 
 
 def _bounds(

@@ -84,11 +84,11 @@ def _separation(
         """(det I_Q)^(1/2)."""
         return sp.sqrt(J.det() * (1 - d * dot(n, inverse * n)))
 
-    def drawn(vector: sp.MatrixExpr) -> sp.MatrixExpr:
+    def contact_inertia(vector: sp.MatrixExpr) -> sp.MatrixExpr:
         """I_Q u at n = ν."""
         return J * vector - d * dot(nu, vector) * nu
 
-    crossed = drawn(A * nu)
+    crossed = contact_inertia(A * nu)
     turning = cross(crossed, nuprime) / (dot(nu, crossed) * clock(nu))
     leading, roots = _roots(T / 2, d, lever)
     separable = SeparatedSystem(
@@ -108,7 +108,7 @@ def _separation(
         roots=(*inertia, *roots),
         speeds=(2 / e_3, T / e_3),
         clock=clock(nu),
-        state=((M, drawn(turning)), (normal, nu)),
+        state=((M, contact_inertia(turning)), (normal, nu)),
         fixed=(M,),
         source="§8.3, (8.1)–(8.4)",
     )

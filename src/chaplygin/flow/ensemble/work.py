@@ -112,7 +112,7 @@ class EnsembleWork:
             block = values(self.system, item.formulas, motions.states, parameters)
             arrays[item.name] = block if item.frame else block[..., 0]
         arrays["outcome"] = motions.outcome.astype(np.int8)
-        arrays |= {"ended": motions.ended, "steps": motions.steps}
+        arrays |= {"ended": motions.end_times, "steps": motions.steps}
         return {name: np.ascontiguousarray(array) for name, array in arrays.items()}
 
     def part(self, first: int, last: int) -> EnsembleWork:
@@ -136,9 +136,9 @@ class EnsembleWork:
                 f"{self.system.name}: starts are drawn, so only parameters can be given besides, "
                 f"not {', '.join(rows)}"
             )
-        return self._drawn(self.members.draw, varied, points), parameters, points
+        return self._random_starts(self.members.draw, varied, points), parameters, points
 
-    def _drawn(
+    def _random_starts(
         self, draw: SampledMembers, varied: Mapping[str, FloatArray], points: IntArray
     ) -> FloatArray:
         """Random starts by number, each on the level at its own parameters."""

@@ -113,11 +113,11 @@ class LevelSampler:
     measure: str
     invariant: bool
     _proposal: Proposal
-    _held: CompiledTerms
+    _held_terms: CompiledTerms
     _targets: FloatArray
     _slopes: CompiledTerms
     _density: CompiledTerms | None
-    _bound: float
+    _density_bound: float
     _tries: int
 
     def draw(self, count: int, *, seed: int = 0, first: int = 0) -> FloatArray:
@@ -158,7 +158,7 @@ class LevelSampler:
         )
         weighted_points = self._proposal.weighted_points(gauss[:many])
         density = self.density(weighted_points)
-        thresholds = self._bound * ndtr(gauss[many])
+        thresholds = self._density_bound * ndtr(gauss[many])
         # at most one point of a proposal is accepted, each with the frequency of its density
         rank = np.arange(weighted_points.which.size) - np.searchsorted(
             weighted_points.which, weighted_points.which
@@ -171,7 +171,7 @@ class LevelSampler:
             below = passed[throw] <= thresholds[throw]
             passed[throw] += density[here]
             hit[here] = below & (thresholds[throw] < passed[throw])
-        if (passed > self._bound).any():
+        if (passed > self._density_bound).any():
             raise self._beyond()
         accepted = np.flatnonzero(hit)
         owner, first = np.unique(weighted_points.which[accepted] // tries, return_index=True)
@@ -209,7 +209,7 @@ class LevelSampler:
     def _onto_level(self, states: FloatArray) -> FloatArray:
         """States moved onto the level along the shortest way, by Newton's method."""
         for _ in range(_NEWTON):
-            defect = self._held(states, self.parameters) - self._targets[:, None]
+            defect = self._held_terms(states, self.parameters) - self._targets[:, None]
             slopes = self._gradients(states)
             gram = slopes @ np.swapaxes(slopes, 1, 2)
             share = np.linalg.solve(gram, np.ascontiguousarray(defect.T)[:, :, None])
@@ -239,11 +239,11 @@ def level_sampler(
         measure=measure_label(law),
         invariant=law is not None,
         _proposal=proposal,
-        _held=CompiledTerms(conditions),
+        _held_terms=CompiledTerms(conditions),
         _targets=np.array([0.0] * len(system.relations) + [float(v) for v in level.values()]),
         _slopes=CompiledTerms([term for row in sheet.slopes(conditions) for term in row]),
         _density=density,
-        _bound=np.inf,
+        _density_bound=np.inf,
         _tries=1,
     )
     return _with_bound_on_density(blank)
@@ -338,10 +338,10 @@ def _with_bound_on_density(level: LevelSampler) -> LevelSampler:
         weighted_points = proposal.weighted_points(gauss)
         return weighted_points.places, level.density(weighted_points)
 
-    top, _ = maximise(proposal.fibration, height, proposal.perturbed, proposal.numbers)
+    top, _ = maximise(proposal.fibration, height, proposal.nearby_proposals, proposal.numbers)
     bound = _MARGIN * proposal.most * top
     trial = counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
     share = height(trial)[1].sum() / (_TRIAL * bound)
     # half of the attempts that a point takes on average, so that few are superfluous
     tries = int(np.clip(0.5 / max(share, 1 / _BATCH), 1, _BATCH))
-    return replace(level, _bound=bound, _tries=tries)
+    return replace(level, _density_bound=bound, _tries=tries)

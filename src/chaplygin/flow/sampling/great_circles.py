@@ -177,7 +177,7 @@ class GreatCircleProposal:
         states = np.ascontiguousarray(rays.states[:, real])
         return WeightedPoints(which[real], places[:, real], states, volume[real])
 
-    def perturbed(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
+    def nearby_proposals(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
         """Geodesics that begin at places made of `gauss` (y, k)."""
         return np.concatenate([gauss, fresh[self.fibration.numbers :]])
 

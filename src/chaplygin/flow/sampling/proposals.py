@@ -60,7 +60,7 @@ class Proposal(Protocol):
     def weighted_points(self, gauss: FloatArray) -> WeightedPoints:
         """The points of proposals (numbers, k)."""
 
-    def perturbed(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
+    def nearby_proposals(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
         """Proposals near the points of `gauss` (y, k), with fresh numbers (numbers, k)."""
 
 
@@ -89,7 +89,7 @@ class RayProposal:
         states = np.ascontiguousarray(rays.states[:, real])
         return WeightedPoints(real, places[:, real], states, rays.volume[real])
 
-    def perturbed(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
+    def nearby_proposals(self, gauss: FloatArray, fresh: FloatArray) -> FloatArray:
         """The normal numbers themselves, unchanged."""
         return gauss
 

@@ -93,7 +93,7 @@ class Returns:
             "time": crossed.times,
             "points": crossed.counts.astype("int64"),
             "outcome": crossed.outcome.astype("int64"),
-            "ended": crossed.ended,
+            "ended": crossed.end_times,
         }
         system = self.returns.system
         flat = crossed.states.reshape(-1, self.returns.size)

@@ -66,7 +66,7 @@ class SmoothSurface(ABC):
         """1 outside, −1 inside."""
         return 1 if self.side == "outside" else -1
 
-    def turned(self, point: Point) -> Point:
+    def own_coordinates(self, point: Point) -> Point:
         """Coordinates along the surface's own axes."""
         first = {"z": 0, "x": 1, "y": 2}[self.axis]
         return (*point[first:], *point[:first])
@@ -76,12 +76,12 @@ class SmoothSurface(ABC):
 
         None if that surface has no simple equation; there always is one for `offset` zero.
         """
-        level = self.level(self.turned(point), self.sign * offset)
+        level = self.level(self.own_coordinates(point), self.sign * offset)
         return None if level is None else self.sign * level
 
     def domain(self, point: Point) -> tuple[Guard, ...]:
         """`guards` in space axes."""
-        return self.guards(self.turned(point))
+        return self.guards(self.own_coordinates(point))
 
 
 def _number(symbol: sp.Symbol, meaning: str, value: float) -> Parameter:

@@ -141,8 +141,8 @@ def _admissible(forms: Sequence[Sequence[sp.Expr]], width: int) -> list[list[sp.
             break
         lead = rows[row][column]
         chosen = [sp.cancel(entry / lead) for entry in rows.pop(row)]
-        pivots = [(c, _eliminated(other, chosen, column)) for c, other in pivots]
-        rows = [_eliminated(other, chosen, column) for other in rows]
+        pivots = [(c, _row_after_elimination(other, chosen, column)) for c, other in pivots]
+        rows = [_row_after_elimination(other, chosen, column) for other in rows]
         pivots.append((column, chosen))
     pivot_columns = {c for c, _ in pivots}
     solutions = []
@@ -154,7 +154,7 @@ def _admissible(forms: Sequence[Sequence[sp.Expr]], width: int) -> list[list[sp.
     return solutions
 
 
-def _eliminated(row: list[sp.Expr], pivot: list[sp.Expr], column: int) -> list[sp.Expr]:
+def _row_after_elimination(row: list[sp.Expr], pivot: list[sp.Expr], column: int) -> list[sp.Expr]:
     factor = row[column]
     if factor == 0:
         return row

@@ -71,14 +71,14 @@ class ConfigurationSpace:
         return angles((*self.formulas, *self.relations), dict(self.steps))
 
     @cached_property
-    def written(self) -> tuple[sp.Expr, ...]:
+    def expanded_relations(self) -> tuple[sp.Expr, ...]:
         """The relations with the definitions written out."""
         return tuple(expand(r, self.steps) for r in self.relations)
 
     @cached_property
     def blocks(self) -> list[Block]:
         """Spheres among the relations."""
-        return _blocks(self.written, set(self.coordinates))
+        return _blocks(self.expanded_relations, set(self.coordinates))
 
 
 @dataclass(frozen=True)
@@ -179,7 +179,7 @@ def _point_attempt(
     formal = False
     for symbol, value in fixed.items():
         if value.has(sp.pi):
-            values[symbol] = numbers.drawn(dice)
+            values[symbol] = numbers.random_number(dice)
         else:
             values[symbol] = plain.series(value).value
         shown[symbol] = value
@@ -194,11 +194,11 @@ def _point_attempt(
         ):
             values |= _rows(vectors, known.series(formula).value, numbers, dice)
     trial = _Trial(space, numbers, values, circles, dice)
-    for relation in space.written:
+    for relation in space.expanded_relations:
         trial.impose(relation)
     for symbol in (*space.coordinates, *space.free):
-        trial.values.setdefault(symbol, numbers.drawn(dice))
-    trial.check(space.written, bool(fixed))
+        trial.values.setdefault(symbol, numbers.random_number(dice))
+    trial.check(space.expanded_relations, bool(fixed))
     for s in space.coordinates:
         value = trial.values[s]
         if isinstance(value, fmpq):
@@ -230,7 +230,7 @@ def _circle(
             exact = (sp.sin(angle), sp.cos(angle))
             if not any(value.has(sp.sin, sp.cos) for value in exact):
                 return (plain.series(exact[0]).value, plain.series(exact[1]).value), False
-    t = plain.numbers.drawn(dice)
+    t = plain.numbers.random_number(dice)
     if core.is_Symbol and core not in constants and core not in fixed and plain.numbers.exact:
         shown[core] = 2 * n * sp.atan(sp.Rational(int(t.p), int(t.q)))
     below = 1 + t * t
@@ -283,7 +283,7 @@ def _rows(
             for s, x in zip(v, row, strict=True)
         }
     (own,) = vectors
-    free = [numbers.drawn(dice) for _ in own[1:]]
+    free = [numbers.random_number(dice) for _ in own[1:]]
     total = sum((x * x for x in free), numbers.number(0))
     first = (1 - total) / (1 + total)
     others = [2 * x / (1 + total) for x in free]
@@ -292,7 +292,7 @@ def _rows(
 
 def _rotation(numbers: Numbers, dice: random.Random) -> list[list[FieldElement]]:
     """The matrix of a quaternion drawn at random."""
-    w, x, y, z = (numbers.drawn(dice) for _ in range(4))
+    w, x, y, z = (numbers.random_number(dice) for _ in range(4))
     n = w * w + x * x + y * y + z * z
     rows = [
         [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -339,7 +339,7 @@ class _Trial:
         main = min(moving or [s for s in open_ if s in degrees], key=lambda s: degrees[s])
         for s in open_:
             if s != main:
-                self.values[s] = self.numbers.drawn(self.dice)
+                self.values[s] = self.numbers.random_number(self.dice)
         parts = self._series(relation, (main,), degrees[main]).parts
         self.values[main] = self.numbers.zero_of([self._coefficient(part) for part in parts])
 

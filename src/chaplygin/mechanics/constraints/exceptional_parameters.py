@@ -120,7 +120,7 @@ def _vanishing(
     wanted = 8
     while wanted <= SAMPLES:
         while len(samples) < wanted:
-            value = numbers.drawn(dice)
+            value = numbers.random_number(dice)
             samples.append((value, _pivots(admissible, place, parameter, value)))
         numerators = [
             _numerator([(p, row[i]) for p, row in samples], numbers.prime)

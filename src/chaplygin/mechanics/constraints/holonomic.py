@@ -93,7 +93,7 @@ def constants(
             break
         search = _Search(distribution, free, wide=True) if wide else narrow
         if search.count(degree) <= MONOMIALS:
-            chosen = search.extended(degree, many, chosen)
+            chosen = search.extension(degree, many, chosen)
     return chosen
 
 
@@ -153,7 +153,7 @@ class _Search:
                     return []
         return points[:many]
 
-    def extended(
+    def extension(
         self, degree: int, many: int, chosen: tuple[Constancy, ...]
     ) -> tuple[Constancy, ...]:
         """The functions chosen already, and more of them."""

@@ -73,7 +73,7 @@ class Bundle:
             sections.append(section)
         return sections
 
-    def moved(self, section: Section) -> dict[int, Series]:
+    def coordinate_rates(self, section: Section) -> dict[int, Series]:
         """The rates of the coordinates along a section by components of the frame."""
         rates: dict[int, Series] = {}
         for entry, field in zip(section, self.anchor, strict=True):
@@ -87,13 +87,13 @@ class Bundle:
         """Components of the frame as components in which brackets are taken."""
         if self.constants is not None:
             return section
-        rates = self.moved(section)
+        rates = self.coordinate_rates(section)
         return [rates.get(q, self.zero) for q in range(self.size)]
 
     def rates(self, section: Section) -> dict[int, Series]:
         """The rates of the coordinates along a section."""
         if self.constants is not None:
-            return self.moved(section)
+            return self.coordinate_rates(section)
         return {q: value for q, value in enumerate(section) if not value.is_zero}
 
     def bracket(self, left: Section, right: Section) -> Section:
@@ -230,7 +230,9 @@ def values_at(
     bundle = Bundle(distribution, germs)
     zero = place.numbers.number(0)
     columns = [slopes(germs, letter) for letter in letters]
-    moved = [{q: v.value for q, v in bundle.moved(u).items()} for u in bundle.admissible()]
+    moved = [
+        {q: v.value for q, v in bundle.coordinate_rates(u).items()} for u in bundle.admissible()
+    ]
     return Values(
         germs,
         [germs.series(letter).value for letter in letters],

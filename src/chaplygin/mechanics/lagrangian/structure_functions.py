@@ -59,7 +59,7 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
         dimensions, or if `Frame.structure` names no pair of velocities.
     """
     if frame.structure is not None:
-        return _prescribed(frame, owner)
+        return _stated_coefficients(frame, owner)
     constant = all(entry.is_number for entry in frame.matrix) and frame.matrix.is_square
     if constant and not frame.relations:
         if frame.matrix.det() == 0:
@@ -103,7 +103,7 @@ def check_structure(frame: Frame, owner: str = "frame") -> None:
     InputError
         If they break the identity of Jacobi, or differ from the commutators on the coordinates.
     """
-    coefficients = _prescribed(frame, owner)
+    coefficients = _stated_coefficients(frame, owner)
     points = samples(owner, frame)
     size = range(len(frame.w))
     fields = [frame.field(i) for i in size]
@@ -139,7 +139,7 @@ def check_structure(frame: Frame, owner: str = "frame") -> None:
                 )
 
 
-def _prescribed(frame: Frame, owner: str) -> Coefficients:
+def _stated_coefficients(frame: Frame, owner: str) -> Coefficients:
     place = {s: i for i, s in enumerate(frame.w)}
     coefficients: dict[tuple[int, int, int], sp.Expr] = {}
     for pair, row in frame.structure or ():

@@ -135,7 +135,7 @@ def _form(
     original = _original(mechanism, here, up)
     system = chaplygin_system(mechanism, here, up.constants, parts, potential, multiplier)
     extended = with_carried_coordinates(system, here, parts, original)
-    way_back = motion_law(here, parts, original, up.levelled)
+    way_back = motion_law(here, parts, original, up.level_expressions)
     if extended is None:
         system = system.with_laws(way_back)
     else:

@@ -52,7 +52,7 @@ def closed_forms(
     u = lift.base.motion.velocities
     size = len(u)
     K = Formulas(list(lift.matrix), owner).at(place, one)
-    known = Formulas(list(lift.known), owner).at(place, one)
+    known = Formulas(list(lift.right_side), owner).at(place, one)
     solve = inverse([K[i : i + size] for i in range(0, len(K), size)], one)
     y = product(solve, known)
     at_rest = {**place, **dict(zip(u, y, strict=True))}

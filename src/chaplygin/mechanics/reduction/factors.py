@@ -121,7 +121,7 @@ def natural_factors(
         return [values[i : i + formulas.cols] for i in range(0, len(values), formulas.cols)]
 
     determinants = [determinant(matrix(lift.matrix))]
-    tied = matrix(lift.tied) if lift.tied.rows else []
+    tied = matrix(lift.constraint_rows) if lift.constraint_rows.rows else []
     for form in forms:
         rows = matrix(form)
         determinants.append(determinant(rows))

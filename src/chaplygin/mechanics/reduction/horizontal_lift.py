@@ -49,7 +49,7 @@ class Quadratic:
     slope: sp.Matrix
     rate: sp.Matrix
 
-    def scaled(self, factor: sp.Expr) -> Quadratic:
+    def multiple(self, factor: sp.Expr) -> Quadratic:
         """A multiple."""
         return Quadratic(
             factor * self.value,
@@ -106,7 +106,7 @@ class Lift:
     base : Base
     matrix : Matrix
         K: the rows of ρ, of the integrals ℓ, and of C.
-    known : Matrix
+    right_side : Matrix
         The column (0, 0, c − ℓ₀, 0).
     integrals : tuple of Linear
         The linear integrals, in the coordinates of the mechanism.
@@ -116,7 +116,7 @@ class Lift:
 
     base: Base
     matrix: sp.Matrix
-    known: sp.Matrix
+    right_side: sp.Matrix
     integrals: tuple[Linear, ...]
     levels: tuple[sp.Expr, ...]
 
@@ -126,13 +126,13 @@ class Lift:
         return tuple(c for c in self.levels if isinstance(c, sp.Symbol))
 
     @property
-    def levelled(self) -> tuple[sp.Expr, ...]:
+    def level_expressions(self) -> tuple[sp.Expr, ...]:
         """Expressions that vanish on the level, in the mechanism's coordinates."""
         pairs = zip(self.integrals, self.levels, strict=True)
         return tuple(integral.value - level for integral, level in pairs)
 
     @property
-    def tied(self) -> sp.Matrix:
+    def constraint_rows(self) -> sp.Matrix:
         """The rows of ℓ and C."""
         return self.matrix[2:, :]
 
@@ -195,7 +195,7 @@ class Local:
         parts: list[sp.Expr] = []
         for matrix in (self.lift.matrix, form):
             parts += [*matrix, *matrix.diff(q[0]), *matrix.diff(q[1])]
-        parts += [*self.lift.known, *self.integral.slope.xreplace(still)]
+        parts += [*self.lift.right_side, *self.integral.slope.xreplace(still)]
         return Formulas(parts, self.owner)
 
     @cached_property

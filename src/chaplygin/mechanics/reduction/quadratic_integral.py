@@ -77,7 +77,7 @@ def energy_like_integral(
     known = [first, *others]
     parts = _LinearParts([Local(lift, each, owner) for each in known])
     for chosen in solutions(mechanism, base, parts, len(known)):
-        combined = [known[i].scaled(factor) for i, factor in chosen.items()]
+        combined = [known[i].multiple(factor) for i, factor in chosen.items()]
         total = combined[0]
         for each in combined[1:]:
             total = total + each

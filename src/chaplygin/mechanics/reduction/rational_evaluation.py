@@ -224,38 +224,38 @@ class Quotient:
         lead = below.leading_coefficient()
         self.above, self.below = above / lead, below / lead
 
-    def _lifted(self, other: Any) -> Quotient:
+    def _as_quotient(self, other: Any) -> Quotient:
         if isinstance(other, Quotient):
             return other
         home = self.above.context()
         return Quotient(home.constant(other), home.constant(1))
 
     def __add__(self, other: Any) -> Quotient:
-        o = self._lifted(other)
+        o = self._as_quotient(other)
         if self.below == o.below:
             return Quotient(self.above + o.above, self.below)
         return Quotient(self.above * o.below + o.above * self.below, self.below * o.below)
 
     def __mul__(self, other: Any) -> Quotient:
-        o = self._lifted(other)
+        o = self._as_quotient(other)
         return Quotient(self.above * o.above, self.below * o.below)
 
     def __truediv__(self, other: Any) -> Quotient:
-        o = self._lifted(other)
+        o = self._as_quotient(other)
         return Quotient(self.above * o.below, self.below * o.above)
 
     def __neg__(self) -> Quotient:
         return self * -1
 
     def __sub__(self, other: Any) -> Quotient:
-        opposite: Quotient = -self._lifted(other)
+        opposite: Quotient = -self._as_quotient(other)
         return self + opposite
 
     def __rsub__(self, other: Any) -> Quotient:
-        return self._lifted(other) - self
+        return self._as_quotient(other) - self
 
     def __rtruediv__(self, other: Any) -> Quotient:
-        made: Quotient = self._lifted(other) / self
+        made: Quotient = self._as_quotient(other) / self
         return made
 
     def __pow__(self, exponent: int) -> Quotient:

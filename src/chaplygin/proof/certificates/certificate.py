@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from ...check import FORMAT, BadInputError, CheckError, check
-from ...check.certificate_points import located
+from ...check.certificate_points import point_of_level
 from ...check.claim.claim import Claim as CheckedClaim, read_claim
 from ...check.claim.formulas import name, parse_condition
 from ...core.laws import Law
@@ -120,7 +120,7 @@ def _sample(system: System, law: Law, read: CheckedClaim) -> Text:
 
 def _is_located(read: CheckedClaim, point: Text) -> bool:
     try:
-        located(read, point)
+        point_of_level(read, point)
     except CheckError:
         return False
     return True
@@ -135,7 +135,7 @@ def _proofs(
     budget: Budget,
 ) -> list[Text]:
     level = LevelSet(system, law.on)
-    numbers = located(read, sample)
+    numbers = point_of_level(read, sample)
     point = {str(s): float(numbers(name(str(s))).mid()) for s in level.generators}
     conditions = [
         (words, parse_condition(words, "a condition")[0][0]) for words in verdict.formulas

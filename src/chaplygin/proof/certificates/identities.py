@@ -57,7 +57,9 @@ def proof_text(setting: ProofSetting, excluded: Excluded, decided: bool) -> Text
             [str(e.name), str(e.factor), str(e.parameter), str(e.rest)]
             for e in level.swapped_generators
         ],
-        "inverted": [[[str(s) for s in i.name], [str(s) for s in i.of]] for i in level.inverted],
+        "inverted": [
+            [[str(s) for s in i.name], [str(s) for s in i.of]] for i in level.exchanged_inverses
+        ],
         "zeros": [str(zero) for zero in level.zeros],
         "signs": [[setting.terms(poly), sign] for poly, sign in assumed],
         "near": _point_text(setting),

@@ -96,13 +96,15 @@ class ProofSetting:
 
     def states(self, formula: Formula, poly: Poly) -> bool:
         """Whether a formula of the check vanishes or is positive where a polynomial is."""
-        value = self.level.evaluator(self.field).value(sympy_formula(formula, self.level.named))
+        value = self.level.evaluator(self.field).value(
+            sympy_formula(formula, self.level.symbols_by_name)
+        )
         own = numerator(self.field, value)
         return bool(own) and monic(own)[0] == monic(poly)[0]
 
     def product(self, element: Element) -> tuple[fmpq, list[tuple[Poly, int]]]:
         """Content, and factors with their powers, of an element."""
-        content, parts = self.field.factorised(element.poly)
+        content, parts = self.field.factorisation(element.poly)
         total = dict(element.powers)
         for number, power in parts:
             total[number] = total.get(number, 0) + power

@@ -65,7 +65,7 @@ def _reasons(setting: ProofSetting, equations: Sequence[Poly]) -> Reasons:
         if positive:
             reasons.learn(field.generators[name], 1)
             reasons.nonzero.add(monic(field.generators[name])[0])
-    for inversion in level.inverted:
+    for inversion in level.exchanged_inverses:
         a, b, c, d, e, f = (field.generators[str(s)] for s in inversion.name)
         determinant = a * (d * f - e * e) + b * (c * e - b * f) + c * (b * e - c * d)
         reasons.nonzero.add(monic(determinant)[0])

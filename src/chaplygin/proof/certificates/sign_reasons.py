@@ -64,7 +64,7 @@ class Reasons:
     nonzero: set[str] = field(default_factory=set)
     divisors: list[Poly] = field(default_factory=list)
     #: Strict signs by key, once they are known.
-    known: dict[str, int] = field(default_factory=dict)
+    known_signs: dict[str, int] = field(default_factory=dict)
     #: Sums that show them, in the order in which they were found.
     sums: list[Sum] = field(default_factory=list)
     _open: set[str] = field(default_factory=set)
@@ -78,7 +78,7 @@ class Reasons:
     def learn(self, poly: Poly, sign: int) -> None:
         """A sign that is known or assumed."""
         key, lead = monic(poly)
-        self.known[key] = sign * lead
+        self.known_signs[key] = sign * lead
         self._unknown.clear()
 
     def is_nonzero(self, poly: Poly) -> bool:
@@ -92,8 +92,8 @@ class Reasons:
         if poly.is_constant():
             return 0 if not poly else 1 if poly.leading_coefficient() > 0 else -1
         key, lead = monic(poly)
-        if key in self.known:
-            return self.known[key] * lead
+        if key in self.known_signs:
+            return self.known_signs[key] * lead
         if key in self._open or key in self._unknown or len(poly) > MANY:
             return 0
         self._open.add(key)
@@ -105,8 +105,8 @@ class Reasons:
             self._unknown.add(key)
             return 0
         self.sums.append(total)
-        self.known[key] = monic(total.poly)[1]
-        return self.known[key] * lead
+        self.known_signs[key] = monic(total.poly)[1]
+        return self.known_signs[key] * lead
 
     def _sum_of(self, poly: Poly) -> Sum | None:
         key = monic(poly)[0]
@@ -136,7 +136,7 @@ class Reasons:
                 if not exponent:
                     continue
                 generator = self.ring.gen(i)
-                sign = self.known.get(monic(generator)[0], 0)
+                sign = self.known_signs.get(monic(generator)[0], 0)
                 if sign:
                     weights.append((generator if sign > 0 else -generator, exponent))
                     number = number if sign > 0 or exponent % 2 == 0 else -number

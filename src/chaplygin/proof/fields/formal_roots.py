@@ -61,7 +61,7 @@ class FormalRoots(FunctionField):
         return Element(self, self._new(key, words, lambda: 1.0, positive=True), {})
 
     def _new_root(self, element: Element, degree: int) -> Element:
-        content, parts = self.factorised(self.reduce(element.poly))
+        content, parts = self.factorisation(self.reduce(element.poly))
         powers = dict(element.powers)
         for number, power in parts:
             powers[number] = powers.get(number, 0) + power
@@ -83,5 +83,5 @@ class FormalRoots(FunctionField):
             ("formal root", len(self._formal)), f"({inner})^(1/{degree})", lambda: 1.0
         )
         self.impose(str(symbol), symbol**degree - inner)
-        self._root_of[self.named(symbol)] = (content, left, degree)
+        self._root_of[self.factor_number(symbol)] = (content, left, degree)
         return Element(self, symbol, whole)

@@ -106,14 +106,14 @@ class FunctionField(QuotientRing):
                 self.sample[name] = _number_or(value)
         return self._auxiliary[key]
 
-    def shown(self, poly: Poly) -> str:
+    def readable_polynomial(self, poly: Poly) -> str:
         """A polynomial for a reader, with what its auxiliary symbols stand for."""
         words = str(poly)
         while used := [n for n in self.meanings if re.search(rf"\b{n}\b", words)]:
             words = re.sub(rf"\b{used[-1]}\b", lambda _: f"({self.meanings[used[-1]]})", words)
         return words
 
-    def tidied(self, element: Element) -> Element:
+    def preferred_form(self, element: Element) -> Element:
         """Powers of a root written as powers of what it is a root of, where they are."""
         if not any(n in self._root_of for n in element.powers):
             return element
@@ -155,7 +155,7 @@ class FunctionField(QuotientRing):
 
         What is raised is positive itself wherever the power is real and smooth.
         """
-        content, parts = self.factorised(self.reduce(element.poly))
+        content, parts = self.factorisation(self.reduce(element.poly))
         total: dict[int, int] = dict(element.powers)
         for number, power in parts:
             total[number] = total.get(number, 0) + power
@@ -278,7 +278,11 @@ class FunctionField(QuotientRing):
         self._roots[str(symbol)] = (base, degree)
         if not base.is_constant():
             lead = base.leading_coefficient()
-            self._root_of[self.named(symbol)] = (lead, ((self.named(base / lead), 1),), degree)
+            self._root_of[self.factor_number(symbol)] = (
+                lead,
+                ((self.factor_number(base / lead), 1),),
+                degree,
+            )
         return Element(self, symbol, {})
 
     def exponential(self, element: Element) -> Element:
@@ -289,7 +293,7 @@ class FunctionField(QuotientRing):
             for ratio in MULTIPLES:
                 if self.vanishes(element - self.rational(ratio) * argument):
                     return self.root(known, int(ratio.q)) ** int(ratio.p)
-        value = self.known("exp", [element])
+        value = self.function_value("exp", [element])
         self._exponentials.append((element, value))
         return value
 
@@ -310,7 +314,7 @@ class FunctionField(QuotientRing):
         symbol = self._new(("pi",), "pi", lambda: math.pi, positive=True)
         return Element(self, symbol, {})
 
-    def known(self, name: str, arguments: Sequence[Element]) -> Element:
+    def function_value(self, name: str, arguments: Sequence[Element]) -> Element:
         """A value of a function such as the logarithm, of which only derivatives are known."""
         keys = tuple(map(self._key, arguments))
         value = getattr(math, name)
@@ -322,7 +326,7 @@ class FunctionField(QuotientRing):
         )
         return Element(self, symbol, {})
 
-    def unspecified(
+    def unspecified_value(
         self, function: str, orders: Sequence[int], arguments: Sequence[Element]
     ) -> Element:
         """A value of an unspecified function, or of one of its partial derivatives."""

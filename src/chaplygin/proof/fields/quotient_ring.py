@@ -93,9 +93,9 @@ class QuotientRing:
                 powers[number] = total
             else:
                 del powers[number]
-        return self.tidied(Element(self, self.product(first.poly, second.poly), powers))
+        return self.preferred_form(Element(self, self.product(first.poly, second.poly), powers))
 
-    def tidied(self, element: Element) -> Element:
+    def preferred_form(self, element: Element) -> Element:
         """An element in the form preferred; here as it is."""
         return element
 
@@ -160,28 +160,28 @@ class QuotientRing:
         """Reciprocal; ZeroDivisionError if the element vanishes modulo the relations."""
         if self.vanishes(element):
             raise ZeroDivisionError
-        content, parts = self.factorised(element.poly)
+        content, parts = self.factorisation(element.poly)
         powers = {number: -power for number, power in element.powers.items()}
         for number, power in parts:
             powers[number] = powers.get(number, 0) - power
         nonzero = {number: power for number, power in powers.items() if power}
-        return self.tidied(Element(self, self.ring.constant(1 / content), nonzero))
+        return self.preferred_form(Element(self, self.ring.constant(1 / content), nonzero))
 
-    def factorised(self, poly: Poly) -> tuple[fmpq, list[tuple[int, int]]]:
+    def factorisation(self, poly: Poly) -> tuple[fmpq, list[tuple[int, int]]]:
         """Content and named factors with their powers."""
         if poly.is_constant():
             return poly.leading_coefficient(), []
         if len(poly) > FACTORED_UP_TO:
-            return fmpq(1), [(self.named(poly), 1)]
+            return fmpq(1), [(self.factor_number(poly), 1)]
         content, parts = poly.factor()
         named = []
         for part, power in parts:
             lead = part.leading_coefficient()
             content *= lead ** int(power)
-            named.append((self.named(part / lead), int(power)))
+            named.append((self.factor_number(part / lead), int(power)))
         return content, named
 
-    def named(self, poly: Poly) -> int:
+    def factor_number(self, poly: Poly) -> int:
         """The number under which a factor is known."""
         key = str(poly)
         if key not in self._factor_numbers:

@@ -41,7 +41,7 @@ class Signs:
 
     Parameters
     ----------
-    known : mapping of str to Sign
+    symbol_signs : mapping of str to Sign
         Signs of generators.
     facts : sequence of (polynomial, Sign)
         Further polynomials with a known sign.
@@ -52,14 +52,14 @@ class Signs:
     """
 
     ring: fmpq_mpoly_ctx
-    known: Mapping[str, Sign]
+    symbol_signs: Mapping[str, Sign]
     facts: Sequence[tuple[Poly, Sign]] = ()
     nonzero: Sequence[Poly] = ()
     conditions: Sequence[Poly] = ()
 
     def with_positive(self, name: str) -> Signs:
         """The signs, with one more positive generator."""
-        return replace(self, known={**self.known, name: Sign.POSITIVE})
+        return replace(self, symbol_signs={**self.symbol_signs, name: Sign.POSITIVE})
 
     def of(self, poly: Poly) -> Sign:
         """The sign of a polynomial wherever the facts and the conditions hold."""
@@ -120,7 +120,7 @@ class Signs:
         for index, exponent in enumerate(exponents):
             if not exponent:
                 continue
-            own = self.known.get(self.ring.name(index), Sign.UNKNOWN)
+            own = self.symbol_signs.get(self.ring.name(index), Sign.UNKNOWN)
             if abs(own) != Sign.POSITIVE:
                 base = base * self.ring.gen(index)
             if exponent % 2:

@@ -101,20 +101,21 @@ class UnreducedField(FunctionField):
             Meaning("", (angle,)), lambda: super(UnreducedField, self).circle(angle)
         )
 
-    def known(self, name: str, arguments: Sequence[Element]) -> Element:
+    def function_value(self, name: str, arguments: Sequence[Element]) -> Element:
         """A value of a function of which only derivatives are known."""
         return self._with_meaning(
             Meaning("known", tuple(arguments), name),
-            lambda: super(UnreducedField, self).known(name, arguments),
+            lambda: super(UnreducedField, self).function_value(name, arguments),
         )
 
-    def unspecified(
+    def unspecified_value(
         self, function: str, orders: Sequence[int], arguments: Sequence[Element]
     ) -> Element:
         """A value of an unspecified function."""
         meaning = Meaning("function", tuple(arguments), function, orders=tuple(orders))
         return self._with_meaning(
-            meaning, lambda: super(UnreducedField, self).unspecified(function, orders, arguments)
+            meaning,
+            lambda: super(UnreducedField, self).unspecified_value(function, orders, arguments),
         )
 
     def _root(self, base: Poly, degree: int) -> Element:
@@ -134,7 +135,7 @@ class UnreducedFormal(UnreducedField, FormalRoots):
     """An unreduced field with roots that are not split."""
 
     def _new_root(self, element: Element, degree: int) -> Element:
-        content, parts = self.factorised(self.reduce(element.poly))
+        content, parts = self.factorisation(self.reduce(element.poly))
         powers = dict(element.powers)
         for number, power in parts:
             powers[number] = powers.get(number, 0) + power

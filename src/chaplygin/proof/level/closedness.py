@@ -111,7 +111,7 @@ def _rates(law: Reduction, level: LevelSet) -> _Rates:
             formula = formula.xreplace({r: rate_of(r.args[0]) for r in rates})
         return formula
 
-    equations = tuple(with_symbols(level.expanded(to_components(e))) for e in law.equations)
+    equations = tuple(with_symbols(level.expand(to_components(e))) for e in law.equations)
     seen = {s for e in equations for s in e.free_symbols}
     moving = {s for s in seen if s in variables}
     # a rate that occurs alone stands for its variable
@@ -155,7 +155,7 @@ def _identity_rows(
     for symbol, formula in quantities.items():
         if symbol in own:
             others = {s: f for s, f in quantities.items() if s not in own}
-            with_symbols = level.expanded(expand(formula, others))
+            with_symbols = level.expand(expand(formula, others))
             if _within(with_symbols, own, quantities, level):
                 yield _derivatives(symbol - with_symbols, rates)
     for condition in level.moving:

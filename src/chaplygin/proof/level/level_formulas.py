@@ -124,7 +124,7 @@ class LevelFormulas:
         return reached
 
     @cached_property
-    def inverted(self) -> tuple[Inversion, ...]:
+    def exchanged_inverses(self) -> tuple[Inversion, ...]:
         """Inverses of full symmetric tensors whose entries are exchanged."""
         names = {e.name for e in self.swapped_generators}
         inversions = []
@@ -138,7 +138,7 @@ class LevelFormulas:
     @cached_property
     def generators(self) -> tuple[sp.Symbol, ...]:
         """Independent symbols: state and parameters, some of them exchanged."""
-        inverse = {j: a for i in self.inverted for a, j in zip(i.name, i.of, strict=True)}
+        inverse = {j: a for i in self.exchanged_inverses for a, j in zip(i.name, i.of, strict=True)}
         instead = {e.parameter: inverse.get(e.name, e.name) for e in self.swapped_generators}
         return tuple(instead.get(s, s) for s in self.symbols if s not in self.fixed_parameters)
 
@@ -148,7 +148,7 @@ class LevelFormulas:
         return (*self.system.symbols, *(p.symbol for p in self.system.parameters))
 
     @cached_property
-    def named(self) -> dict[str, sp.Symbol]:
+    def symbols_by_name(self) -> dict[str, sp.Symbol]:
         """State, parameters and definitions by name."""
         return {str(s): s for s in (*self.symbols, *self._definitions)}
 
@@ -164,7 +164,7 @@ class LevelFormulas:
         """The conditions that involve the state, in terms of state and parameters alone."""
         state = set(self.system.symbols)
         conditions = self.parent if self.inner and self.parent else self.conditions
-        expanded = (self.expanded(c) for c in conditions)
+        expanded = (self.expand(c) for c in conditions)
         return tuple(c for c in expanded if c.free_symbols & state)
 
     @cached_property
@@ -172,7 +172,7 @@ class LevelFormulas:
         """Values of unspecified functions that the conditions say are zero."""
         return tuple(c for c in self.conditions if isinstance(c, AppliedUndef))
 
-    def expanded(self, formula: sp.Expr) -> sp.Expr:
+    def expand(self, formula: sp.Expr) -> sp.Expr:
         """A formula in which the definitions are written out."""
         return expand(formula, self.steps)
 
@@ -203,7 +203,7 @@ class LevelFormulas:
         """Values alone."""
         seed = self._seeds(field, set(self.generators) - set(self.steps))
         return Evaluator(
-            field, seed, self.steps, self.swapped_generators, self.zeros, self.inverted
+            field, seed, self.steps, self.swapped_generators, self.zeros, self.exchanged_inverses
         )
 
     @staticmethod
@@ -239,7 +239,7 @@ class LevelFormulas:
                 return known
             return Jet(known.value, slopes(symbol))
 
-        more = (self.steps, self.swapped_generators, self.zeros, self.inverted, moving)
+        more = (self.steps, self.swapped_generators, self.zeros, self.exchanged_inverses, moving)
         return Evaluator(plain.field, seed, *more)
 
 

@@ -123,8 +123,8 @@ class LevelFractions(LevelFormulas):
                 own = sign if poly.leading_coefficient() > 0 else Sign(-sign)
                 known[name] = max(known.get(name, own), own, key=abs)
             facts.append((poly, sign))
-            field.signs = Signs(field.ring, {**field.signs.known, **known}, facts, nonzero)
-        known = {**field.signs.known, **known}
+            field.signs = Signs(field.ring, {**field.signs.symbol_signs, **known}, facts, nonzero)
+        known = {**field.signs.symbol_signs, **known}
         return Signs(field.ring, known, facts, nonzero, conditions)
 
     @cached_property

@@ -24,7 +24,7 @@ class Claim:
         Formulas whose zeros the claim leaves aside.
     circles : tuple of (angle, sine, cosine, unit)
         Angles whose multiples by their unit have become sine and cosine.
-    expressed : tuple of (Symbol, Expr)
+    expressions : tuple of (Symbol, Expr)
         Variables that conditions give in terms of others.
     """
 
@@ -32,7 +32,7 @@ class Claim:
     law: Law
     excluded: tuple[sp.Expr, ...] = ()
     circles: tuple[tuple[sp.Symbol, sp.Symbol, sp.Symbol, sp.Expr], ...] = ()
-    expressed: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
+    expressions: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
 
 
 def polynomial_problems(system: System, law: Law) -> tuple[Claim, ...]:
@@ -51,13 +51,13 @@ def polynomial_problems(system: System, law: Law) -> tuple[Claim, ...]:
         reduced = graph(system, law)
         if reduced is None:
             raise
-        base = Claim(reduced.system, reduced.law, expressed=_expressed_variables(system, reduced))
+        base = Claim(reduced.system, reduced.law, expressions=_expressed_variables(system, reduced))
     if reduced is None:
         return (base,)
     return (
         replace(
             _on_circles(reduced.system, reduced.consistency, None),
-            expressed=_expressed_variables(system, reduced),
+            expressions=_expressed_variables(system, reduced),
         ),
         replace(base, excluded=reduced.excluded),
     )
@@ -70,9 +70,9 @@ def _on_circles(system: System, law: Law, reduced: Graph | None) -> Claim:
         system, law = reduced.system, reduced.law
     changed: Circles | None = circles(system, law.on, formulas_of(law))
     if changed is None:
-        return Claim(system, law, expressed=expressed)
-    lost = tuple((angle, *circle) for angle, circle in changed.lost.items())
-    return Claim(changed.system, changed.law(law), circles=lost, expressed=expressed)
+        return Claim(system, law, expressions=expressed)
+    lost = tuple((angle, *circle) for angle, circle in changed.replaced_angles.items())
+    return Claim(changed.system, changed.law(law), circles=lost, expressions=expressed)
 
 
 def _expressed_variables(system: System, reduced: Graph) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:

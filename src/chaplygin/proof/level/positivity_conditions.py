@@ -90,7 +90,7 @@ def unmet(law: Law, level: LevelSet, field: Field) -> tuple[tuple[str, FieldElem
 def _density_bases(law: Measure, level: LevelSet) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:
     """Base as given, base without rates, and exponent on the level; none of exponent zero."""
     for base, exponent in law.density:
-        power = level.expanded(sp.sympify(exponent))
+        power = level.expand(sp.sympify(exponent))
         if power != 0:
             yield base, _without_rates(base, level), power
 

@@ -29,7 +29,7 @@ class _Parts:
     constants: frozenset[sp.Symbol]
 
 
-def separated(law: Separation, level: LevelSet) -> Iterator[tuple[str, sp.Expr]]:
+def separation_residuals(law: Separation, level: LevelSet) -> Iterator[tuple[str, sp.Expr]]:
     """Formulas in the quantities and the state that vanish if the equations separate.
 
     Raises
@@ -74,7 +74,7 @@ def _parts(law: Separation, level: LevelSet) -> _Parts:
     squares: dict[sp.Symbol, sp.Expr] = {}
     constants = set()
     for number, raw in enumerate(law.equations, 1):
-        equation = level.expanded(to_components(raw))
+        equation = level.expand(to_components(raw))
         rates = equation.atoms(Rate)
         symbols = {rate.args[0] for rate in rates}
         if len(rates) != 1 or not symbols <= variables:

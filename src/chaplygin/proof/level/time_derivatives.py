@@ -26,7 +26,7 @@ def without_rates(
     while rates := formula.atoms(Rate):
         innermost = [rate for rate in rates if not rate.args[0].has(Rate)]
         formula = formula.xreplace(
-            {rate: _written(rate.args[0], level, quantities or {}) for rate in innermost}
+            {rate: _rate_formula(rate.args[0], level, quantities or {}) for rate in innermost}
         )
     return formula
 
@@ -42,7 +42,7 @@ def without_second_rates(
     )
 
 
-def _written(formula: sp.Expr, level: LevelSet, quantities: Quantities) -> sp.Expr:
-    formula = level.expanded(expand(formula, quantities))
+def _rate_formula(formula: sp.Expr, level: LevelSet, quantities: Quantities) -> sp.Expr:
+    formula = level.expand(expand(formula, quantities))
     rates = zip(level.system.symbols, level.system.rates, strict=True)
     return sp.Add(*(sp.diff(formula, s) * rate for s, rate in rates))

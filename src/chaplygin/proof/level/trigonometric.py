@@ -35,7 +35,7 @@ class Circles:
         What the new variables stand for.
     table : mapping of Expr to Expr
         Trigonometric functions by what they became.
-    lost : mapping of Symbol to (Symbol, Symbol, Rational)
+    replaced_angles : mapping of Symbol to (Symbol, Symbol, Rational)
         Sine, cosine and the multiple of the angle they belong to, by angle; the multiple is a
         number or, such as the frequency in sin νt, a formula in parameters.
     """
@@ -43,7 +43,7 @@ class Circles:
     system: System
     meaning: Mapping[sp.Symbol, sp.Expr]
     table: Mapping[sp.Expr, sp.Expr]
-    lost: Mapping[sp.Symbol, tuple[sp.Symbol, sp.Symbol, sp.Expr]]
+    replaced_angles: Mapping[sp.Symbol, tuple[sp.Symbol, sp.Symbol, sp.Expr]]
 
     def law(self, law: Law) -> Law:
         """A law of the system in the new variables."""
@@ -78,9 +78,11 @@ class Circles:
         for symbol, value in field.items():
             rate = to_components(value).xreplace(dict(self.table))
             components |= (
-                dict(_rates_on_circle(self.lost[symbol], rate)) if symbol in self.lost else {}
+                dict(_rates_on_circle(self.replaced_angles[symbol], rate))
+                if symbol in self.replaced_angles
+                else {}
             )
-            if symbol not in self.lost:
+            if symbol not in self.replaced_angles:
                 components[symbol] = rate
         return tuple(components.items())
 
@@ -112,13 +114,13 @@ class Circles:
     @property
     def _old(self) -> tuple[sp.Symbol, ...]:
         """The state in the old variables, in its order."""
-        back = {s: angle for angle, (s, _, _) in self.lost.items()}
-        gone = {c for _, c, _ in self.lost.values()}
+        back = {s: angle for angle, (s, _, _) in self.replaced_angles.items()}
+        gone = {c for _, c, _ in self.replaced_angles.values()}
         return tuple(back.get(n, n) for n in self.new if n not in gone)
 
     def _old_of(self, symbol: sp.Symbol) -> list[tuple[sp.Symbol, sp.Expr]]:
         """The differential of a new variable in terms of those of the old ones."""
-        for angle, (s, c, unit) in self.lost.items():
+        for angle, (s, c, unit) in self.replaced_angles.items():
             if symbol == s:
                 return [(angle, unit * c)]
             if symbol == c:

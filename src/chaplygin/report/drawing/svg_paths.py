@@ -52,7 +52,7 @@ def short_path(path: str) -> str:
         here = places[-2], places[-1]
         if command == "M":
             first = here
-        numbers = _joined([_decimal(step) for step in steps])
+        numbers = _number_list([_decimal(step) for step in steps])
         # after a move, steps are lines without saying so
         same = command != "M" and (command == last or (command, last) == ("L", "M"))
         if same and numbers[0] != "-":
@@ -70,7 +70,7 @@ def _decimal(hundredths: int) -> str:
     return f"{sign}{whole or (0 if not fraction else '')}{fraction}"
 
 
-def _joined(numbers: list[str]) -> str:
+def _number_list(numbers: list[str]) -> str:
     """Numbers with a space where they would run together."""
     text = numbers[0]
     for before, number in itertools.pairwise(numbers):

@@ -62,14 +62,14 @@ def draw_bifurcation_diagram(diagram: Diagram, mark: tuple[float, float] | None 
         _fill(axes, diagram, lines)
         for boundary in diagram.boundaries:
             _line(axes, boundary, lines)
-        marks = [] if mark is None else [frame.drawn(mark)]
+        marks = [] if mark is None else [frame.drawn_position(mark)]
         grid = Grid(diagram, frame, lines, marks)
         _label(axes, diagram, grid)
         for corner in diagram.equilibria:
-            _dot(axes, frame.drawn(corner.place), "s", "white", INK)
+            _dot(axes, frame.drawn_position(corner.place), "s", "white", INK)
         handles = [*_boundary_key(diagram), *_corner_key(diagram)]
         if mark is not None:
-            _dot(axes, frame.drawn(mark), "*", MARK, "white", 13.0)
+            _dot(axes, frame.drawn_position(mark), "*", MARK, "white", 13.0)
             star: dict[str, Any] = {"marker": "*", "color": "none", "markerfacecolor": MARK}
             star |= {"markeredgecolor": "white", "markersize": 11}
             handles.append(Line2D([], [], label="the given motion", **star))
@@ -79,7 +79,7 @@ def draw_bifurcation_diagram(diagram: Diagram, mark: tuple[float, float] | None 
 
 def _axis_label(diagram: Diagram, number: int) -> str:
     axis = diagram.axes[number]
-    constants = [str(symbol) for symbol, _ in diagram.plane.held] if number == 0 else []
+    constants = [str(symbol) for symbol, _ in diagram.plane.fixed_parameters] if number == 0 else []
     text = f"{axis.meaning}  ${sp.latex(axis.symbol)}$".strip()
     unit = axis.unit.replace("^2", "$^2$").replace("^4", "$^4$")
     fixed = "".join(

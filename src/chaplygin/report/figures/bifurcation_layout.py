@@ -43,7 +43,7 @@ class Window:
     slope: Fraction
     offset: Fraction
 
-    def drawn(self, place: Sequence[Fraction | float]) -> Place:
+    def drawn_position(self, place: Sequence[Fraction | float]) -> Place:
         """The drawn position of a point of the plane."""
         x, y = map(float, place)
         return x, y - float(self.slope) * x - float(self.offset)
@@ -85,7 +85,7 @@ def window(diagram: Diagram, mark: tuple[float, float] | None) -> Window:
         if rank in [place for place, _ in orders.get(column, [])]
     ]
     bare = Window(across, (0.0, 0.0), *base)
-    values = np.concatenate([*shown, [] if mark is None else [bare.drawn(mark)[1]]])
+    values = np.concatenate([*shown, [] if mark is None else [bare.drawn_position(mark)[1]]])
     low, high = float(values.min()), float(values.max())
     tall = (high - low) or 1.0
     return replace(bare, upward=(low - 0.1 * tall, high + 0.1 * tall))

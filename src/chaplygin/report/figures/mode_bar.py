@@ -200,7 +200,7 @@ class EventNames(Artist):
         self.set_in_layout(False)
         self.set_clip_on(False)
 
-    def placed(self, renderer: RendererBase) -> list[PlacedName]:
+    def drawn_names(self, renderer: RendererBase) -> list[PlacedName]:
         """The names as they are drawn, from left to right."""
         axes = self.axes
         assert axes is not None
@@ -215,12 +215,12 @@ class EventNames(Artist):
         def width(name: str) -> float:
             return self._text(name).get_window_extent(renderer).width
 
-        return arranged(inside, width, (box.x0, box.x1), _NEAR * self._pixels)
+        return label_positions(inside, width, (box.x0, box.x1), _NEAR * self._pixels)
 
     def draw(self, renderer: RendererBase) -> None:
         """Draw the names, and a line over those of several events."""
         top = self._top()
-        for item in self.placed(renderer):
+        for item in self.drawn_names(renderer):
             text = self._text(item.group.name)
             text.set_position((item.left, top - self._pixels))
             text.draw(renderer)
@@ -256,7 +256,7 @@ class EventNames(Artist):
         artist.set_figure(figure)
 
 
-def arranged(
+def label_positions(
     groups: Sequence[EventGroup],
     width: Callable[[str], float],
     limits: tuple[float, float],
