@@ -28,10 +28,9 @@ from chaplygin.analysis.lyapunov import MaximalExponent, Megno, Spectrum
 from chaplygin.analysis.scans import Scan, axis, scan, scan_grid
 from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import M, equations_on_sphere, k, n
 from chaplygin.core import dot, to_components
-from chaplygin.flow import Section
-from chaplygin.flow.ensemble.compute import compute
-from chaplygin.flow.level_projection import project_to_level
-from chaplygin.formulas.batch import Formulas
+from chaplygin.flow import Section, project_to_level
+from chaplygin.flow.ensemble import compute
+from chaplygin.formulas import Formulas
 from chaplygin.report.drawing.style import COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 from chaplygin.report.figures import save
 from chaplygin.report.figures.scan import chart as draw_chart

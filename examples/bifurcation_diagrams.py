@@ -12,7 +12,8 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
-from chaplygin.explicit.bifurcation import Diagram, bifurcation_diagram, locate
+from chaplygin.explicit import bifurcation_diagram, locate
+from chaplygin.explicit.bifurcation import Diagram
 from chaplygin.report.figures import save
 from chaplygin.report.figures.bifurcation import draw_bifurcation_diagram
 

@@ -49,8 +49,8 @@ def _chaplygin(arguments: Sequence[str]) -> tuple[int, str, str]:
     """Exit code, standard output and error of the program, in this process."""
     import typer
 
+    from chaplygin import InputError
     from chaplygin.cli import app
-    from chaplygin.errors import InputError
 
     output, complaint = io.StringIO(), io.StringIO()
     with contextlib.redirect_stdout(output), contextlib.redirect_stderr(complaint):

@@ -23,6 +23,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.optimize import curve_fit
 
+from chaplygin import load, prepare
 from chaplygin.contact import (
     ContourResistance,
     Coulomb,
@@ -30,10 +31,8 @@ from chaplygin.contact import (
     FrictionLaw,
     RollingResistance,
     contact_motion,
+    start_in_contact,
 )
-from chaplygin.contact.starts import start_in_contact
-from chaplygin.experiment.file.models import load
-from chaplygin.experiment.study import prepare
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
 
 FILE = Path(__file__).with_name("eulers_disk.toml")

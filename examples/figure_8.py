@@ -25,10 +25,10 @@ from chaplygin import PoincareMap, poincare_section, sample_level as drawn
 from chaplygin.catalogue import entry
 from chaplygin.core import to_components
 from chaplygin.experiment.poincare import coordinates_of
-from chaplygin.flow.ensemble.compute import compute
-from chaplygin.flow.level_projection import project_to_level
+from chaplygin.flow import project_to_level
+from chaplygin.flow.ensemble import compute
 from chaplygin.flow.sections.poincare_dataset import section_task
-from chaplygin.formulas.batch import Formulas
+from chaplygin.formulas import Formulas
 from chaplygin.report.figures import save
 from chaplygin.report.figures.poincare import draw_section
 

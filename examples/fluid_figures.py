@@ -17,8 +17,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.spatial.transform import Rotation
 
-from chaplygin.experiment.file.models import load
-from chaplygin.experiment.study import prepare
+from chaplygin import load, prepare
 from chaplygin.report.drawing.style import FAINT, INK, QUIET, STYLE
 
 EXAMPLES = Path(__file__).parent

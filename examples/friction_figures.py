@@ -18,12 +18,11 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.spatial.transform import Rotation
 
+from chaplygin import load, prepare
 from chaplygin.contact import MODE_NAMES
 from chaplygin.contact.impact.mobility import Mobility, mobility
 from chaplygin.contact.impact.painleve import least_painleve_friction, painleve_margin
 from chaplygin.experiment.contact.trajectory import ContactTrajectory
-from chaplygin.experiment.file.models import load
-from chaplygin.experiment.study import prepare
 from chaplygin.report.drawing.style import FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 
 EXAMPLES = Path(__file__).parent

@@ -25,7 +25,7 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from chaplygin.catalogue.chaplygin_ball.ball_bearing import SUPPORTS, alpha, beta, gamma, tensor
-from chaplygin.core.vectors import Diagonal, to_components
+from chaplygin.core import Diagonal, to_components
 
 #: The rows are orthonormal: α, β, γ in body axes, in sevenths.
 ATTITUDE = sp.Matrix([[6, 2, -3], [3, -6, 2], [-2, -3, -6]]) / 7

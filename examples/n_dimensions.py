@@ -20,9 +20,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
 
-from chaplygin import from_catalogue, integrate
+from chaplygin import System, from_catalogue, integrate
 from chaplygin.core.arrays import FloatArray
-from chaplygin.core.system import System
 from chaplygin.report.drawing.style import INK, SERIES, STYLE
 
 UNTIL, SAMPLES = 2000.0, 2**15

@@ -28,7 +28,8 @@ from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.separations.clebsch import clebsch_case
 from chaplygin.explicit.separations.neumann import neumann_system
 from chaplygin.explicit.separations.veselova import veselova
-from chaplygin.formulas.balls import ball, ball_values, number
+from chaplygin.formulas import ball, ball_values
+from chaplygin.formulas.balls import number
 
 #: Times at which motions are compared, s.
 SHORT, LONG = np.linspace(0.0, 100.0, 11), np.array([1e3, 1e4, 1e5])

@@ -30,7 +30,7 @@ from chaplygin.catalogue.so_n.quadratic_pencil import (
     conserved_weights,
     manakov_moments,
 )
-from chaplygin.core.vectors import real_symbol
+from chaplygin.core import real_symbol
 
 PRIME = 2_147_483_647
 GENERIC = ((0, 5, 11, 16), (5, 0, 23, 9), (11, 23, 0, 14), (16, 9, 14, 0))

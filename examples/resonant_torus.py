@@ -29,7 +29,8 @@ from chaplygin.explicit.genus_two.periods import Lattice, lattice
 from chaplygin.explicit.genus_two.separated_motion import chain
 from chaplygin.explicit.genus_two_solution import GenusTwo, solve_on_torus
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
-from chaplygin.formulas.balls import ball_function, components
+from chaplygin.formulas import ball_function
+from chaplygin.formulas.balls import components
 from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
 
 #: A long body inside a ball: kg, m.

@@ -26,7 +26,7 @@ from chaplygin.analysis.orbits import NoOrbitError, Orbit, ReturnMap, find_perio
 from chaplygin.analysis.orbits.rotation import average
 from chaplygin.catalogue.ball_on_sphere import rubber_ball_ratio as ball
 from chaplygin.core import to_components
-from chaplygin.formulas.batch import Formulas
+from chaplygin.formulas import Formulas
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
 
 #: J = I + mb², kg m².

@@ -39,8 +39,8 @@ from chaplygin import (
 from chaplygin.analysis.lyapunov import Spectrum
 from chaplygin.analysis.lyapunov.report import remarks
 from chaplygin.analysis.orbits import Reversor
-from chaplygin.flow.level_projection import project_to_level
-from chaplygin.formulas.batch import Formulas
+from chaplygin.flow import project_to_level
+from chaplygin.formulas import Formulas
 from chaplygin.report.drawing.style import FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 
 GRAVITY = Forces(9.81)

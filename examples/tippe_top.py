@@ -22,7 +22,7 @@ from matplotlib.figure import Figure
 from scipy.optimize import brentq
 
 import chaplygin as ch
-from chaplygin.analysis.scans.grid import axis
+from chaplygin.analysis.scans import axis
 from chaplygin.contact import (
     CompiledContact,
     ContactMotion,
@@ -32,10 +32,10 @@ from chaplygin.contact import (
     FrictionLaw,
     NormalViscous,
     contact_motion,
+    start_in_contact,
 )
-from chaplygin.contact.starts import start_in_contact
 from chaplygin.experiment.friction_ensembles.chart import contact_chart, contact_chart_task
-from chaplygin.flow.ensemble.compute import compute
+from chaplygin.flow.ensemble import compute
 from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
 
 #: The top of Leine and Glocker (2003): kg, kg m², m; its eccentricity α and spin (rad/s).

@@ -46,13 +46,15 @@ from chaplygin import (
 from chaplygin.core import (
     Guard,
     Observable,
+    constant,
     cross,
     dot,
     norm_squared,
     real_symbol,
     to_components,
+    unit_vector,
 )
-from chaplygin.core.vectors import constant, unit_vector, vectors
+from chaplygin.core.vectors import vectors
 from chaplygin.flow import Linearisation
 from chaplygin.mechanics.lagrangian import Plan, euclidean
 from chaplygin.report.drawing.style import STYLE

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from chaplygin.errors import InputError
-from chaplygin.flow.ensemble.compute import compute
+from chaplygin.flow.ensemble.computation import compute
 from chaplygin.flow.ensemble.task import Coordinate, Task, Variable
 
 

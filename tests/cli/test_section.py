@@ -139,7 +139,7 @@ def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
         progress(0.25)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("chaplygin.flow.ensemble.compute.compute", interrupted)
+    monkeypatch.setattr("chaplygin.flow.ensemble.computation.compute", interrupted)
     code, out, err = ask(*BALL, "-o", "ball.zarr")
     assert (code, out) == (130, "")
     sentence = (

@@ -21,7 +21,7 @@ from chaplygin.experiment.file.models import load, loads
 from chaplygin.experiment.python_file import load_python
 from chaplygin.experiment.study import dataset_of, prepare
 from chaplygin.flow.ensemble import zarr_store as store
-from chaplygin.flow.ensemble.compute import compute
+from chaplygin.flow.ensemble.computation import compute
 from chaplygin.parsing import parse, parse_formula
 from counted import task
 from mutations import EXAMPLES, VALUES, check_message, damaged, mutated, within

@@ -14,7 +14,7 @@ from chaplygin.errors import InputError
 from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.poincare import Place, Starts, coordinates_of, section_of
 from chaplygin.experiment.study import Study, prepare
-from chaplygin.flow.ensemble.compute import compute
+from chaplygin.flow.ensemble.computation import compute
 from chaplygin.report.figures import poincare as section_figure
 from chaplygin.report.figures.poincare import draw_section
 

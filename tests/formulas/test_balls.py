@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from flint import arb, ctx
 
-from chaplygin.formulas.balls import array_function, ball, ball_function, ball_values, needed
+from chaplygin.formulas.balls import array_function, ball, ball_function, ball_values, needed_steps
 
 x, y, z = sp.symbols("x y z")
 
@@ -50,7 +50,7 @@ def test_powers_of_balls_around_zero_are_finite() -> None:
 
 def test_steps_are_taken_in_order() -> None:
     steps = ((y, x**2), (z, y + 1))
-    assert needed((*steps, (sp.Symbol("unused"), x)), [z]) == steps
+    assert needed_steps((*steps, (sp.Symbol("unused"), x)), [z]) == steps
     (value,) = ball_function((x,), (z * y,), steps)(arb(3))
     assert value == 90
     (array,) = array_function((x,), (z * y,), steps)(np.array([3.0, 1.0]))

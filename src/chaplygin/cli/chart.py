@@ -74,7 +74,7 @@ def command(
     study = study_of(what, overrides)
     from ..analysis.scans.grid import axis
     from ..experiment.friction_ensembles.chart_task import chart_task
-    from ..flow.ensemble.compute import compute
+    from ..flow.ensemble.computation import compute
     from ..report.drawing.files import save
     from ..report.figures.scan import chart as drawn
 

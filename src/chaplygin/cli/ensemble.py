@@ -77,7 +77,7 @@ def command(
     check_store(output)
     client, chosen = check_workers(workers), device_of(device)
     study = study_of(what, overrides)
-    from ..flow.ensemble.compute import compute
+    from ..flow.ensemble.computation import compute
 
     if study.subject.changes_equations:
         from ..experiment.friction_ensembles.ensemble import contact_ensemble_task

@@ -104,7 +104,7 @@ def command(
 
     from ..errors import InputError, RunError
     from ..experiment.poincare import Place, Starts, section_of
-    from ..flow.ensemble.compute import compute
+    from ..flow.ensemble.computation import compute
     from ..report.drawing.files import save
     from ..report.figures.poincare import draw_section
 

@@ -61,7 +61,7 @@ def command(
 
     from ..errors import InputError
     from ..experiment.without_lift import without_reconstruction
-    from ..flow.ensemble.compute import compute
+    from ..flow.ensemble.computation import compute
     from ..flow.ensemble.run import SHARES, ensemble_task, grid, single
     from ..report.drawing.files import save
     from ..report.figures.sweep import sweep as drawn

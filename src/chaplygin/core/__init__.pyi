@@ -20,9 +20,11 @@ from .system import (
 from .vectors import (
     Diagonal as Diagonal,
     Vector as Vector,
+    constant as constant,
     cross as cross,
     dot as dot,
     norm_squared as norm_squared,
     real_symbol as real_symbol,
     to_components as to_components,
+    unit_vector as unit_vector,
 )

@@ -6,4 +6,5 @@ from .base.solution import (
 from .bifurcation import bifurcation_diagram as bifurcation_diagram, locate as locate
 from .genus_two.separation import SeparatedSystem as SeparatedSystem
 from .isomorphism import inverse as inverse, pull_back as pull_back, push_forward as push_forward
+from .isomorphism_motion import IsomorphismMap as IsomorphismMap
 from .solver import solve as solve

@@ -6,10 +6,12 @@ from .batch import (
 )
 from .gauss import gauss_integrator as gauss_integrator
 from .integrator import integrate as integrate
+from .level_projection import project_to_level as project_to_level
 from .linear_stability import (
     Linearisation as Linearisation,
     relative_equilibrium as relative_equilibrium,
 )
 from .sampling.draw import level_sampler as level_sampler, sample_level as sample_level
 from .sections.poincare_map import PoincareMap as PoincareMap
+from .tangent_space import TangentSpace as TangentSpace
 from .trajectory import Event as Event, Trajectory as Trajectory

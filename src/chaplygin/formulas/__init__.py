@@ -1,1 +1,5 @@
 """Formulas turned into numbers of any kind: doubles, balls, jets, Taylor series, fields."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -13,7 +13,7 @@ from chaplygin.analysis.scans.scan_task import Scan, scan
 from chaplygin.catalogue import entry
 from chaplygin.core.system import Guard, Observable, Parameter, System
 from chaplygin.errors import InputError
-from chaplygin.flow.ensemble.compute import compute
+from chaplygin.flow.ensemble.computation import compute
 
 x, y, c = sp.symbols("x y c", real=True)
 

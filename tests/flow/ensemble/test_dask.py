@@ -21,7 +21,7 @@ import pytest
 import xarray as xr
 
 from chaplygin.errors import InputError
-from chaplygin.flow.ensemble.compute import compute
+from chaplygin.flow.ensemble.computation import compute
 from chaplygin.flow.ensemble.task import IncompleteError, Task, Variable
 from counted import deadly, mistaken, task
 

@@ -23,7 +23,7 @@ import zarr
 import chaplygin
 import counted
 from chaplygin.errors import InputError
-from chaplygin.flow.ensemble.compute import compute
+from chaplygin.flow.ensemble.computation import compute
 from chaplygin.flow.ensemble.task import IncompleteError, Task, Variable
 from chaplygin.flow.ensemble.zarr_store import read_store
 from counted import task

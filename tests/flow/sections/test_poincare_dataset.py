@@ -18,7 +18,7 @@ from chaplygin.catalogue import entry
 from chaplygin.core.vectors import to_components
 from chaplygin.errors import InputError
 from chaplygin.flow.batch import poincare_section
-from chaplygin.flow.ensemble.compute import compute
+from chaplygin.flow.ensemble.computation import compute
 from chaplygin.flow.ensemble.task import Task
 from chaplygin.flow.sampling.draw import sample_level
 from chaplygin.flow.sections import poincare_dataset as section_points

@@ -106,7 +106,7 @@ class Scan:
 def scan(made: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     """The task of a scan.
 
-    See :func:`chaplygin.flow.ensemble.compute.compute`.
+    See :func:`chaplygin.flow.ensemble.compute`.
 
     Parameters
     ----------

@@ -195,7 +195,7 @@ def _described(numbers: FileNumbers, item: Axis) -> Axis:
 
 
 def contact_chart_task(chart: ContactChart, title: str) -> Task:
-    """The task of a chart; see :func:`chaplygin.flow.ensemble.compute.compute`.
+    """The task of a chart; see :func:`chaplygin.flow.ensemble.compute`.
 
     Parameters
     ----------

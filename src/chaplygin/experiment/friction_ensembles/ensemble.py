@@ -168,7 +168,7 @@ def contact_ensemble_task(
     Returns
     -------
     Task
-        For :func:`chaplygin.flow.ensemble.compute.compute`.  Its result has the variables of the
+        For :func:`chaplygin.flow.ensemble.compute`.  Its result has the variables of the
         state and ``mode`` over ``run`` and ``time``, and over ``run`` the numbers of
         `EVENT_NUMBERS`, ``lowest_gap``, ``outcome`` (see its ``reasons``) and ``steps``.
 

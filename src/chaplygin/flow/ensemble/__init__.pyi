@@ -1,3 +1,4 @@
+from .computation import compute as compute
 from .members import (
     from_lists as from_lists,
     grid as grid,

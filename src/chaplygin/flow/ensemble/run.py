@@ -23,7 +23,7 @@ from ..devices.graphics import Device
 from ..kernel.outcomes import STATUS_MESSAGES
 from ..validation import moments
 from ..variable_metadata import FRAMES, LABELS, cf_attributes, system_attributes, variable_metadata
-from .compute import compute
+from .computation import compute
 from .members import Members, from_lists, grid, random_starts, single
 from .task import Coordinate, Progress, Task, Variable
 from .work import EnsembleWork, quantities_by_name
@@ -83,7 +83,7 @@ def ensemble(
         Members computed, written and lost at once; chosen by their size unless given.
     where, client, progress
         A store on disk, a cluster, a function that is called with the progress; see
-        :func:`~chaplygin.flow.ensemble.compute.compute`.
+        :func:`~chaplygin.flow.ensemble.compute`.
 
     Returns
     -------
