@@ -29,7 +29,7 @@ GRACE = 0.6
 
 @dataclass(frozen=True)
 class _Ending:
-    """What to say when interrupted at once, and while the command saves what it has.
+    """Messages for an interruption at once, and for one while the command saves.
 
     It saves where Python can act (`saving`), or when machine code is done as well (`patient`).
     """
@@ -41,7 +41,7 @@ class _Ending:
 
 @dataclass
 class _State:
-    """What is to be said at the moment, whether it was, and whether Python has come to act."""
+    """The message due, whether it was printed, and whether Python can act."""
 
     endings: list[_Ending]
     said: bool = False

@@ -177,7 +177,7 @@ class Family(Protocol):
 
     @property
     def constraint(self) -> str:
-        """What ω must fulfil, as a sentence; empty where it is free."""
+        """The condition on ω, as a sentence; empty where it is free."""
 
     def entry(self, given: Settings | None = None) -> Entry:
         """The entry of the dimension and with the numbers that settings give."""

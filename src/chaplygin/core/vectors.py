@@ -165,7 +165,7 @@ class ScalarOfTensors(sp.Expr):
     precedence = PRECEDENCE["Atom"]
 
     def explicit(self) -> Scalar:
-        """The same in components."""
+        """The components."""
         raise NotImplementedError
 
     def _latex(self, printer: LatexPrinter) -> str:

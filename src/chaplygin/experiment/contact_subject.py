@@ -77,7 +77,7 @@ class ContactSubject(Subject):
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What is unusual about the body and its start."""
+        """Sentences on what is unusual about the body and its start."""
         outside = "body.shape.centre puts the centre of mass outside the body"
         remarks = (outside,) if centre_outside(self.contact.body.shape) else ()
         with contextlib.suppress(InputError):

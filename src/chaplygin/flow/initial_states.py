@@ -118,7 +118,7 @@ def upright(vertical: Sequence[WorkingNumber]) -> list[mpmath.mpf]:
 def _apart(
     system: System, start: Mapping[str, npt.ArrayLike]
 ) -> tuple[dict[str, npt.ArrayLike], dict[str, list[WorkingNumber]]]:
-    """What a start of an n-dimensional body says of its state, and of its motion in space."""
+    """State and motion in space that the start of an n-dimensional body gives."""
     named, lift = dict(start), system.reconstruction
     matrix = next((x for x, _ in lift.field if isinstance(x, SquareMatrix)), None) if lift else None
     if lift is None or matrix is None:

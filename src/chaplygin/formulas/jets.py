@@ -264,7 +264,7 @@ class Evaluator(Evaluation[Jet]):
         def partial_derivative(counts: tuple[int, ...]) -> Element:
             if self._is_zero(function, counts, values):
                 return self.field.zero
-            return self.field.unspecified(function, counts, values)
+            return self.field.unspecified_value(function, counts, values)
 
         slopes: dict[int, Element] = {}
         for j, jet in enumerate(inner):
@@ -300,19 +300,21 @@ class Evaluator(Evaluation[Jet]):
         values = [jet.value for jet in inner]
         one = field.one
         if isinstance(formula, sp.log):
-            return inner[0].through(field.known("log", values), one / values[0])
+            return inner[0].through(field.function_value("log", values), one / values[0])
         if isinstance(formula, sp.atan2):
             upper, lower = inner
             square = lower.value * lower.value + upper.value * upper.value
-            angle = upper.through(field.known("atan2", values), lower.value / square)
+            angle = upper.through(field.function_value("atan2", values), lower.value / square)
             return angle + lower.through(field.zero, field.zero - upper.value / square)
         x = values[0]
         if isinstance(formula, sp.atan):
-            return inner[0].through(field.known("atan", values), one / (one + x * x))
+            return inner[0].through(field.function_value("atan", values), one / (one + x * x))
         if isinstance(formula, sp.asin | sp.acos):
             root = field.root(one - x * x, 2)
             sign = one if isinstance(formula, sp.asin) else field.zero - one
-            return inner[0].through(field.known(type(formula).__name__, values), sign / root)
+            return inner[0].through(
+                field.function_value(type(formula).__name__, values), sign / root
+            )
         if isinstance(formula, sp.Abs):
             raise OutOfReachError("an absolute value; write it with a square root")
         raise OutOfReachError(

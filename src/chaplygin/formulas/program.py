@@ -97,6 +97,17 @@ class AnalyticArithmetic(BallArithmetic):
         return x.sqrt(analytic=True) if isinstance(x, acb) else x.sqrt()
 
 
+class FieldArithmetic(BallArithmetic):
+    """Arithmetic of the field that a number one belongs to; it has no roots."""
+
+    def __init__(self, one: Any) -> None:
+        self.one = one
+
+    def constant(self, number: fmpq) -> Any:
+        """A rational number."""
+        return self.one * int(number.p) / int(number.q)
+
+
 BALLS = BallArithmetic()
 ANALYTIC = AnalyticArithmetic()
 

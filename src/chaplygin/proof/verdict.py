@@ -11,7 +11,7 @@ Decision = Literal["proven", "proven where", "refuted", "undecided"]
 
 
 UNTRIED = "not tried"
-"""How the reason of a verdict begins for which no work was allowed."""
+"""The beginning of the reason of a verdict for which no work was allowed."""
 
 
 @dataclass(frozen=True, repr=False)

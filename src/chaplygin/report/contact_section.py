@@ -1,4 +1,4 @@
-"""What the page of a motion with friction has besides that of any motion: laws, events, energy."""
+"""The part of a page on friction: laws, events, energy."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ class EnergyRow:
 
 @dataclass(frozen=True)
 class ContactSection:
-    """What the page says of a contact with friction.
+    """The texts of a page on a contact with friction.
 
     Attributes
     ----------

@@ -69,7 +69,7 @@ KINDS: Mapping[str, _Kind] = {
     "frequency": _Kind(Frequency, "frequency of {}", "1/s", of=True),
     "rotation": _Kind(Winding, "rotation number of {}", of=True),
 }
-"""What can be asked for; those with a formula are written ``mean:normal_force``.
+"""Names of quantities; those with a formula are written ``mean:normal_force``.
 
 A rotation number needs a section as well, where a quantity rises through zero:
 ``rotation:atan2(M_2,M_1) on n_3``.

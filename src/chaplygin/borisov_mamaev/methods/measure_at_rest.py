@@ -14,13 +14,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from functools import reduce
-from operator import add, mul
 
 import sympy as sp
 
 from ...core.system import System
 from ...core.vectors import to_components, vectors
+from ...formulas.program import FieldArithmetic, StraightLineProgram
 
 M, omega, gamma = vectors("M omega gamma")
 
@@ -64,13 +63,8 @@ def _symbol_values(
 
 def _rational_value(formula: sp.Expr, known: Known) -> Fraction:
     """A rational formula."""
-    if formula.is_Symbol:
-        return known[formula]
-    if formula.is_Add or formula.is_Mul:
-        parts = [_rational_value(arg, known) for arg in formula.args]
-        return reduce(add if formula.is_Add else mul, parts)
-    if formula.is_Pow:
-        power: Fraction = _rational_value(formula.base, known) ** int(formula.exp)
-        return power
-    number = sp.Rational(formula)
-    return Fraction(int(number.p), int(number.q))
+    names = sorted(formula.free_symbols, key=str)
+    program = StraightLineProgram(names, [formula])
+    value: Fraction
+    [value] = program.run([known[name] for name in names], FieldArithmetic(Fraction(1)))
+    return value

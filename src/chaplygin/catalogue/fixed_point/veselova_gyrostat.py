@@ -175,7 +175,7 @@ def general() -> System:
 
 
 def spinning_general() -> System:
-    """The same with (ω, γ) = d."""
+    """With these integrals, for (ω, γ) = d."""
     return replace(spinning(NUMBERS), laws=MOMENTA)
 
 

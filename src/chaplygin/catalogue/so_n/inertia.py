@@ -59,7 +59,7 @@ class Inertia(ABC):
 
     @property
     def definitions(self) -> Pairs:
-        """What it defines by its parameters."""
+        """Definitions by its parameters."""
         return ()
 
     @property

@@ -60,7 +60,7 @@ class Family(ABC):
 
     @property
     def constraint(self) -> str:
-        """What ω must fulfil, as a sentence; empty where it is free."""
+        """The condition on ω, as a sentence; empty where it is free."""
         return ""
 
     def admissible(self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]) -> list[list[Any]]:

@@ -55,7 +55,7 @@ class Suslov(Family):
 
     @property
     def constraint(self) -> str:
-        """What ω must fulfil."""
+        """The condition on ω."""
         return "it must turn in planes with the last body axis alone"
 
     def admissible(self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]) -> list[list[Any]]:
@@ -152,7 +152,7 @@ def _by_mass_tensor(
 
 
 def _principal(inertia: Inertia, w: Column) -> tuple[Pairs, Pairs, sp.MatrixExpr, tuple[Law, ...]]:
-    """The same for moments in the coordinate planes: the last body axis is a principal axis."""
+    """These for moments in the coordinate planes: the last body axis is a principal axis."""
     if not isinstance(inertia, Moments):
         raise TypeError(type(inertia).__name__)
     n = inertia.dimension

@@ -88,7 +88,7 @@ class Veselova(Family):
 
     @property
     def constraint(self) -> str:
-        """What ω must fulfil."""
+        """The condition on ω."""
         return "it must turn in planes through gamma alone, omega = u gamma^T - gamma u^T"
 
     def admissible(self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]) -> list[list[Any]]:

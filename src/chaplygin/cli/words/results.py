@@ -80,7 +80,7 @@ def contact_text(trajectory: ContactTrajectory) -> str:
 
 
 def _numbers(trajectory: ContactTrajectory) -> str:
-    """How many events there were, by their kinds."""
+    """Numbers of events by their kinds."""
     count = len(trajectory.changes)
     if not count:
         return "no events"

@@ -80,7 +80,7 @@ class FrictionTable(Table):
     )
     """Whether restitution is that of work, impulse or velocity along the normal."""
     on_paradox: Literal["stop", "impact"] = Field(default="stop", description='"stop" or "impact"')
-    """Where no motion in contact is possible: end, or take an impact without collision."""
+    """The continuation where no motion in contact is possible: end, or impact without collision."""
 
     @model_validator(mode="after")
     def _laws_together(self) -> FrictionTable:

@@ -88,7 +88,7 @@ def member_start(
 
 
 def samples_reached(motion: ContactMotion, times: FloatArray) -> int:
-    """How many of the sample times a motion reached."""
+    """The number of sample times that a motion reached."""
     count = min(len(motion.times), len(times))
     return int(np.count_nonzero(motion.times[:count] == times[:count]))
 

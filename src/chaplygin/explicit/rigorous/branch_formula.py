@@ -125,7 +125,7 @@ class Branch:
         return [zero + value for value in self._run(vector, rate, self._signs)]
 
     def parities(self, flips: Sequence[int]) -> list[int]:
-        """How the formulas change when ν_i and ν_i′ are multiplied by flips_i = ±1.
+        """Signs by which the formulas change when ν_i and ν_i′ are multiplied by flips_i = ±1.
 
         Returns
         -------

@@ -16,7 +16,7 @@ from flint import Ordering, fmpq, fmpq_mpoly_ctx
 
 from ...core.vectors import real_symbol
 from ...errors import InputError
-from ...formulas.program import BallArithmetic, StraightLineProgram
+from ...formulas.program import FieldArithmetic, StraightLineProgram
 
 #: A rational number, or a fraction of polynomials in some parameters.
 Value = Any
@@ -82,7 +82,7 @@ class Evaluable(Protocol):
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
-        """What needs a value."""
+        """The symbols that need a value."""
 
     def at(self, point: Point, like: Value) -> list[Value]:
         """The values; `like` is the number one of the field."""
@@ -106,19 +106,8 @@ class Formulas:
 
     def at(self, point: Point, like: Value) -> list[Value]:
         """The values; `like` is the number one of the field."""
-        values = self._program.run([point[s] for s in self.symbols], _FieldArithmetic(like))
+        values = self._program.run([point[s] for s in self.symbols], FieldArithmetic(like))
         return [like * value for value in values]
-
-
-class _FieldArithmetic(BallArithmetic):
-    """Arithmetic of the field that a number one belongs to."""
-
-    def __init__(self, one: Value) -> None:
-        self.one = one
-
-    def constant(self, number: fmpq) -> Value:
-        """A rational number."""
-        return self.one * int(number.p) / int(number.q)
 
 
 def bare(symbols: Iterable[sp.Symbol]) -> list[sp.Symbol]:
@@ -273,7 +262,7 @@ class Quotient:
     __rmul__ = __mul__
 
     def formula(self) -> sp.Expr:
-        """The same as a SymPy formula in real symbols."""
+        """A SymPy formula in real symbols."""
         return as_formula(self.above) / as_formula(self.below)
 
 

@@ -25,7 +25,7 @@ Inertia: TypeAlias = tuple[float, float, float] | tuple[tuple[float, ...], ...]
 
 
 class WithInertia:
-    """What has principal moments, or a full tensor of inertia."""
+    """A value with principal moments or a full tensor of inertia."""
 
     mass: float
     inertia: Inertia

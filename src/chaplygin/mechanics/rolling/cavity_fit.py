@@ -49,7 +49,7 @@ def check_cavities(shape: Shape, cavities: Sequence[Cavity]) -> None:
 
 
 def _support(cavity: Cavity, normals: FloatArray) -> FloatArray:
-    """How far a cavity reaches along unit vectors (n, 3), from the centre of mass."""
+    """Extent of a cavity along unit vectors (n, 3), from the centre of mass."""
     turn = np.array(cavity.rotation.tolist(), dtype=float)
     lengths = np.linalg.norm((normals @ turn) * np.array(cavity.axes), axis=1)
     heights: FloatArray = normals @ np.array(cavity.centre) + lengths

@@ -55,7 +55,7 @@ class Balance:
 
     @property
     def momentum_of_fluids(self) -> MatrixExpr:
-        """What the fluids add to M."""
+        """The contribution of the fluids to M."""
         return total([fluid.momentum for fluid in self.fluids])
 
     @property

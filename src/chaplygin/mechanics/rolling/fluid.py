@@ -105,7 +105,7 @@ class Fluid:
 
     @property
     def momentum(self) -> MatrixExpr:
-        """What the fluid adds to the momentum Iω of the equivalent body."""
+        """The contribution of the fluid to the momentum, besides Iω of the equivalent body."""
         return self.C * self.N
 
     @property

@@ -17,7 +17,7 @@ Poly = Any
 EFFORT = 2_000_000_000
 """Term operations that one proof may take, by default: some minutes of one core."""
 STEP = 200
-"""What a step costs besides its terms, in term operations."""
+"""The cost of a step besides its terms, in term operations."""
 
 
 def checked_effort(effort: int) -> int:

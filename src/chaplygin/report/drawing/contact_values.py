@@ -22,7 +22,7 @@ _NO_FORCE = 1e-9
 
 @dataclass(frozen=True)
 class FrictionLimits:
-    """What dry friction can hold, by the normal force.
+    """Limits of dry friction in proportion to the normal force.
 
     Attributes
     ----------

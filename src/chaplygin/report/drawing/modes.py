@@ -17,7 +17,7 @@ from .style import INK
 
 @dataclass(frozen=True)
 class ModeStyle:
-    """How a mode of the contact is drawn.
+    """The drawing style of a mode of the contact.
 
     Attributes
     ----------
@@ -76,7 +76,7 @@ def event_times(dataset: xr.Dataset) -> FloatArray:
 
 
 def event_kinds(dataset: xr.Dataset) -> list[str]:
-    """What happened at each event."""
+    """Descriptions of the events."""
     return [str(kind) for kind in dataset["event_kind"].values]
 
 

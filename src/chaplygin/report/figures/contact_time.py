@@ -71,7 +71,7 @@ class EnergyPart:
 
 
 def energy_parts(dataset: xr.Dataset, body: Body) -> list[EnergyPart]:
-    """What became of the energy: kinetic, potential above its lowest, work lost to each law.
+    """The balance of energy: kinetic, potential above its lowest, work lost to each law.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What the scene of a body with friction shows besides its path: events, and a key of modes."""
+"""Events and the key of modes in the scene of a body with friction."""
 
 from __future__ import annotations
 
