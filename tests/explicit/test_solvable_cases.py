@@ -239,7 +239,7 @@ def test_parameters_may_be_given_by_name() -> None:
         (lambda start: start[:5], {}, "start has 5 numbers: 10 are needed"),
         (lambda start: [float("nan"), *start[1:]], {}, "omega_1 = nan: it must be a finite number"),
         (lambda start: [1.0] * 10, {}, "it misses the constraints"),
-        (lambda start: start, {"q": 1.0}, "veselova has no parameter q; it has I_1, I_2, I_3"),
+        (lambda start: start, {"q": 1.0}, "veselova: no parameter q; it has I_1, I_2, I_3"),
         (lambda start: start, {"I_1": float("inf")}, "I_1 = inf: it must be a finite number"),
         (lambda start: start, {"I_1": -1.0}, "I_1 = -1.0 is not admissible; I_1 > 0 must hold"),
     ],

@@ -37,7 +37,6 @@ from .initial_state import StartValues, initial_state_from_values, unit_vectors
 Variables: TypeAlias = Mapping[str, tuple[str, str]]
 
 _UPWARDS = (0.0, 0.0, 1.0)
-
 _BALL = (
     "In space axes: R centre of the ball, ω angular velocity, v velocity, n normal of the surface "
     "towards the ball, r = −bn from the centre to the contact point, F force at the centre, "
