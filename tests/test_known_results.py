@@ -12,7 +12,8 @@ from scipy.special import ellipk
 from chaplygin.catalogue import CATALOGUE, from_catalogue
 from chaplygin.core.system import System
 from chaplygin.core.vectors import constant, cross, dot, norm_squared, vectors
-from chaplygin.flow.integrator import Trajectory, integrate
+from chaplygin.flow.integrator import integrate
+from chaplygin.flow.trajectory import Trajectory
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, roll
 from chaplygin.mechanics.rolling.initial_state import initial_state

@@ -183,6 +183,13 @@ def test_a_public_name_has_one_home() -> None:
         )
 
 
+def test_a_name_is_imported_from_the_module_that_defines_it() -> None:
+    """Packages alone pass names on; mypy refuses a name that a module itself has imported."""
+    for path in HOME.rglob("*.py"):
+        text = path.read_text(encoding="utf-8")
+        assert path.stem == "__init__" or "\n__all__" not in text, path
+
+
 def _defined(path: Path) -> set[str]:
     """Functions, classes and values that a file defines for others."""
     defined: set[str] = set()

@@ -40,13 +40,15 @@ from .experiment.file.models import load as load, loads as loads
 from .experiment.study import Study as Study, prepare as prepare
 from .explicit.base.solution import Solution as Solution
 from .explicit.solver import solve as solve
-from .flow.batch import batch_integrator as batch_integrator, poincare_section as poincare_section
+from .flow.batch import batch_integrator as batch_integrator
 from .flow.ensemble.run import ensemble as ensemble
 from .flow.gauss import gauss_integrator as gauss_integrator
-from .flow.integrator import Trajectory as Trajectory, integrate as integrate
+from .flow.integrator import integrate as integrate
+from .flow.kernel.equations import poincare_section as poincare_section
 from .flow.linear_stability import linear_stability as linear_stability
 from .flow.sampling.draw import sample_level as sample_level
 from .flow.sections.poincare_map import PoincareMap as PoincareMap
+from .flow.trajectory import Trajectory as Trajectory
 from .measures.existence import measure_exists as measure_exists
 from .mechanics.ball.ball import RollingBall as RollingBall
 from .mechanics.constraints.integrability import nonholonomy as nonholonomy
@@ -64,14 +66,14 @@ from .mechanics.reduction.chaplygin import chaplygin_form as chaplygin_form
 from .mechanics.rolling.body import Body as Body
 from .mechanics.rolling.cavity import Cavity as Cavity
 from .mechanics.rolling.equations import Forces as Forces, Rolling as Rolling, roll as roll
+from .mechanics.rolling.implicit import Implicit as Implicit
 from .mechanics.rolling.initial_state import initial_state as initial_state
 from .mechanics.rolling.mechanism import rolling_mechanism as rolling_mechanism
+from .mechanics.rolling.revolution import Revolution as Revolution
 from .mechanics.rolling.shapes import (
     Ball as Ball,
     Disk as Disk,
     Ellipsoid as Ellipsoid,
-    Implicit as Implicit,
-    Revolution as Revolution,
     Torus as Torus,
 )
 from .mechanics.rolling.surfaces import Plane as Plane, Sphere as Sphere

@@ -16,7 +16,8 @@ from chaplygin.catalogue import CATALOGUE
 from chaplygin.core.system import System
 from chaplygin.core.vectors import to_components
 from chaplygin.experiment.study import Study
-from chaplygin.flow.integrator import Trajectory, integrate
+from chaplygin.flow.integrator import integrate
+from chaplygin.flow.trajectory import Trajectory
 from chaplygin.report.summary import drift
 from evaluation import numeric
 from planted import moving_symbols

@@ -7,7 +7,9 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.models import Experiment, RollingExperiment, SystemExperiment, loads
+from chaplygin.experiment.file.catalogue_models import SystemExperiment
+from chaplygin.experiment.file.models import Experiment, loads
+from chaplygin.experiment.file.rolling_model import RollingExperiment
 
 BALL = """
 [body]

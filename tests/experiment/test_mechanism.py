@@ -21,7 +21,8 @@ from chaplygin.core.vectors import (
     to_components,
 )
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.models import EquationsExperiment, MechanismExperiment, loads
+from chaplygin.experiment.file.described_models import EquationsExperiment, MechanismExperiment
+from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.mechanism import mechanism_of
 from chaplygin.experiment.study import Study, prepare
 from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism, rotations

@@ -12,7 +12,8 @@ from chaplygin.core.laws import Integral, Measure, PoissonStructure, Symmetry
 from chaplygin.core.system import Guard, Observable, Parameter, System
 from chaplygin.core.vectors import Vector, cross, norm_squared, real_symbol
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.models import EquationsExperiment, loads
+from chaplygin.experiment.file.described_models import EquationsExperiment
+from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.python_file import load_python
 from chaplygin.experiment.study import prepare
 from chaplygin.experiment.write_equations import tables_of

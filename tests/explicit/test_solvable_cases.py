@@ -21,10 +21,11 @@ from chaplygin.core.vectors import real_symbol, vectors
 from chaplygin.errors import InputError
 from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.study import prepare
-from chaplygin.explicit.base.problem import Problem, exact, same_field
+from chaplygin.explicit.base.problem import Problem, same_field
 from chaplygin.explicit.recover_body import rolling_of
 from chaplygin.explicit.solvable_cases import find_match, solution_of
 from chaplygin.flow.integrator import integrate
+from chaplygin.formulas.balls import exact
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, Rolling
 from chaplygin.mechanics.rolling.initial_state import initial_state

@@ -15,14 +15,11 @@ from scipy.special import ellipj
 
 from chaplygin.core.system import Parameter, System
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import (
-    BatchIntegrator,
-    batch_integrator,
-    poincare_section,
-)
+from chaplygin.flow.batch import BatchIntegrator, batch_integrator
 from chaplygin.flow.devices.threads import THREADS, available_threads
 from chaplygin.flow.integrator import integrate
 from chaplygin.flow.kernel.double_double_conversion import from_pairs
+from chaplygin.flow.kernel.equations import poincare_section
 from chaplygin.formulas.evaluate import values
 from flow.small import (
     BODIES,

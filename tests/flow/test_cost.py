@@ -9,7 +9,8 @@ import pytest
 
 from chaplygin.catalogue import from_catalogue
 from chaplygin.flow.cost import Pace, TooMuchError, in_words, require_room
-from chaplygin.flow.ensemble.run import ensemble, grid, single
+from chaplygin.flow.ensemble.members import grid, single
+from chaplygin.flow.ensemble.run import ensemble
 from chaplygin.flow.validation import too_extreme
 
 BALL = from_catalogue("chaplygin-ball")

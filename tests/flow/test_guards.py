@@ -17,8 +17,10 @@ from chaplygin.errors import InputError
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, roll
+from chaplygin.mechanics.rolling.implicit import Implicit
 from chaplygin.mechanics.rolling.initial_state import initial_state
-from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution
+from chaplygin.mechanics.rolling.revolution import Revolution
+from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid
 from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
 from evaluation import numeric
 

@@ -11,8 +11,8 @@ import sympy as sp
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import Guard, System
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import batch_integrator, poincare_section
-from chaplygin.flow.kernel.equations import Section
+from chaplygin.flow.batch import batch_integrator
+from chaplygin.flow.kernel.equations import Section, poincare_section
 from chaplygin.mechanics.rolling.initial_state import initial_state
 
 x, y = sp.symbols("x y", real=True)

@@ -11,7 +11,8 @@ import pytest
 
 import chaplygin as ch
 from chaplygin.analysis.lyapunov.indicators import MaximalExponent, Megno
-from chaplygin.flow.batch import batch_integrator, poincare_section
+from chaplygin.flow.batch import batch_integrator
+from chaplygin.flow.kernel.equations import poincare_section
 from chaplygin.flow.trajectory import recorded_values
 from chaplygin.lab.page_model import live_page_model
 from chaplygin.lab.reduced import page_system, reduced_system

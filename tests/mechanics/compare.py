@@ -19,7 +19,7 @@ from scipy.integrate import DOP853
 import reference
 from chaplygin.core.system import System
 from chaplygin.core.vectors import to_components
-from chaplygin.flow.integrator import Trajectory
+from chaplygin.flow.trajectory import Trajectory
 from chaplygin.mechanics.rolling import (
     body as bodies,
     equations as rolling,

@@ -30,8 +30,9 @@ from chaplygin.core.vectors import (
     unit_vector,
     vectors,
 )
-from chaplygin.printing.formula import LATEX, UNICODE, text
+from chaplygin.printing.formula import text
 from chaplygin.printing.laws import caption, condition_text, equation_sides, formulas, heading
+from chaplygin.printing.notation import LATEX, UNICODE
 from chaplygin.printing.system import claims_html, law_html, law_latex, system_html, system_text
 
 M, gamma = vectors("M gamma")

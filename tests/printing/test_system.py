@@ -32,17 +32,16 @@ from chaplygin.core.vectors import (
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import roll
 from chaplygin.mechanics.rolling.shapes import Ball
-from chaplygin.printing.formula import LATEX, UNICODE, rate, width
+from chaplygin.printing.formula import latex, rate, text, width
+from chaplygin.printing.mathml import mathml
+from chaplygin.printing.notation import LATEX, UNICODE
 from chaplygin.printing.system import (
     WIDTH,
-    latex,
-    mathml,
     motion_html,
     motion_text,
     system_html,
     system_latex,
     system_text,
-    text,
 )
 from every_system import CASES, bare, laden
 

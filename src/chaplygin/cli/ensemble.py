@@ -159,7 +159,7 @@ def _numbers(
     from ..analysis.scans.grid import axis
     from ..errors import InputError
     from ..experiment.friction_ensembles.random_starts import random_numbers
-    from ..flow.ensemble.run import grid
+    from ..flow.ensemble.members import grid
 
     if level is not None:
         raise InputError(
@@ -208,7 +208,7 @@ def _members(study: Study, starts: int, level: str | None, seed: int, over: list
 
     from ..analysis.scans.grid import axis
     from ..errors import InputError
-    from ..flow.ensemble.run import grid, random_starts, single
+    from ..flow.ensemble.members import grid, random_starts, single
 
     if starts < 1:
         raise InputError(f"--starts {starts}: there must be one at least")

@@ -135,8 +135,9 @@ def _selected_laws(
 
 
 def _record(attempt: _Attempt, effort: int) -> dict[str, object]:
+    from ..printing.formula import latex
     from ..printing.laws import condition_text
-    from ..printing.system import latex, law_latex
+    from ..printing.system import law_latex
 
     system, law, verdict, printed = attempt
     record = {
@@ -181,8 +182,8 @@ def _print(done: list[_Attempt]) -> None:
     from rich.markup import escape
     from rich.table import Table
 
+    from ..printing.formula import text
     from ..printing.laws import condition_text
-    from ..printing.system import text
 
     shown = console()
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)

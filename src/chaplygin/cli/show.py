@@ -55,8 +55,9 @@ def command(
             typer.echo(f"\nchaplygin prove {what} proves them.")
         return
     if json:
+        from ..printing.formula import latex
         from ..printing.laws import condition_text, heading
-        from ..printing.system import latex, law_latex
+        from ..printing.system import law_latex
 
         print_json(
             {

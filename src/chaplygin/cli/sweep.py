@@ -62,7 +62,8 @@ def command(
     from ..errors import InputError
     from ..experiment.without_lift import without_reconstruction
     from ..flow.ensemble.computation import compute
-    from ..flow.ensemble.run import SHARES, ensemble_task, grid, single
+    from ..flow.ensemble.members import grid, single
+    from ..flow.ensemble.run import SHARES, ensemble_task
     from ..report.drawing.files import save
     from ..report.figures.sweep import sweep as drawn
 

@@ -24,9 +24,10 @@ from ..explicit.bifurcation.diagram_of import diagram_of
 from ..explicit.solvable_cases import solution_of
 from ..flow.trajectory import Statistics, Trajectory, recorded_values
 from ..printing import numerals
-from ..printing.formula import text
+from ..printing.formula import latex, text
+from ..printing.mathml import mathml
 from ..printing.numerals import typographic_signs, unit
-from ..printing.system import displayed_formula, latex, mathml
+from ..printing.system import displayed_formula
 from .study import Study, dataset_of
 from .without_lift import single_system
 

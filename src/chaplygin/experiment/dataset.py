@@ -15,7 +15,7 @@ from ..arguments import arguments_checked
 from ..core.arrays import FloatArray
 from ..core.matrices import SquareMatrix
 from ..errors import InputError
-from ..flow.integrator import Trajectory
+from ..flow.trajectory import Trajectory
 from ..flow.variable_metadata import (
     FRAMES,
     LABELS,

@@ -13,7 +13,7 @@ from ..errors import InputError
 from ..mechanics.lagrangian.mechanism import TIME, Mechanism
 from ..mechanics.lagrangian.poincare_suslov import equations
 from ..parsing import nearest
-from .file.models import EquationsExperiment, MechanismExperiment, OwnExperiment
+from .file.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from .file.toml import Key
 from .initial_state import StartValues
 from .mechanism import identifier, mechanism_of, system_of, with_claims

@@ -16,8 +16,8 @@ from ..errors import InputError
 from ..mechanics.lagrangian.mechanism import TIME, Frame, Mechanism, euclidean, rotations
 from ..mechanics.lagrangian.structure_functions import check_structure
 from ..parsing import Formula, Named, nearest
+from .file.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from .file.mechanism_tables import NumberTable
-from .file.models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from .file.names import Names, components
 
 UNTITLED = "Untitled system"

@@ -10,12 +10,12 @@ import sympy as sp
 
 from ..core.arrays import FloatArray
 from ..core.system import System
-from ..flow.integrator import Trajectory
+from ..flow.trajectory import Trajectory
 from ..formulas.evaluate import values
 from ..mechanics.lagrangian.mechanism import TIME, Mechanism
 from ..mechanics.lagrangian.plan import Plan, plan_of
+from .file.described_models import OwnExperiment
 from .file.mechanism_tables import PlanTable
-from .file.models import OwnExperiment
 from .file.names import Names
 
 

@@ -13,9 +13,9 @@ from ..analysis.scans.system_quantities import meaning
 from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
-from ..flow.batch import poincare_section
 from ..flow.devices.graphics import Device
 from ..flow.ensemble.task import Task
+from ..flow.kernel.equations import poincare_section
 from ..flow.sampling.draw import level_sampler
 from ..flow.sections.poincare_dataset import Quantity, section_task
 from ..flow.sections.poincare_map import PoincareMap, slab

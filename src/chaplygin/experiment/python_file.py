@@ -27,7 +27,7 @@ from ..mechanics.lagrangian.plan import Plan, plan_of
 from ..mechanics.lagrangian.poincare_suslov import equations
 from ..parsing import nearest
 from .described_system import described_subject
-from .file.models import EquationsExperiment
+from .file.described_models import EquationsExperiment
 from .file.source import Source
 from .file.toml import Key, Tables
 from .file.validation import validation_messages, value_text

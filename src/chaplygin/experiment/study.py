@@ -17,8 +17,7 @@ from ..core.overview import Overview, WithOverview
 from ..core.system import System
 from ..errors import InputError
 from ..flow.cost import TooMuchError
-from ..flow.integrator import Trajectory
-from ..flow.trajectory import require_pieces
+from ..flow.trajectory import Trajectory, require_pieces
 from ..mechanics.rolling.equations import Rolling
 from .ball_subject import ball_subject
 from .catalogue_system import body_of_catalogue, system_of_catalogue
@@ -27,16 +26,11 @@ from .contact.trajectory import ContactTrajectory
 from .contact_subject import contact_subject
 from .dataset import to_dataset
 from .described_system import equations_subject, mechanism_subject
-from .file.models import (
-    BallExperiment,
-    EquationsExperiment,
-    Experiment,
-    FrictionExperiment,
-    MechanismExperiment,
-    RollingExperiment,
-    StateExperiment,
-    SystemExperiment,
-)
+from .file.ball_model import BallExperiment
+from .file.catalogue_models import StateExperiment, SystemExperiment
+from .file.described_models import EquationsExperiment, MechanismExperiment
+from .file.models import Experiment
+from .file.rolling_model import FrictionExperiment, RollingExperiment
 from .initial_state import StartValues, normalised_vectors, on_level
 from .rolling import rolling_subject
 from .subject import Subject, Variables

@@ -19,7 +19,8 @@ from ..core.arrays import FloatArray
 from ..core.system import Observable, System
 from ..core.vectors import real_symbol
 from ..errors import InputError
-from ..flow.integrator import Trajectory, integrate
+from ..flow.integrator import integrate
+from ..flow.trajectory import Trajectory
 from ..mechanics.ball.ball import RollingBall
 from ..mechanics.ball.initial_state import ball_state
 from ..mechanics.constraints.integrability import nonholonomy

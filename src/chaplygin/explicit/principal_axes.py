@@ -14,10 +14,10 @@ from ..core.arrays import FloatArray
 from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric, Vector
 from ..errors import InputError
-from ..formulas.balls import ball, number
+from ..formulas.balls import ball, exact, number
 from ..mechanics.rolling.equations import Rolling
 from ..mechanics.rolling.shapes import Ball
-from .base.problem import Problem, exact
+from .base.problem import Problem
 from .base.solution import ClosedForm, Solution
 from .rigorous.reconstruction import quaternion_products
 

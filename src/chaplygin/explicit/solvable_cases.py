@@ -25,12 +25,12 @@ from ..catalogue.entry import bruns_factor
 from ..core.isomorphism import Isomorphism
 from ..core.system import System, flat_pairs
 from ..core.vectors import real_symbol, to_components
-from ..formulas.balls import ball, ball_values
+from ..formulas.balls import ball, ball_values, exact
 from ..formulas.relative_zero import RESOLUTION, ROUNDED
 from ..mechanics.rolling.equations import Rolling
 from ..mechanics.rolling.fluid import fluids_of
 from .base.no_closed_form import Condition, degenerate, refusal
-from .base.problem import Problem, exact, rational, same_field
+from .base.problem import Problem, rational, same_field
 from .base.solution import Solution
 from .change_symbols import in_symbols_of, translation
 from .genus_two.separation import SeparatedSystem

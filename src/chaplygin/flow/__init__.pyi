@@ -1,11 +1,8 @@
 from . import ensemble as ensemble
-from .batch import (
-    Section as Section,
-    batch_integrator as batch_integrator,
-    poincare_section as poincare_section,
-)
+from .batch import batch_integrator as batch_integrator
 from .gauss import gauss_integrator as gauss_integrator
 from .integrator import integrate as integrate
+from .kernel.equations import Section as Section, poincare_section as poincare_section
 from .level_projection import project_to_level as project_to_level
 from .linear_stability import (
     Linearisation as Linearisation,

@@ -27,18 +27,9 @@ from .devices.graphics import Device, graphics_loop
 from .devices.processor import processor_loop
 from .initial_states import reduced_rows
 from .kernel.double_double_conversion import as_pairs, parameter_pairs
-from .kernel.equations import Section, equations_of, poincare_section
+from .kernel.equations import Section, equations_of
 from .kernel.outcomes import outcome_message
 from .validation import check_state_shape, moments as read_moments, require_on_phase_space
-
-__all__ = [
-    "BatchCrossings",
-    "BatchIntegrator",
-    "BatchTrajectories",
-    "Section",
-    "batch_integrator",
-    "poincare_section",
-]
 
 #: Numbers that one call may return.
 MOST_NUMBERS = 1 << 32

@@ -19,9 +19,7 @@ from .heyoka_expressions import WorkingNumber
 from .initial_states import whole_start
 from .taylor import Direction, Precision, compile_system, number_type
 from .taylor_run import RunLog, StoppedError, TaylorRun, decimal_text
-from .trajectory import DenseOutput, Event, Statistics, Trajectory
-
-__all__ = ["DenseOutput", "Event", "Statistics", "Trajectory", "integrate"]
+from .trajectory import Statistics, Trajectory
 
 #: Tolerances by default.
 DEFAULT_TOLERANCE = {"double": 1e-15, "quad": 1e-30}

@@ -13,20 +13,7 @@ import sympy as sp
 from flint import acb, arb, fmpq
 
 from ..core.vectors import to_components
-from .program import REAL, Steps, StraightLineProgram, needed_steps
-
-__all__ = [
-    "Steps",
-    "Values",
-    "array_function",
-    "ball",
-    "ball_function",
-    "ball_values",
-    "components",
-    "exact",
-    "needed_steps",
-    "number",
-]
+from .program import REAL, Steps, StraightLineProgram
 
 #: Balls (arb or acb) by the symbol that names them.
 Values: TypeAlias = Mapping[sp.Symbol, Any]

@@ -22,8 +22,6 @@ from .mechanisms import decide_mechanism
 from .result import Existence
 from .rolling_bodies import decide_body
 
-__all__ = ["Existence", "measure_exists"]
-
 
 @singledispatch
 def measure_exists(given: object, name: str = "", *, effort: int = EFFORT) -> Existence:

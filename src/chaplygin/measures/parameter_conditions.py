@@ -16,8 +16,8 @@ from flint import fmpq_mpoly
 
 from ..formulas.tape import Derivation, Tape
 from ..formulas.taylor import Rational
-from ..mechanics.constraints.distribution import VectorField
 from ..mechanics.constraints.exact_points import NoPointError, random_point
+from ..mechanics.lagrangian.structure_functions import VectorField
 from ..mechanics.reduction.rational_evaluation import (
     Formulas,
     Quotient,

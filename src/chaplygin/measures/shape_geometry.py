@@ -16,7 +16,8 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ..core.system import Parameter
 from ..core.vectors import Symmetric, Vector, constant, cross, dot, norm_squared, real_symbol
-from ..mechanics.rolling.shapes import Implicit, Shape
+from ..mechanics.rolling.implicit import Implicit
+from ..mechanics.rolling.shapes import Shape
 from ..mechanics.rolling.surfaces import Plane, Surface
 
 Pairs = tuple[tuple[Any, Any], ...]

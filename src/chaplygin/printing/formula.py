@@ -41,8 +41,6 @@ from .ordering import (
 )
 from .symbol_names import SymbolName, letter_of
 
-__all__ = ["LATEX", "UNICODE", "Notation", "latex", "rate", "signed_terms", "text", "width"]
-
 #: What SymPy reads as a formula.
 Formula: TypeAlias = sp.Basic | float
 

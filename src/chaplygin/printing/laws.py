@@ -25,7 +25,8 @@ from ..core.laws import (
     Symmetry,
 )
 from ..core.vectors import Diagonal, Vector, real_symbol, to_components
-from .formula import UNICODE, Notation, latex, rate, text
+from .formula import latex, rate, text
+from .notation import UNICODE, Notation
 from .poisson_brackets import Side, bracket_sides, curly_brackets
 
 if TYPE_CHECKING:

@@ -10,7 +10,8 @@ import sympy as sp
 
 from ..core.laws import PoissonStructure
 from ..core.vectors import Vector, real_symbol, to_components
-from .formula import LATEX, UNICODE, Notation, latex, text
+from .formula import latex, text
+from .notation import LATEX, UNICODE, Notation
 
 if TYPE_CHECKING:
     from ..core.system import Name, System

@@ -15,33 +15,17 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from ..core.named_formulas import Pairs
-from .formula import LATEX, UNICODE, Notation, latex, rate, signed_terms, text, width
+from .formula import latex, rate, signed_terms, text, width
 from .laws import caption, equation, equation_sides, heading
 from .layout import Layout, layout, reconstruction_layout
 from .mathml import mathml, width_of
+from .notation import LATEX, UNICODE, Notation
 from .numerals import number, unit
 
 if TYPE_CHECKING:
     from ..core.laws import Integral, Law
     from ..core.system import System
 
-__all__ = [
-    "claims_html",
-    "displayed_formula",
-    "field_text",
-    "latex",
-    "law_html",
-    "law_latex",
-    "laws_text",
-    "mathml",
-    "motion_html",
-    "motion_text",
-    "system_html",
-    "system_latex",
-    "system_line",
-    "system_text",
-    "text",
-]
 
 #: Columns of a terminal page, and of a displayed equation before it is broken.
 WIDTH = 100

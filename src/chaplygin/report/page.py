@@ -22,20 +22,14 @@ from ..experiment.contact.trajectory import ContactTrajectory
 from ..experiment.contact_subject import ContactSubject
 from ..experiment.study import Study
 from ..explicit.base.solution import Solution
-from ..flow.integrator import Trajectory
+from ..flow.trajectory import Trajectory
 from ..lab.element import element
 from ..lab.study_page import study_model
+from ..printing.formula import latex, text
 from ..printing.laws import heading
+from ..printing.mathml import mathml
 from ..printing.numerals import number, typographic_signs, unit
-from ..printing.system import (
-    claims_html,
-    displayed_formula,
-    latex,
-    mathml,
-    motion_html,
-    system_html,
-    text,
-)
+from ..printing.system import claims_html, displayed_formula, motion_html, system_html
 from ..proof.fields.budget import EFFORT
 from ..proof.verdict import Verdict
 from . import figures

@@ -16,9 +16,8 @@ from ..core.cache import entry_name
 from ..errors import InputError
 from ..experiment.files import atomic_file
 from ..experiment.study import Study
-from ..flow.integrator import Trajectory
 from ..flow.taylor import number_type
-from ..flow.trajectory import Event, Statistics
+from ..flow.trajectory import Event, Statistics, Trajectory
 from ..formulas.digest import digest
 
 #: Digits of the start that take part in the digest.

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..core.system import System
 from ..experiment.dataset import Samples
-from ..flow.integrator import Trajectory
+from ..flow.trajectory import Trajectory
 
 
 def drift(values: Samples) -> float:

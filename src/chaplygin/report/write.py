@@ -16,7 +16,7 @@ from ..experiment.files import atomic_file
 from ..experiment.plan import PlanMotion, plan_motion
 from ..experiment.study import Study, dataset_of
 from ..explicit.base.solution import Solution
-from ..flow.integrator import Trajectory
+from ..flow.trajectory import Trajectory
 from . import figures, page
 from .stored_trajectory import read_trajectory, store_trajectory, trajectory_digest
 from .study_folder import TRAJECTORY, begin, end

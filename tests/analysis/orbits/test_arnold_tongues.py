@@ -17,7 +17,7 @@ from chaplygin.analysis.orbits.arnold_tongues import (
 from chaplygin.analysis.orbits.return_map import Circle
 from chaplygin.catalogue.bodies.unbalanced_rubber_ball_centred import torus
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import poincare_section
+from chaplygin.flow.kernel.equations import poincare_section
 from chaplygin.flow.sections.poincare_map import PoincareMap
 
 

@@ -11,7 +11,7 @@ from chaplygin.analysis.orbits.periodic import find_periodic
 from chaplygin.analysis.orbits.return_map import ReturnMap
 from chaplygin.catalogue import from_catalogue
 from chaplygin.catalogue.ball_on_sphere import rubber_ball_ratio
-from chaplygin.flow.batch import poincare_section
+from chaplygin.flow.kernel.equations import poincare_section
 from chaplygin.flow.sections.poincare_map import PoincareMap
 
 

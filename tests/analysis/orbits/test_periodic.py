@@ -11,7 +11,7 @@ from chaplygin.analysis.orbits.periodic import NoOrbitError, find_periodic
 from chaplygin.analysis.orbits.return_map import ReturnMap, parameters_to_state
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import poincare_section
+from chaplygin.flow.kernel.equations import poincare_section
 from chaplygin.flow.sections.poincare_map import PoincareMap
 
 

@@ -12,7 +12,7 @@ from chaplygin.analysis.orbits.return_map import Circle, ReturnMap, parameters_t
 from chaplygin.catalogue.ball_on_sphere import rubber_ball_ratio
 from chaplygin.catalogue.bodies.unbalanced_rubber_ball_centred import torus
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import poincare_section
+from chaplygin.flow.kernel.equations import poincare_section
 from chaplygin.flow.sections.poincare_map import PoincareMap
 
 SYSTEM = rubber_ball_ratio.rolling().with_laws(

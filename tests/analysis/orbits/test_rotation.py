@@ -20,7 +20,7 @@ from chaplygin.analysis.orbits.rotation import (
 )
 from chaplygin.catalogue.fixed_point import veselova
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import poincare_section
+from chaplygin.flow.kernel.equations import poincare_section
 from chaplygin.flow.sections.poincare_map import PoincareMap
 
 GOLDEN = (np.sqrt(5) - 1) / 2

@@ -12,7 +12,8 @@ from chaplygin.analysis.classification.facts import ProofBudget
 from chaplygin.errors import InputError
 from chaplygin.experiment.file.ball_model import BallExperiment, moment
 from chaplygin.experiment.file.ball_tables import CylinderTable, RoundTable
-from chaplygin.experiment.file.models import RollingExperiment, catalogue_experiment, loads
+from chaplygin.experiment.file.models import catalogue_experiment, loads
+from chaplygin.experiment.file.rolling_model import RollingExperiment
 from chaplygin.experiment.file.shape_tables import BallTable
 from chaplygin.experiment.file.tables import BodyTable
 from chaplygin.experiment.study import dataset_of, prepare

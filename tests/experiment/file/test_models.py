@@ -7,7 +7,9 @@ import pytest
 from pydantic import ValidationError
 
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.models import RollingExperiment, SystemExperiment, load, loads
+from chaplygin.experiment.file.catalogue_models import SystemExperiment
+from chaplygin.experiment.file.models import load, loads
+from chaplygin.experiment.file.rolling_model import RollingExperiment
 from chaplygin.experiment.file.shape_tables import (
     BallTable,
     EllipsoidTable,

@@ -18,8 +18,7 @@ from chaplygin.experiment.friction_ensembles.file_numbers import FileNumbers
 from chaplygin.experiment.friction_ensembles.random_starts import random_numbers
 from chaplygin.experiment.study import Study
 from chaplygin.flow.ensemble.computation import compute
-from chaplygin.flow.ensemble.members import from_lists
-from chaplygin.flow.ensemble.run import grid
+from chaplygin.flow.ensemble.members import from_lists, grid
 
 #: A billiard ball that slides at first: it rolls from 2u/(7μg) on.
 BILLIARD = """

@@ -15,8 +15,7 @@ from chaplygin.experiment.friction_ensembles.section import contact_section_task
 from chaplygin.experiment.poincare import Place
 from chaplygin.experiment.study import Study
 from chaplygin.flow.ensemble.computation import compute
-from chaplygin.flow.ensemble.members import from_lists
-from chaplygin.flow.ensemble.run import grid
+from chaplygin.flow.ensemble.members import from_lists, grid
 from experiment.friction_ensembles.test_ensembles import BILLIARD, sticking
 
 

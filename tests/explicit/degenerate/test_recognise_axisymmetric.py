@@ -9,7 +9,6 @@ import pytest
 from flint import arb, ctx
 
 from chaplygin.catalogue import from_catalogue
-from chaplygin.explicit.base.problem import exact
 from chaplygin.explicit.base.solution import Solution
 from chaplygin.explicit.degenerate.recognise_axisymmetric import (
     chaplygin_of_revolution,
@@ -19,6 +18,7 @@ from chaplygin.explicit.degenerate.recognise_axisymmetric import (
 from chaplygin.explicit.one_degree.solution import QuadratureSolution
 from chaplygin.explicit.one_degree.uniform import UniformSolution
 from chaplygin.flow.integrator import integrate
+from chaplygin.formulas.balls import exact
 from chaplygin.mechanics.rolling.initial_state import initial_state
 
 GAMMA = (0.48, 0.6, 0.64)

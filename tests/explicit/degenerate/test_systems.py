@@ -11,14 +11,13 @@ import pytest
 from flint import arb, ctx
 
 from chaplygin.core.system import flat_pairs
-from chaplygin.explicit.base.problem import exact
 from chaplygin.explicit.degenerate import solve_degenerate
 from chaplygin.explicit.degenerate.solution import DegenerateSolution
 from chaplygin.explicit.degenerate.theta_motion import Asymptotic, Periodic
 from chaplygin.explicit.genus_two.separation import SeparatedSystem, nu, nuprime
 from chaplygin.explicit.solvable_cases import SEPARABLE
 from chaplygin.flow.integrator import integrate
-from chaplygin.formulas.balls import ball_values
+from chaplygin.formulas.balls import ball_values, exact
 
 TIMES = [0.0, 0.5, 4.0]
 

@@ -15,9 +15,9 @@ from chaplygin.core.system import System
 from chaplygin.errors import InputError
 from chaplygin.experiment.file.models import catalogue_experiment
 from chaplygin.experiment.study import prepare
-from chaplygin.flow.batch import BatchIntegrator, batch_integrator, poincare_section
+from chaplygin.flow.batch import BatchIntegrator, batch_integrator
 from chaplygin.flow.devices.graphics import graphics_loop, refuse_graphics
-from chaplygin.flow.kernel.equations import Section, equations_of
+from chaplygin.flow.kernel.equations import Section, equations_of, poincare_section
 from chaplygin.flow.kernel.ir_writer import literal
 from chaplygin.flow.kernel.outcomes import NOT_A_NUMBER
 from chaplygin.flow.kernel.tableaux import explicit

@@ -9,10 +9,9 @@ from pathlib import Path
 import pytest
 
 from chaplygin.catalogue import CATALOGUE, from_catalogue
-from chaplygin.flow.batch import poincare_section
 from chaplygin.flow.devices.graphics_text import ENTRY, thread_loop
 from chaplygin.flow.devices.ptx import ARCHITECTURE, cached_ptx, compile_ptx
-from chaplygin.flow.kernel.equations import Equations, equations_of
+from chaplygin.flow.kernel.equations import Equations, equations_of, poincare_section
 from chaplygin.flow.kernel.tableaux import arithmetic_and_method
 
 #: Registers that a thread can have.

@@ -16,14 +16,8 @@ from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import Guard
 from chaplygin.errors import InputError
 from chaplygin.flow.batch import batch_integrator
-from chaplygin.flow.ensemble.run import (
-    ensemble,
-    ensemble_task,
-    from_lists,
-    grid,
-    random_starts,
-    single,
-)
+from chaplygin.flow.ensemble.members import from_lists, grid, random_starts, single
+from chaplygin.flow.ensemble.run import ensemble, ensemble_task
 from chaplygin.flow.ensemble.task import Divisible
 from chaplygin.flow.integrator import integrate
 from chaplygin.flow.sampling.draw import sample_level

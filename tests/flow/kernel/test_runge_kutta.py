@@ -15,11 +15,11 @@ from scipy.optimize import brentq
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import Guard, System
 from chaplygin.flow import batch as lanes_module
-from chaplygin.flow.batch import BatchIntegrator, Section, batch_integrator, poincare_section
+from chaplygin.flow.batch import BatchIntegrator, batch_integrator
 from chaplygin.flow.integrator import integrate
 from chaplygin.flow.kernel import jit as native
 from chaplygin.flow.kernel.arithmetic import Double, Pair
-from chaplygin.flow.kernel.equations import equations_of
+from chaplygin.flow.kernel.equations import Section, equations_of, poincare_section
 from chaplygin.flow.kernel.outcomes import (
     COLLAPSED,
     NOT_A_NUMBER,

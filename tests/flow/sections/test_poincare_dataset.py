@@ -17,9 +17,9 @@ import xarray as xr
 from chaplygin.catalogue import entry
 from chaplygin.core.vectors import to_components
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import poincare_section
 from chaplygin.flow.ensemble.computation import compute
 from chaplygin.flow.ensemble.task import Task
+from chaplygin.flow.kernel.equations import poincare_section
 from chaplygin.flow.sampling.draw import sample_level
 from chaplygin.flow.sections import poincare_dataset as section_points
 from chaplygin.flow.sections.poincare_dataset import Quantity, section_task

@@ -15,8 +15,9 @@ from chaplygin.catalogue import entry
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import to_components
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import BatchCrossings, Section, poincare_section
+from chaplygin.flow.batch_results import BatchCrossings
 from chaplygin.flow.heyoka_expressions import Translator
+from chaplygin.flow.kernel.equations import Section, poincare_section
 from chaplygin.flow.sections.poincare_map import PoincareMap, slab
 from chaplygin.formulas.batch import Formulas
 from chaplygin.mechanics.rolling.initial_state import initial_state

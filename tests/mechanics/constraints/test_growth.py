@@ -9,12 +9,9 @@ import sympy as sp
 
 from chaplygin.core.vectors import Vector, norm_squared, to_components
 from chaplygin.errors import InputError
-from chaplygin.mechanics.constraints.distribution import (
-    commutator,
-    distribution_spanned_by,
-    lie_derivative,
-)
+from chaplygin.mechanics.constraints.distribution import distribution_spanned_by
 from chaplygin.mechanics.constraints.growth import filtration, generic, growth
+from chaplygin.mechanics.lagrangian.structure_functions import commutator, lie_derivative
 
 x, y, z, u, w, p = sp.symbols("x y z u w p", real=True)
 ONE = sp.S.One

@@ -37,7 +37,7 @@ from chaplygin.core.vectors import (
 )
 from chaplygin.errors import InputError
 from chaplygin.mechanics.ball.mechanism import ball_mechanism
-from chaplygin.mechanics.constraints.distribution import Distribution, distribution, lie_derivative
+from chaplygin.mechanics.constraints.distribution import Distribution, distribution
 from chaplygin.mechanics.constraints.integrability import nonholonomy, nonholonomy_at
 from chaplygin.mechanics.lagrangian.mechanism import (
     TIME,
@@ -47,6 +47,7 @@ from chaplygin.mechanics.lagrangian.mechanism import (
     euclidean,
     rotations,
 )
+from chaplygin.mechanics.lagrangian.structure_functions import lie_derivative
 from chaplygin.mechanics.rolling.contact import contact as contact_of
 from chaplygin.mechanics.rolling.mechanism import rolling_mechanism
 

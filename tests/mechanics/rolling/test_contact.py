@@ -15,8 +15,10 @@ from chaplygin.errors import InputError
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.contact import contact
 from chaplygin.mechanics.rolling.equations import roll
+from chaplygin.mechanics.rolling.implicit import Implicit
 from chaplygin.mechanics.rolling.initial_state import initial_state
-from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
+from chaplygin.mechanics.rolling.revolution import Revolution
+from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Torus
 from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
 from mechanics.bodies import (
     CENTRE,

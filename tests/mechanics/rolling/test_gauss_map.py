@@ -14,15 +14,9 @@ from chaplygin.mechanics.rolling.gauss_map import (
     contact_points,
     contact_points_of_normals,
 )
-from chaplygin.mechanics.rolling.shapes import (
-    Ball,
-    Disk,
-    Ellipsoid,
-    Implicit,
-    Revolution,
-    Shape,
-    Torus,
-)
+from chaplygin.mechanics.rolling.implicit import Implicit
+from chaplygin.mechanics.rolling.revolution import Revolution
+from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Shape, Torus
 from mechanics.bodies import CENTRE, SHAPES
 from mechanics.compare import XYZ, draw, shape_of
 

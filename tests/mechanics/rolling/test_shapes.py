@@ -13,8 +13,10 @@ from chaplygin.core.vectors import Vector, real_symbol, to_components
 from chaplygin.errors import InputError
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, roll
+from chaplygin.mechanics.rolling.implicit import Implicit
 from chaplygin.mechanics.rolling.initial_state import initial_state
-from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
+from chaplygin.mechanics.rolling.revolution import Revolution
+from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Torus
 from chaplygin.mechanics.rolling.surfaces import Plane
 from mechanics.bodies import CENTRE, FIELD, FULL, QUARTIC, ROTORS, SHAPES, SURFACES
 from mechanics.compare import GAMMA, XYZ

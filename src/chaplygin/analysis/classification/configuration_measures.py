@@ -10,7 +10,8 @@ import sympy as sp
 from ...core.vectors import real_symbol
 from ...errors import InputError
 from ...formulas.errors import OutOfReachError
-from ...measures.existence import Existence, measure_exists
+from ...measures.existence import measure_exists
+from ...measures.result import Existence
 from ...mechanics.lagrangian.mechanism import Mechanism
 from ...mechanics.rolling.equations import Rolling
 from ...parsing.exact_decimals import exact_number

@@ -79,7 +79,7 @@ def orbit_near(
         raise RunError(
             f"the motion does not return to {on} = {value:g} often enough: "
             f"{returns.section.status_message(int(crossed.outcome[0]))}",
-            float(crossed.ended[0]),
+            float(crossed.end_times[0]),
         )
     returns = ReturnMap(PoincareMap(system, section, tolerance=tolerance))
     progress(0.25)

@@ -9,8 +9,8 @@ from typing import Any
 
 from ...core.system import System
 from ...errors import InputError
-from ...flow.batch import poincare_section
 from ...flow.devices.graphics import Device
+from ...flow.kernel.equations import poincare_section
 from ...formulas.evaluate import formula
 from ...parsing import nearest
 from ..lyapunov.indicators import (

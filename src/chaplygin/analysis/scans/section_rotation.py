@@ -12,8 +12,8 @@ import sympy as sp
 from ...core.arrays import FloatArray, IntArray
 from ...core.parameters import Parameters
 from ...core.system import System
-from ...flow.batch import Section
 from ...flow.devices.graphics import Device
+from ...flow.kernel.equations import Section
 from ...flow.sections.poincare_map import PoincareMap
 from ..orbits.return_map import rotations
 

@@ -7,10 +7,8 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from ...mechanics.constraints import growth as mechanics
-from ...mechanics.constraints.distribution import VectorField, commutator, lie_derivative
+from ...mechanics.lagrangian.structure_functions import VectorField
 from ...proof.verdict import Verdict
-
-__all__ = ["VectorField", "commutator", "growth", "holonomic_count_verdict", "lie_derivative"]
 
 
 def growth(

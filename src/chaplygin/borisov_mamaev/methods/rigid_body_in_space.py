@@ -12,9 +12,9 @@ import sympy as sp
 
 from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, constant, cross, gradient, real_symbol, to_components, vectors
+from ...mechanics.lagrangian.structure_functions import VectorField, commutator
 from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
 from . import unspecified
-from .growth_vector import VectorField, commutator
 
 alpha, beta, gamma, R, omega, v, r = vectors("alpha beta gamma R omega v r")
 lambda_ = vectors("lambda")[0]

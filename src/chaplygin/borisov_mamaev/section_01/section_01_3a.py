@@ -23,6 +23,7 @@ from ...core.vectors import (
     unit_vector,
     vectors,
 )
+from ...mechanics.lagrangian.structure_functions import VectorField, lie_derivative
 from ...mechanics.rolling.attitude import rotation
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import roll
@@ -30,7 +31,6 @@ from ...mechanics.rolling.shapes import Ellipsoid
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.conclusion import computed_verdict
-from ..methods.growth_vector import VectorField, lie_derivative
 from ..methods.rigid_body_in_space import COORDINATES, bracket, moving, shift, turn
 
 alpha, beta, gamma, R, omega, v, r, c = vectors("alpha beta gamma R omega v r c")

@@ -25,6 +25,7 @@ from ...core.vectors import (
     to_components,
     vectors,
 )
+from ...mechanics.lagrangian.structure_functions import lie_derivative
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified
 from ..methods.any_motion import (
@@ -35,7 +36,6 @@ from ..methods.any_motion import (
     reduced_equation,
     tensor,
 )
-from ..methods.growth_vector import lie_derivative
 from ..methods.rigid_body_in_space import POTENTIAL, constrained, shift, turn
 
 alpha, beta, gamma, R, omega, v, r = vectors("alpha beta gamma R omega v r")

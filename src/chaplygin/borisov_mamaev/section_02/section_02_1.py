@@ -11,11 +11,12 @@ from ...catalogue.bodies.rubber_body import any_rubber_body
 from ...core.laws import Identity, Integral
 from ...core.system import Parameter, System
 from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, to_components, vectors
+from ...mechanics.lagrangian.structure_functions import VectorField
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified
 from ..methods.conclusion import computed_verdict
-from ..methods.growth_vector import VectorField, growth, holonomic_count_verdict
+from ..methods.growth_vector import growth, holonomic_count_verdict
 from ..methods.rigid_body_in_space import COORDINATES, shift, turn
 from ..section_01.section_01_3a import rational_rotation
 

@@ -8,12 +8,12 @@ from ...catalogue import CATALOGUE
 from ...core.laws import Identity, Rate
 from ...core.system import System
 from ...core.vectors import Vector
+from ...mechanics.lagrangian.structure_functions import lie_derivative
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, roll
 from ...mechanics.rolling.shapes import Ellipsoid
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import law_named
-from ..methods.growth_vector import lie_derivative
 from ..methods.unspecified import fields, gradient, system, unspecified_functions
 
 q = sp.symbols("q_1:4", real=True)

@@ -7,10 +7,11 @@ import sympy as sp
 from ...catalogue import from_catalogue
 from ...core.system import System
 from ...core.vectors import real_symbol
+from ...mechanics.lagrangian.structure_functions import VectorField
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim
 from ..methods.catalogue_laws import law_named
-from ..methods.growth_vector import VectorField, growth, holonomic_count_verdict
+from ..methods.growth_vector import growth, holonomic_count_verdict
 
 #: Place of the contact point, cosine and sine of the heading, inclination, turn about the axis.
 x, y, c, s, theta, phi = (real_symbol(name) for name in ("x", "y", "c", "s", "theta", "phi"))

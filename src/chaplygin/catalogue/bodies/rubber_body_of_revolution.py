@@ -14,7 +14,9 @@ from ...core.vectors import dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.equivalent_body import AnyBody
-from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
+from ...mechanics.rolling.implicit import Implicit
+from ...mechanics.rolling.revolution import Revolution
+from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Torus
 from ...mechanics.rolling.surfaces import Plane
 from ..entry import Entry, Numbers, Start
 from .rubber_profile import HEIGHT, POTENTIAL, from_support, profile_system

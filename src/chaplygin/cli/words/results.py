@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from ...contact.course.events import ContactEvent
     from ...experiment.contact.trajectory import ContactTrajectory
     from ...experiment.study import Study
-    from ...flow.integrator import Trajectory
+    from ...flow.trajectory import Trajectory
 
 #: Columns of a line, and events of a motion with friction that are printed.
 COLUMNS, FIRST = 80, 10

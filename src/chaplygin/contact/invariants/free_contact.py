@@ -32,7 +32,8 @@ from ...core.vectors import (
 from ...errors import InputError
 from ...mechanics.rolling.body import Body, body_parameters
 from ...mechanics.rolling.contact import contact
-from ...mechanics.rolling.shapes import Ball, Implicit
+from ...mechanics.rolling.implicit import Implicit
+from ...mechanics.rolling.shapes import Ball
 from ...mechanics.rolling.surfaces import Plane
 from ..friction.symbols import gamma, omega, r, v
 

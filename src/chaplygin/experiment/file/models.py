@@ -25,31 +25,14 @@ from ...catalogue import CATALOGUE, Entry, entry
 from ...errors import InputError
 from ...parsing import nearest
 from .ball_model import BallExperiment, is_ball_experiment
-from .catalogue_models import CatalogueExperiment, StateExperiment, SystemExperiment
-from .described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
+from .catalogue_models import StateExperiment, SystemExperiment
+from .described_models import EquationsExperiment, MechanismExperiment
 from .rolling_model import FrictionExperiment, RollingExperiment
 from .source import Source
 from .table import Table
 from .tables import OF_A_DIMENSION
 from .toml import Key, Tables
 from .validation import validation_messages
-
-__all__ = [
-    "BallExperiment",
-    "CatalogueExperiment",
-    "EquationsExperiment",
-    "Experiment",
-    "FrictionExperiment",
-    "MechanismExperiment",
-    "OwnExperiment",
-    "RollingExperiment",
-    "StateExperiment",
-    "SystemExperiment",
-    "catalogue_experiment",
-    "load",
-    "loads",
-]
-
 
 #: Tables that describe a system by themselves.
 DESCRIBED = ("lagrangian", "equations")

@@ -14,7 +14,7 @@ from ...core.vectors import Vector, real_symbol
 from ...errors import InputError
 from ...mechanics.lagrangian.mechanism import TIME
 from ...parsing import PRODUCTS, RESERVED, Formula, Named, nearest, parse_formula
-from .models import OwnExperiment
+from .described_models import OwnExperiment
 
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _SIZED = re.compile(r"(.*?)(?:\[([234])\])?", re.DOTALL)

@@ -10,7 +10,9 @@ from typing import ClassVar, Literal, get_args
 
 from pydantic import Field, StrictBool, ValidationInfo, field_validator, model_validator
 
-from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Shape, Torus
+from ...mechanics.rolling.implicit import Implicit
+from ...mechanics.rolling.revolution import Revolution
+from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Shape, Torus
 from .table import FORMULA, POSITIVE, THREE, FormulaTable, Number, Positive, Vector
 
 

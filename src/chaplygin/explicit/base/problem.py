@@ -25,8 +25,6 @@ from ...formulas.number_fields import Rationals
 from ...formulas.relative_zero import RESOLUTION, SizedNumber, state_sizes, values_with_sizes
 from ...mechanics.rolling.equations import Rolling
 
-__all__ = ["Problem", "exact", "rational", "same_field"]
-
 #: Points at which two fields are compared.
 POINTS = 3
 #: Components of each of the two vectors of a state.

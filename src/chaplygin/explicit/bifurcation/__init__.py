@@ -18,10 +18,10 @@ from flint import fmpq, fmpq_mpoly
 from ...arguments import Written
 from ...core.vectors import to_components
 from ...errors import InputError
+from ...formulas.balls import exact
 from ...formulas.relative_zero import ROUNDED, SizedNumber, state_sizes, values_with_sizes
 from ...mechanics.rolling.body import check_inertia
 from ...printing.formula import text
-from ..base.problem import exact
 from ..genus_two.separation import SeparatedSystem
 from .arrangement import RING, Arrangement, arrangement, rational
 from .families import Axis, IntegralPlane, Z, numbers, plane_named, plane_of

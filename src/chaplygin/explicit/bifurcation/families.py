@@ -19,7 +19,7 @@ from ...core.parameters import require_parameters
 from ...core.system import System
 from ...core.vectors import dot, norm_squared, real_symbol, to_components, vectors
 from ...errors import InputError
-from ..base.problem import exact
+from ...formulas.balls import exact
 from ..genus_two.separation import SeparatedSystem
 from ..separations import ball_sphere, rubber_sphere
 from ..separations.bruns import rubber_ball_in_bruns_field, veselova_in_bruns_field

@@ -10,7 +10,8 @@ from flint import arb
 
 from ...arguments import Written
 from ...core.system import flat_pairs
-from ...formulas.balls import Steps, Values, ball, ball_values, components, needed_steps
+from ...formulas.balls import Values, ball, ball_values, components
+from ...formulas.program import Steps, needed_steps
 from ..base.exact_start import on_phase_space
 from .curve import Curve
 from .separation import SeparatedSystem, nu, nuprime

@@ -8,7 +8,7 @@ from flint import arb, fmpq
 
 from ...arguments import Written
 from ...errors import InputError
-from ..base.problem import exact
+from ...formulas.balls import exact
 
 #: Digits that are carried at most.
 MOST = 100

@@ -19,11 +19,12 @@ from flint import acb, arb, ctx, fmpq
 from ...arguments import Written
 from ...core.vectors import real_symbol, vectors
 from ...errors import InputError
+from ...formulas.balls import exact
 from ...formulas.relative_zero import vanishes
 from ...mechanics.rolling.equations import Rolling
-from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Revolution, Shape, Torus
+from ...mechanics.rolling.revolution import Revolution
+from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Shape, Torus
 from ...mechanics.rolling.surfaces import Plane
-from ..base.problem import exact
 from ..one_degree.divided_differences import Argument, value
 from ..one_degree.formula import program
 from ..one_degree.uniformisation import Equation

@@ -23,8 +23,8 @@ from flint import arb, ctx, fmpq
 from ...arguments import Written
 from ...core.arrays import FloatArray
 from ...errors import InputError
+from ...formulas.balls import exact
 from ...mechanics.rolling.equations import Rolling
-from ..base.problem import exact
 from ..one_degree.divided_differences import Argument, Formula, jet
 from .body import AxisymmetricBody, body_of, u
 

@@ -24,7 +24,7 @@ from ..kernel.outcomes import STATUS_MESSAGES
 from ..validation import moments
 from ..variable_metadata import FRAMES, LABELS, cf_attributes, system_attributes, variable_metadata
 from .computation import compute
-from .members import Members, from_lists, grid, random_starts, single
+from .members import Members, from_lists
 from .task import Coordinate, Progress, Task, Variable
 from .work import EnsembleWork, quantities_by_name
 
@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     import xarray as xr
     from distributed import Client
 
-__all__ = ["ensemble", "ensemble_task", "from_lists", "grid", "random_starts", "single"]
 
 #: A block holds no more members than this, nor more numbers.
 _MEMBERS: Mapping[Device, int] = {"cpu": 4096, "gpu": 1 << 17}

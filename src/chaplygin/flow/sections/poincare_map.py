@@ -29,11 +29,12 @@ from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.batch import Formulas
 from ...formulas.evaluate import formula
-from ..batch import BatchIntegrator, Section, batch_integrator
+from ..batch import BatchIntegrator, batch_integrator
 from ..devices.graphics import Device
+from ..kernel.equations import Section
 
 if TYPE_CHECKING:
-    from ..batch import BatchCrossings
+    from ..batch_results import BatchCrossings
 
 
 @dataclass(frozen=True)

@@ -59,5 +59,5 @@ def _law(result: SearchResult) -> Message:
         "mathml": formula,
         "text": shown,
         "stated": verdict.stated,
-        "repeats": result.known or "",
+        "repeats": result.catalogue_law or "",
     }

@@ -18,18 +18,9 @@ from ...core.vectors import real_symbol
 from ...errors import InputError
 from ...parsing.exact_decimals import exactly
 from ..lagrangian.mechanism import TIME, Mechanism
-from ..lagrangian.structure_functions import Coefficients, VectorField, commutator, lie_derivative
+from ..lagrangian.structure_functions import Coefficients, VectorField, lie_derivative
 from .exact_points import ConfigurationSpace, ParameterValue
 from .reconstruction import whole_configuration
-
-__all__ = [
-    "Distribution",
-    "VectorField",
-    "commutator",
-    "distribution",
-    "distribution_spanned_by",
-    "lie_derivative",
-]
 
 
 @dataclass(frozen=True)

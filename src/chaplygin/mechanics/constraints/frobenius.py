@@ -7,7 +7,8 @@ from itertools import combinations
 import sympy as sp
 
 from ...core.named_formulas import expand
-from .distribution import Distribution, VectorField, commutator
+from ..lagrangian.structure_functions import VectorField, commutator
+from .distribution import Distribution
 from .zero_test import vanishes
 
 

@@ -16,7 +16,8 @@ import sympy as sp
 
 from ...errors import InputError
 from ...formulas.taylor import PRIMES, IrrationalError, Modular, Numbers, Rational
-from .distribution import Distribution, VectorField, distribution_spanned_by
+from ..lagrangian.structure_functions import VectorField
+from .distribution import Distribution, distribution_spanned_by
 from .exact_points import (
     ConfigurationSpace,
     ExactPoint,

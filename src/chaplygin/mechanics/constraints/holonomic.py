@@ -20,7 +20,8 @@ from sympy.core.function import AppliedUndef
 
 from ...formulas.expansion import angles
 from ...formulas.taylor import PRIMES, IrrationalError, Modular
-from .distribution import Distribution, lie_derivative
+from ..lagrangian.structure_functions import lie_derivative
+from .distribution import Distribution
 from .exact_points import NoPointError, random_point
 from .growth import SEED
 from .vector_field_series import SingularError, Values, slopes, values_at

@@ -27,9 +27,9 @@ from ...core.vectors import (
     zero,
 )
 from ...errors import InputError
-from .implicit import IMPLICIT_GRADIENT, IMPLICIT_HESSIAN, IMPLICIT_POINT
+from .implicit import IMPLICIT_GRADIENT, IMPLICIT_HESSIAN, IMPLICIT_POINT, Implicit
 from .shape_base import GaussMap, convexity
-from .shapes import Ball, Implicit, Shape
+from .shapes import Ball, Shape
 from .surfaces import Plane, Sphere, Surface
 
 omega = Vector("omega")

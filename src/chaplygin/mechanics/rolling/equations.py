@@ -111,7 +111,7 @@ class Rolling:
 
     @property
     def equivalent(self) -> Rolling:
-        """This with the rigid body that is equivalent to the body with its fluid at rest.
+        """Itself with the rigid body that is equivalent to the body with its fluid at rest.
 
         At rest means in potential flow (Zhukovsky); without fluid it is the body itself.
         """

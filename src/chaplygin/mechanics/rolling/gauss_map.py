@@ -10,8 +10,9 @@ import sympy as sp
 from ...core.arrays import FloatArray
 from ...core.vectors import Vector, to_components
 from ...errors import InputError
+from .implicit import Implicit
 from .rays import directions
-from .shapes import Ball, Implicit, Shape
+from .shapes import Ball, Shape
 
 _ITERATIONS = 200
 

@@ -38,8 +38,6 @@ from .shape_base import (
     require_positive,
 )
 
-__all__ = ["Ball", "Disk", "Ellipsoid", "Implicit", "Revolution", "Shape", "Torus"]
-
 #: A flat face is reached when the symmetry axis leans from the normal by less than this (radians).
 FLAT = 1e-6
 
