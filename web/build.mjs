@@ -48,7 +48,6 @@ if (process.argv[2] === "test") {
     ...common,
     entryPoints: ["src/engine/index.ts"],
     format: "esm",
-    minify: true,
     outfile: `${out}/engine.js`,
   });
   const { outputFiles } = await build({

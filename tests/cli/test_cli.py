@@ -77,6 +77,19 @@ def test_show_in_other_languages(ask: Ask, form: str, sign: str) -> None:
     assert sign in out
 
 
+def test_show_as_javascript_is_a_module(ask: Ask) -> None:
+    code, out, _ = ask("show", "veselova", "--as", "javascript")
+    assert code == 0
+    assert "export const model = {" in out and "export default () =>" in out
+
+
+def test_show_as_wasm_writes_a_module(tmp_path: Path) -> None:
+    with (tmp_path / "veselova.wasm").open("wb") as file:
+        command = [sys.executable, "-m", "chaplygin", "show", "veselova", "--as", "wasm"]
+        subprocess.run(command, check=True, stdout=file, stderr=subprocess.DEVNULL)
+    assert (tmp_path / "veselova.wasm").read_bytes()[:8] == b"\0asm\1\0\0\0"
+
+
 def test_show_as_toml_is_a_complete_experiment(ask: Ask, tmp_path: Path) -> None:
     _, out, _ = ask("show", EXAMPLES / "egg.toml", "--as", "toml")
     (tmp_path / "egg.toml").write_text(out)

@@ -20,3 +20,9 @@ export function floats(text: Floats): Float32Array {
 export function integers(text: Integers): Uint32Array {
   return new Uint32Array(bytes(text).buffer);
 }
+
+/** The bytes of a text that was deflated (zlib) before it became base64. */
+export async function inflated(text: string): Promise<ArrayBuffer> {
+  const stream = new Blob([bytes(text)]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Response(stream).arrayBuffer();
+}

@@ -277,7 +277,7 @@ export interface PageModel {
   bifurcation: Bifurcation | null;
   scene: Scene;
   recorded: Recorded | null;
-  /** The module, base64; null where the page cannot compute. */
+  /** The module, deflated (zlib), base64; null where the page cannot compute. */
   wasm: string | null;
   wasm_tables: WasmTables | null;
 }

@@ -2,21 +2,31 @@
 
 from __future__ import annotations
 
+import sys
 import textwrap
-from typing import Annotated
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from .common import Json, Override, What, print_json, study_of
 
-FORMS = ("text", "latex", "julia", "c", "toml")
+if TYPE_CHECKING:
+    from ..experiment.study import Study
+
+FORMS = ("text", "latex", "julia", "c", "toml", "javascript", "wasm")
 
 
 def command(
     what: What,
     overrides: Override = None,
     form: Annotated[
-        str, typer.Option("--as", help="text, latex, julia, c, or toml (the experiment file).")
+        str,
+        typer.Option(
+            "--as",
+            help="text, latex, julia, c, toml (the experiment file), javascript (a module that "
+            "computes motions) or wasm (its machine code).",
+        ),
     ] = "text",
     laws: Annotated[
         bool, typer.Option("--laws", help="Print only the known laws of the system.")
@@ -35,7 +45,12 @@ def command(
         raise InputError(f"--as {form}: it must be one of {', '.join(FORMS)}")
     if laws and (form != "text" or json):
         raise InputError("--laws prints a text: leave out --as and --json, which has all laws")
+    if form == "wasm":
+        _require_no_terminal(what)
     study = study_of(what, overrides)
+    if form in ("javascript", "wasm"):
+        _write_module(study, form)
+        return
     from ..analysis.classification.classifier import classify_quickly
     from ..printing.code import source_code
     from ..printing.system import motion_text
@@ -112,3 +127,27 @@ def command(
         typer.echo(f"\n{place}")
         if any("effort" in entry.why for entry in place.uncounted):
             typer.echo(f"\nMore effort may decide the undecided laws: chaplygin prove {what}")
+
+
+def _require_no_terminal(what: str) -> None:
+    """Refuse to write machine code to a terminal."""
+    from ..errors import InputError
+
+    if sys.stdout.isatty():
+        raise InputError(
+            "--as wasm: machine code is no text to be shown; write it to a file, as with "
+            f"chaplygin show {what} --as wasm > {Path(what).stem}.wasm"
+        )
+
+
+def _write_module(study: Study, form: str) -> None:
+    """Write what computes motions to standard output: as JavaScript, or its machine code."""
+    if form == "javascript":
+        from ..lab.javascript import javascript_module
+
+        typer.echo(javascript_module(study).rstrip())
+        return
+    from ..lab.page_module import page_module
+
+    sys.stdout.buffer.write(page_module(study).code)
+    sys.stdout.flush()

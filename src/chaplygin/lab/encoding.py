@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from base64 import b64encode
+from zlib import compress
 
 import numpy as np
 import numpy.typing as npt
@@ -21,6 +22,11 @@ def floats(numbers: npt.ArrayLike) -> str:
 def integers(numbers: npt.ArrayLike) -> str:
     """Numbers of corners, of 32 bits each."""
     return _text(numbers, "<u4")
+
+
+def deflated(code: bytes) -> str:
+    """Base64 of deflated bytes (zlib)."""
+    return b64encode(compress(code, 9)).decode()
 
 
 def _text(numbers: npt.ArrayLike, kind: str) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from base64 import b64encode
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -22,7 +21,7 @@ from ..printing.mathml import mathml
 from ..printing.system import law_latex
 from ..proof.verdict import Verdict
 from .columns import Column, Scalar, columns_of, scalars_of, symbol_mathml
-from .encoding import doubles
+from .encoding import deflated, doubles
 from .page_module import page_module
 from .page_start import start_inputs
 from .reduced import reduced_system
@@ -136,7 +135,7 @@ def live_page_model(
     """
     module = page_module(study)
     computing: dict[str, Json] = {
-        "wasm": b64encode(module.code).decode(),
+        "wasm": deflated(module.code),
         "wasm_tables": module.tables,
     }
     return page_model(study, dataset, verdicts) | computing

@@ -1,6 +1,6 @@
 /** A module with its memory, and calls of its functions. */
 
-import { bytes } from "../encoding.js";
+import { inflated } from "../encoding.js";
 import type { MarchTable, PageModel, ValuesTable, WasmTables } from "../model.js";
 import type { Numbers, Values } from "./engine.js";
 
@@ -40,7 +40,7 @@ export class Module {
       throw new Error(`${model.title}: this page cannot compute`);
     }
     const memory = new WebAssembly.Memory({ initial: 16 });
-    const source = await WebAssembly.instantiate(bytes(model.wasm), { env: { memory } });
+    const source = await WebAssembly.instantiate(await inflated(model.wasm), { env: { memory } });
     return new Module(model, model.wasm_tables, memory, source.instance.exports);
   }
 

@@ -163,6 +163,41 @@ class Double:
         return self.writer.choose(mask, yes, no)
 
 
+class WithoutFused(Double):
+    """Doubles of a machine without fused products and sums.
+
+    Where a result must be rounded once, because what rounding has taken is wanted, the product is
+    split (Dekker 1971); formulas have products and sums of their own.
+    """
+
+    def fma(self, a: Value, b: Value, c: Value) -> Value:
+        """a b + c, in error by little more than half a unit in the last place."""
+        w = self.writer
+        product = w.op("fmul", a, b)
+        (high, low), (other_high, other_low) = self._halves(a), self._halves(b)
+        lost = w.op("fsub", w.op("fmul", high, other_high), product)
+        lost = w.op("fadd", lost, w.op("fmul", high, other_low))
+        lost = w.op("fadd", lost, w.op("fmul", low, other_high))
+        lost = w.op("fadd", lost, w.op("fmul", low, other_low))
+        total = w.op("fadd", product, c)
+        moved = w.op("fsub", total, product)
+        rest = w.op("fsub", product, w.op("fsub", total, moved))
+        rest = w.op("fadd", rest, w.op("fsub", c, moved))
+        return w.op("fadd", total, w.op("fadd", rest, lost))
+
+    def multiply_add(self, a: Value, b: Value, c: Value) -> Value:
+        """a b + c, rounded twice."""
+        w = self.writer
+        return w.op("fadd", w.op("fmul", a, b), c)
+
+    def _halves(self, a: Value) -> tuple[str, str]:
+        """A number as the sum of two of 26 bits (Veltkamp)."""
+        w = self.writer
+        scaled = w.op("fmul", a, w.constant(2.0**27 + 1.0))
+        high = w.op("fsub", scaled, w.op("fsub", scaled, a))
+        return high, w.op("fsub", a, high)
+
+
 class Pair:
     """Numbers of 106 bits: unevaluated sums of two doubles.
 

@@ -363,7 +363,7 @@ class RungeKuttaLoop:
         step = n.leading(step_number)
         for stage in range(1, len(self.method.b)):
             for i in range(self.dimension):
-                value = n.fma(step_number, self._sum(self.method.a[stage], i), self._y(i))
+                value = n.multiply_add(step_number, self._sum(self.method.a[stage], i), self._y(i))
                 n.store(value, self.place("stage"), i)
             if stage == HALFWAY and self.equations.section is not None:
                 self.evaluate("halfway", "stage")
@@ -473,7 +473,7 @@ class RungeKuttaLoop:
         n = self.n
         y = self._y(i)
         self.results[i] = self._sum(self.method.b, i)
-        change = n.fma(step, self.results[i], n.load(self.place("rest"), i))
+        change = n.multiply_add(step, self.results[i], n.load(self.place("rest"), i))
         new = n.add(y, change)
         n.store(new, self.place("new"), i)
         n.store(n.sub(change, n.sub(new, y)), self.place("stage"), i)

@@ -14,7 +14,7 @@ import llvmlite.binding as llvm
 
 from ...formulas.graph import Term
 from . import code_cache as cache
-from .arithmetic import Double
+from .arithmetic import WithoutFused
 from .codegen import functions
 from .equations import Equations
 from .ir_writer import IRWriter
@@ -65,7 +65,7 @@ def prefixed(prefix: str, text: str) -> str:
 
 def march_text(prefix: str, equations: Equations, lanes: int) -> tuple[str, int]:
     """The loop of the explicit method, ``<prefix>_march``, and the doubles that it needs."""
-    text, work = runge_kutta_loop(Double, explicit(), equations, lanes)
+    text, work = runge_kutta_loop(WithoutFused, explicit(), equations, lanes)
     return prefixed(prefix, text), work
 
 
@@ -92,7 +92,7 @@ def values_text(
     work : int
         Doubles of memory that a call needs.
     """
-    text, constants = functions(Double, pieces, 1)
+    text, constants = functions(WithoutFused, pieces, 1)
     names = {piece: f"{prefix}_{piece}_rows" for piece in pieces}
     loops = [_rows_loop(piece, inputs, len(terms)) for piece, terms in pieces.items()]
     return prefixed(prefix, "\n".join([text, *loops])), names, max(constants, 1)

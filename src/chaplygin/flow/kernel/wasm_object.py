@@ -19,7 +19,8 @@ _CUSTOM, _IMPORT, _EXPORT, _START = 0, 2, 7, 8
 _ALLOWED = {_CUSTOM, 1, _IMPORT, 3, _EXPORT, 10}
 
 _SYMBOL_TABLE = 8
-_FUNCTION = 0
+#: Kinds of imports and exports.
+_FUNCTION, _MEMORY = 0, 2
 _UNDEFINED, _EXPLICIT_NAME = 0x10, 0x40
 
 #: Kinds of relocations that name functions and types by numbers that are final.
@@ -137,14 +138,17 @@ def _name(text: str) -> bytes:
 def _import_of_memory(body: bytes) -> bytes:
     """The imports, which must be the memory alone."""
     reader = _Reader(body)
-    count = reader.number()
-    for _ in range(count):
+    limits = b""
+    for _ in range(reader.number()):
         reader.name()
         name, kind = reader.name(), reader.byte()
-        if (name, kind) != ("__linear_memory", 2) or count != 1:
+        if kind != _MEMORY:
             raise NotSelfContainedError(f"the object needs {name}")
-    limits = reader.data[reader.at :]
-    return leb(1) + _name("env") + _name("memory") + b"\2" + limits
+        first = reader.at
+        for _ in range(1 + reader.byte() % 2):
+            reader.number()
+        limits = reader.data[first : reader.at]
+    return leb(1) + _name("env") + _name("memory") + bytes([_MEMORY]) + limits
 
 
 def _functions(reader: _Reader) -> dict[str, int]:

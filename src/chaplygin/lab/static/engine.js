@@ -1,1 +1,626 @@
-function z(r,t){let n=new Float64Array(3*r.length*t.length),e=0;for(let o=0;o<r.length;o++)for(let s=0;s<t.length;s++){let a=Math.sin(r[o]);n[e++]=a*Math.cos(t[s]),n[e++]=a*Math.sin(t[s]),n[e++]=Math.cos(r[o])}return n}function W(r,t){let{theta:n,phi:e,hollow:o}=r,s=n.length,a=e.length,i=z(n,e),m=o?1:-1,u=s*a,c=u+2*(a+1),l=new Float32Array(3*c),h=new Float32Array(3*c);for(let f=0;f<3*u;f++)l[f]=t[f],h[f]=m*i[f];let y=[],g=[],b=(f,F,p,w)=>{mt(l,h,f,F,p)||([F,p]=[p,F]),y.push(f,F,p),g.push(w)},A=f=>Math.floor((e[f]+1e-9)/(Math.PI/2));for(let f=0;f+1<s;f++){let F=(n[f]+n[f+1])/2<Math.PI/2?1:0;for(let p=0;p<a;p++){let w=(p+1)%a,x=(A(p)+F)%2;b(f*a+p,f*a+w,(f+1)*a+w,x),b(f*a+p,(f+1)*a+w,(f+1)*a+p,x)}}for(let f of[!0,!1]){let F=(f?0:s-1)*a,p=u+(f?0:a+1),w=p+a,x=m*(f?1:-1);for(let d=0;d<a;d++){for(let M=0;M<3;M++){let N=l[3*(F+d)+M];l[3*(p+d)+M]=N,l[3*w+M]+=N/a}h[3*(p+d)+2]=x}h[3*w+2]=x;for(let d=0;d<a;d++)b(w,p+d,p+(d+1)%a,(A(d)+(f?1:0))%2)}return{positions:l,normals:h,indices:Uint32Array.from(y),tones:Uint8Array.from(g),hollow:o}}function mt(r,t,n,e,o){let s=[0,1,2].map(m=>r[3*e+m]-r[3*n+m]),a=[0,1,2].map(m=>r[3*o+m]-r[3*n+m]),i=0;for(let m=0;m<3;m++){let u=(m+1)%3,c=(m+2)%3,l=t[3*n+m]+t[3*e+m]+t[3*o+m];i+=(s[u]*a[c]-s[c]*a[u])*l}return i>=0}function C({rows:r,misses:t},n){let e=new Float64Array(n),o=[];return r.forEach((s,a)=>{let i=Float64Array.from(s),m=E(s);for(let l=0;l<2;l++)for(let h of o)D(i,h);let u=E(i);if(!(u>1e-9*m))return;for(let l=0;l<n;l++)i[l]/=u;let c=(t[a]-T(s,e))/u;for(let l=0;l<n;l++)e[l]+=c*i[l];o.push(i)}),e}function Y(r){let t=[];for(let n of r){let e=Float64Array.from(n),o=E(n);for(let a=0;a<2;a++)for(let i of t)D(e,i);let s=E(e);s>1e-9*o&&t.push(e.map(a=>a/s))}return t}function D(r,t){let n=T(r,t);for(let e=0;e<r.length;e++)r[e]-=n*t[e]}function T(r,t){let n=0;for(let e=0;e<r.length;e++)n+=r[e]*t[e];return n}function E(r){return Math.sqrt(T(r,r))}var K=1e-12,tt=40,ut=1e-15,ft=4,ht=64;function et(r,{parameters:t,inputs:n}){let{model:e,tables:o}=r,s=r.parameters(t),a=yt(r,s);if(a!==null)return{message:a};let i=Float64Array.from(e.start_inputs,l=>n[l.name]??l.value),m=i.findIndex(l=>!Number.isFinite(l));if(m>=0)return{message:`${e.start_inputs[m].name}: it must be a finite number`};let u;if(o.start===null){let l=pt(r,i,s);if("message"in l)return l;u=l.state}else{let l=o.motion.dimension,h=r.values(o.start,i,s);u=h.slice(0,l);let y=h.slice(l,l+o.excess.length),g=h.slice(l+y.length);for(let[b,{message:A,among:f}]of o.excess.entries()){let F=Math.max(...f.map(p=>Math.abs(i[p])));if(Math.abs(y[b])>K*F){let p=f.map(x=>G(g[x])).join(", ");return{message:A.replace("{excess}",U(y[b])).replace("{nearest}",p),nearest:g}}}if(!u.every(Number.isFinite))return{message:o.singular}}let c=nt(r,u,s);return c===null?{state:u}:{message:c}}function yt(r,t){let{model:n,tables:e}=r,o=t.findIndex(c=>!Number.isFinite(c));if(o>=0){let{name:c}=n.parameters[o];return`${n.name}: ${c} = ${G(t[o])} must be a finite number`}if(e.conditions_on_parameters.length===0)return null;let a=r.values(e.admissible,new Float64Array(e.admissible.inputs),t).findIndex(c=>!(c>0));if(a<0)return null;let{parameter:i,condition:m}=e.conditions_on_parameters[a],u=t[n.parameters.findIndex(c=>c.name===i)];return`${n.name}: ${i} = ${G(u)} is not admissible; ${m} must hold`}function nt(r,t,n){let{tables:e}=r;if(e.start_messages.length===0)return null;let o=Array.from(t).slice(0,e.guards.inputs),s=r.values(e.guards,o,n).findIndex(a=>!(a>0));return s<0?null:e.start_messages[s]}function pt(r,t,n){let{tables:e}=r,o=Float64Array.from(t);for(let{name:h,places:y}of e.directions){let g=Math.hypot(...y.map(b=>o[b]));if(g===0)return{message:`${h}: must not be zero, as it is a direction`};for(let b of y)o[b]/=g}let s=Float64Array.from(o),a=Array.from(s.keys()),i=rt(r,s,n,a),m=1+Math.max(0,...o.map(Math.abs)),u=Math.max(0,...s.map((h,y)=>Math.abs(h-o[y])));if(i.done&&u<=K*m)return{state:s};let c=i.misses.reduce((h,y,g)=>Math.abs(y)>Math.abs(i.misses[h])?g:h,0),l=`start: the relation ${e.relation_texts[c]} = 0 is missed by ${U(i.misses[c])}`;return i.done?{message:`${l}; the nearest admissible state is shown`,nearest:s}:{message:l}}function rt(r,t,n,e){let{phase_space:o,whole_relations:s}=r.tables,a=null;if(s===0)return{done:!0,misses:[]};let i=t.length;for(let m=0;m<tt;m++){let u=r.values(o,t,n),c=Array.from(u.subarray(0,s));if(a??=c,!c.every(Number.isFinite))break;let l=c.map((b,A)=>Float64Array.from(e,f=>u[s+A*i+f])),h=C({rows:l,misses:c.map(b=>-b)},e.length);e.forEach((b,A)=>t[b]+=h[A]);let y=1+Math.max(...t.map(Math.abs));if(Math.max(...h.map(Math.abs))<=ut*y)return{done:bt(u,t,s),misses:a}}return{done:!1,misses:a??[]}}function bt(r,t,n){let e=t.length,o=1+Math.max(...t.map(Math.abs));for(let s=0;s<n;s++){let a=0;for(let i=0;i<e;i++)a+=Math.abs(r[n+s*e+i]);if(!(Math.abs(r[s])<=K*(1+a*o)))return!1}return!0}function st(r,t){let{model:n,tables:e}=r,{section:o}=t,s=r.parameters(t.parameters),a=e.conditions.inputs,i=n.quantities.map(d=>d.name),m=[o.on,o.x,o.y].map(d=>i.indexOf(d)),u=[o.on,o.x,o.y].find((d,M)=>m[M]<0);if(u!==void 0)return{message:`${u}: no quantity of ${n.name}`};let c=e.relations+e.integrals.length,l=c+i.length,h=[...Array(c).keys(),...m.map(d=>c+d)],y=[...Array(c).fill(!1),...m.map(d=>n.quantities[d].angle)],g=d=>r.values(e.conditions,d,s),b=Float64Array.from(Array.from(t.reference).slice(0,a)),A=g(b),F=[...h.map((d,M)=>M<e.relations?0:A[d]).slice(0,c),o.value??0,t.x,t.y],p=B(r,b),w=(d,M)=>{let N=Float64Array.from(d);for(let P=0;P<tt;P++){let O=g(N),q=h.map((v,L)=>Z(M[L],O[v],y[L])),I=h.map(v=>Float64Array.from({length:a},(L,X)=>O[l+v*a+X]*p[X])),_=I.map(v=>Math.sqrt(T(v,v))),$=Math.max(...q.map((v,L)=>Math.abs(v)/(_[L]+1e-300)));if(!Number.isFinite($))return null;if($<1e-14||P>6&&$<1e-12)return N;let j=C({rows:I,misses:q},a),S=Math.max(...j.map(Math.abs)),k=Math.min(1,.5/S);for(let v=0;v<a;v++)N[v]+=k*j[v]*p[v]}return null},x=h.length-1;for(let d=ft;d<=ht;d*=4){let M=b;for(let _=1;_<=d&&M!==null;_++){let $=F.map((j,S)=>{if(S<c||S>x)return j;let k=A[h[S]];return k+_/d*Z(j,k,y[S])});M=w(M,$)}if(M===null)continue;let N=g(M),P=r.values(e.rates,M,s),O=N.subarray(l+h[c]*a,l+(h[c]+1)*a),q=n.direction*T(Float64Array.from(O),P);if(o.direction*n.direction*q<0)continue;let I=nt(r,M,s);return I!==null?{message:I}:dt(r,M,t.reference,s)}return{message:`no state on this level was found at ${o.x} = ${U(t.x)}, ${o.y} = ${U(t.y)}`}}function dt(r,t,n,e){let{model:o,tables:s}=r,a=s.motion.dimension,i=n.length>=a?n:o.start,m=Float64Array.from({length:a},(c,l)=>l<t.length?t[l]:i[l]),u=Array.from({length:a-t.length},(c,l)=>t.length+l);return u.length>0&&!rt(r,m,e,u).done?{message:`${o.name}: no attitude belongs to this state`}:{state:m}}function B(r,t){let n=new Float64Array(r.tables.conditions.inputs).fill(1),e=r.tables.groups.map(s=>Math.hypot(...s.map(a=>t[a]))),o=Math.max(...e);return r.tables.groups.forEach((s,a)=>{let i=e[a]>1e-10*o?e[a]:o>0?o:1;for(let m of s)n[m]=i}),n}function Z(r,t,n){let e=r-t;return n?e-2*Math.PI*Math.round(e/(2*Math.PI)):e}function G(r){return Number.isInteger(r)&&Math.abs(r)<1e16?r.toFixed(1):String(r)}function U(r){return String(Number(r.toPrecision(6)))}var R=200,ot=.2,it=1e-12;function lt(r,t){let{tables:n}=r,e=r.parameters(t.parameters),o=n.tangent.dimension/2,s=Float64Array.from(Array.from(t.start).slice(0,o)),a=gt(r,s,e,t.until),i=Float64Array.from({length:o},(g,b)=>Math.cos(1+2.7*b)),m=t.kind==="lyapunov";if(H(r,s,e,a,m).length>=o)return NaN;at(i,H(r,s,e,a,m));let u=t.until/R,c=0,l=0,h=0,y=0;for(let g=1;g<=R;g++){let b=[...s,...i.map((F,p)=>F*a[p])],[A]=r.march(n.tangent,b,e,[u],1,it);if(A.outcome!==0)return NaN;s=A.states.slice(0,o),i=A.states.slice(o).map((F,p)=>F/a[p]);let f=c;c+=Math.log(at(i,H(r,s,e,a,m))),l+=((c+f)/2-l)/g,h+=2*(c-l),g<=ot*R&&(y=c)}return t.kind==="megno"?h/R:(c-y)/(t.until*(1-ot))}function at(r,t){for(let e=0;e<2;e++)for(let o of t)D(r,o);let n=E(r);for(let e=0;e<r.length;e++)r[e]/=n;return n}function H(r,t,n,e,o){let{conditions:s,relations:a,integrals:i,rates:m}=r.tables,u=a+(o?i.length:0),c=t.length,l=s.outputs/(c+1),h=r.values(s,t,n),y=Array.from({length:u},(g,b)=>Float64Array.from(t,(A,f)=>h[l+b*c+f]*e[f]));return o&&y.push(r.values(m,t,n).map((g,b)=>g/e[b])),Y(y)}function gt(r,t,n,e){let{tangent:o}=r.tables,s=t.length,a=Array.from({length:32},(c,l)=>(l+1)/320*e),i=[...t,...new Float64Array(s)],[m]=r.march(o,i,n,a,a.length,it),u=B(r,t);for(let c=0;c<m.count;c++)B(r,m.states.subarray(2*s*c,2*s*c+s)).forEach((h,y)=>u[y]=Math.max(u[y],h));return u}function ct(r){let t=atob(r),n=new Uint8Array(t.length);for(let e=0;e<t.length;e++)n[e]=t.charCodeAt(e);return n}var At=65536,Ft=10000000n,J=1024,V=class r{constructor(t,n,e,o){this.model=t;this.tables=n;this.memory=e;this.functions=o}model;tables;memory;functions;at=J;static async create(t){if(t.wasm===null||t.wasm_tables===null)throw new Error(`${t.title}: this page cannot compute`);let n=new WebAssembly.Memory({initial:16}),e=await WebAssembly.instantiate(ct(t.wasm),{env:{memory:n}});return new r(t,t.wasm_tables,n,e.instance.exports)}parameters(t){let n=new Set(this.model.parameters.map(e=>e.name));for(let e of Object.keys(t))if(!n.has(e)){let o=[...n].join(", ")||"none";throw new RangeError(`${this.model.name}: no parameter ${e}; it has ${o}`)}return Float64Array.from(this.model.parameters,e=>t[e.name]??e.value)}march(t,n,e,o,s,a){let i=n.length/t.dimension;this.at=J;let m=this.put(n),u=this.put(e),c=this.put(o),l=this.room(i*s*t.dimension),h=this.room(i*s),y=this.room(i),g=this.room(i),b=this.room(i),A=this.room(i),f=this.room(t.work);this.doubles(l,i*s*t.dimension).fill(NaN),this.whole(y,i).fill(0n);let F=this.functions[t.name];return F(0n,BigInt(i),m,u,0n,c,BigInt(s),a,Ft,l,h,y,g,b,A,f),Array.from({length:i},(p,w)=>{let x=Number(this.whole(y,i)[w]),d=s*t.dimension;return{states:this.doubles(l+8*w*d,x*t.dimension).slice(),moments:this.doubles(h+8*w*s,x).slice(),count:x,outcome:Number(this.whole(g,i)[w]),ended:this.doubles(b,i)[w],steps:Number(this.whole(A,i)[w])}})}values(t,n,e){let o=n.length/t.inputs;this.at=J;let s=this.put(n),a=this.put(e),i=this.room(o*t.outputs),m=this.room(t.work);return this.functions[t.name](BigInt(o),s,a,i,m),this.doubles(i,o*t.outputs).slice()}put(t){let n=this.room(Math.max(t.length,1));return this.doubles(n,t.length).set(t),n}room(t){let n=this.at;this.at+=16*Math.ceil(t/2);let e=this.at-this.memory.buffer.byteLength;return e>0&&this.memory.grow(Math.ceil(e/At)),n}doubles(t,n){return new Float64Array(this.memory.buffer,t,n)}whole(t,n){return new BigInt64Array(this.memory.buffer,t,n)}};var Q=class r{constructor(t,n){this.model=t;this.module=n}model;module;static async create(t){return new r(t,await V.create(t))}async motion({parameters:t,start:n,times:e}){let{model:o,module:s}=this,a=s.tables.motion,i=s.parameters(t),[m]=s.march(a,n,i,e,e.length,o.tolerance),{count:u,states:c}=m,l=s.values(s.tables.columns,c,i),h=s.tables.columns.outputs,y={},g=0;for(let A of o.columns){let f=new Float64Array(u*A.width);for(let F=0;F<u;F++)for(let p=0;p<A.width;p++)f[F*A.width+p]=l[F*h+g+p];y[A.name]=f,g+=A.width}return{times:Float64Array.from({length:u},(A,f)=>o.direction*e[f]),columns:y,states:c,end:this.end(m)}}async section(t){let{model:n,module:e}=this,{section:o,section_quantities:s}=e.tables,a=s.indexOf(t.on);if(a<0)throw new RangeError(`${t.on}: no quantity of a section; they are ${s.join(", ")}`);let i=e.parameters(t.parameters),m=new Float64Array(i.length+2+s.length);m.set(i),m[i.length]=t.value??0,m[i.length+1]=n.direction*t.direction,m[i.length+2+a]=1;let u=Array.from(t.start).slice(0,o.dimension),c=[t.until??1/0],[l]=e.march(o,u,m,c,t.points,n.tolerance),{states:h,moments:y}=l,g=y.map(b=>n.direction*b);return{rows:h,times:g,dimension:o.dimension,end:this.end(l)}}async quantities(t,n,e){let{module:o}=this,s=o.tables.quantities;return o.values(s,Mt(n,e,s.inputs),o.parameters(t))}async indicator(t){return lt(this.module,t)}async startFrom(t){return et(this.module,t)}async startOnLevel(t){return st(this.module,t)}async bodyMesh(t){let{body:n}=this.model.scene,{contact:e,gamma:o}=this.module.tables;if(n===null||e===null)return null;let s=z(n.theta,n.phi),a=s.length/3,i=new Float64Array(a*e.inputs);for(let c=0;c<a;c++)for(let l=0;l<3;l++)i[c*e.inputs+o+l]=s[3*c+l];let m=this.module.values(e,i,this.module.parameters(t)),u=n.hollow?1:-1;for(let c=0;c<a;c++){let l=u*s[3*c+2];Math.abs(l)>1e-9&&(m[3*c+2]+=n.thickness*Math.sign(l))}return W(n,m)}end({outcome:t,ended:n}){if(t===0)return null;let e=this.module.tables.reasons[t]??`outcome ${t}`;return{time:this.model.direction*n,reason:e}}};function Mt(r,t,n){if(t===n)return r;let e=r.length/t,o=new Float64Array(e*n);for(let s=0;s<e;s++)o.set(r.subarray(s*t,s*t+n),s*n);return o}export{Q as WasmEngine,z as directions,W as meshOfGrid};
+// src/engine/body_mesh.ts
+function directions(theta, phi) {
+  const gamma = new Float64Array(3 * theta.length * phi.length);
+  let at = 0;
+  for (let i = 0; i < theta.length; i++) {
+    for (let j = 0; j < phi.length; j++) {
+      const sine = Math.sin(theta[i]);
+      gamma[at++] = sine * Math.cos(phi[j]);
+      gamma[at++] = sine * Math.sin(phi[j]);
+      gamma[at++] = Math.cos(theta[i]);
+    }
+  }
+  return gamma;
+}
+function meshOfGrid(body, points) {
+  const { theta, phi, hollow } = body;
+  const rows = theta.length;
+  const columns = phi.length;
+  const gamma = directions(theta, phi);
+  const side = hollow ? 1 : -1;
+  const grid = rows * columns;
+  const count = grid + 2 * (columns + 1);
+  const positions = new Float32Array(3 * count);
+  const normals = new Float32Array(3 * count);
+  for (let k = 0; k < 3 * grid; k++) {
+    positions[k] = points[k];
+    normals[k] = side * gamma[k];
+  }
+  const indices = [];
+  const tones = [];
+  const face = (a, b, c, tone) => {
+    if (!turnsOutward(positions, normals, a, b, c)) [b, c] = [c, b];
+    indices.push(a, b, c);
+    tones.push(tone);
+  };
+  const quarter = (j) => Math.floor((phi[j] + 1e-9) / (Math.PI / 2));
+  for (let i = 0; i + 1 < rows; i++) {
+    const northern = (theta[i] + theta[i + 1]) / 2 < Math.PI / 2 ? 1 : 0;
+    for (let j = 0; j < columns; j++) {
+      const k = (j + 1) % columns;
+      const tone = (quarter(j) + northern) % 2;
+      face(i * columns + j, i * columns + k, (i + 1) * columns + k, tone);
+      face(i * columns + j, (i + 1) * columns + k, (i + 1) * columns + j, tone);
+    }
+  }
+  for (const north of [true, false]) {
+    const ring = (north ? 0 : rows - 1) * columns;
+    const first = grid + (north ? 0 : columns + 1);
+    const middle = first + columns;
+    const up = side * (north ? 1 : -1);
+    for (let j = 0; j < columns; j++) {
+      for (let c = 0; c < 3; c++) {
+        const value = positions[3 * (ring + j) + c];
+        positions[3 * (first + j) + c] = value;
+        positions[3 * middle + c] += value / columns;
+      }
+      normals[3 * (first + j) + 2] = up;
+    }
+    normals[3 * middle + 2] = up;
+    for (let j = 0; j < columns; j++) {
+      face(middle, first + j, first + (j + 1) % columns, (quarter(j) + (north ? 1 : 0)) % 2);
+    }
+  }
+  return {
+    positions,
+    normals,
+    indices: Uint32Array.from(indices),
+    tones: Uint8Array.from(tones),
+    hollow
+  };
+}
+function turnsOutward(p, n, a, b, c) {
+  const u = [0, 1, 2].map((k) => p[3 * b + k] - p[3 * a + k]);
+  const v = [0, 1, 2].map((k) => p[3 * c + k] - p[3 * a + k]);
+  let sum = 0;
+  for (let k = 0; k < 3; k++) {
+    const i = (k + 1) % 3;
+    const j = (k + 2) % 3;
+    const normal = n[3 * a + k] + n[3 * b + k] + n[3 * c + k];
+    sum += (u[i] * v[j] - u[j] * v[i]) * normal;
+  }
+  return sum >= 0;
+}
+
+// src/engine/linear.ts
+var DEPENDENT = 1e-9;
+function shortestStep({ rows, misses }, size) {
+  const step = new Float64Array(size);
+  const basis = [];
+  rows.forEach((row, i) => {
+    const left = Float64Array.from(row);
+    const whole = norm(row);
+    for (let pass = 0; pass < 2; pass++) for (const q of basis) remove(left, q);
+    const length = norm(left);
+    if (!(length > DEPENDENT * whole)) return;
+    for (let k = 0; k < size; k++) left[k] /= length;
+    const share = (misses[i] - dot(row, step)) / length;
+    for (let k = 0; k < size; k++) step[k] += share * left[k];
+    basis.push(left);
+  });
+  return step;
+}
+function orthonormal(vectors) {
+  const basis = [];
+  for (const vector of vectors) {
+    const left = Float64Array.from(vector);
+    const whole = norm(vector);
+    for (let pass = 0; pass < 2; pass++) for (const q of basis) remove(left, q);
+    const length = norm(left);
+    if (length > DEPENDENT * whole) basis.push(left.map((x) => x / length));
+  }
+  return basis;
+}
+function remove(vector, q) {
+  const share = dot(vector, q);
+  for (let k = 0; k < vector.length; k++) vector[k] -= share * q[k];
+}
+function dot(a, b) {
+  let sum = 0;
+  for (let k = 0; k < a.length; k++) sum += a[k] * b[k];
+  return sum;
+}
+function norm(a) {
+  return Math.sqrt(dot(a, a));
+}
+
+// src/engine/start.ts
+var SLACK = 1e-12;
+var STEPS = 40;
+var ROUNDING = 1e-15;
+var PIECES = 4;
+var MOST_PIECES = 64;
+function startFrom(module, { parameters, inputs }) {
+  const { model, tables } = module;
+  const values = module.parameters(parameters);
+  const refused = notAdmissible(module, values);
+  if (refused !== null) return { message: refused };
+  const given = Float64Array.from(model.start_inputs, (row) => inputs[row.name] ?? row.value);
+  const bad = given.findIndex((x) => !Number.isFinite(x));
+  if (bad >= 0) {
+    return { message: `${model.start_inputs[bad].name}: it must be a finite number` };
+  }
+  let state;
+  if (tables.start === null) {
+    const found = stateByName(module, given, values);
+    if ("message" in found) return found;
+    state = found.state;
+  } else {
+    const size = tables.motion.dimension;
+    const numbers = module.values(tables.start, given, values);
+    state = numbers.slice(0, size);
+    const excess = numbers.slice(size, size + tables.excess.length);
+    const nearest = numbers.slice(size + excess.length);
+    for (const [i, { message, among }] of tables.excess.entries()) {
+      const scale = Math.max(...among.map((k) => Math.abs(given[k])));
+      if (Math.abs(excess[i]) > SLACK * scale) {
+        const shown = among.map((k) => repr(nearest[k])).join(", ");
+        const text = message.replace("{excess}", short(excess[i])).replace("{nearest}", shown);
+        return { message: text, nearest };
+      }
+    }
+    if (!state.every(Number.isFinite)) return { message: tables.singular };
+  }
+  const outside = outsideDomain(module, state, values);
+  return outside === null ? { state } : { message: outside };
+}
+function notAdmissible(module, values) {
+  const { model, tables } = module;
+  const bad = values.findIndex((x) => !Number.isFinite(x));
+  if (bad >= 0) {
+    const { name } = model.parameters[bad];
+    return `${model.name}: ${name} = ${repr(values[bad])} must be a finite number`;
+  }
+  if (tables.conditions_on_parameters.length === 0) return null;
+  const numbers = module.values(tables.admissible, new Float64Array(tables.admissible.inputs), values);
+  const failed = numbers.findIndex((x) => !(x > 0));
+  if (failed < 0) return null;
+  const { parameter, condition } = tables.conditions_on_parameters[failed];
+  const value = values[model.parameters.findIndex((p) => p.name === parameter)];
+  return `${model.name}: ${parameter} = ${repr(value)} is not admissible; ${condition} must hold`;
+}
+function outsideDomain(module, state, values) {
+  const { tables } = module;
+  if (tables.start_messages.length === 0) return null;
+  const reduced = Array.from(state).slice(0, tables.guards.inputs);
+  const failed = module.values(tables.guards, reduced, values).findIndex((x) => !(x > 0));
+  return failed < 0 ? null : tables.start_messages[failed];
+}
+function stateByName(module, given, values) {
+  const { tables } = module;
+  const state = Float64Array.from(given);
+  for (const { name, places } of tables.directions) {
+    const length = Math.hypot(...places.map((k) => state[k]));
+    if (length === 0) return { message: `${name}: must not be zero, as it is a direction` };
+    for (const k of places) state[k] /= length;
+  }
+  const point = Float64Array.from(state);
+  const every = Array.from(point.keys());
+  const first = onPhaseSpace(module, point, values, every);
+  const scale = 1 + Math.max(0, ...state.map(Math.abs));
+  const moved = Math.max(0, ...point.map((x, i) => Math.abs(x - state[i])));
+  if (first.done && moved <= SLACK * scale) return { state: point };
+  const worst = first.misses.reduce((a, x, i) => Math.abs(x) > Math.abs(first.misses[a]) ? i : a, 0);
+  const text = `start: the relation ${tables.relation_texts[worst]} = 0 is missed by ${short(first.misses[worst])}`;
+  return first.done ? { message: `${text}; the nearest admissible state is shown`, nearest: point } : { message: text };
+}
+function onPhaseSpace(module, state, values, moving) {
+  const { phase_space: table, whole_relations: count } = module.tables;
+  let before = null;
+  if (count === 0) return { done: true, misses: [] };
+  const size = state.length;
+  for (let step = 0; step < STEPS; step++) {
+    const numbers = module.values(table, state, values);
+    const misses = Array.from(numbers.subarray(0, count));
+    before ??= misses;
+    if (!misses.every(Number.isFinite)) break;
+    const rows = misses.map(
+      (_, i) => Float64Array.from(moving, (k) => numbers[count + i * size + k])
+    );
+    const change = shortestStep({ rows, misses: misses.map((x) => -x) }, moving.length);
+    moving.forEach((k, j) => state[k] += change[j]);
+    const scale = 1 + Math.max(...state.map(Math.abs));
+    const longest = Math.max(...change.map(Math.abs));
+    if (longest <= ROUNDING * scale) return { done: satisfied(numbers, state, count), misses: before };
+  }
+  return { done: false, misses: before ?? [] };
+}
+function satisfied(numbers, state, count) {
+  const size = state.length;
+  const scale = 1 + Math.max(...state.map(Math.abs));
+  for (let i = 0; i < count; i++) {
+    let reach = 0;
+    for (let k = 0; k < size; k++) reach += Math.abs(numbers[count + i * size + k]);
+    if (!(Math.abs(numbers[i]) <= SLACK * (1 + reach * scale))) return false;
+  }
+  return true;
+}
+function startOnLevel(module, task) {
+  const { model, tables } = module;
+  const { section } = task;
+  const values = module.parameters(task.parameters);
+  const size = tables.conditions.inputs;
+  const names = model.quantities.map((q) => q.name);
+  const places = [section.on, section.x, section.y].map((name) => names.indexOf(name));
+  const missing = [section.on, section.x, section.y].find((_, i) => places[i] < 0);
+  if (missing !== void 0) return { message: `${missing}: no quantity of ${model.name}` };
+  const conserved = tables.relations + tables.integrals.length;
+  const count = conserved + names.length;
+  const rows = [...Array(conserved).keys(), ...places.map((p) => conserved + p)];
+  const turns = [...Array(conserved).fill(false), ...places.map((p) => model.quantities[p].angle)];
+  const at = (z) => module.values(tables.conditions, z, values);
+  let state = Float64Array.from(Array.from(task.reference).slice(0, size));
+  const first = at(state);
+  const level = rows.map((row, i) => i < tables.relations ? 0 : first[row]);
+  const goal = [...level.slice(0, conserved), section.value ?? 0, task.x, task.y];
+  const scales = scalesOf(module, state);
+  const solve = (from, wanted) => {
+    const z = Float64Array.from(from);
+    for (let step = 0; step < STEPS; step++) {
+      const numbers = at(z);
+      const misses = rows.map((row, i) => difference(wanted[i], numbers[row], turns[i]));
+      const slopes = rows.map(
+        (row) => Float64Array.from({ length: size }, (_, k) => numbers[count + row * size + k] * scales[k])
+      );
+      const reach = slopes.map((row) => Math.sqrt(dot(row, row)));
+      const far = Math.max(...misses.map((x, i) => Math.abs(x) / (reach[i] + 1e-300)));
+      if (!Number.isFinite(far)) return null;
+      if (far < 1e-14 || step > 6 && far < 1e-12) return z;
+      const change = shortestStep({ rows: slopes, misses }, size);
+      const longest = Math.max(...change.map(Math.abs));
+      const share = Math.min(1, 0.5 / longest);
+      for (let k = 0; k < size; k++) z[k] += share * change[k] * scales[k];
+    }
+    return null;
+  };
+  const last = rows.length - 1;
+  for (let pieces = PIECES; pieces <= MOST_PIECES; pieces *= 4) {
+    let z = state;
+    for (let i = 1; i <= pieces && z !== null; i++) {
+      const wanted = goal.map((value, k) => {
+        if (k < conserved || k > last) return value;
+        const from = first[rows[k]];
+        return from + i / pieces * difference(value, from, turns[k]);
+      });
+      z = solve(z, wanted);
+    }
+    if (z === null) continue;
+    const numbers = at(z);
+    const flow = module.values(tables.rates, z, values);
+    const slope = numbers.subarray(
+      count + rows[conserved] * size,
+      count + (rows[conserved] + 1) * size
+    );
+    const rises = model.direction * dot(Float64Array.from(slope), flow);
+    if (section.direction * model.direction * rises < 0) continue;
+    const outside = outsideDomain(module, z, values);
+    if (outside !== null) return { message: outside };
+    return withLift(module, z, task.reference, values);
+  }
+  return {
+    message: `no state on this level was found at ${section.x} = ${short(task.x)}, ${section.y} = ${short(task.y)}`
+  };
+}
+function withLift(module, reduced, reference, values) {
+  const { model, tables } = module;
+  const size = tables.motion.dimension;
+  const known = reference.length >= size ? reference : model.start;
+  const state = Float64Array.from(
+    { length: size },
+    (_, k) => k < reduced.length ? reduced[k] : known[k]
+  );
+  const moving = Array.from({ length: size - reduced.length }, (_, k) => reduced.length + k);
+  if (moving.length > 0 && !onPhaseSpace(module, state, values, moving).done) {
+    return { message: `${model.name}: no attitude belongs to this state` };
+  }
+  return { state };
+}
+function scalesOf(module, state) {
+  const scales = new Float64Array(module.tables.conditions.inputs).fill(1);
+  const sizes = module.tables.groups.map((group) => Math.hypot(...group.map((k) => state[k])));
+  const largest = Math.max(...sizes);
+  module.tables.groups.forEach((group, i) => {
+    const size = sizes[i] > 1e-10 * largest ? sizes[i] : largest > 0 ? largest : 1;
+    for (const k of group) scales[k] = size;
+  });
+  return scales;
+}
+function difference(a, b, angle) {
+  const plain = a - b;
+  return angle ? plain - 2 * Math.PI * Math.round(plain / (2 * Math.PI)) : plain;
+}
+function repr(x) {
+  return Number.isInteger(x) && Math.abs(x) < 1e16 ? x.toFixed(1) : String(x);
+}
+function short(x) {
+  return String(Number(x.toPrecision(6)));
+}
+
+// src/engine/indicator.ts
+var INTERVALS = 200;
+var UNSETTLED = 0.2;
+var TOLERANCE = 1e-12;
+function indicator(module, task) {
+  const { tables } = module;
+  const values = module.parameters(task.parameters);
+  const size = tables.tangent.dimension / 2;
+  let state = Float64Array.from(Array.from(task.start).slice(0, size));
+  const scales = largestScales(module, state, values, task.until);
+  let deviation = Float64Array.from({ length: size }, (_, k) => Math.cos(1 + 2.7 * k));
+  const transverse = task.kind === "lyapunov";
+  if (excluded(module, state, values, scales, transverse).length >= size) return NaN;
+  normalise(deviation, excluded(module, state, values, scales, transverse));
+  const interval = task.until / INTERVALS;
+  let total = 0;
+  let mean = 0;
+  let sum = 0;
+  let settled = 0;
+  for (let i = 1; i <= INTERVALS; i++) {
+    const start = [...state, ...deviation.map((x, k) => x * scales[k])];
+    const [run] = module.march(tables.tangent, start, values, [interval], 1, TOLERANCE);
+    if (run.outcome !== 0) return NaN;
+    state = run.states.slice(0, size);
+    deviation = run.states.slice(size).map((x, k) => x / scales[k]);
+    const before = total;
+    total += Math.log(normalise(deviation, excluded(module, state, values, scales, transverse)));
+    mean += ((total + before) / 2 - mean) / i;
+    sum += 2 * (total - mean);
+    if (i <= UNSETTLED * INTERVALS) settled = total;
+  }
+  if (task.kind === "megno") return sum / INTERVALS;
+  return (total - settled) / (task.until * (1 - UNSETTLED));
+}
+function normalise(deviation, basis) {
+  for (let pass = 0; pass < 2; pass++) for (const q of basis) remove(deviation, q);
+  const length = norm(deviation);
+  for (let k = 0; k < deviation.length; k++) deviation[k] /= length;
+  return length;
+}
+function excluded(module, state, values, scales, transverse) {
+  const { conditions, relations, integrals, rates } = module.tables;
+  const count = relations + (transverse ? integrals.length : 0);
+  const size = state.length;
+  const first = conditions.outputs / (size + 1);
+  const numbers = module.values(conditions, state, values);
+  const vectors = Array.from(
+    { length: count },
+    (_, i) => Float64Array.from(state, (_2, k) => numbers[first + i * size + k] * scales[k])
+  );
+  if (transverse) {
+    vectors.push(module.values(rates, state, values).map((x, k) => x / scales[k]));
+  }
+  return orthonormal(vectors);
+}
+function largestScales(module, state, values, until) {
+  const { tangent } = module.tables;
+  const size = state.length;
+  const times = Array.from({ length: 32 }, (_, i) => (i + 1) / 320 * until);
+  const start = [...state, ...new Float64Array(size)];
+  const [run] = module.march(tangent, start, values, times, times.length, TOLERANCE);
+  const largest = scalesOf(module, state);
+  for (let i = 0; i < run.count; i++) {
+    const scales = scalesOf(module, run.states.subarray(2 * size * i, 2 * size * i + size));
+    scales.forEach((x, k) => largest[k] = Math.max(largest[k], x));
+  }
+  return largest;
+}
+
+// src/encoding.ts
+function bytes(text) {
+  const raw = atob(text);
+  const result = new Uint8Array(raw.length);
+  for (let i = 0; i < raw.length; i++) result[i] = raw.charCodeAt(i);
+  return result;
+}
+async function inflated(text) {
+  const stream = new Blob([bytes(text)]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Response(stream).arrayBuffer();
+}
+
+// src/engine/module.ts
+var PAGE = 1 << 16;
+var MOST_STEPS = 10000000n;
+var FIRST = 1024;
+var Module = class _Module {
+  constructor(model, tables, memory, functions) {
+    this.model = model;
+    this.tables = tables;
+    this.memory = memory;
+    this.functions = functions;
+  }
+  model;
+  tables;
+  memory;
+  functions;
+  at = FIRST;
+  static async create(model) {
+    if (model.wasm === null || model.wasm_tables === null) {
+      throw new Error(`${model.title}: this page cannot compute`);
+    }
+    const memory = new WebAssembly.Memory({ initial: 16 });
+    const source = await WebAssembly.instantiate(await inflated(model.wasm), { env: { memory } });
+    return new _Module(model, model.wasm_tables, memory, source.instance.exports);
+  }
+  /** The parameters of the system in order, the given ones replacing the defaults. */
+  parameters(values) {
+    const known = new Set(this.model.parameters.map((p) => p.name));
+    for (const name of Object.keys(values)) {
+      if (!known.has(name)) {
+        const all = [...known].join(", ") || "none";
+        throw new RangeError(`${this.model.name}: no parameter ${name}; it has ${all}`);
+      }
+    }
+    return Float64Array.from(this.model.parameters, (p) => values[p.name] ?? p.value);
+  }
+  /** Motions one after another from rows of starts, each through `times`, or its crossings. */
+  march(table, starts, parameters, times, wanted, tolerance) {
+    const motions = starts.length / table.dimension;
+    this.at = FIRST;
+    const from = this.put(starts);
+    const values = this.put(parameters);
+    const moments = this.put(times);
+    const states = this.room(motions * wanted * table.dimension);
+    const found = this.room(motions * wanted);
+    const counts = this.room(motions);
+    const outcome = this.room(motions);
+    const ended = this.room(motions);
+    const taken = this.room(motions);
+    const work = this.room(table.work);
+    this.doubles(states, motions * wanted * table.dimension).fill(NaN);
+    this.whole(counts, motions).fill(0n);
+    const march = this.functions[table.name];
+    march(
+      ...[0n, BigInt(motions), from, values, 0n, moments, BigInt(wanted), tolerance, MOST_STEPS],
+      ...[states, found, counts, outcome, ended, taken, work]
+    );
+    return Array.from({ length: motions }, (_, k) => {
+      const count = Number(this.whole(counts, motions)[k]);
+      const size = wanted * table.dimension;
+      return {
+        states: this.doubles(states + 8 * k * size, count * table.dimension).slice(),
+        moments: this.doubles(found + 8 * k * wanted, count).slice(),
+        count,
+        outcome: Number(this.whole(outcome, motions)[k]),
+        ended: this.doubles(ended, motions)[k],
+        steps: Number(this.whole(taken, motions)[k])
+      };
+    });
+  }
+  /** A group of formulas at rows of numbers. */
+  values(table, rows, parameters) {
+    const count = rows.length / table.inputs;
+    this.at = FIRST;
+    const from = this.put(rows);
+    const values = this.put(parameters);
+    const results = this.room(count * table.outputs);
+    const work = this.room(table.work);
+    this.functions[table.name](BigInt(count), from, values, results, work);
+    return this.doubles(results, count * table.outputs).slice();
+  }
+  put(numbers) {
+    const place = this.room(Math.max(numbers.length, 1));
+    this.doubles(place, numbers.length).set(numbers);
+    return place;
+  }
+  /** The address of room for some doubles. */
+  room(count) {
+    const place = this.at;
+    this.at += 16 * Math.ceil(count / 2);
+    const missing = this.at - this.memory.buffer.byteLength;
+    if (missing > 0) this.memory.grow(Math.ceil(missing / PAGE));
+    return place;
+  }
+  doubles(place, count) {
+    return new Float64Array(this.memory.buffer, place, count);
+  }
+  whole(place, count) {
+    return new BigInt64Array(this.memory.buffer, place, count);
+  }
+};
+
+// src/engine/wasm_engine.ts
+var WasmEngine = class _WasmEngine {
+  constructor(model, module) {
+    this.model = model;
+    this.module = module;
+  }
+  model;
+  module;
+  static async create(model) {
+    return new _WasmEngine(model, await Module.create(model));
+  }
+  async motion({ parameters, start, times }) {
+    const { model, module } = this;
+    const table = module.tables.motion;
+    const values = module.parameters(parameters);
+    const [marched] = module.march(table, start, values, times, times.length, model.tolerance);
+    const { count, states } = marched;
+    const numbers = module.values(module.tables.columns, states, values);
+    const width = module.tables.columns.outputs;
+    const columns = {};
+    let first = 0;
+    for (const column of model.columns) {
+      const part = new Float64Array(count * column.width);
+      for (let i = 0; i < count; i++) {
+        for (let k = 0; k < column.width; k++) {
+          part[i * column.width + k] = numbers[i * width + first + k];
+        }
+      }
+      columns[column.name] = part;
+      first += column.width;
+    }
+    const moments = Float64Array.from({ length: count }, (_, i) => model.direction * times[i]);
+    return { times: moments, columns, states, end: this.end(marched) };
+  }
+  async section(task) {
+    const { model, module } = this;
+    const { section, section_quantities: names } = module.tables;
+    const chosen = names.indexOf(task.on);
+    if (chosen < 0) {
+      throw new RangeError(`${task.on}: no quantity of a section; they are ${names.join(", ")}`);
+    }
+    const own = module.parameters(task.parameters);
+    const values = new Float64Array(own.length + 2 + names.length);
+    values.set(own);
+    values[own.length] = task.value ?? 0;
+    values[own.length + 1] = model.direction * task.direction;
+    values[own.length + 2 + chosen] = 1;
+    const start = Array.from(task.start).slice(0, section.dimension);
+    const until = [task.until ?? Infinity];
+    const [marched] = module.march(section, start, values, until, task.points, model.tolerance);
+    const { states, moments } = marched;
+    const times = moments.map((t) => model.direction * t);
+    return { rows: states, times, dimension: section.dimension, end: this.end(marched) };
+  }
+  async quantities(parameters, rows, dimension) {
+    const { module } = this;
+    const table = module.tables.quantities;
+    return module.values(table, firstColumns(rows, dimension, table.inputs), module.parameters(parameters));
+  }
+  async indicator(task) {
+    return indicator(this.module, task);
+  }
+  async startFrom(task) {
+    return startFrom(this.module, task);
+  }
+  async startOnLevel(task) {
+    return startOnLevel(this.module, task);
+  }
+  async bodyMesh(parameters) {
+    const { body } = this.model.scene;
+    const { contact, gamma: place } = this.module.tables;
+    if (body === null || contact === null) return null;
+    const gamma = directions(body.theta, body.phi);
+    const count = gamma.length / 3;
+    const rows = new Float64Array(count * contact.inputs);
+    for (let i = 0; i < count; i++) {
+      for (let k = 0; k < 3; k++) rows[i * contact.inputs + place + k] = gamma[3 * i + k];
+    }
+    const points = this.module.values(contact, rows, this.module.parameters(parameters));
+    const side = body.hollow ? 1 : -1;
+    for (let i = 0; i < count; i++) {
+      const up = side * gamma[3 * i + 2];
+      if (Math.abs(up) > 1e-9) points[3 * i + 2] += body.thickness * Math.sign(up);
+    }
+    return meshOfGrid(body, points);
+  }
+  end({ outcome, ended }) {
+    if (outcome === 0) return null;
+    const reason = this.module.tables.reasons[outcome] ?? `outcome ${outcome}`;
+    return { time: this.model.direction * ended, reason };
+  }
+};
+function firstColumns(rows, dimension, width) {
+  if (dimension === width) return rows;
+  const count = rows.length / dimension;
+  const result = new Float64Array(count * width);
+  for (let i = 0; i < count; i++) {
+    result.set(rows.subarray(i * dimension, i * dimension + width), i * width);
+  }
+  return result;
+}
+export {
+  WasmEngine,
+  directions,
+  meshOfGrid
+};
