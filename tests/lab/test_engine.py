@@ -80,7 +80,7 @@ def assert_same_motion(name, until=20.0):
     assert np.all(off <= np.maximum(CLOSE * size, 100 * moved[:count])), off / size
     if run.outcome[0]:
         assert result["end"]["reason"] == model["wasm_tables"]["reasons"][run.outcome[0]]
-        assert abs(result["end"]["time"]) == pytest.approx(abs(run.ended[0]), rel=1e-9)
+        assert abs(result["end"]["time"]) == pytest.approx(abs(run.end_times[0]), rel=1e-9)
     else:
         assert result["end"] is None
 

@@ -13,8 +13,8 @@ from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 
-PRESENTATION = ("__main__.py", "borisov_mamaev", "cli", "experiment", "report")
-"""Commands, claims of the paper and reports: no module that computes imports any of them."""
+PRESENTATION = ("__main__.py", "borisov_mamaev", "cli", "experiment", "geometry", "lab", "report")
+"""Commands, claims of the paper, reports, pages: no module that computes imports any of them."""
 
 
 def module_digests(home: Path) -> dict[str, str]:
