@@ -101,7 +101,7 @@ def _open(task: Assignment) -> Answer:
 
 def _motion(task: Assignment) -> Answer:
     from ...experiment.study import dataset_of
-    from .plain import columns
+    from .json_numbers import columns
 
     study = _short(_study(task))
     dataset = dataset_of(study, study.trajectory())

@@ -13,7 +13,7 @@ from ...errors import InputError
 from ...experiment.friction_ensembles.chart_task import chart_task
 from ...experiment.study import Study
 from ...flow.ensemble.zarr_store import open_store
-from .plain import numbers
+from .json_numbers import numbers
 from .requests import MOST_CELLS, Chart
 from .workers import Message
 
