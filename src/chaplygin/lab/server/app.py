@@ -61,7 +61,10 @@ class Laboratory:
             Route(self.base, self.show, methods=["GET"]),
             Route(f"{self.base}ask", self.ask, methods=["POST"]),
         ]
-        return Guard(Starlette(routes=routes), self.token, self.port)
+        application = Starlette(routes=routes)
+        # an address that is almost right is wrong
+        application.router.redirect_slashes = False
+        return Guard(application, self.token, self.port)
 
     async def show(self, request: Request) -> Response:
         """The page of a system: that of the command line, or the one named in the address."""

@@ -11,10 +11,14 @@ from ...catalogue import CATALOGUE
 from ...errors import InputError
 from ...experiment.file.models import loads
 from ...experiment.files import atomic_file, check_target
+from ...experiment.study import prepare
 from ...parsing import nearest
 
 #: Bytes of an experiment file at most.
 LARGEST = 1_000_000
+
+#: Bytes of a name of a file at most.
+LONGEST = 200
 
 #: Folder for the stores of charts.
 STORES = "charts"
@@ -82,8 +86,9 @@ class Folder:
             place = (self.path / name).resolve()
             root = self.path.resolve()
         except (OSError, ValueError):
-            raise InputError("the name of the file is not a name") from None
-        if "\0" in name or place.parent != root or place.name != name or name.startswith("."):
+            raise InputError("this is no name of a file") from None
+        plain = place.name == name and not name.startswith(".") and "\0" not in name
+        if place.parent != root or not plain or len(name.encode()) > LONGEST:
             raise InputError(
                 "the laboratory reads and writes files in its own folder alone: give a name "
                 "without a path"
@@ -101,7 +106,7 @@ class Folder:
         if not name.endswith(".toml"):
             raise InputError(f"{name}: the name of an experiment file ends in .toml")
         place = self.inside(name)
-        loads(experiment, name)
+        prepare(loads(experiment, name))
         if place.exists() and not replace:
             raise InputError(f"{name} exists already: choose another name, or replace it")
         check_target(place, force=replace)

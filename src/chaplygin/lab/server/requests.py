@@ -12,6 +12,7 @@ import re
 from collections.abc import Mapping
 from typing import Annotated, Literal, TypeAlias
 
+import tomli_w
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError, field_validator
 
 from ...errors import InputError
@@ -82,11 +83,11 @@ def _toml(value: object, key: str, depth: int = 0) -> str:
             return str(value)
         case float() if math.isfinite(value):
             return repr(value)
-        case str() if len(value) <= 2000:
-            return json.dumps(value, ensure_ascii=True)
+        case str() if len(value) <= 2000 and value.isprintable():
+            return tomli_w.dumps({"x": value}).removeprefix("x = ").rstrip("\n")
         case list() if len(value) <= 200 and depth < 3:
             return f"[{', '.join(_toml(inner, key, depth + 1) for inner in value)}]"
-    raise ValueError(f"{key} must be a finite number, a text, or a short list of such")
+    raise ValueError(f"{key} must be a finite number, a line of text, or a short list of such")
 
 
 class _OfSubject(_Checked):

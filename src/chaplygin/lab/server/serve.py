@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import errno
 import http.client
@@ -76,10 +77,17 @@ def serve(folder: Folder, what: str, port: int, announce: Callable[[str], None])
     try:
         with listening:
             announce(f"http://{HOST}:{place}{laboratory.base}")
-            _Server(config).run([listening])
+            asyncio.run(_serve(_Server(config), listening, pool))
     finally:
-        pool.close()
         signal.signal(signal.SIGTERM, before)
+
+
+async def _serve(server: _Server, listening: socket.socket, pool: Pool) -> None:
+    try:
+        await server.serve([listening])
+    finally:
+        # before the loop waits for threads, which wait for workers
+        pool.close()
 
 
 def _end(number: int, frame: FrameType | None) -> None:
