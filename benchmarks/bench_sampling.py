@@ -12,7 +12,7 @@ import numpy as np
 
 from chaplygin import from_catalogue
 from chaplygin.flow import level_sampler
-from chaplygin.formulas.evaluate import values
+from chaplygin.formulas.array_evaluation import values
 
 LEVELS = (
     ("chaplygin-ball", {"energy": 1.0}),

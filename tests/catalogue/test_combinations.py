@@ -9,7 +9,7 @@ import pytest
 
 from chaplygin import from_catalogue
 from chaplygin.core.system import System
-from chaplygin.formulas.batch import Formulas
+from chaplygin.formulas.array_formulas import Formulas
 
 ROTORS = {"k_1": 0.6, "k_2": 0.4, "k_3": -0.8}
 NUMBERS = {"I_1": 1.0, "I_2": 1.6, "I_3": 2.3, "K": 3.0, **ROTORS}

@@ -23,7 +23,7 @@ from chaplygin.control.equations import M, b, gamma, omega, rho, rhodot
 from chaplygin.control.rates import Rates
 from chaplygin.core.vectors import cross
 from chaplygin.errors import InputError
-from chaplygin.formulas.batch import Formulas
+from chaplygin.formulas.array_formulas import Formulas
 
 t = sp.Symbol("t", real=True)
 

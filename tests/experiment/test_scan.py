@@ -8,7 +8,7 @@ from chaplygin.analysis.scans.grid import axis
 from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.scan import chart_of, plane_of
 from chaplygin.experiment.study import Study, prepare
-from chaplygin.formulas.evaluate import values
+from chaplygin.formulas.array_evaluation import values
 
 
 def study(text: str) -> Study:

@@ -9,7 +9,7 @@ from chaplygin.experiment.poincare import coordinates_of
 from chaplygin.experiment.section_coordinates import is_angle, usual, within_a_turn
 from chaplygin.experiment.study import prepare
 from chaplygin.experiment.without_lift import without_reconstruction
-from chaplygin.formulas.evaluate import values
+from chaplygin.formulas.array_evaluation import values
 
 PENDULUM = """
 [equations]

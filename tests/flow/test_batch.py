@@ -20,7 +20,7 @@ from chaplygin.flow.devices.threads import THREADS, available_threads
 from chaplygin.flow.integrator import integrate
 from chaplygin.flow.kernel.double_double_conversion import from_pairs
 from chaplygin.flow.kernel.equations import poincare_section
-from chaplygin.formulas.evaluate import values
+from chaplygin.formulas.array_evaluation import values
 from flow.small import (
     BODIES,
     KEPLER,

@@ -15,7 +15,7 @@ from chaplygin.errors import InputError
 from chaplygin.flow.gauss import GaussTrajectories, gauss_integrator
 from chaplygin.flow.integrator import integrate
 from chaplygin.flow.kernel.double_double_conversion import from_pairs
-from chaplygin.formulas.evaluate import values
+from chaplygin.formulas.array_evaluation import values
 from flow.small import (
     BODIES,
     KEPLER,

@@ -7,7 +7,7 @@ import numpy as np
 from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import equations_on_sphere
 from chaplygin.core.vectors import to_components
 from chaplygin.flow.level_projection import project_to_level
-from chaplygin.formulas.batch import Formulas
+from chaplygin.formulas.array_formulas import Formulas
 
 BALL = equations_on_sphere()
 ENERGY, MOMENTUM = (to_components(law.value) for law in BALL.integrals[:2])

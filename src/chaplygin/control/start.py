@@ -11,7 +11,7 @@ from ..arguments import arguments_checked
 from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
-from ..formulas.batch import Formulas
+from ..formulas.array_formulas import Formulas
 from ..mechanics.lagrangian.mechanism import TIME
 from .equations import A, M, b
 

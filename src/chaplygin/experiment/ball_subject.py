@@ -12,7 +12,7 @@ from ..mechanics.ball.surface import ImplicitSurface, SmoothSurface
 from ..printing.numerals import number
 from .file.ball_model import BallExperiment, moment
 from .file.shape_tables import BallTable
-from .mechanism import identifier
+from .mechanism_from_tables import identifier
 from .subject import PlacedBallSubject
 
 R = Vector("R")

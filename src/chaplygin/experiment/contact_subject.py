@@ -34,8 +34,8 @@ from .file.contact_tables import FrictionTable
 from .file.rolling_model import FrictionExperiment
 from .file.shape_tables import shape_name
 from .file.tables import CommonRunTable
-from .mechanism import identifier
-from .rolling import body_of, forces_of, ground_words
+from .mechanism_from_tables import identifier
+from .rolling_subject import body_of, forces_of, ground_words
 from .subject import Subject
 
 _LEGEND = (

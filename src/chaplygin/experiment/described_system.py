@@ -16,7 +16,7 @@ from ..parsing import nearest
 from .file.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from .file.toml import Key
 from .initial_state import StartValues
-from .mechanism import identifier, mechanism_of, system_of, with_claims
+from .mechanism_from_tables import identifier, mechanism_of, system_of, with_claims
 from .plan import described_plan
 from .subject import DescribedSubject
 

@@ -11,7 +11,7 @@ import sympy as sp
 from ..core.arrays import FloatArray
 from ..core.system import System
 from ..flow.trajectory import Trajectory
-from ..formulas.evaluate import values
+from ..formulas.array_evaluation import values
 from ..mechanics.lagrangian.mechanism import TIME, Mechanism
 from ..mechanics.lagrangian.plan import Plan, plan_of
 from .file.described_models import OwnExperiment

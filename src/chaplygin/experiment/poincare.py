@@ -19,7 +19,7 @@ from ..flow.kernel.equations import poincare_section
 from ..flow.sampling.draw import level_sampler
 from ..flow.sections.poincare_dataset import Quantity, section_task
 from ..flow.sections.poincare_map import PoincareMap, slab
-from ..formulas.evaluate import formula, values
+from ..formulas.array_evaluation import formula, values
 from .scan import VECTORS
 from .section_coordinates import is_angle, usual, within_a_turn
 from .study import Study

@@ -10,7 +10,7 @@ from ..core.system import System
 from ..core.vectors import Vector, to_components
 from ..errors import InputError
 from ..flow.sections.poincare_dataset import Quantity
-from ..formulas.evaluate import values
+from ..formulas.array_evaluation import values
 
 #: States at which it is tried whether a variable is an angle.
 _TRIED = 5

@@ -32,7 +32,7 @@ from .file.described_models import EquationsExperiment, MechanismExperiment
 from .file.models import Experiment
 from .file.rolling_model import FrictionExperiment, RollingExperiment
 from .initial_state import StartValues, normalised_vectors, on_level
-from .rolling import rolling_subject
+from .rolling_subject import rolling_subject
 from .subject import Subject, Variables
 
 

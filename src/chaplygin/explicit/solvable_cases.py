@@ -32,7 +32,7 @@ from ..mechanics.rolling.fluid import fluids_of
 from .base.no_closed_form import Condition, degenerate, refusal
 from .base.problem import Problem, rational, same_field
 from .base.solution import Solution
-from .change_symbols import in_symbols_of, translation
+from .change_of_symbols import in_symbols_of, translation
 from .genus_two.separation import SeparatedSystem
 from .principal_axes import in_principal_axes, to_original_axes
 from .recover_body import rolling_of

@@ -18,7 +18,7 @@ from ..arguments import Parameters, arguments_checked
 from ..core.arrays import FloatArray, IntArray
 from ..core.system import System
 from ..errors import InputError
-from ..formulas.evaluate import as_float_array, relation_terms
+from ..formulas.array_evaluation import as_float_array, relation_terms
 from ..formulas.graph import Term
 from .batch_results import BatchCrossings, BatchTrajectories
 from .cost import FEW_STEPS, MOST_STEPS, require_steps

@@ -19,7 +19,7 @@ from ..core.arrays import FloatArray, IntArray
 from ..core.overview import WithShortRepr
 from ..core.system import System
 from ..errors import InputError
-from ..formulas.evaluate import (
+from ..formulas.array_evaluation import (
     as_float_array,
     numbers,
     parameter_rows,

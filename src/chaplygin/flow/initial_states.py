@@ -19,7 +19,7 @@ from ..core.system import System, flat
 from ..core.vectors import Vector
 from ..errors import InputError
 from ..flow.heyoka_expressions import WorkingNumber
-from ..formulas.evaluate import values
+from ..formulas.array_evaluation import values
 
 #: Digits of the attitude that goes with a start, and what is left of a half turn.
 _DIGITS, _TURNED = 50, 1e-12

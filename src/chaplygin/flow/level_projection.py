@@ -13,7 +13,7 @@ import sympy as sp
 
 from ..arguments import Parameters, ParameterValue
 from ..core.arrays import BoolArray, FloatArray
-from ..formulas.batch import Formulas
+from ..formulas.array_formulas import Formulas
 
 #: Steps of Newton's method, at most.
 STEPS = 60

@@ -12,7 +12,7 @@ import numpy as np
 from ..arguments import Parameters
 from ..core.arrays import FloatArray
 from ..core.system import System
-from ..formulas.batch import Formulas
+from ..formulas.array_formulas import Formulas
 from .batch import batch_integrator
 from .kernel.equations import groups
 

@@ -23,7 +23,7 @@ import sympy as sp
 from ..arguments import Parameters
 from ..core.arrays import FloatArray, IntArray
 from ..core.system import System
-from ..formulas.batch import Formulas
+from ..formulas.array_formulas import Formulas
 from .batch import BatchIntegrator
 from .level_projection import REDUNDANT, select_parameters
 

@@ -18,7 +18,7 @@ from ..core.overview import Overview, WithOverview
 from ..core.system import Guard, Observable, System
 from ..core.vectors import to_components
 from ..errors import InputError
-from ..formulas.evaluate import values
+from ..formulas.array_evaluation import values
 from .heyoka_expressions import WorkingArray, WorkingNumber
 
 Number = TypeVar("Number", bound=np.generic)

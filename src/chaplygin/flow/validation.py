@@ -11,7 +11,7 @@ import numpy.typing as npt
 from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
-from ..formulas.evaluate import as_float_array, numbers
+from ..formulas.array_evaluation import as_float_array, numbers
 from ..formulas.graph import Term
 
 #: A start may miss a relation by this share of what it consists of, and by so much besides.
@@ -59,7 +59,7 @@ def require_on_phase_space(
     ----------
     system : System
     relations : sequence of Term
-        See :func:`chaplygin.formulas.evaluate.relation_terms`.
+        See :func:`chaplygin.formulas.array_evaluation.relation_terms`.
     points : array (motions, size)
     parameters : array (1 or motions, parameters)
     """

@@ -1,6 +1,6 @@
 """Formulas of a System as one NumPy function each, for loops that call them again and again.
 
-A formula that is evaluated only once is better left to :mod:`chaplygin.formulas.batch`.
+A formula that is evaluated only once is better left to :mod:`chaplygin.formulas.array_formulas`.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import numpy as np
 
 from ..core.arrays import FloatArray
 from ..core.system import System
-from .evaluate import NUMPY
+from .array_evaluation import NUMPY
 from .graph import Graph, Reader, Term, topological_order
 
 

@@ -14,7 +14,7 @@ from ..experiment.section_coordinates import is_angle
 from ..experiment.study import Study
 from ..flow.trajectory import recorded_quantities
 from ..flow.variable_metadata import variable_metadata
-from ..formulas.evaluate import formula
+from ..formulas.array_evaluation import formula
 from ..printing.formula import latex
 from ..printing.mathml import mathml
 from ..printing.symbol_names import GREEK

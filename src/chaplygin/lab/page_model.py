@@ -15,7 +15,7 @@ from ..experiment.section_coordinates import is_angle
 from ..experiment.study import Study
 from ..experiment.subject import BallSubject
 from ..flow.variable_metadata import FRAMES, variable_metadata
-from ..formulas.evaluate import values
+from ..formulas.array_evaluation import values
 from ..printing.formula import latex
 from ..printing.mathml import mathml
 from ..printing.system import law_latex

@@ -16,7 +16,7 @@ from ..experiment.subject import BodySubject
 from ..flow.kernel.equations import Equations, equations_of
 from ..flow.kernel.outcomes import STATUS_MESSAGES
 from ..flow.kernel.wasm import march_text, values_text, wasm_module
-from ..formulas.evaluate import read_formulas
+from ..formulas.array_evaluation import read_formulas
 from ..formulas.graph import Term
 from ..mechanics.rolling.contact import contact
 from .columns import Column, Scalar, columns_of, scalars_of

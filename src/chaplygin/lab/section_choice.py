@@ -10,7 +10,7 @@ from ..core.arrays import FloatArray
 from ..core.system import System
 from ..experiment.study import Study
 from ..flow.batch import batch_integrator
-from ..formulas.evaluate import values
+from ..formulas.array_evaluation import values
 from .columns import Scalar
 from .scene_model import Json
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from ..core.system import System
 from ..flow.kernel.equations import Equations, equations_of
-from ..formulas.evaluate import read_formulas
+from ..formulas.array_evaluation import read_formulas
 from ..formulas.graph import Term, topological_order
 from .columns import Scalar
 

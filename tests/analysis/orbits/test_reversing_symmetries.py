@@ -10,7 +10,7 @@ from chaplygin.analysis.orbits.reversing_symmetries import Reversor, reversors
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import real_symbol
-from chaplygin.formulas.batch import Formulas
+from chaplygin.formulas.array_formulas import Formulas
 from chaplygin.proof.prover import prove
 
 x, y, a = map(real_symbol, "xya")

@@ -12,7 +12,7 @@ from chaplygin.analysis.scans.system_quantities import quantities_by_name
 from chaplygin.catalogue import entry
 from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import equations_on_sphere
 from chaplygin.errors import InputError
-from chaplygin.formulas.evaluate import values
+from chaplygin.formulas.array_evaluation import values
 
 BALL = equations_on_sphere()
 START = {"M": (1.0, 0.5, 1.2), "n": (0.2, -0.3, 0.93)}

@@ -11,7 +11,7 @@ from chaplygin.analysis.scans.state_coordinates import CHARTS, StateCoordinates,
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
 from chaplygin.flow.sampling.draw import sample_level
-from chaplygin.formulas.evaluate import values
+from chaplygin.formulas.array_evaluation import values
 
 BALL, VESELOVA = from_catalogue("chaplygin-ball"), from_catalogue("veselova")
 PI = np.pi

@@ -12,7 +12,7 @@ from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.formats import csv_text
 from chaplygin.experiment.study import dataset_of, prepare
 from chaplygin.flow.integrator import integrate
-from chaplygin.formulas.evaluate import values
+from chaplygin.formulas.array_evaluation import values
 
 FAMILIES = ("suslov-nd", "veselova-nd", "chaplygin-ball-nd", "rubber-chaplygin-ball-nd")
 TURN = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.6, 0.8], [0.0, 0.0, -0.8, 0.6]]

@@ -16,7 +16,7 @@ from chaplygin.contact.friction.symbols import couple, reaction
 from chaplygin.core.arrays import FloatArray
 from chaplygin.core.system import System
 from chaplygin.flow.initial_states import upright
-from chaplygin.formulas.evaluate import values
+from chaplygin.formulas.array_evaluation import values
 
 MOMENTS, RADIUS, OFFSET = np.array([0.4, 0.4, 0.3]), 1.0, 0.2
 TOP = ch.Body(1.3, (0.4, 0.4, 0.3), ch.Ball(RADIUS, centre=(0.0, 0.0, OFFSET)))

@@ -19,7 +19,7 @@ from chaplygin.flow.kernel.equations import (
     serial,
     serial_terms,
 )
-from chaplygin.formulas.evaluate import numbers
+from chaplygin.formulas.array_evaluation import numbers
 from chaplygin.formulas.graph import Graph
 from flow.small import OSCILLATOR, TOP, M, body, gamma, p, u, x, y
 

@@ -11,7 +11,7 @@ import sympy as sp
 from chaplygin.core.system import System
 from chaplygin.flow.kernel.equations import equations_of
 from chaplygin.flow.kernel.projection_terms import ProjectionTerms, projection_terms
-from chaplygin.formulas.evaluate import numbers, read_formulas, values
+from chaplygin.formulas.array_evaluation import numbers, read_formulas, values
 from flow.small import KEPLER, OSCILLATOR, TOP, body, starts, u, v, x, y
 
 

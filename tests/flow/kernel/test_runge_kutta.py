@@ -29,7 +29,7 @@ from chaplygin.flow.kernel.outcomes import (
 )
 from chaplygin.flow.kernel.runge_kutta import runge_kutta_loop
 from chaplygin.flow.kernel.tableaux import explicit
-from chaplygin.formulas.evaluate import values
+from chaplygin.formulas.array_evaluation import values
 from flow.small import (
     FENCED,
     KEPLER,

@@ -11,8 +11,8 @@ from chaplygin.catalogue import from_catalogue
 from chaplygin.flow.sampling.counter_rng import counter_normals
 from chaplygin.flow.sampling.great_circles import GreatCircleProposal, crossings
 from chaplygin.flow.sampling.level_set_fibration import find_fibration
+from chaplygin.formulas.array_evaluation import parameter_rows
 from chaplygin.formulas.compiled import SystemFormulas
-from chaplygin.formulas.evaluate import parameter_rows
 
 
 def test_all_zeros_of_waves() -> None:

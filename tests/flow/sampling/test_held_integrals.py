@@ -14,7 +14,7 @@ from chaplygin.flow.sampling.held_integrals import (
     measures,
     validate_level,
 )
-from chaplygin.formulas.evaluate import parameter_rows
+from chaplygin.formulas.array_evaluation import parameter_rows
 
 
 def values(system: System, **given: float) -> np.ndarray:

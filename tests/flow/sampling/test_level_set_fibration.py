@@ -17,8 +17,8 @@ from chaplygin.errors import InputError
 from chaplygin.flow.sampling.counter_rng import counter_normals
 from chaplygin.flow.sampling.fibration import Fibration
 from chaplygin.flow.sampling.level_set_fibration import find_fibration
+from chaplygin.formulas.array_evaluation import parameter_rows
 from chaplygin.formulas.compiled import SystemFormulas
-from chaplygin.formulas.evaluate import parameter_rows
 
 theta, p, x = (real_symbol(name) for name in ["theta", "p", "x"])
 

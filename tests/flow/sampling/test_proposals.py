@@ -10,8 +10,8 @@ import pytest
 from chaplygin.catalogue import from_catalogue
 from chaplygin.flow.sampling.level_set_fibration import find_fibration
 from chaplygin.flow.sampling.proposals import RayProposal, maximise
+from chaplygin.formulas.array_evaluation import parameter_rows
 from chaplygin.formulas.compiled import SystemFormulas
-from chaplygin.formulas.evaluate import parameter_rows
 
 SYSTEM = from_catalogue("veselova")
 VALUES = parameter_rows(SYSTEM, None, 1)[0]

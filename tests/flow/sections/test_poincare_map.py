@@ -19,7 +19,7 @@ from chaplygin.flow.batch_results import BatchCrossings
 from chaplygin.flow.heyoka_expressions import Translator
 from chaplygin.flow.kernel.equations import Section, poincare_section
 from chaplygin.flow.sections.poincare_map import PoincareMap, slab
-from chaplygin.formulas.batch import Formulas
+from chaplygin.formulas.array_formulas import Formulas
 from chaplygin.mechanics.rolling.initial_state import initial_state
 
 BODIES = ("chaplygin-ball", "unbalanced-ball", "rattleback")

@@ -22,7 +22,7 @@ from ...flow.initial_states import reduced_start
 from ...flow.state_scales import state_scales
 from ...flow.tangent_space import propagate
 from ...flow.validation import require_on_phase_space
-from ...formulas.evaluate import parameter_rows, relation_terms
+from ...formulas.array_evaluation import parameter_rows, relation_terms
 from .averages import average, resolution
 from .divergence import NODES, MotionRecord, divergence_average
 from .report import Spectrum

@@ -24,7 +24,7 @@ from ...core.vectors import to_components
 from ...flow.linear_stability import components, essential_variables
 from ...flow.state_scales import state_scales_at
 from ...flow.tangent_space import TangentSpace
-from ...formulas.batch import Formulas
+from ...formulas.array_formulas import Formulas
 from ...printing.formula import text
 from ...printing.laws import equation
 

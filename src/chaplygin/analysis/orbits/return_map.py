@@ -22,7 +22,7 @@ from ...core.vectors import to_components
 from ...errors import InputError
 from ...flow.sections.poincare_map import PoincareMap
 from ...flow.state_scales import state_scales_at
-from ...formulas.batch import Formulas
+from ...formulas.array_formulas import Formulas
 from .maps import ConservedFunctions, Image
 from .rotation import average, unwrapped_turns
 

@@ -21,7 +21,7 @@ from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...core.parameters import Parameters
 from ...core.system import Parameter, System, flat
-from ...formulas.batch import Formulas
+from ...formulas.array_formulas import Formulas
 from ...printing.formula import text
 from ..classification.sign_reversal import reverses
 

@@ -19,8 +19,8 @@ from ...core.system import System
 from ...errors import InputError
 from ...flow.batched_linalg import row_dots
 from ...flow.sampling.level_set_fibration import find_fibration
+from ...formulas.array_evaluation import parameter_rows
 from ...formulas.compiled import SystemFormulas
-from ...formulas.evaluate import parameter_rows
 
 #: Below this the sine of an angle is rounding.
 _FLAT = 1e-7

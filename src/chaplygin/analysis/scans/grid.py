@@ -22,8 +22,8 @@ from ...core.system import System, flat
 from ...core.vectors import Vector, norm_squared, to_components
 from ...errors import InputError
 from ...flow.level_projection import project_to_level
-from ...formulas.batch import Formulas
-from ...formulas.evaluate import formula
+from ...formulas.array_evaluation import formula
+from ...formulas.array_formulas import Formulas
 from ...parsing import nearest, parse
 from .system_quantities import quantities_by_name
 

@@ -19,7 +19,7 @@ from ...core.system import System
 from ...flow.batch import BatchIntegrator, batch_integrator
 from ...flow.devices.graphics import Device
 from ...flow.level_projection import select_parameters
-from ...formulas.evaluate import values
+from ...formulas.array_evaluation import values
 from ..orbits.rotation import average
 
 #: States of a motion that are kept at a time.

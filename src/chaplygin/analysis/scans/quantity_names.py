@@ -11,7 +11,7 @@ from ...core.system import System
 from ...errors import InputError
 from ...flow.devices.graphics import Device
 from ...flow.kernel.equations import poincare_section
-from ...formulas.evaluate import formula
+from ...formulas.array_evaluation import formula
 from ...parsing import nearest
 from ..lyapunov.indicators import (
     ExponentSum,

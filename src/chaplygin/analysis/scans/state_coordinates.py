@@ -26,7 +26,7 @@ from ...core.arrays import FloatArray, IntArray
 from ...core.system import System
 from ...errors import InputError
 from ...flow.sampling.great_circles import crossings
-from ...formulas.batch import Formulas
+from ...formulas.array_formulas import Formulas
 from .andoyer import Andoyer
 from .directions import Directions
 

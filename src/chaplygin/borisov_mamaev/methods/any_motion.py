@@ -9,7 +9,7 @@ from __future__ import annotations
 from sympy import Expr
 from sympy.matrices.expressions import MatrixExpr
 
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.system import Parameter, System
 from ...core.vectors import (
     Diagonal,

@@ -12,7 +12,7 @@ from functools import cache
 
 import sympy as sp
 
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Rate
 from ...core.system import Parameter, System
 from ...core.vectors import (

@@ -9,7 +9,7 @@ import sympy as sp
 
 from ...catalogue.bodies.any_shape import SUPPORT
 from ...catalogue.bodies.rubber_body import any_rubber_body
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Rate
 from ...core.system import System
 from ...core.vectors import (

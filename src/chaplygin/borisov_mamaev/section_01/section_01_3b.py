@@ -9,7 +9,7 @@ import sympy as sp
 
 from ...catalogue.angles import NORMAL, SPIN, in_angles, phi, phidot, theta, thetadot
 from ...catalogue.bodies.rubber_body import any_rubber_body
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Rate
 from ...core.system import Parameter, System
 from ...core.vectors import (

@@ -9,7 +9,7 @@ import sympy as sp
 
 from ...catalogue.bodies.rubber_body import any_rubber_body, general_on_sphere
 from ...catalogue.fixed_point.veselova_spinning import spinning_general
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Rate
 from ...core.system import Parameter, System
 from ...core.vectors import (

@@ -9,7 +9,7 @@ from functools import cache
 
 from ...catalogue.balls.rubber_ball_on_surface import any_graph, general
 from ...catalogue.chaplygin_ball import marble_ball
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Integral, Rate
 from ...core.system import System
 from ...core.vectors import cross, dot, norm_squared, real_symbol, unit_vector, vectors, zero

@@ -8,7 +8,7 @@ import sympy as sp
 
 from ...catalogue.chaplygin_ball import chaplygin_suslov_ball
 from ...catalogue.chaplygin_ball.rubber_chaplygin_ball import general_system
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Rate
 from ...core.system import System
 from ...core.vectors import Diagonal, cross, dot, identity, norm_squared, real_symbol, vectors

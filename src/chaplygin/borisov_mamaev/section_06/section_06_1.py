@@ -8,7 +8,7 @@ import sympy as sp
 
 from ...catalogue.angles import theta
 from ...catalogue.fixed_point import veselova as catalogue, veselova_spinning
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Integral, Measure, Rate
 from ...core.system import System
 from ...core.vectors import Diagonal, cross, dot, gradient, norm_squared, real_symbol, vectors

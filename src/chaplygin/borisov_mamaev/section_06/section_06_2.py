@@ -8,7 +8,7 @@ import sympy as sp
 
 from ...catalogue.angles import NORMAL, phi, phidot, theta, thetadot
 from ...catalogue.fixed_point import veselova as catalogue
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Identity, PoissonStructure, Rate
 from ...core.system import System

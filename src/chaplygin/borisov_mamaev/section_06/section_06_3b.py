@@ -20,7 +20,7 @@ from ...catalogue.fixed_point import (
 )
 from ...catalogue.fixed_point.clebsch import alpha, beta
 from ...catalogue.fixed_point.neumann import c
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.laws import ConformallyHamiltonian, Identity, Integral
 from ...core.system import Parameter, System
 from ...core.vectors import cross, dot, norm_squared, real_symbol, to_components

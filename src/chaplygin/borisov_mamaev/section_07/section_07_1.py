@@ -9,7 +9,7 @@ import sympy as sp
 from ...catalogue import CATALOGUE
 from ...catalogue.chaplygin_ball.chaplygin_ball import general_system
 from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_J, D
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Integral, Measure
 from ...core.system import System
 from ...core.vectors import (
@@ -30,7 +30,7 @@ from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.conclusion import conclusion_verdict
-from ..methods.contrary import contrary
+from ..methods.contradiction import contrary
 from ..methods.independence import independent, rational_point
 from ..methods.tori import of_rank_two
 from ..methods.unequal_periods import unequal_periods

@@ -12,7 +12,7 @@ from ...catalogue.chaplygin_ball.chaplygin_ball import DENSITY, general_system
 from ...catalogue.chaplygin_ball.chaplygin_ball_unreduced import orientation
 from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_J, A, D, J, L, gamma, hamiltonian_form
 from ...catalogue.e3 import lie_poisson
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Integral, PoissonStructure
 from ...core.system import System
 from ...core.vectors import Components, constant, cross, dot, to_components, vectors

@@ -30,7 +30,7 @@ from ...catalogue.chaplygin_ball.chaplygin_bracket import (
     hamiltonian_form,
     k,
 )
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Integral, Measure
 from ...core.system import System
 from ...core.vectors import constant, cross, dot, gradient, to_components, vectors

@@ -11,7 +11,7 @@ from ...catalogue import CATALOGUE
 from ...catalogue.chaplygin_ball.chaplygin_ball import DENSITY
 from ...catalogue.chaplygin_ball.chaplygin_ball_clebsch import onto_fedorov
 from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_J, A, D, I, J, gamma
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Integral, Rate
 from ...core.system import System
 from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors

@@ -8,7 +8,7 @@ from ...catalogue.ball_on_sphere import (
     ball_on_sphere_equations as ball,
     rubber_ball_ratio as rubber,
 )
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Integral, Measure
 from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, cross, dot, identity, norm_squared, real_symbol, vectors, zero

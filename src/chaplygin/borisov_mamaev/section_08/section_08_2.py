@@ -10,7 +10,7 @@ from ...catalogue.ball_on_sphere import (
     ball_on_sphere_equations as ball,
 )
 from ...catalogue.e3 import Gamma, lie_poisson
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Integral, PoissonStructure
 from ...core.system import System
 from ...core.vectors import cross, dot, identity, norm_squared
@@ -18,7 +18,7 @@ from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import laws_named
 from ..methods.conclusion import conclusion_verdict
-from ..methods.contrary import contrary
+from ..methods.contradiction import contrary
 from ..methods.two_quadratures import alike, not_the_same
 
 M, n, J, A, d, k = ball.M, ball.n, ball.J, ball.A, ball.d, ball.k

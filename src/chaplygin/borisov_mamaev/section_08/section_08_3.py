@@ -13,7 +13,7 @@ from ...catalogue.ball_on_sphere import (
     ball_on_sphere_equations as ball,
 )
 from ...catalogue.e3 import Gamma, M
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.laws import Identity, Integral
 from ...core.system import System
 from ...core.vectors import cross, real_symbol

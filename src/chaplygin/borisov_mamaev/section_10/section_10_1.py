@@ -19,7 +19,7 @@ from ..claim import Case, Claim, Remark
 from ..methods.conclusion import computed_verdict
 from ..methods.independence import independent, rational_point
 from ..methods.measure_at_rest import divergence_of_spin
-from ..methods.unbalanced import (
+from ..methods.unbalanced_ball_symbols import (
     M_RATE,
     NORMAL,
     OFFSET,

@@ -21,7 +21,7 @@ from ..methods.conclusion import conclusion_verdict
 from ..methods.independence import independent, rational_point
 from ..methods.limit_cycle import CASE, limit_cycle
 from ..methods.measure_of_rubber_ball import only_symmetric_balls
-from ..methods.unbalanced import (
+from ..methods.unbalanced_ball_symbols import (
     GAMMA_RATE,
     NORMAL,
     OFFSET,

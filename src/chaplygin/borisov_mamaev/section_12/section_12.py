@@ -19,7 +19,7 @@ from ...catalogue.chaplygin_ball.chaplygin_ball_angles import (
     thetadot,
 )
 from ...catalogue.chaplygin_ball.chaplygin_bracket import D, I, gamma, k
-from ...catalogue.rates import rate
+from ...catalogue.vector_rates import rate
 from ...core.laws import ConformallyHamiltonian, Identity, Integral, Law, Measure
 from ...core.system import System
 from ...core.vectors import (
@@ -37,7 +37,7 @@ from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import law_named, laws_named
 from ..methods.conclusion import conclusion_verdict
-from ..methods.contrary import contrary
+from ..methods.contradiction import contrary
 from ..methods.tori import not_hamiltonian, of_rank_two
 from ..section_07.section_07_3a import PRECESSION, SPIN, SPREAD
 

@@ -39,7 +39,7 @@ from ...mechanics.ball.equations import (
 )
 from ...mechanics.ball.mechanism import ball_mechanism
 from ...mechanics.lagrangian.poincare_suslov import equations
-from ..rates import rate
+from ..vector_rates import rate
 
 R, x, omega, v, n, ndot, r, N, F, df = vectors("R x omega v n ndot r N F df")
 m, mu, b, N_0, ell = (real_symbol(name) for name in ("m", "mu", "b", "N_0", "ell"))

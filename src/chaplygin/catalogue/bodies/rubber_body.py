@@ -7,7 +7,7 @@ import sympy as sp
 from ...core.laws import Identity, Rate
 from ...core.system import System
 from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors
-from ..rates import rate
+from ..vector_rates import rate
 from .any_shape import (
     INERTIA,
     POTENTIAL,

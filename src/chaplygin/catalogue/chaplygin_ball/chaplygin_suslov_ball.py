@@ -31,7 +31,7 @@ from ...mechanics.rolling.attitude import (
 )
 from ...mechanics.rolling.body import check_inertia, check_mass
 from ..entry import Entry, Numbers, Start
-from ..rates import rate
+from ..vector_rates import rate
 
 omega, gamma, e, X, p, q = vectors("omega gamma e X p q")
 I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")

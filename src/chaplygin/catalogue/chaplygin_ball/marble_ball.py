@@ -16,7 +16,7 @@ from ...core.system import Observable, Parameter, System
 from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, unit_vector, vectors
 from ...mechanics.rolling.body import check_inertia, check_mass
 from ..entry import Entry, Numbers, Start
-from ..rates import rate
+from ..vector_rates import rate
 
 R, omega, v, r, N, F = vectors("R omega v r N F")
 m, mu, b, kappa, mtilde = (real_symbol(name) for name in ("m", "mu", "b", "kappa", "mtilde"))

@@ -19,7 +19,7 @@ from ...mechanics.lagrangian.mechanism import Frame, Mechanism
 from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.lagrangian.poincare_suslov import equations
 from ..entry import Entry, Numbers, Start
-from ..positive import positives
+from ..positive_numbers import positives
 
 x, y, theta, phi = (real_symbol(name) for name in ("x", "y", "theta", "phi"))
 u, v, turn, swing, D = (real_symbol(name) for name in ("u", "v", "Omega", "phidot", "D"))

@@ -18,7 +18,7 @@ from ...mechanics.lagrangian.mechanism import Frame, Mechanism
 from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.lagrangian.poincare_suslov import equations
 from ..entry import Entry, Numbers, Start
-from ..positive import positives
+from ..positive_numbers import positives
 
 x, y, theta, psi, phi = (real_symbol(name) for name in ("x", "y", "theta", "psi", "phi"))
 s, n, v, spin, steer, u, Omega = (

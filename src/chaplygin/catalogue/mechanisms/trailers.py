@@ -22,7 +22,7 @@ from ...mechanics.lagrangian.mechanism import Frame, Mechanism
 from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.lagrangian.poincare_suslov import equations
 from ..entry import Entry, Numbers, Start
-from ..positive import positive
+from ..positive_numbers import positive
 
 x, y, theta, u, v, m, J = (real_symbol(name) for name in ("x", "y", "theta", "u", "v", "m", "J"))
 HALF = sp.Rational(1, 2)

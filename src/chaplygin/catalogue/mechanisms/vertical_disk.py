@@ -19,7 +19,7 @@ from ...mechanics.lagrangian.mechanism import Frame, Mechanism
 from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.lagrangian.poincare_suslov import equations
 from ..entry import Entry, Numbers, Start
-from ..positive import positives
+from ..positive_numbers import positives
 
 x, y, theta, psi = (real_symbol(name) for name in ("x", "y", "theta", "psi"))
 u, v, spin, turn, c = (real_symbol(name) for name in ("u", "v", "psidot", "w", "c"))

@@ -7,7 +7,7 @@ from dataclasses import replace
 from ...contact.invariants import sliding_ball as ball
 from ...core.system import System
 from ..entry import Entry, Numbers, Start
-from ..positive import positive
+from ..positive_numbers import positive
 
 TITLE = "Homogeneous ball that slides"
 SUMMARY = (

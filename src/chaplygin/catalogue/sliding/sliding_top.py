@@ -10,7 +10,7 @@ from ...core.system import Parameter, System
 from ...mechanics.rolling.body import Body, check_mass
 from ...mechanics.rolling.shapes import Ball
 from ..entry import Entry, Numbers, Start
-from ..positive import positive
+from ..positive_numbers import positive
 
 TITLE = "Tippe top that slides"
 SUMMARY = (

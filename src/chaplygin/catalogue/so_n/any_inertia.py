@@ -41,8 +41,8 @@ from ...core.matrices import Column, Skew, SymmetricMatrix, wedge
 from ...core.system import Parameter, System
 from ...core.vectors import Components, real_symbol, to_components
 from .chaplygin_ball import invariants
+from .entry_of_dimension import SOURCE, D, R, m
 from .inertia import pairs
-from .member import SOURCE, D, R, m
 
 HALF = sp.Rational(1, 2)
 

@@ -27,8 +27,8 @@ from ...core.system import Parameter, System
 from ...core.vectors import norm_squared, outer, real_symbol, to_components
 from ..entry import Values
 from .elimination import solution
+from .entry_of_dimension import SOURCE, D, Family, R, cycle, direction
 from .inertia import Inertia, MassTensor, Moments, pairs
-from .member import SOURCE, D, Family, R, cycle, direction
 from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
 
 HALF = sp.Rational(1, 2)

@@ -31,8 +31,8 @@ from ...core.system import Parameter, System
 from ...core.vectors import Components, dot, norm_squared, to_components
 from ..entry import Values
 from .elimination import elimination
+from .entry_of_dimension import SOURCE, Family, cycle, direction
 from .inertia import Inertia, MassTensor, Moments
-from .member import SOURCE, Family, cycle, direction
 from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
 
 HALF = sp.Rational(1, 2)

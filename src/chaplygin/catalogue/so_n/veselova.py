@@ -29,8 +29,8 @@ from ...core.system import Parameter, System
 from ...core.vectors import dot, norm_squared, real_symbol, to_components
 from ..entry import Values
 from .elimination import solution
+from .entry_of_dimension import SOURCE, D, Family, R, across, cycle, direction
 from .inertia import Inertia, MassTensor, Moments, pairs
-from .member import SOURCE, D, Family, R, across, cycle, direction
 from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
 
 HALF = sp.Rational(1, 2)

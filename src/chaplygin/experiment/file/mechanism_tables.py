@@ -1,6 +1,7 @@
 """The tables of a file with a Lagrangian or with equations of motion.
 
-Formulas are kept as they are typed; :mod:`chaplygin.experiment.mechanism` reads them, once all
+Formulas are kept as they are typed; :mod:`chaplygin.experiment.mechanism_from_tables` reads them
+when all
 names are known.  The description of a field completes the sentence "… must be".
 """
 

@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from ...core.arrays import FloatArray, IntArray
 from ...errors import InputError
-from ...formulas.evaluate import as_float_array
+from ...formulas.array_evaluation import as_float_array
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,8 +16,8 @@ import sympy as sp
 from ...arguments import Numbers, Parameters, arguments_checked
 from ...core.system import System
 from ...errors import InputError
+from ...formulas.array_evaluation import as_float_array
 from ...formulas.digest import canonical
-from ...formulas.evaluate import as_float_array
 from ..cost import TooMuchError
 from ..devices.graphics import Device
 from ..kernel.outcomes import STATUS_MESSAGES

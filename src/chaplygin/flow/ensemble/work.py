@@ -12,7 +12,7 @@ import numpy.typing as npt
 from ...core.arrays import FloatArray, IntArray
 from ...core.system import System
 from ...errors import InputError
-from ...formulas.evaluate import values
+from ...formulas.array_evaluation import values
 from ..batch import BatchIntegrator, batch_integrator
 from ..devices.graphics import Device
 from ..initial_states import flat_starts

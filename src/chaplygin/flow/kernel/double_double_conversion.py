@@ -9,7 +9,7 @@ import numpy.typing as npt
 from ...arguments import Parameters
 from ...core.arrays import FloatArray
 from ...core.system import System
-from ...formulas.evaluate import as_float_array, parameter_rows
+from ...formulas.array_evaluation import as_float_array, parameter_rows
 
 
 def as_pairs(name: str, values: npt.ArrayLike) -> FloatArray:
@@ -33,7 +33,8 @@ def as_pairs(name: str, values: npt.ArrayLike) -> FloatArray:
 def parameter_pairs(system: System, parameters: Parameters, count: int) -> FloatArray:
     """Values of the parameters in order: (1 or count, parameters, 2).
 
-    See :func:`chaplygin.formulas.evaluate.parameter_rows`; numbers of many digits keep 32 of them.
+    See :func:`chaplygin.formulas.array_evaluation.parameter_rows`; numbers of many digits keep 32
+    of them.
     """
     rows = parameter_rows(system, parameters, count)
     pairs = np.stack([rows, np.zeros_like(rows)], axis=-1)

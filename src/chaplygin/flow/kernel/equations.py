@@ -10,7 +10,7 @@ import sympy as sp
 from ...arguments import Quantity, arguments_checked
 from ...core.system import System
 from ...errors import InputError
-from ...formulas.evaluate import formula, read_formulas
+from ...formulas.array_evaluation import formula, read_formulas
 from ...formulas.graph import Graph, Term, topological_order
 
 
@@ -43,7 +43,7 @@ def poincare_section(
     ----------
     system : System
     quantity : SymPy expression or str
-        See :func:`chaplygin.formulas.evaluate.formula`.
+        See :func:`chaplygin.formulas.array_evaluation.formula`.
     value : float
     direction : int
         +1 where the quantity rises through the value, −1 where it falls, 0 for both.

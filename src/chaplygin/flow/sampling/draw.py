@@ -22,8 +22,8 @@ from ...core.laws import Measure
 from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
+from ...formulas.array_evaluation import parameter_rows
 from ...formulas.compiled import CompiledTerms, SystemFormulas
-from ...formulas.evaluate import parameter_rows
 from ..cost import require_room
 from .counter_rng import counter_normals
 from .fibration import Fibration

@@ -14,8 +14,8 @@ import sympy as sp
 from ...core.arrays import FloatArray
 from ...core.vectors import Vector, to_components
 from ...errors import InputError
-from ...formulas.batch import Formulas
-from ...formulas.evaluate import parameter_rows
+from ...formulas.array_evaluation import parameter_rows
+from ...formulas.array_formulas import Formulas
 from ..ensemble.task import Coordinate, Task, Variable
 from ..kernel.outcomes import STATUS_MESSAGES
 from ..trajectory import by_name

@@ -27,8 +27,8 @@ from ...core.parameters import parameters_by_symbol
 from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
-from ...formulas.batch import Formulas
-from ...formulas.evaluate import formula
+from ...formulas.array_evaluation import formula
+from ...formulas.array_formulas import Formulas
 from ..batch import BatchIntegrator, batch_integrator
 from ..devices.graphics import Device
 from ..kernel.equations import Section
@@ -234,7 +234,7 @@ class PoincareMap:
         Parameters
         ----------
         quantity : SymPy expression or str
-            See :func:`chaplygin.formulas.evaluate.formula`.
+            See :func:`chaplygin.formulas.array_evaluation.formula`.
         width : float
             Half the thickness of the slab, in the unit of the quantity.
         """

@@ -12,7 +12,7 @@ from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import equation
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import to_components
 from chaplygin.errors import InputError
-from chaplygin.formulas.batch import Formulas
+from chaplygin.formulas.array_formulas import Formulas
 
 BALL = equations_on_sphere()
 LEVELS = (

@@ -15,7 +15,7 @@ from ..core.parameters import Parameters
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
-from .evaluate import numbers, parameter_rows
+from .array_evaluation import numbers, parameter_rows
 from .graph import Graph, Reader, Term
 
 

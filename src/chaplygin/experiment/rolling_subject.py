@@ -13,7 +13,7 @@ from ..printing.numerals import number
 from .file.rolling_model import BodyOnSurface, RollingExperiment
 from .file.shape_tables import shape_name
 from .file.tables import PlaneTable
-from .mechanism import identifier
+from .mechanism_from_tables import identifier
 from .subject import BodySubject
 
 

@@ -11,7 +11,7 @@ import sympy as sp
 from chaplygin.core.system import Observable, Parameter, System
 from chaplygin.core.vectors import dot
 from chaplygin.errors import InputError
-from chaplygin.formulas.evaluate import (
+from chaplygin.formulas.array_evaluation import (
     as_float_array,
     formula,
     parameter_rows,

@@ -35,8 +35,8 @@ from ...core.system import Parameter, System
 from ...core.vectors import Vector, dot, norm_squared, real_symbol
 from ...errors import InputError
 from ..entry import Numbers, Values
+from .entry_of_dimension import SOURCE, D, Family, R, across, cycle, direction, numbers_of
 from .inertia import Inertia, ProductMoments
-from .member import SOURCE, D, Family, R, across, cycle, direction, numbers_of
 from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
 from .veselova import MOMENTUM, SQUARE
 

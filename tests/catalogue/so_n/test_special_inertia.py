@@ -9,7 +9,7 @@ import pytest
 
 from chaplygin.catalogue import entry, from_catalogue
 from chaplygin.core.matrices import Skew
-from chaplygin.formulas.evaluate import values
+from chaplygin.formulas.array_evaluation import values
 from chaplygin.proof.prover import prove
 
 FACTORS = {
