@@ -47,7 +47,7 @@ def laws_with_fluid(rolling: Rolling) -> tuple[Law, ...]:
         known += _measure(rolling, Diagonal if body.principal else Symmetric, plane)
     for fluid in fluids_of(rolling.body):
         if len(set(fluid.cavity.axes)) == 1:
-            known += _of_sphere(fluid, plane, balanced and free and rolling.contact == "marble")
+            known += laws_of_sphere(fluid, plane, balanced and free and rolling.contact == "marble")
     return tuple(known)
 
 
@@ -78,7 +78,7 @@ def _measure(
     yield Measure("measure", density, meaning, source=SOURCE)
 
 
-def _of_sphere(fluid: Fluid, plane: bool, momentum_fixed: bool) -> Iterator[Law]:
+def laws_of_sphere(fluid: Fluid, plane: bool, momentum_fixed: bool) -> Iterator[Law]:
     """A spherical cavity: the vorticity of its fluid is fixed in space."""
     where, name = fluid.number and f" in cavity {fluid.number}", fluid.number
     first, *others = fluid.W.symbols

@@ -117,8 +117,8 @@ GROUPS = (
         "Holonomic systems for comparison",
         "none",
         (
-            *("lagrange-top", "lagrange-top-angles", "clebsch", "neumann", "smooth-disk"),
-            "power-potential-on-sphere",
+            *("free-body", "lagrange-top", "lagrange-top-angles", "clebsch", "neumann"),
+            *("smooth-disk", "power-potential-on-sphere"),
         ),
     ),
 )
@@ -131,7 +131,8 @@ INTEGRABLE = frozenset(
         *("rubber-ball-on-ellipsoid", "marble-ball-on-round-paraboloid", "rubber-ball-on-torus"),
         *("marble-ball", "rubber-ball-on-surface", "rubber-chaplygin-ball"),
         *("rubber-chaplygin-ball-bruns", "suslov-quadratic", "suslov-bracket", "heavy-disk"),
-        *("lagrange-top", "lagrange-top-angles", "chaplygin-sleigh", "chaplygin-sleigh-reduced"),
+        *("free-body", "lagrange-top", "lagrange-top-angles", "chaplygin-sleigh"),
+        "chaplygin-sleigh-reduced",
         *("generalised-chaplygin", "rubber-body-of-revolution", "rubber-disk"),
         *("rubber-routh-sphere", "veselova", "veselova-bruns", "veselova-spinning", "clebsch"),
         *("neumann", "veselova-geodesic-flow", "chaplygin-ball", "chaplygin-ball-bruns"),

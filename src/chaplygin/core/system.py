@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, TypeAlias
@@ -94,6 +94,28 @@ class Guard:
     value: sp.Expr
     message: str
     lift_off: bool = False
+
+
+@dataclass(frozen=True)
+class Theorem:
+    """A proof by hand of laws of a system, for which identities remain to be certified.
+
+    Parameters
+    ----------
+    laws : tuple of str
+        The names of the laws that follow.
+    words : str
+        What it says, and where its proof is.
+    identities : callable
+        () ↦ systems whose laws are all that is left to be proven.
+    positive : tuple of sympy.Expr
+        Formulas that it shows to be positive.
+    """
+
+    laws: tuple[str, ...]
+    words: str
+    identities: Callable[[], tuple[System, ...]]
+    positive: tuple[sp.Expr, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -191,6 +213,8 @@ class System(Displayed):
     start : mapping of Vector to formula
         How state variables follow from ω and γ, in which a start is given; the others (γ itself,
         or ω where it belongs to the state) are taken as given.
+    theorems : tuple of Theorem
+        Proofs by hand of some of the laws, which the prover completes.
 
     Raises
     ------
@@ -223,6 +247,7 @@ class System(Displayed):
     summary: str = ""
     start: Declared = ()
     printed_definitions: Declared = ()
+    theorems: tuple[Theorem, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "field", as_pairs(self.field))

@@ -124,7 +124,10 @@ def body_of_catalogue(experiment: SystemExperiment) -> BodySubject:
         rolling=rolling,
         heading=start.heading,
         normal=start.normal,
-        letters={**item.letters, **letters_with_fluid(fluids_of_cavities(cavities))},
+        letters={
+            **item.letters,
+            **letters_with_fluid(fluids_of_cavities(cavities), rolls=rolling is not None),
+        },
     )
 
 

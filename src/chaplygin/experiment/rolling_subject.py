@@ -68,13 +68,15 @@ def body_of(experiment: BodyOnSurface) -> Body:
         return Body(table.mass, table.inertia, shape, table.gyrostat, table.cavities)
 
 
-def letters_with_fluid(fluids: tuple[Fluid, ...]) -> dict[str, str]:
+def letters_with_fluid(fluids: tuple[Fluid, ...], rolls: bool = True) -> dict[str, str]:
     """Meanings that letters have in the equations of a body with fluid; empty without."""
     if not fluids:
         return {}
+    pivot = "contact point" if rolls else "fixed point"
+    centre = "common centre of mass" if rolls else "fixed point"
     letters = {
-        "M": "momentum of body and fluid about the contact point",
-        "I": "inertia tensor of the equivalent rigid body about the common centre of mass",
+        "M": f"momentum of body and fluid about the {pivot}",
+        "I": f"inertia tensor of the equivalent rigid body about the {centre}",
         "r": "from the common centre of mass to the contact point",
         "c": "from the common centre of mass to the geometric centre",
         "f": "contact force",

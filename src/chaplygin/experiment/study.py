@@ -133,7 +133,7 @@ class Study(WithOverview):
     def complete_toml(self) -> str:
         """The experiment file with nothing left to defaults of the catalogue."""
         tables = self.experiment.complete_tables()
-        tables["start"] |= self.start_values
+        tables["start"] |= self.subject.complete_start
         tables["run"] |= {"until": self.until}
         return type(self.experiment).model_validate(tables).toml()
 

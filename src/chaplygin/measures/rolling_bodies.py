@@ -16,7 +16,7 @@ from ..mechanics.rolling.fluid import fluids_of
 from ..mechanics.rolling.implicit import Implicit
 from ..mechanics.rolling.shapes import Disk, Torus
 from ..proof.fields.budget import EFFORT
-from ..proof.prover import prove
+from ..proof.prover import POINTS_ALONE, prove
 from ..proof.verdict import Verdict
 from .closed_form import closed_form, density
 from .fluid_theorem import THEOREM, lemma
@@ -28,8 +28,6 @@ from .result import Existence
 
 PATIENCE = EFFORT // 10
 """Term operations for each attempt to prove the density as a law of the equations of motion."""
-POINTS_ALONE = 1
-"""Term operations that leave nothing for a proof."""
 
 
 def decide_body(rolling: Rolling, name: str, effort: int) -> Existence:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import time
 from dataclasses import fields, replace
@@ -12,7 +13,7 @@ import sympy as sp
 from ..arguments import arguments_checked
 from ..core.laws import Law
 from ..core.parameters import conditions, satisfies
-from ..core.system import System
+from ..core.system import System, Theorem
 from ..errors import InputError
 from ..formulas.errors import OutOfReachError, UnknownSymbolError
 from ..formulas.number_fields import ball_precision
@@ -20,6 +21,9 @@ from .decision import verdict_of
 from .fields.budget import EFFORT, Budget, checked_effort
 from .verdict import Verdict
 from .verdict_cache import fingerprint, load_verdict, store_verdict
+
+POINTS_ALONE = 1
+"""Term operations that leave nothing for a proof: a law is tried at points."""
 
 
 @overload
@@ -65,7 +69,8 @@ def prove(
         law = _by_name(system, law)
     _check_defaults(system)
     _check_formulas(system, law)
-    name = fingerprint(system, law)
+    theorem = next((t for t in system.theorems if law in system.laws and law.name in t.laws), None)
+    name = fingerprint(system, law, theorem)
     kept = load_verdict(name, effort)
     if kept is not None:
         return kept
@@ -73,7 +78,11 @@ def prove(
     budget = Budget(effort=effort)
     try:
         with ball_precision():
-            verdict = replace(verdict_of(system, law, budget), terms=budget.largest)
+            if theorem is None:
+                verdict = verdict_of(system, law, budget)
+            else:
+                verdict = _by_theorem(system, law, theorem, budget)
+            verdict = replace(verdict, terms=budget.largest)
     except UnknownSymbolError as symbol:
         raise InputError(
             f"{system.name}: the law {law.name!r} uses {symbol}, which is neither a state variable "
@@ -84,6 +93,20 @@ def prove(
     verdict = replace(verdict, effort=budget.used, seconds=time.monotonic() - started)
     store_verdict(name, verdict, effort)
     return verdict
+
+
+def _by_theorem(system: System, law: Law, theorem: Theorem, budget: Budget) -> Verdict:
+    """The verdict on a law that a theorem has: points are tried, then its identities proven."""
+    with contextlib.suppress(OutOfReachError):
+        verdict = verdict_of(system, law, Budget(effort=POINTS_ALONE))
+        if verdict.decision != "undecided":
+            return verdict
+    parts = [v for whole in theorem.identities() for v in prove(whole, effort=budget.effort)]
+    budget.charge(sum(v.effort for v in parts))
+    if any(not part for part in parts):
+        return verdict_of(system, law, budget)
+    count = f"{len(parts)} identities are" if len(parts) > 1 else "1 identity is"
+    return Verdict(law.name, "proven", shown=f"{theorem.words}; {count} certified")
 
 
 def _check_defaults(system: System) -> None:

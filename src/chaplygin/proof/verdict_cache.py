@@ -15,7 +15,7 @@ from typing import Any
 from ..core import private_files
 from ..core.cache import entry_name, folder
 from ..core.laws import Law
-from ..core.system import Guard, Parameter, System
+from ..core.system import Guard, Parameter, System, Theorem
 from ..formulas.digest import digest
 from .verdict import Verdict
 
@@ -23,9 +23,12 @@ FOR_THE_READER = frozenset({"as_printed", "meaning", "misprint", "source", "unit
 """Fields of a law on which no proof depends."""
 
 
-def fingerprint(system: System, law: Law) -> str:
-    """The name of the verdict on a law of a system."""
-    return entry_name("verdict", digest(_statement(system)), digest(_statement(law)))
+def fingerprint(system: System, law: Law, theorem: Theorem | None = None) -> str:
+    """The name of the verdict on a law of a system, for which there may be a theorem."""
+    parts = [digest(_statement(system)), digest(_statement(law))]
+    if theorem is not None:
+        parts.append(digest(theorem.words))
+    return entry_name("verdict", *parts)
 
 
 def _statement(value: object) -> object:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
@@ -10,6 +11,7 @@ import sympy as sp
 
 from chaplygin.catalogue import from_catalogue
 from chaplygin.catalogue.so_n import any_inertia
+from chaplygin.catalogue.so_n.invariants import invariants_of_ball
 from chaplygin.core.laws import Measure
 from chaplygin.proof.prover import prove
 
@@ -35,7 +37,7 @@ def test_the_energy_is_constant_for_any_inertia(identity, n):
     "n", [3, 4, pytest.param(5, marks=pytest.mark.slow), pytest.param(6, marks=pytest.mark.slow)]
 )
 def test_invariants_of_the_momentum_are_constant_for_any_inertia(n):
-    system = any_inertia.invariants_of_ball(n)
+    system = invariants_of_ball(n)
     assert len(system.laws) == n - 1
     for law in system.laws:
         assert prove(system, law).decision == "proven"
@@ -121,7 +123,7 @@ def test_numbers_agree_for_a_random_operator(n):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["veselova-nd", "chaplygin-ball-nd", "rubber-chaplygin-ball-nd"])
 def test_the_measure_of_the_catalogue_is_proven_by_itself(name):
-    system = from_catalogue(name, dimension=3)
+    system = replace(from_catalogue(name, dimension=3), theorems=())
     assert prove(system, "measure").decision == "proven"
     law = next(law for law in system.laws if law.name == "measure")
     wrong = Measure("measure", tuple((base, -exponent) for base, exponent in law.density))

@@ -204,34 +204,45 @@ class Filled:
 class FilledTop:
     """A body with fluid about a fixed point, free or with (omega, n) = 0 for a direction n.
 
-    n is gamma, the vertical in body axes, or a direction of the body; the cavity is about the
-    fixed point.
+    n is gamma, the vertical in body axes, or a direction of the body. The centres of the cavities
+    are measured from the fixed point; a fluid's own momentum about it is that about its centre and
+    that of a point of its mass there.
     """
 
     inertia: Array
-    chamber: Chamber
-    #: n in body axes; None for the vertical
-    axis: Array | None = None
+    chambers: list[Chamber]
+    #: n in body axes; "vertical" or "free"
+    axis: Array | str = "vertical"
 
     def rates(self, _: float, state: Array) -> Array:
-        """The rates of gamma, omega and the vorticity."""
-        gamma, omega, w = state.reshape(3, 3)
-        c = self.chamber
-        wdot = c.flow(c.xi(omega, w)) @ w
-        of_w = c.of_xi @ np.linalg.inv(c.curl)
-        of_spin = c.of_omega - 2 * of_w
-        momentum = self.inertia @ omega + of_spin @ omega + of_w @ w
-        n = gamma if self.axis is None else self.axis
-        matrix = np.zeros((4, 4))
-        matrix[:3, :3], matrix[:3, 3], matrix[3, :3] = self.inertia + of_spin, -n, n
-        # (omega, gamma') = 0 for the vertical, too
-        right = np.concatenate([-np.cross(omega, momentum) - of_w @ wdot, [0.0]])
-        return np.concatenate([np.cross(gamma, omega), np.linalg.solve(matrix, right)[:3], wdot])
+        """The rates of gamma, omega and the vorticities."""
+        gamma, omega, *vorticities = state.reshape(-1, 3)
+        free = isinstance(self.axis, str) and self.axis == "free"
+        matrix, momentum, right = self.inertia.copy(), self.inertia @ omega, np.zeros(3)
+        wdots = []
+        for c, w in zip(self.chambers, vorticities, strict=True):
+            wdot = c.flow(c.xi(omega, w)) @ w
+            wdots.append(wdot)
+            of_w = c.of_xi @ np.linalg.inv(c.curl)
+            of_spin = c.of_omega - 2 * of_w - c.mass * hat(c.centre) @ hat(c.centre)
+            matrix += of_spin
+            momentum = momentum + of_spin @ omega + of_w @ w
+            right -= of_w @ wdot
+        right -= np.cross(omega, momentum)
+        if free:
+            omegadot = np.linalg.solve(matrix, right)
+        else:
+            n = gamma if isinstance(self.axis, str) else self.axis
+            bordered = np.zeros((4, 4))
+            bordered[:3, :3], bordered[:3, 3], bordered[3, :3] = matrix, -n, n
+            # (omega, gamma') = 0 for the vertical, too
+            omegadot = np.linalg.solve(bordered, [*right, 0.0])[:3]
+        return np.concatenate([np.cross(gamma, omega), omegadot, *wdots])
 
-    def end(self, omega: Array, gamma: Array, xi: Array, until: float) -> tuple[Array, ...]:
-        """Omega, gamma and xi at the end of a motion."""
-        c = self.chamber
-        start = np.concatenate([gamma, omega, 2 * omega + c.curl @ xi])
+    def end(self, omega: Array, gamma: Array, xis: list[Array], until: float) -> list[Array]:
+        """Omega, gamma and every xi at the end of a motion."""
+        vorticities = [2 * omega + c.curl @ xi for c, xi in zip(self.chambers, xis, strict=True)]
+        start = np.concatenate([gamma, omega, *vorticities])
         end = solve_ivp(self.rates, (0.0, until), start, "DOP853", rtol=3e-14, atol=1e-15)
-        gamma, omega, w = end.y[:, -1].reshape(3, 3)
-        return omega, gamma, c.xi(omega, w)
+        gamma, omega, *last = end.y[:, -1].reshape(-1, 3)
+        return [omega, gamma, *(c.xi(omega, w) for c, w in zip(self.chambers, last, strict=True))]

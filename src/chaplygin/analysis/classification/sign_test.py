@@ -50,7 +50,13 @@ def sign(sample: RankSample, formulas: Sequence[sp.Expr]) -> Sign:
 def _sign_of(sample: RankSample, formula: sp.Expr) -> Sign:
     formula = to_components(sp.sympify(formula))
     expanded = sample.expand(formula)
-    if expanded.is_positive or expanded.is_negative or _divides(sample, formula):
+    known = {positive for theorem in sample.system.theorems for positive in theorem.positive}
+    if (
+        expanded.is_positive
+        or expanded.is_negative
+        or formula in known
+        or _divides(sample, formula)
+    ):
         return "kept"
     try:
         if len(sample.signs(formula)) == 2:

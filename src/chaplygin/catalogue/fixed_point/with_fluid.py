@@ -1,8 +1,12 @@
-"""Bodies about a fixed point that hold fluid: the Veselova system, Suslov's problem.
+"""Bodies about a fixed point that hold fluid: free, of Veselova's system, of Suslov's problem.
 
-The equations Iω̇ = X + λn of a body about a fixed point become those with fluid (docs/fluid.md) if
-I is the inertia of the equivalent body and X gets the terms CN×ω − CṄ.  Densities that depend on γ
-alone stay.
+The fluid in a cavity acts on the equivalent body (docs/fluid.md), whose inertia about the fixed
+point is I, as a gyrostat with the momentum CN.  In body axes, with a torque λ₀n of the constraint
+(ω, n) = 0, n = γ or e₃,
+
+    Iω̇ = Iω×ω + ΣCN×ω − ΣCṄ + λ₀n,    γ̇ = γ×ω,    Ṅ = ξ×N,    ξ = WN − Cω,
+
+and for a free body Ṁ = M×ω with ω = I⁻¹(M − ΣCN).
 """
 
 from __future__ import annotations
@@ -10,114 +14,205 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ...core.laws import Integral, Law, Measure
+import numpy as np
+import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
+
+from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure, PoissonStructure
+from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, cross, norm_squared, vectors
+from ...core.vectors import (
+    Components,
+    Diagonal,
+    Symmetric,
+    cross,
+    dot,
+    hat,
+    norm_squared,
+    real_symbol,
+    to_components,
+    unit_vector,
+    vectors,
+)
 from ...errors import InputError
 from ...mechanics.rolling.cavity import Cavity
-from ...mechanics.rolling.fluid import Fluid, total
+from ...mechanics.rolling.fluid import Fluid, fluids_of_cavities, total
 from ...parsing.exact_decimals import exact_number
-from ..fluid_laws import SOURCE, SQUARE
+from .. import e3
+from ..fluid_laws import SOURCE, SPIN, SQUARE, laws_of_sphere
 
-omega, gamma, X = vectors("omega gamma X")
-I = Diagonal("I")
+omega, gamma, M, X, omegadot = vectors("omega gamma M X omegadot")
+lambda_0 = real_symbol("lambda_0")
+HALF = sp.Rational(1, 2)
+
+#: The normal n of the constraint by the name of the system; none for a free body.
+NORMALS: dict[str, MatrixExpr | None] = {
+    "free-body": None,
+    "veselova": gamma,
+    "suslov": unit_vector(3),
+}
 
 
 def with_fluid(system: System, cavities: Sequence[Cavity]) -> System:
-    """A body about a fixed point with fluid in cavities about that point.
+    """A body about a fixed point with fluid in cavities.
 
     Parameters
     ----------
     system : System
-        State ω, γ and the torque X by definition, such as ``veselova`` and ``suslov``.
+        ``free-body``, ``veselova`` or ``suslov``.
     cavities : sequence of Cavity
-        Their axes along the body axes, their centre in the fixed point.
+        Their centres are measured from the fixed point.
 
     Raises
     ------
     InputError
-        If the system is of another kind, or a cavity lies otherwise.
+        If the system is another one.
 
     Examples
     --------
     >>> import chaplygin as ch
-    >>> cavity = ch.Cavity((0.5, 0.4, 0.3), mass=2.0)
+    >>> cavity = ch.Cavity((0.5, 0.4, 0.3), mass=2.0, turn=(1, 0.2, 0, 0), centre=(0, 0.1, 0.3))
     >>> with_fluid(ch.from_catalogue("veselova"), [cavity]).state
     (omega, gamma, N)
     """
-    filled = [cavity for cavity in cavities if cavity.mass]
-    if not filled:
+    fluids = fluids_of_cavities(cavities)
+    if not fluids:
         return system
-    symbols = {str(p.symbol) for p in system.parameters}
-    fits = X in dict(system.definitions) and system.state == (omega, gamma)
-    if not fits or symbols & set(map(str, Diagonal("C").symbols)):
-        raise InputError(
-            f"cavity: {system.name} cannot hold fluid; a rolling body, veselova and suslov can"
-        )
-    fluids = _fluids(filled)
-    added = cross(total([f.momentum for f in fluids]), omega) - total(
-        [f.C * f.rate for f in fluids]
-    )
-    definitions = [
-        (name, value + added if name == X else value) for name, value in system.definitions
-    ]
+    if system.name not in NORMALS:
+        raise InputError(f"cavity: {refusal(system.name)}")
+    tensor = _inertia(system, [fluid.cavity for fluid in fluids])
+    I = Diagonal("I") if tensor.is_diagonal() else Symmetric("I")
+    A = type(I)("A")
+    momentum = total([fluid.momentum for fluid in fluids])
+    energy = sum(fluid.energy for fluid in fluids)
+    normal = NORMALS[system.name]
     motion = [pair for fluid in fluids for pair in fluid.motion]
+    circulations = [fluid.circulation for fluid in fluids]
+    definitions: Pairs
+    laws: list[Law]
+    if normal is None:
+        definitions = ((A, I**-1), (omega, A * (M - momentum)), *motion)
+        field = {M: cross(M, omega)}
+        whole = HALF * dot(M - momentum, omega) + energy
+        start = [(M, I * omega + total([f.C * f.initial for f in fluids]))]
+        laws = [_energy(whole), *circulations, *_of_free_body(fluids, whole)]
+    else:
+        torque = cross(I * omega, omega) + cross(momentum, omega)
+        torque -= total([fluid.C * fluid.rate for fluid in fluids])
+        definitions = (
+            *motion,
+            (A, I**-1),
+            (X, torque),
+            (lambda_0, -dot(A * normal, X) / dot(A * normal, normal)),
+            (omegadot, A * (X + lambda_0 * normal)),
+        )
+        field = {omega: omegadot}
+        whole = HALF * dot(I * omega, omega) + energy
+        start = []
+        laws = [_energy(whole), *circulations, *_of_constraint(normal, I, A, momentum)]
+    for fluid in fluids:
+        if len(set(fluid.cavity.axes)) == 1:
+            laws += laws_of_sphere(fluid, plane=True, momentum_fixed=normal is None)
+    several = len(cavities) > 1
     return replace(
         system,
         title=f"{system.title} with fluid",
-        summary=f"{system.summary} It is full of fluid in an ellipsoidal cavity.",
-        field=(*system.field, *((fluid.N, fluid.rate) for fluid in fluids)),
-        definitions=(*motion, *definitions),
-        parameters=(*_equivalent(system, fluids), *(p for f in fluids for p in f.parameters)),
-        laws=_laws(system, fluids),
+        summary=f"{system.summary} It is full of fluid in "
+        f"{'ellipsoidal cavities' if several else 'an ellipsoidal cavity'}.",
+        field={**field, gamma: cross(gamma, omega), **{f.N: f.rate for f in fluids}},
+        definitions=definitions,
+        parameters=(*_moments(I, tensor), *(p for f in fluids for p in f.parameters)),
+        laws=tuple(laws),
         observables=(*system.observables, *(fluid.observable for fluid in fluids)),
-        start=tuple((fluid.N, fluid.initial) for fluid in fluids),
+        start=(*start, *((fluid.N, fluid.initial) for fluid in fluids)),
     )
 
 
-def _fluids(cavities: Sequence[Cavity]) -> list[Fluid]:
+def refusal(name: str) -> str:
+    """Why a system of the catalogue holds no fluid."""
+    *others, last = NORMALS
+    return f"{name} cannot hold fluid; a rolling body, {', '.join(others)} and {last} can"
+
+
+def _inertia(system: System, cavities: Sequence[Cavity]) -> sp.Matrix:
+    """The tensor of the equivalent body about the fixed point, in rational numbers."""
+    numbers = {str(s): exact_number(value) for s, value in system.defaults.items()}
+    inertia = sp.diag(*(numbers[f"I_{i}"] for i in (1, 2, 3)))
+    for i in (0, 1):
+        inertia[i, 2] = inertia[2, i] = numbers.get(f"I_{i + 1}3", sp.S.Zero)
     for cavity in cavities:
-        if any(cavity.centre):
-            raise InputError(
-                f"cavity: its centre {cavity.centre} must be the fixed point, [0, 0, 0]"
-            )
-        if not cavity.solid_inertia.is_diagonal():
-            raise InputError("cavity: its axes must be along the body axes; leave out turn")
-    several = len(cavities) > 1
-    if several:
-        raise InputError("cavity: only one has its centre in the fixed point")
-    return [Fluid(cavity) for cavity in cavities]
+        arm = sp.Matrix([exact_number(x) for x in cavity.centre])
+        steiner = arm.dot(arm) * sp.eye(3) - arm * arm.T
+        inertia += cavity.equivalent_inertia + exact_number(cavity.mass) * steiner
+    return inertia
 
 
-def _equivalent(system: System, fluids: Sequence[Fluid]) -> list[Parameter]:
-    """The parameters of the body, its moments those of the equivalent body."""
-    added = {
-        s: sum(fluid.cavity.equivalent_inertia[i, i] for fluid in fluids)
-        for i, s in enumerate(I.symbols)
-    }
+def _moments(I: Diagonal | Symmetric, tensor: sp.Matrix) -> list[Parameter]:
+    """The entries of I, with their numbers."""
+    diagonal = tuple(to_components(I).diagonal())
+    entries = I.independent(np.array(tensor.tolist(), dtype=float))
     return [
-        replace(
-            p,
-            default=float(exact_number(p.default) + added[p.symbol]),
-            meaning=p.meaning.replace("moment", "equivalent moment"),
-            admissible=(p.symbol > 0,),
+        Parameter(
+            s,
+            f"entry {str(s)[2:]} of the equivalent inertia about the fixed point",
+            float(value),
+            "kg m^2",
+            (s > 0,) if s in diagonal else (),
         )
-        if p.symbol in added
-        else p
-        for p in system.parameters
+        for s, value in zip(I.symbols, entries, strict=True)
     ]
 
 
-def _laws(system: System, fluids: Sequence[Fluid]) -> tuple[Law, ...]:
-    laws: list[Law] = []
-    for law in system.laws:
-        if law.name == "energy" and isinstance(law, Integral):
-            value = law.value + sum(fluid.energy for fluid in fluids)
-            laws += [replace(law, value=value), *(fluid.circulation for fluid in fluids)]
-        elif isinstance(law, Measure) and not system.expand(law.value).has(*omega.symbols):
-            laws.append(law)
-        elif law.name == "momentum" and law.source == "(6.4)" and isinstance(law, Integral):
-            momentum = I * omega + total([fluid.momentum for fluid in fluids])
-            value, meaning = norm_squared(cross(momentum, gamma)), law.meaning
-            laws.append(Integral("momentum", value, meaning, source=SOURCE, unit=SQUARE))
-    return tuple(laws)
+def _energy(value: sp.Expr) -> Integral:
+    return Integral("energy", value, "energy", source=SOURCE, unit="J")
+
+
+def _of_constraint(
+    normal: MatrixExpr, I: Diagonal | Symmetric, A: Diagonal | Symmetric, momentum: MatrixExpr
+) -> list[Law]:
+    """What Veselova's system and Suslov's problem keep besides energy and circulations."""
+    if normal == gamma:
+        square = norm_squared(cross(I * omega + momentum, gamma))
+        meaning = "square of the horizontal momentum"
+        return [
+            Integral("momentum", square, meaning, source=SOURCE, unit=SQUARE),
+            Measure(
+                "measure",
+                {dot(gamma, A * gamma): HALF},
+                "invariant measure in ω, γ, N",
+                source=SOURCE,
+            ),
+        ]
+    products = (to_components(I)[0, 2], to_components(I)[1, 2])
+    return [
+        Measure(
+            "volume",
+            {sp.S.One: sp.S.One},
+            "volume of ω, γ, N, when the axis without rotation is a principal axis",
+            on=tuple(s for s in products if s != 0),
+            source=SOURCE,
+        )
+    ]
+
+
+def _of_free_body(fluids: Sequence[Fluid], energy: sp.Expr) -> list[Law]:
+    """Integrals and Hamiltonian form of a free body."""
+    circulations = [norm_squared(fluid.N) for fluid in fluids]
+    blocks = [e3.lie_poisson(M, gamma), *(-hat(fluid.N) for fluid in fluids)]
+    structure = PoissonStructure(
+        "bracket",
+        Components(sp.diag(*blocks)),
+        casimirs=(norm_squared(gamma), dot(M, gamma), *circulations),
+        rank=4 + 2 * len(fluids),
+        meaning="bracket of e(3), with {N_i, N_j} = ε_ijk N_k",
+        source=SOURCE,
+    )
+    return [
+        Integral("area", dot(M, gamma), "area integral", source=SOURCE, unit=SPIN),
+        Integral("momentum", norm_squared(M), "square of the momentum", source=SOURCE, unit=SQUARE),
+        Measure("volume", {sp.S.One: sp.S.One}, "volume of M, γ, N", source=SOURCE),
+        structure,
+        ConformallyHamiltonian(
+            "hamiltonian", sp.S.One, structure, energy, "Hamiltonian form", source=SOURCE
+        ),
+    ]

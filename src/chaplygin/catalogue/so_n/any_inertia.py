@@ -36,11 +36,10 @@ from itertools import combinations_with_replacement
 
 import sympy as sp
 
-from ...core.laws import Identity
+from ...core.laws import Identity, Rate
 from ...core.matrices import Column, Skew, SymmetricMatrix, wedge
 from ...core.system import Parameter, System
-from ...core.vectors import Components, real_symbol, to_components
-from .chaplygin_ball import invariants
+from ...core.vectors import Components, dot, norm_squared, real_symbol, to_components
 from .entry_of_dimension import SOURCE, D, R, m
 from .inertia import pairs
 
@@ -195,33 +194,6 @@ def veselova(n: int, exponent: sp.Rational = -HALF) -> System:
     )
 
 
-def invariants_of_ball(n: int) -> System:
-    """The Chaplygin ball with ω left arbitrary, and the invariants of k and γ that it keeps.
-
-    They are constant whatever ω is, hence for every inertia.
-
-    Parameters
-    ----------
-    n : int
-        The dimension of space.
-
-    Returns
-    -------
-    System
-        k and γ move, the entries of ω are parameters.
-    """
-    k, omega, gamma = Skew("k", n), Skew("omega", n), Column("gamma", n)
-    definitions, laws = invariants(k, gamma)
-    return System(
-        name="chaplygin-ball-invariants",
-        title=f"Momentum and direction of the Chaplygin ball in {n} dimensions",
-        field={k: k * omega - omega * k, gamma: -omega * gamma},
-        parameters=tuple(Parameter(s, "angular velocity", 1.0, "rad/s") for s in omega.symbols),
-        definitions=definitions,
-        laws=laws,
-    )
-
-
 def energy_of_ball(n: int) -> System:
     """The rate of the energy ½(k, Sk) of the Chaplygin ball, which vanishes for every inertia.
 
@@ -273,6 +245,26 @@ def energy_of_veselova(n: int) -> System:
         title=f"The energy of the Veselova system in {n} dimensions",
         field={name: _still(name) for name in (u, gamma)},
         parameters=_parameters(inertia, "entry of the operator of inertia"),
+        laws=(law,),
+    )
+
+
+def momentum_of_veselova(n: int) -> System:
+    """The rate of p² in the Veselova system, 2(u, p)(γ, p), which vanishes for every inertia.
+
+    Parameters
+    ----------
+    n : int
+        The dimension of space.
+    """
+    p, u, gamma = Column("p", n), Column("u", n), Column("gamma", n)
+    rate = Rate(norm_squared(p)) - 2 * dot(u, p) * dot(gamma, p)
+    law = Identity("momentum", rate, "the square of the momentum is constant", source=SOURCE)
+    return System(
+        name="veselova-momentum",
+        title=f"The momentum of the Veselova system in {n} dimensions",
+        field={p: dot(u, p) * gamma, gamma: -u},
+        parameters=tuple(Parameter(s, "velocity of γ", 1.0, "rad/s") for s in u.symbols),
         laws=(law,),
     )
 

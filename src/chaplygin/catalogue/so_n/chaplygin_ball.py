@@ -21,15 +21,17 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ...core.laws import Integral, Law, Measure
-from ...core.matrices import Column, Jacobian, MatrixProduct, Pfaffian, Skew, SymmetricMatrix, wedge
+from ...core.matrices import Column, Jacobian, MatrixProduct, Skew, SymmetricMatrix, wedge
 from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
-from ...core.vectors import norm_squared, outer, real_symbol, to_components
+from ...core.vectors import outer, real_symbol, to_components
 from ..entry import Values
 from .elimination import solution
 from .entry_of_dimension import SOURCE, D, Family, R, cycle, direction
 from .inertia import Inertia, MassTensor, Moments, pairs
+from .invariants import invariants
 from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
+from .theorems import of_ball
 
 HALF = sp.Rational(1, 2)
 MOMENTUM = "kg m^2/s"
@@ -97,64 +99,6 @@ def by_mass_tensor(inertia: MassTensor) -> tuple[Pairs, Pairs]:
     return definitions, ((k, T * omega + omega * T), (T, tensor))
 
 
-def invariants(k: Skew, gamma: Column) -> tuple[Pairs, tuple[Integral, ...]]:
-    """The n − 1 independent invariants of k and γ under rotations, with what they need.
-
-    Returns
-    -------
-    definitions : pairs
-    integrals : tuple of Integral
-    """
-    n = int(gamma.shape[0])
-    definitions: list[tuple[sp.Basic, sp.Basic]] = []
-    laws = [
-        Integral(
-            "square", MatrixProduct(k, k), "square of the momentum", source=SOURCE, unit=SQUARE
-        )
-    ]
-    if n >= 5:
-        S = SymmetricMatrix("S", n)
-        definitions.append((S, k * k))
-        laws.append(
-            Integral(
-                "fourth",
-                MatrixProduct(S, S),
-                "half the trace of the fourth power of the momentum",
-                source=SOURCE,
-                unit="kg^4 m^8/s^4",
-            )
-        )
-        power = S
-        for degree in range(6, n, 2):
-            power = power * S
-            laws.append(
-                Integral(
-                    f"trace_{degree}",
-                    MatrixProduct(power, S),
-                    f"half the trace of power {degree} of the momentum",
-                    source=SOURCE,
-                )
-            )
-    if n % 2 == 0:
-        laws.append(Integral("pfaffian", Pfaffian(k), "Pfaffian of the momentum", source=SOURCE))
-    last = gamma
-    for degree in range(1, (n - 1) // 2 + 1):
-        lever = Column("abcd"[degree - 1], n)
-        definitions.append((lever, k * last))
-        words = "square of the momentum in planes through γ"
-        laws.append(
-            Integral(
-                "lever" if degree == 1 else f"lever_{degree}",
-                norm_squared(lever),
-                words if degree == 1 else f"square of power {degree} of the momentum applied to γ",
-                source=SOURCE,
-                unit=SQUARE if degree == 1 else "",
-            )
-        )
-        last = lever
-    return tuple(definitions), tuple(laws)
-
-
 def _velocity_steps(inertia: Inertia) -> tuple[Pairs, Pairs]:
     """ω by the momentum: the steps, and what a page shows of them."""
     match inertia:
@@ -214,6 +158,7 @@ class ChaplyginBall(Family):
             observables=(angular_velocity(n),),
             reconstruction=motion_in_space(n, R),
             start={k: inertia.image(omega) + D * (omega * around + around * omega)},
+            theorems=of_ball(n, Delta, tuple(law.name for law in integrals)),
         )
 
 

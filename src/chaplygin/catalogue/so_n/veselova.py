@@ -30,8 +30,9 @@ from ...core.vectors import dot, norm_squared, real_symbol, to_components
 from ..entry import Values
 from .elimination import solution
 from .entry_of_dimension import SOURCE, D, Family, R, across, cycle, direction
-from .inertia import Inertia, MassTensor, Moments, pairs
+from .inertia import SMALLEST, Inertia, MassTensor, Moments, pairs
 from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
+from .theorems import of_veselova
 
 HALF = sp.Rational(1, 2)
 MOMENTUM = "kg m^2/s"
@@ -64,6 +65,33 @@ def operator(inertia: Inertia, added: sp.Expr) -> sp.Matrix:
         matrix[i, j] -= heavier * gamma[i] * gamma[j]
         matrix[j, i] = matrix[i, j]
     return matrix
+
+
+def quadratic_integrals(inertia: Inertia, p: Column) -> tuple[Pairs, tuple[Integral, ...]]:
+    """Those that a mass tensor adds to energy and momentum, with what they are written in.
+
+    Σ (Jᵃp, ωJᵇγ) over a + b = m, m = 2, …, n − 2, are coefficients of the pencil of
+    :mod:`chaplygin.catalogue.so_n.quadratic_pencil`.
+    """
+    if not isinstance(inertia, MassTensor):
+        return (), ()
+    n, J = inertia.dimension, inertia.matrix
+    omega, definitions = omega_of(n), []
+    powers: dict[str, list[Column]] = {"g": [gamma_of(n)], "h": [p]}
+    for order in range(1, n - 1 if n > SMALLEST else 1):
+        for letter, vectors in powers.items():
+            vectors.append(Column(f"{letter}{order}", n))
+            definitions.append((vectors[-1], J * vectors[-2]))
+    laws = (
+        Integral(
+            f"quadratic_{m}",
+            sp.Add(*(dot(powers["h"][a], omega * powers["g"][m - a]) for a in range(m + 1))),
+            f"quadratic integral {m} of a rigid body",
+            source="docs/quadratic-integrals.md",
+        )
+        for m in range(2, n - 1)
+    )
+    return tuple(definitions), tuple(laws)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -108,17 +136,20 @@ class Veselova(Family):
         steps = solution(B.entries, list(p.symbols), list(u.symbols), Delta)
         turning = u * gamma.T - gamma * u.T
         momentum = inertia.image(omega) * gamma + added * u
+        powers, quadratic = quadratic_integrals(inertia, p)
         definitions: Pairs = (
             *inertia.definitions,
             (B, sp.ImmutableDenseMatrix(operator(inertia, added))),
             *steps,
             (omega, sp.ImmutableDenseMatrix(wedge(u, gamma))),
+            *powers,
         )
         laws: tuple[Law, ...] = (
             Integral("energy", HALF * dot(p, u), "energy", source=SOURCE, unit="J"),
             Integral(
                 "momentum", norm_squared(p), "square of the momentum", source=SOURCE, unit=SQUARE
             ),
+            *quadratic,
             Measure("measure", {Delta: -HALF}, DENSITY, source=SOURCE),
         )
         return System(
@@ -133,6 +164,7 @@ class Veselova(Family):
                 (omega, turning),
                 (p, momentum),
                 (Delta, Jacobian(p, u, Delta)),
+                *powers,
             ),
             field={p: dot(u, p) * gamma, gamma: -u},
             relations=(unit_length(gamma), sp.Add(*(a * b for a, b in zip(p, gamma, strict=True)))),
@@ -140,6 +172,7 @@ class Veselova(Family):
             observables=(angular_velocity(n),),
             reconstruction=motion_in_space(n, R if self.rolls else None),
             start={p: inertia.image(omega) * gamma + added * (omega * gamma)},
+            theorems=of_veselova(n, Delta, tuple(law.name for law in quadratic)),
         )
 
 

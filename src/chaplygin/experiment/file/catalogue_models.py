@@ -7,6 +7,7 @@ from typing import Any
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from ...catalogue import CATALOGUE, entry
+from ...catalogue.fixed_point.with_fluid import refusal
 from .base import ExperimentBase
 from .tables import StateTable, SystemRunTable, SystemStartTable, SystemTable
 
@@ -75,7 +76,5 @@ class StateExperiment(CatalogueExperiment):
     @classmethod
     def _without_fluid(cls, system: SystemTable) -> SystemTable:
         if system.cavity:
-            raise ValueError(
-                f"{system.name} cannot hold fluid; a rolling body, veselova and suslov can"
-            )
+            raise ValueError(refusal(system.name))
         return system
