@@ -133,7 +133,9 @@ class Study(WithOverview):
     def complete_toml(self) -> str:
         """The experiment file with nothing left to defaults of the catalogue."""
         tables = self.experiment.complete_tables()
-        tables["start"] |= self.subject.complete_start
+        # the fluids of several cavities stand in one list in a file
+        single = {str(name) for name in self.system.start_vectors} - {"fluid"}
+        tables["start"] |= {n: v for n, v in self.start_values.items() if n not in single}
         tables["run"] |= {"until": self.until}
         return type(self.experiment).model_validate(tables).toml()
 

@@ -84,11 +84,6 @@ class Subject:
     """Whether the equations of the motion in space are particular to this system."""
 
     @property
-    def complete_start(self) -> StartValues:
-        """The values of the start as a file has them."""
-        return self.start_values
-
-    @property
     def model(self) -> Rolling | Mechanism | None:
         """The body or mechanism from which the equations were derived, if known."""
         return self.rolling
@@ -251,12 +246,6 @@ class BodySubject(Subject):
             return ()
         outside = centre_outside(self.rolling.equivalent.body.shape)
         return ("body.shape.centre puts the centre of mass outside the body",) if outside else ()
-
-    @property
-    def complete_start(self) -> StartValues:
-        """What a file says of the start; fluids of several cavities it has in one list."""
-        single = {str(name) for name in self.system.start_vectors} - {"fluid"}
-        return {name: value for name, value in self.start_values.items() if name not in single}
 
     @property
     def directions(self) -> set[str]:
