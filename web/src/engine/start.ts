@@ -145,9 +145,20 @@ export function startOnLevel(module: Module, task: LevelTask): State {
   const places = [section.on, section.x, section.y].map((name) => names.indexOf(name));
   const missing = [section.on, section.x, section.y].find((_, i) => places[i]! < 0);
   if (missing !== undefined) return { message: `${missing}: no quantity of ${model.name}` };
-  const conserved = tables.relations + tables.integrals.length;
-  const count = conserved + names.length;
-  const rows = [...Array(conserved).keys(), ...places.map((p) => conserved + p)];
+  const before = tables.relations + tables.integrals.length;
+  const count = before + names.length;
+  // a state has so many numbers to spare; integrals beyond them, and those that are asked for, are free
+  const spare = size - tables.relations - places.length;
+  const kept = tables.integrals
+    .map((name, i) => ({ name, row: tables.relations + i }))
+    .filter(({ name }) => name !== section.x && name !== section.y)
+    .slice(0, Math.max(0, spare));
+  const conserved = tables.relations + kept.length;
+  const rows = [
+    ...Array(tables.relations).keys(),
+    ...kept.map(({ row }) => row),
+    ...places.map((p) => before + p),
+  ];
   const turns = [...Array(conserved).fill(false), ...places.map((p) => model.quantities[p]!.angle)];
   const at = (z: Numbers): Float64Array => module.values(tables.conditions, z, values);
   let state = Float64Array.from(Array.from(task.reference).slice(0, size));

@@ -14,7 +14,7 @@ const WHOLE = 10;
 export function openingView(scene: Scene, motion: Motion, size: number, aspect = 1.6): View {
   const path = pathOf(scene, motion).map((place) => place / size);
   const { support } = scene;
-  const around = [...withBody(path)];
+  const around = [...withBody(centresOf(scene, motion, path, size)), ...path];
   if (support?.kind === "sphere") {
     const radius = Math.abs(support.radius) / size;
     const { azimuth, elevation } = sphereDirection(path, support.inside);
@@ -27,8 +27,15 @@ export function openingView(scene: Scene, motion: Motion, size: number, aspect =
   if (support?.kind === "point" || (support === null && scene.path === null)) return framing(around, 0.6, 0.35, aspect);
   const azimuth = across(path) + 0.42;
   if (!leadsFar(scene, motion)) return framing(around, azimuth, 0.5, aspect);
-  const near = [...withBody(path.slice(0, 3))].map((place, k) => place + (k % 3 < 2 ? 1.6 * Math.sign(place - (path[k % 3] ?? 0)) : 0));
+  const near = [...withBody(centresOf(scene, motion, path, size).slice(0, 3))].map((place, k) => place + (k % 3 < 2 ? 1.1 * Math.sign(place - (path[k % 3] ?? 0)) : 0));
   return framing(near, azimuth, 0.5, aspect);
+}
+
+/** Where the middle of the body is, in units of its size. */
+function centresOf(scene: Scene, motion: Motion, path: Float64Array, size: number): Float64Array {
+  const count = finiteSamples(motion, "centre", 3);
+  if (scene.path !== null || count === 0) return path;
+  return (motion.columns["centre"] ?? path).slice(0, 3 * count).map((place) => place / size);
 }
 
 /** The points of a path and the corners of boxes of size one around some of them. */
@@ -37,7 +44,7 @@ function* withBody(path: Float64Array): Generator<number> {
   const step = Math.max(1, Math.floor(count / 60));
   for (let k = 0; k < count; k += step) {
     for (let corner = 0; corner < 8; corner++) {
-      for (let i = 0; i < 3; i++) yield (path[3 * k + i] ?? 0) + ((corner >> i) & 1 ? 0.5 : -0.5);
+      for (let i = 0; i < 3; i++) yield (path[3 * k + i] ?? 0) + ((corner >> i) & 1 ? 0.45 : -0.45);
     }
   }
 }

@@ -20,10 +20,22 @@ export interface Orbit {
   y: Float64Array;
   /** Number of the orbit since the section was cleared; gives its colour. */
   number: number;
+  /** The reduced states of its points, row by row, after those that were given by their place alone. */
+  rows: Float64Array;
   /** Time of its last point. */
   until: number;
   /** MEGNO, once it is known. */
   indicator: number | null;
+}
+
+/** Some points of a section, in order. */
+export interface Piece {
+  x: Float64Array;
+  y: Float64Array;
+  rows: Float64Array;
+  time: number;
+  /** Why no more follow, where they do not. */
+  end: string | null;
 }
 
 /** The index of a quantity by its name. */
@@ -41,7 +53,7 @@ export async function* sectionPieces(
   points: number,
   piece: number,
   longest: number,
-): AsyncGenerator<{ x: Float64Array; y: Float64Array; time: number; end: string | null }> {
+): AsyncGenerator<Piece> {
   const [ix, iy] = [quantityIndex(model, setting.x), quantityIndex(model, setting.y)];
   const width = model.quantities.length;
   let from: Float64Array = start;
@@ -53,11 +65,11 @@ export async function* sectionPieces(
     if (count > 0) {
       const values = await engine.quantities(parameters, part.rows, part.dimension);
       time += part.times.at(-1) ?? 0;
-      yield { x: column(values, width, ix, model), y: column(values, width, iy, model), time, end: part.end?.reason ?? null };
+      yield { x: column(values, width, ix, model), y: column(values, width, iy, model), rows: part.rows, time, end: part.end?.reason ?? null };
       from = part.rows.slice((count - 1) * part.dimension);
     }
     if (part.end !== null || count === 0) {
-      if (count === 0) yield { x: new Float64Array(0), y: new Float64Array(0), time, end: part.end?.reason ?? "it does not cross the section" };
+      if (count === 0) yield { x: new Float64Array(0), y: new Float64Array(0), rows: part.rows, time, end: part.end?.reason ?? "it does not cross the section" };
       return;
     }
     done += count;
@@ -127,8 +139,26 @@ export function nearest(
 }
 
 /** An orbit with more points. */
-export function longer(orbit: Orbit, x: Float64Array, y: Float64Array, until: number): Orbit {
-  return { ...orbit, x: joined(orbit.x, x), y: joined(orbit.y, y), until };
+export function longer(orbit: Orbit, piece: Pick<Piece, "x" | "y" | "rows" | "time">): Orbit {
+  return { ...orbit, x: joined(orbit.x, piece.x), y: joined(orbit.y, piece.y), rows: joined(orbit.rows, piece.rows), until: piece.time };
+}
+
+/** The reduced state of the computed point nearest to a place, in units of the ranges; null without any. */
+export function nearestState(orbits: readonly Orbit[], dimension: number, place: { x: number; y: number }, width: number, height: number): Float64Array | null {
+  let best: Float64Array | null = null;
+  let least = Infinity;
+  for (const { x, y, rows } of orbits) {
+    const count = rows.length / dimension;
+    const skipped = x.length - count;
+    for (let k = 0; k < count; k++) {
+      const far = Math.hypot(((x[skipped + k] ?? NaN) - place.x) / width, ((y[skipped + k] ?? NaN) - place.y) / height);
+      if (far < least) {
+        least = far;
+        best = rows.subarray(k * dimension, (k + 1) * dimension);
+      }
+    }
+  }
+  return best;
 }
 
 function joined(a: Float64Array, b: Float64Array): Float64Array {

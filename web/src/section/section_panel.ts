@@ -11,7 +11,7 @@ import { INDICATOR_SCALE, palette } from "../page/palette";
 import { unitText } from "../page/units";
 import { Sheet, type Place } from "../sheet/sheet";
 import type { Frame, Range } from "../sheet/frame";
-import { crossings, longer, middleOf, nearest, quantityIndex, sectionPieces, type Orbit, type SectionSetting } from "./orbits";
+import { crossings, longer, middleOf, nearest, nearestState, quantityIndex, sectionPieces, type Orbit, type SectionSetting } from "./orbits";
 
 const PIECE = 1000;
 const SCAN = 12;
@@ -207,9 +207,12 @@ class Panel implements SectionPanel {
     const { on, value, direction, x, y } = this.chosen;
     let refused = "";
     for (const place of places) {
+      const [[left, right], [low, high]] = [this.sheet.frame.x.range, this.sheet.frame.y.range];
+      const near = nearestState(this.list, this.lab.model.reduced, place, right - left, high - low);
       const found: State = await this.engine.startOnLevel({
         parameters: experiment.parameters,
-        reference: state,
+        // from a point that is on the section the way is shortest
+        reference: near ?? state,
         section: { on, value, direction, x, y },
         x: place.x,
         y: place.y,
@@ -240,8 +243,8 @@ class Panel implements SectionPanel {
   private async trace(start: Float64Array, first: boolean, place: Place | null = null): Promise<Orbit | null> {
     const { era } = this;
     const { parameters } = this.lab.shown.value.experiment;
-    let orbit: Orbit = { start, x: new Float64Array(0), y: new Float64Array(0), number: this.serial, until: 0, indicator: null };
-    if (place !== null) orbit = longer(orbit, Float64Array.of(place.x), Float64Array.of(place.y), 0);
+    let orbit: Orbit = { start, x: new Float64Array(0), y: new Float64Array(0), rows: new Float64Array(0), number: this.serial, until: 0, indicator: null };
+    if (place !== null) orbit = longer(orbit, { x: Float64Array.of(place.x), y: Float64Array.of(place.y), rows: orbit.rows, time: 0 });
     this.serial += 1;
     this.list.push(orbit);
     try {
@@ -250,7 +253,7 @@ class Panel implements SectionPanel {
         const index = this.list.indexOf(orbit);
         if (index < 0) return null;
         const before = orbit.x.length;
-        orbit = longer(orbit, piece.x, piece.y, piece.time);
+        orbit = longer(orbit, piece);
         this.list[index] = orbit;
         if (first && before === 0) this.axes(this.whole());
         else this.add(orbit, before);

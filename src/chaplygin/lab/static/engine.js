@@ -244,9 +244,16 @@ function startOnLevel(module, task) {
   const places = [section.on, section.x, section.y].map((name) => names.indexOf(name));
   const missing = [section.on, section.x, section.y].find((_, i) => places[i] < 0);
   if (missing !== void 0) return { message: `${missing}: no quantity of ${model.name}` };
-  const conserved = tables.relations + tables.integrals.length;
-  const count = conserved + names.length;
-  const rows = [...Array(conserved).keys(), ...places.map((p) => conserved + p)];
+  const before = tables.relations + tables.integrals.length;
+  const count = before + names.length;
+  const spare = size - tables.relations - places.length;
+  const kept = tables.integrals.map((name, i) => ({ name, row: tables.relations + i })).filter(({ name }) => name !== section.x && name !== section.y).slice(0, Math.max(0, spare));
+  const conserved = tables.relations + kept.length;
+  const rows = [
+    ...Array(tables.relations).keys(),
+    ...kept.map(({ row }) => row),
+    ...places.map((p) => before + p)
+  ];
   const turns = [...Array(conserved).fill(false), ...places.map((p) => model.quantities[p].angle)];
   const at = (z) => module.values(tables.conditions, z, values);
   let state = Float64Array.from(Array.from(task.reference).slice(0, size));

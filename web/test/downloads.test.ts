@@ -1,0 +1,102 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { editedExperiment } from "../src/downloads/experiment_file";
+import { glb } from "../src/downloads/gltf";
+import { plotsSvg, sectionSvg } from "../src/downloads/svg";
+import { csv, sectionCsv } from "../src/downloads/table";
+import { ellipsoid } from "../src/scene/ellipsoid";
+import type { Motion } from "../src/playback/motion";
+
+const FILE = `[system.parameters]
+I_1 = 1.0 # first
+
+[body]
+mass = 1.0
+inertia = [[0.0002, -2e-05, 0.0], [-2e-05, 0.0016, 0.0], [0.0, 0.0, 0.0017]]
+
+[parameters]
+l = { value = 0.8, unit = "m", meaning = "length" }
+
+[start]
+omega = [0.0, 0.0, -5.0]
+heading = 0.0
+
+[run]
+until = 8.0
+`;
+
+test("a changed number is written into its place, and nothing else changes", () => {
+  const text = editedExperiment(
+    FILE,
+    [{ name: "I_1", value: 2.5 }, { name: "m", value: 3 }, { name: "I_12", value: 1e-5 }, { name: "l", value: 0.9 }],
+    [{ name: "omega_2", value: -0.1 }, { name: "heading", value: 1 }],
+    20,
+  );
+  const wanted = FILE.replace("I_1 = 1.0", "I_1 = 2.5")
+    .replace("mass = 1.0", "mass = 3")
+    .replaceAll("-2e-05", "0.00001")
+    .replace("value = 0.8", "value = 0.9")
+    .replace("omega = [0.0, 0.0,", "omega = [0.0, -0.1,")
+    .replace("heading = 0.0", "heading = 1")
+    .replace("until = 8.0", "until = 20");
+  assert.equal(text, wanted);
+  assert.equal(editedExperiment(FILE, [], [], null), FILE);
+});
+
+test("a change without a place is said above the file", () => {
+  const text = editedExperiment(FILE, [{ name: "b_1", value: 0.3 }], [], null);
+  assert.ok(text.startsWith("# b_1 = 0.3 was set in the page"));
+  assert.ok(text.endsWith(FILE));
+});
+
+const motion: Motion = {
+  times: Float64Array.of(0, 0.5, 1),
+  columns: {
+    omega: Float64Array.of(1, 2, 3, 4, 5, 6, 7, NaN, 0.1),
+    attitude: Float64Array.of(1, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0),
+    centre: Float64Array.of(0, 0, 1, 0, 0, 2, 0, 0, 3),
+  },
+  end: null,
+};
+
+test("a table has every number in full, and nothing where there is none", () => {
+  const text = csv(motion, [{ name: "omega", width: 3, axes: "body", unit: "rad/s", meaning: "", mathml: "" }]);
+  assert.equal(text, "time (s),omega_1 (rad/s),omega_2 (rad/s),omega_3 (rad/s)\n0,1,2,3\n0.5,4,5,6\n1,7,,0.1\n");
+  assert.equal(sectionCsv(["x, y", "z"], [{ x: Float64Array.of(1), y: Float64Array.of(2), number: 0 }]), 'orbit,"x, y",z\n1,1,2\n');
+});
+
+test("a drawing is well formed, interrupted where values are missing", () => {
+  const text = plotsSvg("a < b & c", motion.times, [{ label: "ω", unit: "rad/s", components: [{ label: "ω₁", values: Float64Array.of(1, NaN, 2) }] }]);
+  assert.ok(text.includes("a &lt; b &amp; c"));
+  const path = /<path d="(M[^"]*)" fill="none" stroke="#004488"/.exec(text)?.[1] ?? "";
+  assert.equal(path.match(/M/g)?.length, 2);
+  for (const tag of ["svg", "text", "g"]) assert.equal(text.split(`<${tag}`).length, text.split(`</${tag}>`).length, tag);
+  assert.ok(!/NaN|undefined/.test(text));
+  const section = sectionSvg("s", { label: "x", range: [0, 1] }, { label: "y", range: [0, 1] }, [{ x: [0.5, 7], y: [0.5, 0.5], colour: "#332288" }]);
+  assert.equal(section.match(/h0/g)?.length, 1);
+});
+
+test("a binary glTF holds the body and its motion", () => {
+  const mesh = ellipsoid([3, 2, 1], [1, 0, 0, 0], 6, 8);
+  const tones = Uint8Array.from({ length: mesh.indices.length / 3 }, (_, k) => k % 2);
+  const bytes = glb("body", { ...mesh, tones }, motion);
+  const view = new DataView(bytes.buffer);
+  assert.equal(view.getUint32(0, true), 0x46546c67);
+  assert.equal(view.getUint32(8, true), bytes.length);
+  const length = view.getUint32(12, true);
+  const document = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length)));
+  const binary = bytes.subarray(28 + length);
+  assert.equal(document.buffers[0].byteLength <= binary.length, true);
+  const read = (index: number): Float32Array => {
+    const accessor = document.accessors[index];
+    const { byteOffset, byteLength } = document.bufferViews[accessor.bufferView];
+    return new Float32Array(binary.slice(byteOffset, byteOffset + byteLength).buffer);
+  };
+  const [places, turns] = document.animations[0].samplers;
+  assert.deepEqual(Array.from(read(places.input)), [0, 0.5, 1]);
+  assert.deepEqual(Array.from(read(places.output)), [0, 0, 1, 0, 0, 2, 0, 0, 3]);
+  // the second attitude is the first with the other sign: the body does not turn
+  assert.deepEqual(Array.from(read(turns.output)).map((value) => value + 0), [0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0]);
+  const counted = document.meshes[0].primitives.reduce((sum: number, { indices }: { indices: number }) => sum + document.accessors[indices].count, 0);
+  assert.equal(counted, mesh.indices.length);
+});
