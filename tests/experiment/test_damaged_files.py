@@ -234,6 +234,20 @@ def test_many_damaged_trajectories(trajectory: Path, seed: int) -> None:
     read_trajectories(trajectory, seed, 150)
 
 
+def test_a_file_in_which_hdf5_comes_to_no_end_is_refused(
+    trajectory: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The heap of texts has an object of size zero, at which HDF5 stays for ever."""
+    content = bytearray(trajectory.read_bytes())
+    content[content.index(b"GCOL") + 24] = 0
+    path = tmp_path / "circle.nc"
+    path.write_bytes(content)
+    monkeypatch.setattr("chaplygin.experiment.dataset._PATIENCE", 5.0)
+    with pytest.raises(InputError, match=r"circle\.nc: not a readable NetCDF file"):
+        read(path)
+    assert read(trajectory).sizes["time"] == 11
+
+
 @pytest.mark.parametrize(
     "content", [b"", b"CDF\x01" + b"\0" * 100, b"\x89HDF\r\n\x1a\n", b"x" * 99]
 )

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from collections.abc import Mapping
 from importlib.metadata import version
 from pathlib import Path
@@ -236,6 +239,42 @@ def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
     return target
 
 
+#: Looks through a file by HDF5 alone: the layer above complains past Python of what is none.
+_LOOK = """
+import h5py, sys
+try:
+    with h5py.File(sys.argv[1], "r") as file:
+        dict(file.attrs)
+        file.visititems(lambda _, item: dict(item.attrs) and None)
+except Exception:
+    sys.exit(3)
+"""
+_DAMAGED = 3
+
+#: Seconds after which HDF5 is taken to go round in circles; it needs a hundredth of one.
+_PATIENCE = 60.0
+
+
+def _require_readable(path: Path) -> None:
+    """Refuse a file that HDF5 cannot read; in some damaged ones it never comes to an end.
+
+    So it looks through the file in a process of its own, which can be ended.
+    """
+    try:
+        looked = subprocess.run(
+            [sys.executable, "-c", _LOOK, str(path)],
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
+            capture_output=True,
+            timeout=_PATIENCE,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        raise InputError(f"{path}: not a readable NetCDF file") from None
+    # a signal ends it where HDF5 breaks down
+    if looked.returncode == _DAMAGED or looked.returncode < 0:
+        raise InputError(f"{path}: not a readable NetCDF file")
+
+
 @arguments_checked
 def read(path: str | Path) -> xr.Dataset:
     """Read a dataset written by :func:`write` to NetCDF or Zarr, into memory.
@@ -263,18 +302,12 @@ def read(path: str | Path) -> xr.Dataset:
     ...     ch.read(ch.write(ch.to_dataset(motion), f"{folder}/ball.nc"))["omega"].shape
     (3, 3)
     """
-    import h5py
-
     if not Path(path).exists():
         raise InputError(f"{path}: there is no such file")
     zarr = Path(path).is_dir()
+    if not zarr:
+        _require_readable(Path(path))
     try:
-        if not zarr:
-            # looked through by HDF5 alone first: the layer above complains past Python of what is
-            # none
-            with h5py.File(path, "r") as file:
-                dict(file.attrs)
-                file.visititems(lambda _, item: dict(item.attrs) and None)
         with xr.open_dataset(
             path, engine="zarr" if zarr else "h5netcdf", decode_times=False
         ) as stored:
