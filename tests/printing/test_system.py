@@ -55,6 +55,9 @@ GOLDEN = [
     # names
     (real_symbol("I_1"), "I₁", r"I_{1}"),
     (real_symbol("gamma_3"), "γ₃", r"\gamma_{3}"),
+    (real_symbol("slip_rate"), "slip_rate", r"\text{slip rate}"),
+    (m * real_symbol("slip_rate") * R, "m R slip_rate", r"m R \, \text{slip rate}"),
+    (real_symbol("spin_sign"), "σₙ", r"\sigma_{n}"),
     (real_symbol("lambda_0"), "λ₀", r"\lambda_{0}"),
     (real_symbol("pprime"), "p′", r"p^{\prime}"),
     (real_symbol("pprime2"), "p″", r"p^{\prime\prime}"),

@@ -52,6 +52,9 @@ _ONE_MODE = (
     "motion through these events."
 )
 
+#: Where the shares of force and couple are exact and short.
+_INNER = " with a slip below the speed of the edge of the patch, u < patch |spin|"
+
 
 @dataclass(frozen=True, kw_only=True)
 class ContactSubject(Subject):
@@ -124,7 +127,8 @@ class ContactSubject(Subject):
     @property
     def derivation_notes(self) -> tuple[str, ...]:
         """Which equations are shown."""
-        return (_ONE_MODE.format(mode=shown_mode(self.contact).name),)
+        mode = shown_mode(self.contact)
+        return (_ONE_MODE.format(mode=mode.name + (_INNER if mode.range else "")),)
 
     @property
     def weight(self) -> float | None:
@@ -177,7 +181,7 @@ def shown_mode(contact: FrictionalContact) -> Mode:
     if contact.never_slips:
         return Mode(sliding=False)
     coupled = contact.law(ContensouErismann) is not None
-    return Mode(range="outer" if coupled else "")
+    return Mode(range="inner" if coupled else "")
 
 
 def contact_subject(experiment: FrictionExperiment) -> ContactSubject:

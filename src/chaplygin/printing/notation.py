@@ -8,6 +8,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
+from itertools import pairwise
 from typing import ClassVar
 
 import sympy as sp
@@ -287,7 +288,9 @@ class _Latex(Notation):
     def _symbol(name: str) -> str:
         if name in GREEK:
             return _GREEK.get(name, rf"\{name}")
-        return name if len(name) == 1 or name.isdigit() else rf"\text{{{name}}}"
+        if len(name) == 1 or name.isdigit():
+            return name
+        return rf"\text{{{name.replace('_', ' ')}}}"
 
     def number(self, value: sp.Float) -> Fragment:
         mantissa, _, exponent = f"{float(value):.15g}".partition("e")
@@ -313,7 +316,9 @@ class _Latex(Notation):
         factors = [self.guard(x, Precedence.SUM if alone else Precedence.PRODUCT) for x in above]
         level = Precedence.PRODUCT
         if lifted:
-            head = [rf"\frac{{{' '.join(first + factors) or '1'}}}{{{' '.join(divisors)}}}"]
+            head = [
+                rf"\frac{{{_side_by_side(first + factors) or '1'}}}{{{_side_by_side(divisors)}}}"
+            ]
         elif divisors:
             head = [rf"\frac{{{p}}}{{{divisors[0]}}}", *factors]
         else:
@@ -321,7 +326,7 @@ class _Latex(Notation):
         if vector:
             head.append(self.guard(vector, Precedence.CROSS))
             level = min(level, max(vector.level, Precedence.CROSS))
-        return Fragment(" ".join(head) or "1", level)
+        return Fragment(_side_by_side(head) or "1", level)
 
     def power(self, base: Fragment, exponent: str) -> Fragment:
         return Fragment(f"{self.guard(base, Precedence.ATOM)}^{{{exponent}}}", Precedence.POWER)
@@ -361,3 +366,12 @@ class _Latex(Notation):
 
 UNICODE: Notation = _Unicode()
 LATEX: Notation = _Latex()
+
+
+def _side_by_side(factors: Sequence[str]) -> str:
+    """Factors of a product in LaTeX, with a space beside those that are words."""
+    text = factors[0] if factors else ""
+    for left, right in pairwise(factors):
+        wide = any(factor.startswith(r"\text{") for factor in (left, right))
+        text += rf" \, {right}" if wide else f" {right}"
+    return text

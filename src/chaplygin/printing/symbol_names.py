@@ -54,19 +54,19 @@ class SymbolName:
 #: Quantities of a contact with friction, whose names are words with indices that are words.
 CONTACT_NAMES = {
     "slip_speed": SymbolName("u"),
-    "slip_floor": SymbolName("ε", subscript="u"),
-    "rolling_speed": SymbolName("ω", subscript="t"),
-    "rolling_floor": SymbolName("ε", subscript="t"),
-    "spin_sign": SymbolName("σ", subscript="n"),
-    "spin_arm": SymbolName("μ", subscript="s"),
-    "mu_static": SymbolName("μ", subscript="0"),
+    "slip_floor": SymbolName("epsilon", subscript="u"),
+    "rolling_speed": SymbolName("omega", subscript="t"),
+    "rolling_floor": SymbolName("epsilon", subscript="t"),
+    "spin_sign": SymbolName("sigma", subscript="n"),
+    "spin_arm": SymbolName("mu", subscript="s"),
+    "mu_static": SymbolName("mu", subscript="0"),
     "normal_rate": SymbolName("b", primes=1, subscript="n"),
     "normal_rate_free": SymbolName("b", subscript="n"),
     "normal_response": SymbolName("B", subscript="n"),
     "force_share": SymbolName("F", subscript="u"),
     "couple_share": SymbolName("M", subscript="n"),
     "spin_rate": SymbolName("b", subscript="s"),
-    "holding_couple": SymbolName("τ"),
+    "holding_couple": SymbolName("tau"),
 }
 
 
@@ -80,6 +80,9 @@ def letter_of(name: str) -> SymbolName:
     if match is None:
         return SymbolName(name)
     base, accent, primes, number, sub = match.group("base", "accent", "primes", "number", "sub")
+    if len(base) > 1 and base not in GREEK and sub and sub.isalpha() and len(sub) > 1:
+        # two words are no letter with an index
+        return SymbolName(name)
     parts = [part for part in (number, *(sub or "").split("_")) if part]
     subscript = ",".join(parts)
     if accent is None:

@@ -281,11 +281,13 @@ METHODS = {"taylor": "Taylor series", "gauss": "Gauss–Legendre collocation"}
 def _facts(study: Study, trajectory: Trajectory) -> list[tuple[str, str]]:
     run, statistics = study.experiment.run, trajectory.statistics
     first, last = float(trajectory.times[0]), float(trajectory.times[-1])
+    corrections = statistics.corrections
+    plural = "" if corrections == 1 else "s"
     facts = [
         ("time", f"{first:g} … {last:.10g}, {len(trajectory.times)} samples"),
         ("method", f"{METHODS[run.method]} of order {statistics.order}, {statistics.steps} steps"),
         ("tolerance", f"{number(statistics.tolerance, 3)}, {run.precision} precision"),
-        ("corrections", f"{statistics.corrections} projections onto the phase space"),
+        ("corrections", f"{corrections} projection{plural} onto the phase space"),
         ("integrals", "enforced by projection" if run.keep_integrals else "free, as a check"),
     ]
     # what projections there are with friction belongs to its events
