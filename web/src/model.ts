@@ -215,6 +215,8 @@ export interface WasmTables {
   quantities: ValuesTable;
   /** Relations, integrals, quantities at a reduced state, and after them their slopes. */
   conditions: ValuesTable;
+  /** Relations and integrals at a reduced state, and after them their slopes. */
+  invariants: ValuesTable;
   /** Time derivatives of a reduced state. */
   rates: ValuesTable;
   /** Guards at a reduced state. */

@@ -147,12 +147,15 @@ def _reduced_pieces(reduced: System, scalars: Sequence[Scalar]) -> dict[str, lis
     quantities = list(terms_of(reduced, scalars))
     relations = [reader(to_components(r)) for r in reduced.relations]
     integrals = [reader(to_components(law.value)) for law in reduced.integrals]
-    conditions_ = [*relations, *integrals, *quantities]
     states = [graph.state(i) for i in range(len(reduced.symbols))]
-    slopes = [t for row in graph.jacobian(conditions_, states) for t in row]
+
+    def with_slopes(terms: list[Term]) -> list[Term]:
+        return [*terms, *(t for row in graph.jacobian(terms, states) for t in row)]
+
     return {
         "quantities": quantities,
-        "conditions": [*conditions_, *slopes],
+        "conditions": with_slopes([*relations, *integrals, *quantities]),
+        "invariants": with_slopes([*relations, *integrals]),
         "rates": list(rates),
         "guards": [reader(to_components(guard.value)) for guard in reduced.guards],
         "admissible": [reader(side) for _, side in _admissible(reduced)],

@@ -51,12 +51,25 @@ export async function cellStart(engine: Engine, ground: ChartGround, setting: Ch
   return "message" in state ? state : { experiment: { ...experiment, parameters, start: next }, state: state.state };
 }
 
-/** The value of a cell; not a number where there is none. */
-export async function cellValue(engine: Engine, ground: ChartGround, setting: ChartSetting, x: number, y: number): Promise<number> {
-  const start = await cellStart(engine, ground, setting, x, y);
+/** The values of cells; not a number where there is none. */
+export async function cellValues(engine: Engine, ground: ChartGround, setting: ChartSetting, places: readonly [number, number][]): Promise<number[]> {
+  const starts = await Promise.all(places.map(([x, y]) => cellStart(engine, ground, setting, x, y)));
+  const { kind, until } = setting;
+  if (kind === "rotation") return Promise.all(starts.map((start) => cellRotation(engine, ground, setting, start)));
+  const found = starts.map((start, k) => ("message" in start ? -1 : k)).filter((k) => k >= 0);
+  const motions = found.map((k) => {
+    const { experiment, state } = starts[k] as { experiment: Experiment; state: Float64Array };
+    return { parameters: experiment.parameters, start: state };
+  });
+  const values = await engine.indicators({ motions, until, kind });
+  const result = starts.map(() => NaN);
+  found.forEach((k, j) => (result[k] = values[j] ?? NaN));
+  return result;
+}
+
+async function cellRotation(engine: Engine, ground: ChartGround, setting: ChartSetting, start: Awaited<ReturnType<typeof cellStart>>): Promise<number> {
   if ("message" in start) return NaN;
   const { parameters } = start.experiment;
-  if (setting.kind !== "rotation") return engine.indicator({ parameters, start: start.state, until: setting.until, kind: setting.kind });
   const { section, model } = ground;
   if (section === null) return NaN;
   const index = model.quantities.findIndex(({ name }) => name === section.x);
@@ -88,12 +101,10 @@ export function chartRun(ground: ChartGround, setting: ChartSetting, progress: (
     while (!stopped && next < cells.length) {
       const tile = cells.slice(next, next + TILE);
       next += tile.length;
-      for (const { column, row } of tile) {
-        const [x, y] = [middle(setting.xRange, column, size), middle(setting.yRange, row, size)];
-        const value = await cellValue(engine, ground, setting, x, y).catch(() => NaN);
-        if (stopped) return;
-        values[row * size + column] = value;
-      }
+      const places = tile.map(({ column, row }): [number, number] => [middle(setting.xRange, column, size), middle(setting.yRange, row, size)]);
+      const found = await cellValues(engine, ground, setting, places).catch(() => tile.map(() => NaN));
+      if (stopped) return;
+      tile.forEach(({ column, row }, k) => (values[row * size + column] = found[k] ?? NaN));
       finished += tile.length;
       progress(tile, finished / cells.length);
     }

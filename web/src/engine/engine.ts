@@ -54,6 +54,13 @@ export interface IndicatorTask {
   kind: "megno" | "lyapunov";
 }
 
+/** Motions that are computed side by side, which costs less than one after another. */
+export interface IndicatorsTask {
+  motions: { parameters: Values; start: Numbers }[];
+  until: number;
+  kind: "megno" | "lyapunov";
+}
+
 /** A state, or why there is none, in one sentence. */
 export type State = { state: Float64Array } | { message: string; nearest?: Float64Array };
 
@@ -80,6 +87,8 @@ export interface Engine {
   quantities(parameters: Values, rows: Float64Array, dimension: number): Promise<Float64Array>;
   /** MEGNO, or the largest Lyapunov exponent; not a number where the motion ends before. */
   indicator(task: IndicatorTask): Promise<number>;
+  /** The same of several motions. */
+  indicators(task: IndicatorsTask): Promise<Float64Array>;
   startFrom(task: StartTask): Promise<State>;
   startOnLevel(task: LevelTask): Promise<State>;
   bodyMesh(parameters: Values): Promise<Mesh | null>;

@@ -56,7 +56,10 @@ export class Module {
     return Float64Array.from(this.model.parameters, (p) => values[p.name] ?? p.value);
   }
 
-  /** Motions one after another from rows of starts, each through `times`, or its crossings. */
+  /**
+   * Motions from rows of starts, each through `times`, or its crossings; `parameters` are those of
+   * all, or one row for each.
+   */
   march(
     table: MarchTable,
     starts: Numbers,
@@ -66,6 +69,7 @@ export class Module {
     tolerance: number,
   ): Marched[] {
     const motions = starts.length / table.dimension;
+    const stride = parameters.length > table.parameters ? BigInt(table.parameters) : 0n;
     this.at = FIRST;
     const from = this.put(starts);
     const values = this.put(parameters);
@@ -81,7 +85,7 @@ export class Module {
     this.whole(counts, motions).fill(0n);
     const march = this.functions[table.name] as March;
     march(
-      ...[0n, BigInt(motions), from, values, 0n, moments, BigInt(wanted), tolerance, MOST_STEPS],
+      ...[0n, BigInt(motions), from, values, stride, moments, BigInt(wanted), tolerance, MOST_STEPS],
       ...[states, found, counts, outcome, ended, taken, work],
     );
     return Array.from({ length: motions }, (_, k) => {

@@ -5,6 +5,7 @@ import { directions, meshOfGrid, type Mesh } from "./body_mesh.js";
 import type {
   Engine,
   IndicatorTask,
+  IndicatorsTask,
   LevelTask,
   Motion,
   MotionTask,
@@ -14,7 +15,7 @@ import type {
   State,
   Values,
 } from "./engine.js";
-import { indicator } from "./indicator.js";
+import { indicators } from "./indicator.js";
 import { Module, type Marched } from "./module.js";
 import { startFrom, startOnLevel } from "./start.js";
 
@@ -84,7 +85,13 @@ export class WasmEngine implements Engine {
   }
 
   async indicator(task: IndicatorTask): Promise<number> {
-    return indicator(this.module, task);
+    const { parameters, start, until, kind } = task;
+    const [value] = indicators(this.module, { motions: [{ parameters, start }], until, kind });
+    return value!;
+  }
+
+  async indicators(task: IndicatorsTask): Promise<Float64Array> {
+    return indicators(this.module, task);
   }
 
   async startFrom(task: StartTask): Promise<State> {

@@ -14,6 +14,7 @@ export function remoteEngine(call: Call): Engine {
     section: async (task) => (await call("section", task)) as SectionPoints,
     quantities: async (parameters, rows, dimension) => (await call("quantities", { parameters, rows, dimension })) as Float64Array,
     indicator: async (task) => (await call("indicator", task)) as number,
+    indicators: async (task) => (await call("indicators", task)) as Float64Array,
     startFrom: async (task) => (await call("startFrom", task)) as State,
     startOnLevel: async (task) => (await call("startOnLevel", task)) as State,
     bodyMesh: async (parameters) => (await call("bodyMesh", parameters)) as Mesh | null,
@@ -32,6 +33,7 @@ export function answer(engine: Engine, method: string, argument: unknown): Promi
     case "motion":
     case "section":
     case "indicator":
+    case "indicators":
     case "startFrom":
     case "startOnLevel":
       return engine[method](argument as never);

@@ -347,35 +347,65 @@ function short(x) {
 var INTERVALS = 200;
 var UNSETTLED = 0.2;
 var TOLERANCE = 1e-12;
-function indicator(module, task) {
-  const { tables } = module;
-  const values = module.parameters(task.parameters);
-  const size = tables.tangent.dimension / 2;
-  let state = Float64Array.from(Array.from(task.start).slice(0, size));
-  const scales = largestScales(module, state, values, task.until);
-  let deviation = Float64Array.from({ length: size }, (_, k) => Math.cos(1 + 2.7 * k));
+var LOOKS = 32;
+function indicators(module, task) {
+  const { tangent } = module.tables;
+  const size = tangent.dimension / 2;
   const transverse = task.kind === "lyapunov";
-  if (excluded(module, state, values, scales, transverse).length >= size) return NaN;
-  normalise(deviation, excluded(module, state, values, scales, transverse));
-  const interval = task.until / INTERVALS;
-  let total = 0;
-  let mean = 0;
-  let sum = 0;
-  let settled = 0;
-  for (let i = 1; i <= INTERVALS; i++) {
-    const start = [...state, ...deviation.map((x, k) => x * scales[k])];
-    const [run] = module.march(tables.tangent, start, values, [interval], 1, TOLERANCE);
-    if (run.outcome !== 0) return NaN;
-    state = run.states.slice(0, size);
-    deviation = run.states.slice(size).map((x, k) => x / scales[k]);
-    const before = total;
-    total += Math.log(normalise(deviation, excluded(module, state, values, scales, transverse)));
-    mean += ((total + before) / 2 - mean) / i;
-    sum += 2 * (total - mean);
-    if (i <= UNSETTLED * INTERVALS) settled = total;
+  const results = new Float64Array(task.motions.length).fill(NaN);
+  const carried = task.motions.map(
+    ({ parameters, start }) => begin(module, module.parameters(parameters), Float64Array.from(start).slice(0, size), task.until, transverse)
+  );
+  let live = [...carried.keys()].filter((k) => carried[k] !== null);
+  const interval = [task.until / INTERVALS];
+  const width = module.model.parameters.length;
+  const starts = new Float64Array(carried.length * 2 * size);
+  const values = new Float64Array(carried.length * Math.max(width, 1));
+  for (let i = 1; i <= INTERVALS && live.length > 0; i++) {
+    live.forEach((k, j) => {
+      const { state, scales, deviation, values: own } = carried[k];
+      const first = 2 * size * j;
+      starts.set(state, first);
+      for (let c = 0; c < size; c++) starts[first + size + c] = deviation[c] * scales[c];
+      values.set(own, width * j);
+    });
+    const runs = module.march(
+      tangent,
+      starts.subarray(0, 2 * size * live.length),
+      values.subarray(0, width * live.length),
+      interval,
+      1,
+      TOLERANCE
+    );
+    live = live.filter((k, j) => {
+      const one = carried[k];
+      const run = runs[j];
+      if (run.outcome !== 0) return false;
+      one.state = run.states.subarray(0, size);
+      for (let c = 0; c < size; c++) one.deviation[c] = run.states[size + c] / one.scales[c];
+      const before = one.total;
+      one.total += Math.log(normalise(one.deviation, excluded(module, one, transverse)));
+      one.mean += ((one.total + before) / 2 - one.mean) / i;
+      one.sum += 2 * (one.total - one.mean);
+      if (i <= UNSETTLED * INTERVALS) one.settled = one.total;
+      return true;
+    });
   }
-  if (task.kind === "megno") return sum / INTERVALS;
-  return (total - settled) / (task.until * (1 - UNSETTLED));
+  for (const k of live) {
+    const { total, settled, sum } = carried[k];
+    const exponent = (total - settled) / (task.until * (1 - UNSETTLED));
+    results[k] = task.kind === "megno" ? sum / INTERVALS : exponent;
+  }
+  return results;
+}
+function begin(module, values, state, until, transverse) {
+  const deviation = Float64Array.from(state, (_, k) => Math.cos(1 + 2.7 * k));
+  const scales = largestScales(module, state, values, until);
+  const one = { values, state, scales, deviation, total: 0, mean: 0, sum: 0, settled: 0 };
+  const basis = excluded(module, one, transverse);
+  if (basis.length >= state.length) return null;
+  normalise(deviation, basis);
+  return one;
 }
 function normalise(deviation, basis) {
   for (let pass = 0; pass < 2; pass++) for (const q of basis) remove(deviation, q);
@@ -383,31 +413,36 @@ function normalise(deviation, basis) {
   for (let k = 0; k < deviation.length; k++) deviation[k] /= length;
   return length;
 }
-function excluded(module, state, values, scales, transverse) {
-  const { conditions, relations, integrals, rates } = module.tables;
-  const count = relations + (transverse ? integrals.length : 0);
+function excluded(module, one, transverse) {
+  const { invariants, relations, integrals, rates } = module.tables;
+  const { state, values, scales } = one;
   const size = state.length;
-  const first = conditions.outputs / (size + 1);
-  const numbers = module.values(conditions, state, values);
-  const vectors = Array.from(
-    { length: count },
-    (_, i) => Float64Array.from(state, (_2, k) => numbers[first + i * size + k] * scales[k])
-  );
+  const count = relations + integrals.length;
+  const wanted = transverse ? count : relations;
+  const numbers = wanted > 0 ? module.values(invariants, state, values) : state;
+  const vectors = Array.from({ length: wanted }, (_, i) => {
+    const row = numbers.slice(count + i * size, count + (i + 1) * size);
+    for (let k = 0; k < size; k++) row[k] *= scales[k];
+    return row;
+  });
   if (transverse) {
-    vectors.push(module.values(rates, state, values).map((x, k) => x / scales[k]));
+    const flow = Float64Array.from(module.values(rates, state, values));
+    for (let k = 0; k < size; k++) flow[k] /= scales[k];
+    vectors.push(flow);
   }
   return orthonormal(vectors);
 }
 function largestScales(module, state, values, until) {
   const { tangent } = module.tables;
   const size = state.length;
-  const times = Array.from({ length: 32 }, (_, i) => (i + 1) / 320 * until);
-  const start = [...state, ...new Float64Array(size)];
+  const times = Array.from({ length: LOOKS }, (_, i) => (i + 1) / (10 * LOOKS) * until);
+  const start = new Float64Array(2 * size);
+  start.set(state);
   const [run] = module.march(tangent, start, values, times, times.length, TOLERANCE);
   const largest = scalesOf(module, state);
   for (let i = 0; i < run.count; i++) {
     const scales = scalesOf(module, run.states.subarray(2 * size * i, 2 * size * i + size));
-    scales.forEach((x, k) => largest[k] = Math.max(largest[k], x));
+    for (let k = 0; k < size; k++) largest[k] = Math.max(largest[k], scales[k]);
   }
   return largest;
 }
@@ -459,9 +494,13 @@ var Module = class _Module {
     }
     return Float64Array.from(this.model.parameters, (p) => values[p.name] ?? p.value);
   }
-  /** Motions one after another from rows of starts, each through `times`, or its crossings. */
+  /**
+   * Motions from rows of starts, each through `times`, or its crossings; `parameters` are those of
+   * all, or one row for each.
+   */
   march(table, starts, parameters, times, wanted, tolerance) {
     const motions = starts.length / table.dimension;
+    const stride = parameters.length > table.parameters ? BigInt(table.parameters) : 0n;
     this.at = FIRST;
     const from = this.put(starts);
     const values = this.put(parameters);
@@ -477,7 +516,7 @@ var Module = class _Module {
     this.whole(counts, motions).fill(0n);
     const march = this.functions[table.name];
     march(
-      ...[0n, BigInt(motions), from, values, 0n, moments, BigInt(wanted), tolerance, MOST_STEPS],
+      ...[0n, BigInt(motions), from, values, stride, moments, BigInt(wanted), tolerance, MOST_STEPS],
       ...[states, found, counts, outcome, ended, taken, work]
     );
     return Array.from({ length: motions }, (_, k) => {
@@ -585,7 +624,12 @@ var WasmEngine = class _WasmEngine {
     return module.values(table, firstColumns(rows, dimension, table.inputs), module.parameters(parameters));
   }
   async indicator(task) {
-    return indicator(this.module, task);
+    const { parameters, start, until, kind } = task;
+    const [value] = indicators(this.module, { motions: [{ parameters, start }], until, kind });
+    return value;
+  }
+  async indicators(task) {
+    return indicators(this.module, task);
   }
   async startFrom(task) {
     return startFrom(this.module, task);
