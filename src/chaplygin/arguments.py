@@ -340,8 +340,8 @@ def _kinds(thing: Any, modules: Iterable[str]) -> dict[str, _Kind]:
     for module in modules:
         scope |= vars(sys.modules[module])
     hints = get_type_hints(thing, None, scope, include_extras=True)
-    found = {name: _kind(hint) for name, hint in hints.items()}
-    return {name: kind for name, kind in found.items() if kind is not None}
+    kinds = {name: _kind(hint) for name, hint in hints.items()}
+    return {name: kind for name, kind in kinds.items() if kind is not None}
 
 
 def arguments_checked(thing: T) -> T:
@@ -354,8 +354,10 @@ def arguments_checked(thing: T) -> T:
     """
     if isinstance(thing, type):
         modules = [base.__module__ for base in reversed(thing.__mro__)]
-        made: Any = thing
-        made.__init__ = _checking(made.__init__, thing.__name__, lambda: _kinds(thing, modules))
+        checked_class: Any = thing
+        checked_class.__init__ = _checking(
+            checked_class.__init__, thing.__name__, lambda: _kinds(thing, modules)
+        )
         return thing
     name = thing.__qualname__.removesuffix(".__init__")
     return cast(T, _checking(thing, name, lambda: _kinds(thing, [thing.__module__])))
@@ -369,11 +371,11 @@ def _checking(
     @wraps(function)
     def called(*arguments: Any, **named: Any) -> Any:
         try:
-            given = signature.bind(*arguments, **named).arguments
+            bound = signature.bind(*arguments, **named).arguments
         except TypeError:
             # Python's own sentence names the function
             return function(*arguments, **named)
-        for argument, value in given.items():
+        for argument, value in bound.items():
             if (kind := known().get(argument)) is None:
                 continue
             match signature.parameters[argument].kind:

@@ -24,8 +24,8 @@ def readable(text: str) -> str:
     ends = list(itertools.accumulate(len(line) + 1 for line in lines))
     if ends[-1] <= LONGEST:
         return "\n".join(lines)
-    kept = bisect.bisect(ends, LONGEST - 50)
-    return "\n".join([*lines[:kept], f"... and {len(lines) - kept} more lines"])
+    shown = bisect.bisect(ends, LONGEST - 50)
+    return "\n".join([*lines[:shown], f"... and {len(lines) - shown} more lines"])
 
 
 def _escape(character: str) -> str:

@@ -109,9 +109,9 @@ def _joint_verdict(case: Case) -> Verdict:
 
 def _verdict_from_cache(name: str, decide: Callable[[], Case]) -> Verdict:
     """A verdict from an earlier audit, or a new one, which is stored."""
-    found = load_verdict(name)
-    if found is not None:
-        return found
+    stored = load_verdict(name)
+    if stored is not None:
+        return stored
     started = time.monotonic()
     verdict = replace(_joint_verdict(decide()), seconds=time.monotonic() - started)
     store_verdict(name, verdict)

@@ -94,8 +94,8 @@ def from_catalogue(name: str, **parameters: Setting) -> System:
     return entry(name).system(parameters)
 
 
-def known_laws_of(rolling: Rolling, made: System) -> tuple[Law, ...]:
+def known_laws_of(rolling: Rolling, system: System) -> tuple[Law, ...]:
     """The laws that the catalogue knows of a body, whether or not it was named."""
     if fluids_of(rolling.body):
         return laws_with_fluid(rolling)
-    return known_laws(CATALOGUE.values(), rolling, made)
+    return known_laws(CATALOGUE.values(), rolling, system)

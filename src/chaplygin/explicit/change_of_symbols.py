@@ -36,8 +36,8 @@ def in_symbols_of(
 
     def image(formula: sp.Expr) -> sp.Expr:
         value = to_components(sp.sympify(formula))
-        made = value.xreplace(known)
-        return constant(list(made)) if isinstance(value, sp.MatrixBase) else made
+        translated = value.xreplace(known)
+        return constant(list(translated)) if isinstance(value, sp.MatrixBase) else translated
 
     def images(formulas: Iterable[sp.Expr]) -> Any:
         return tuple(image(formula) for formula in formulas)

@@ -263,11 +263,11 @@ def _of_spin(
     return {**following, **unchanged, **others}
 
 
-def _require_spin(system: System, spin: Skew, states: FloatArray, given: FloatArray) -> None:
+def _require_spin(system: System, spin: Skew, states: FloatArray, omega: FloatArray) -> None:
     """Refuse an ω that the constraint of an n-dimensional body does not admit."""
     has = values(system, list(spin.symbols), states)
-    excess = np.abs(has - given).max(axis=1)
-    if np.any(excess > _OF_SPIN * np.abs(given).max(axis=1)):
+    excess = np.abs(has - omega).max(axis=1)
+    if np.any(excess > _OF_SPIN * np.abs(omega).max(axis=1)):
         raise InputError(f"{system.name}: the constraint does not admit this omega")
 
 

@@ -76,7 +76,7 @@ def read_formulas(system: System) -> tuple[Reader, tuple[Term, ...]]:
     return reader, tuple(rates)
 
 
-def as_float_array(name: str, given: object) -> FloatArray:
+def as_float_array(name: str, numbers: object) -> FloatArray:
     """Numbers as doubles.
 
     Raises
@@ -85,7 +85,7 @@ def as_float_array(name: str, given: object) -> FloatArray:
         If they are not real numbers; the message calls them by `name`.
     """
     try:
-        return np.asarray(given, dtype=float)
+        return np.asarray(numbers, dtype=float)
     except (TypeError, ValueError):
         raise InputError(f"{name}: all must be real numbers, in rows of one length") from None
 

@@ -26,7 +26,7 @@ SIMPLE = 4000
 
 
 def density_from_powers(
-    given: LiftedFields, jacobian: Powers, level: Level
+    lifted_fields: LiftedFields, jacobian: Powers, level: Level
 ) -> tuple[Powers, Powers] | None:
     """e^σ, and the density over coordinates and quasi-velocities, as products of powers.
 
@@ -44,19 +44,19 @@ def density_from_powers(
         1-form.
     """
     table = solved_parameters(level)
-    steps = {s: f.xreplace(table) for s, f in given.steps}
+    steps = {s: f.xreplace(table) for s, f in lifted_fields.steps}
     factors: dict[sp.Expr, sp.Rational] = {}
     for base, exponent in jacobian:
         for factor, power in _factors(base.xreplace(table)):
             factors[factor] = factors.get(factor, sp.S.Zero) + power * exponent
-    theta = [f.xreplace(table) for f in given.theta]
-    bases = [f for f in factors if _moves(f, given)]
-    exponents = _exponents(given, level, theta, bases)
+    theta = [f.xreplace(table) for f in lifted_fields.theta]
+    bases = [f for f in factors if _moves(f, lifted_fields)]
+    exponents = _exponents(lifted_fields, level, theta, bases)
     if exponents is None:
         for f in theta:
             below = sp.denom(sp.together(expand(f, steps)))
-            bases += [b for b, _ in _factors(below) if _moves(b, given) and b not in bases]
-        exponents = _exponents(given, level, theta, bases)
+            bases += [b for b, _ in _factors(below) if _moves(b, lifted_fields) and b not in bases]
+        exponents = _exponents(lifted_fields, level, theta, bases)
     if exponents is None:
         return None
     total = {
@@ -70,7 +70,9 @@ def density_from_powers(
     )
 
 
-def density_law(given: LiftedFields, powers: Powers, level: Level) -> tuple[System, Identity]:
+def density_law(
+    lifted_fields: LiftedFields, powers: Powers, level: Level
+) -> tuple[System, Identity]:
     """The law that σ has the derivatives θ along the admissible fields.
 
     Parameters
@@ -84,17 +86,17 @@ def density_law(given: LiftedFields, powers: Powers, level: Level) -> tuple[Syst
         The coordinates at rest, with the definitions.
     Identity
     """
-    known = {p.symbol: p for p in given.parameters}
+    known = {p.symbol: p for p in lifted_fields.parameters}
     system = System(
-        name=given.base.name,
-        title=given.base.name,
-        field={x: sp.S.Zero for x in given.base.coordinates},
-        definitions=tuple((s, sp.expand_trig(f)) for s, f in given.steps),
+        name=lifted_fields.base.name,
+        title=lifted_fields.base.name,
+        field={x: sp.S.Zero for x in lifted_fields.base.coordinates},
+        definitions=tuple((s, sp.expand_trig(f)) for s, f in lifted_fields.steps),
         parameters=tuple(known.values()),
-        relations=given.base.relations,
+        relations=lifted_fields.base.relations,
     )
     defects = []
-    for field, share in zip(given.base.frame, given.theta, strict=True):
+    for field, share in zip(lifted_fields.base.frame, lifted_fields.theta, strict=True):
         slope = sp.Add(
             *(
                 exponent * rate * sp.diff(base, x) / base
@@ -107,8 +109,8 @@ def density_law(given: LiftedFields, powers: Powers, level: Level) -> tuple[Syst
     return system, replace(law, on=level)
 
 
-def _moves(factor: sp.Expr, given: LiftedFields) -> bool:
-    return bool(factor.free_symbols & set(given.base.coordinates))
+def _moves(factor: sp.Expr, lifted_fields: LiftedFields) -> bool:
+    return bool(factor.free_symbols & set(lifted_fields.base.coordinates))
 
 
 def _factors(formula: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
@@ -139,13 +141,13 @@ def _in_cosines(formula: sp.Expr) -> sp.Expr:
 
 
 def _exponents(
-    given: LiftedFields, level: Level, theta: list[sp.Expr], bases: list[sp.Expr]
+    lifted_fields: LiftedFields, level: Level, theta: list[sp.Expr], bases: list[sp.Expr]
 ) -> list[sp.Rational] | None:
     """Rational exponents with Σ e η_β(log b) = θ_β at several points; None if there are none."""
     rows: list[list[fmpq]] = []
     right: list[fmpq] = []
     dice = random.Random(SEED)
-    home = _at_level(given, level)
+    home = _at_level(lifted_fields, level)
     for _ in range(ATTEMPTS):
         if len(right) >= POINTS * len(theta):
             break
@@ -170,14 +172,16 @@ def _exponents(
     return [sp.Rational(int(x.p), int(x.q)) for x in solution]
 
 
-def _at_level(given: LiftedFields, level: Level) -> Distribution:
+def _at_level(lifted_fields: LiftedFields, level: Level) -> Distribution:
     """The admissible fields with the parameters that the level settles put in."""
     table = solved_parameters(level)
     return replace(
-        given.base,
-        frame=tuple({s: f.xreplace(table) for s, f in field.items()} for field in given.base.frame),
-        steps=tuple((s, f.xreplace(table)) for s, f in given.steps),
-        constants=tuple((s, v) for s, v in given.base.constants if s not in table),
+        lifted_fields.base,
+        frame=tuple(
+            {s: f.xreplace(table) for s, f in field.items()} for field in lifted_fields.base.frame
+        ),
+        steps=tuple((s, f.xreplace(table)) for s, f in lifted_fields.steps),
+        constants=tuple((s, v) for s, v in lifted_fields.base.constants if s not in table),
     )
 
 

@@ -50,7 +50,7 @@ class Branches:
 
 
 def branches(
-    given: LiftedFields, steps: int, positive: frozenset[sp.Symbol], metric: sp.Expr
+    lifted_fields: LiftedFields, steps: int, positive: frozenset[sp.Symbol], metric: sp.Expr
 ) -> Branches:
     """Solve the conditions at a few points for the parameters.
 
@@ -70,25 +70,25 @@ def branches(
     NoPointError
         If no rational point is found.
     """
-    parameters = tuple(s for s, _ in given.lifted.constants)
+    parameters = tuple(s for s, _ in lifted_fields.lifted.constants)
     one, names = quotients(parameters)
-    tape = Tape(given.steps, (*given.lifted.coordinates, *parameters))
-    rows = _brackets(given, tape, steps)
-    coordinates = given.lifted.coordinates
+    tape = Tape(lifted_fields.steps, (*lifted_fields.lifted.coordinates, *parameters))
+    rows = _brackets(lifted_fields, tape, steps)
+    coordinates = lifted_fields.lifted.coordinates
     entries = [row.get(x, sp.S.Zero) for row in rows for x in coordinates]
     order = tape.steps(entries)
     dice = random.Random(SEED)
     conditions: dict[sp.Expr, None] = {}
     regular: list[sp.Expr] = []
     clean = True
-    name = given.lifted.name
+    name = lifted_fields.lifted.name
     evaluated = [(symbol, Formulas([formula], name)) for symbol, formula in order]
     wanted = Formulas([*entries, metric], name)
 
     def at_point() -> tuple[list[Quotient], Quotient]:
         """Entries and metric at a point where all of them have values."""
         for _ in range(ATTEMPTS):
-            known = {**names, **_point(given, dice, one)}
+            known = {**names, **_point(lifted_fields, dice, one)}
             try:
                 for symbol, formula in evaluated:
                     known[symbol] = formula.at(known, one)[0]
@@ -103,7 +103,7 @@ def branches(
         values, volume = at_point()
         matrix = [values[i * width : (i + 1) * width] for i in range(len(rows))]
         regular.append(as_formula(volume.above))
-        left, constant = _elimination(matrix, coordinates.index(given.height))
+        left, constant = _elimination(matrix, coordinates.index(lifted_fields.height))
         conditions |= dict.fromkeys(as_formula(value.above) for value in left)
         # where a denominator vanishes nothing was computed
         clean = clean and constant and all(_finite(v.below, volume, positive) for v in values)
@@ -139,9 +139,9 @@ def _solved_form(level: Level) -> Level:
     return tuple(s - v for s, v in solved_parameters(level).items())
 
 
-def _brackets(given: LiftedFields, tape: Tape, steps: int) -> list[VectorField]:
+def _brackets(lifted_fields: LiftedFields, tape: Tape, steps: int) -> list[VectorField]:
     """The lifted fields and their commutators with them, so many times."""
-    fields = [dict(field) for field in given.lifted.frame]
+    fields = [dict(field) for field in lifted_fields.lifted.frame]
     rows, last = list(fields), list(fields)
     for _ in range(steps):
         brackets = []
@@ -166,11 +166,13 @@ def _bracket(tape: Tape, first: VectorField, second: VectorField) -> dict[sp.Sym
     return components
 
 
-def _point(given: LiftedFields, dice: random.Random, one: Quotient) -> dict[sp.Symbol, Quotient]:
+def _point(
+    lifted_fields: LiftedFields, dice: random.Random, one: Quotient
+) -> dict[sp.Symbol, Quotient]:
     """A rational point of the configuration space, with sines and cosines, and z = 0."""
-    parameters = tuple(s for s, _ in given.lifted.constants)
-    place = random_point(given.lifted.space(parameters), Rational(), dice)
-    values = {x: one * place.values[x] for x in given.lifted.coordinates}
+    parameters = tuple(s for s, _ in lifted_fields.lifted.constants)
+    place = random_point(lifted_fields.lifted.space(parameters), Rational(), dice)
+    values = {x: one * place.values[x] for x in lifted_fields.lifted.coordinates}
     for core, pair in place.circles.items():
         if core.is_Symbol:
             values |= {s: one * v for s, v in zip(circle(core), pair, strict=True)}

@@ -71,9 +71,9 @@ def prove(
     _check_formulas(system, law)
     theorem = next((t for t in system.theorems if law in system.laws and law.name in t.laws), None)
     name = fingerprint(system, law, theorem)
-    kept = load_verdict(name, effort)
-    if kept is not None:
-        return kept
+    stored = load_verdict(name, effort)
+    if stored is not None:
+        return stored
     started = time.monotonic()
     budget = Budget(effort=effort)
     try:

@@ -104,12 +104,12 @@ def _exponents(variables: int, degree: int) -> list[Exponents]:
     """Exponents of total degree ≤ `degree`, by increasing degree."""
     if variables == 0:
         return [()]
-    found = [
+    exponents = [
         (first, *others)
         for first in range(degree, -1, -1)
         for others in _exponents(variables - 1, degree - first)
     ]
-    return sorted(found, key=sum)
+    return sorted(exponents, key=sum)
 
 
 def rates_of_products(

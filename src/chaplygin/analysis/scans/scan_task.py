@@ -103,14 +103,14 @@ class Scan:
         return {self.name: "value", **{f"{self.name}_{key}": key for key in self.rule.further}}
 
 
-def scan(made: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
+def scan(scanned: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     """The task of a scan.
 
     See :func:`chaplygin.flow.ensemble.compute`.
 
     Parameters
     ----------
-    made : Scan
+    scanned : Scan
     attributes : mapping, optional
         Further attributes of the result: numbers and texts.
 
@@ -126,21 +126,21 @@ def scan(made: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     InputError
         If an axis has the name of a variable of the result.
     """
-    plane, rule = made.plane, made.rule
+    plane, rule = scanned.plane, scanned.rule
     columns = (plane.x.name,)
     shape = (plane.x.count,)
     for item in (plane.x, plane.y):
-        if item.name in {*made.numbers, "outcome", "ended"}:
+        if item.name in {*scanned.numbers, "outcome", "ended"}:
             raise InputError(f"{item.name}: an axis must not have the name of a result")
-    titles = {"value": made.title, **rule.further}
+    titles = {"value": scanned.title, **rule.further}
     return Task(
-        work=made,
+        work=scanned,
         size=plane.y.count,
         block=max(1, AT_ONCE[rule.device] // plane.x.count),
         variables={
             **{
-                name: Variable(columns, shape, attributes=cf_attributes(titles[key], made.unit))
-                for name, key in made.numbers.items()
+                name: Variable(columns, shape, attributes=cf_attributes(titles[key], scanned.unit))
+                for name, key in scanned.numbers.items()
             },
             "outcome": Variable(columns, shape, "int16", _outcomes(rule)),
             "ended": Variable(columns, shape, attributes=cf_attributes("time reached", "s")),
@@ -149,7 +149,7 @@ def scan(made: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
         coordinates={item.name: _coordinate(item) for item in (plane.x, plane.y)},
         attributes={
             "system": plane.system.title,
-            "number": made.name,
+            "number": scanned.name,
             "until": rule.until,
             "tolerance": rule.tolerance,
             "parameters": _text_rows(plane.system.defaults),

@@ -122,12 +122,12 @@ def simultaneous() -> Verdict:
     limits = [bounds(p) for p in (HERTZ, UNIFORM)]
     least = [least_friction(p) for p in (HERTZ, UNIFORM)]
     shown = bool(rests_on) and all(limits) and all(e is not None and e > 0 for e in least)
-    found = ", ".join(f"({C}, {D})" for C, D in filter(None, limits))
+    constants = ", ".join(f"({C}, {D})" for C, D in filter(None, limits))
     return computed_verdict(
         "simultaneous",
         shown,
-        f"𝓕 ≤ C k and k𝓜 ≤ D for all k with (C, D) = {found} for a ball and a disk: neither ends "
-        "while the other lasts",
+        f"𝓕 ≤ C k and k𝓜 ≤ D for all k with (C, D) = {constants} for a ball and a disk: neither "
+        "ends while the other lasts",
         rests_on.reason or "the signs of the series do not show the bounds",
         terms=rests_on.terms,
         seconds=rests_on.seconds,

@@ -175,9 +175,9 @@ class Family(ABC):
         kind = MassTensor if by_tensor else Moments
         return kind(n, numbers), numbers
 
-    def _dimension(self, given: object, **lists: object) -> int:
+    def _dimension(self, dimension: object, **lists: object) -> int:
         """The dimension as given, or by the number of moments, rows or factors."""
-        if given is None:
+        if dimension is None:
             for name, values in lists.items():
                 if not isinstance(values, Sized) or isinstance(values, str):
                     continue
@@ -191,13 +191,17 @@ class Family(ABC):
                     )
                 return sizes[len(values)]
             return DEFAULT_DIMENSION
-        if isinstance(given, bool) or not isinstance(given, int | float) or given != int(given):
+        if (
+            isinstance(dimension, bool)
+            or not isinstance(dimension, int | float)
+            or dimension != int(dimension)
+        ):
             count = 0
         else:
-            count = int(given)
+            count = int(dimension)
         if not SMALLEST <= count <= LARGEST:
             raise InputError(
-                f"dimension: must be a whole number from {SMALLEST} to {LARGEST}, not {given!r}"
+                f"dimension: must be a whole number from {SMALLEST} to {LARGEST}, not {dimension!r}"
             )
         return count
 

@@ -166,12 +166,12 @@ class MassTensor(Inertia):
     def parameters(self) -> tuple[Parameter, ...]:
         """The entries ``J_11``, ``J_12``, … on and above the diagonal."""
         diagonal = [self.matrix.entries[i, i] for i in range(self.dimension)]
-        found = []
+        entries = []
         for (i, j), s in zip(self.matrix.places, self.matrix.symbols, strict=True):
             others = tuple(s + d > 0 for d in diagonal if i == j and d != s)
             words = f"entry {i + 1}{j + 1} of the mass tensor"
-            found.append(Parameter(s, words, self.numbers[s.name], MOMENT_UNIT, others))
-        return tuple(found)
+            entries.append(Parameter(s, words, self.numbers[s.name], MOMENT_UNIT, others))
+        return tuple(entries)
 
     @property
     def words(self) -> str:

@@ -115,9 +115,9 @@ class Special(Family):
         """Raise InputError unless all moments are positive."""
 
     def _inertia(self, settings: dict[str, object]) -> tuple[Inertia, dict[str, float]]:
-        given = settings.pop("factors", None)
-        n = self._dimension(settings.pop("dimension", None), factors=given)
-        values = list(self.example(n)) if given is None else numbers_of("factors", given)
+        factors = settings.pop("factors", None)
+        n = self._dimension(settings.pop("dimension", None), factors=factors)
+        values = list(self.example(n)) if factors is None else numbers_of("factors", factors)
         if len(values) != n:
             raise InputError(
                 f"factors: {n} numbers are needed in {n} dimensions, not {len(values)}"

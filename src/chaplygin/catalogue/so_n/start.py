@@ -58,12 +58,12 @@ def take_spin(values: Given, gamma: Sequence[mpmath.mpf], family: Family) -> Mat
     InputError
         If the constraint does not admit it; the message then names the nearest one.
     """
-    given = values.pop(OMEGA, None)
-    if given is None:
+    components = values.pop(OMEGA, None)
+    if components is None:
         return None
     n = len(gamma)
     names = labels(n)
-    numbers = finite_numbers(OMEGA, given, len(names), f" ({', '.join(names)})")
+    numbers = finite_numbers(OMEGA, components, len(names), f" ({', '.join(names)})")
     omega: Matrix = mpmath.zeros(n).tolist()
     for (i, j), x in zip(pairs(n), numbers, strict=True):
         omega[i][j], omega[j][i] = x, -x

@@ -88,11 +88,11 @@ class FluidStartTable(Table):
 
     def motion_of_fluids(self, cavities: Sequence[Cavity]) -> dict[str, Vector]:
         """The motion of each fluid by the name of its variable, zero by default."""
-        given = self._rows or ((0.0, 0.0, 0.0),) * len(cavities)
+        motions = self._rows or ((0.0, 0.0, 0.0),) * len(cavities)
         several = len(cavities) > 1
         return {
             f"fluid{i if several else ''}": motion
-            for i, (cavity, motion) in enumerate(zip(cavities, given, strict=True), 1)
+            for i, (cavity, motion) in enumerate(zip(cavities, motions, strict=True), 1)
             if cavity.mass
         }
 

@@ -197,9 +197,9 @@ class SystemTable(CavitiesTable):
     @field_validator("parameters")
     @classmethod
     def _whole_dimension(cls, parameters: dict[str, Setting]) -> dict[str, Setting]:
-        given = parameters.get("dimension")
-        if isinstance(given, float) and given.is_integer():
-            return parameters | {"dimension": int(given)}
+        dimension = parameters.get("dimension")
+        if isinstance(dimension, float) and dimension.is_integer():
+            return parameters | {"dimension": int(dimension)}
         return parameters
 
 

@@ -217,8 +217,10 @@ def _check_span(
     owner: str,
 ) -> None:
     for i, value in enumerate(column):
-        rest = value - sp.Add(*(g * c for g, c in zip(frame.matrix.row(i), solution, strict=True)))
-        if not is_numerically_zero(rest, points):
+        remainder = value - sp.Add(
+            *(g * c for g, c in zip(frame.matrix.row(i), solution, strict=True))
+        )
+        if not is_numerically_zero(remainder, points):
             raise InputError(
                 f"{owner}: a commutator of the frame's fields leaves their span in the coordinate "
                 f"{frame.coordinates[i]}; the frame does not belong to one configuration space"

@@ -133,16 +133,16 @@ def point(
     symbols: Iterable[sp.Symbol], dice: random.Random, given: Point | None = None
 ) -> dict[sp.Symbol, Value]:
     """Values of coordinates with their sines and cosines, or of whatever else is named."""
-    found: dict[sp.Symbol, Value] = dict(given or {})
+    values: dict[sp.Symbol, Value] = dict(given or {})
     for s in symbols:
-        if s in found:
+        if s in values:
             continue
-        found[s] = number(dice)
+        values[s] = number(dice)
         half = number(dice)
         square = 1 + half * half
         sine, cosine = circle(s)
-        found[sine], found[cosine] = 2 * half / square, (1 - half * half) / square
-    return found
+        values[sine], values[cosine] = 2 * half / square, (1 - half * half) / square
+    return values
 
 
 def product(rows: Sequence[Sequence[Value]], column: Sequence[Value]) -> list[Value]:
@@ -189,14 +189,14 @@ def kernel(rows: Sequence[Sequence[Value]], like: Value) -> list[list[Value]]:
     """A basis of the solutions of a homogeneous system, one for each free unknown."""
     left, pivots = reduced_echelon_form(rows)
     size = len(rows[0])
-    found = []
+    basis = []
     for free in (j for j in range(size) if j not in pivots):
         solution = [like * 0] * size
         solution[free] = like
         for row, pivot in zip(left, pivots, strict=True):
             solution[pivot] = -row[free]
-        found.append(solution)
-    return found
+        basis.append(solution)
+    return basis
 
 
 class Quotient:
@@ -244,8 +244,8 @@ class Quotient:
         return self._as_quotient(other) - self
 
     def __rtruediv__(self, other: Any) -> Quotient:
-        made: Quotient = self._as_quotient(other) / self
-        return made
+        quotient: Quotient = self._as_quotient(other) / self
+        return quotient
 
     def __pow__(self, exponent: int) -> Quotient:
         if exponent < 0:

@@ -91,15 +91,15 @@ def mode_intervals(dataset: xr.Dataset) -> list[ModeInterval]:
     first = [sample_modes(dataset)[0]] if len(before) else []
     modes = [*first, *(names[flag] for flag in flags)]
     ends = [*([float(times[0])] if first else []), *events, float(times[-1])]
-    found: list[ModeInterval] = []
+    intervals: list[ModeInterval] = []
     for mode, begin, end in zip(modes, ends[:-1], ends[1:], strict=True):
         if end <= begin:
             continue
-        if found and found[-1].mode == mode:
-            found[-1] = ModeInterval(mode, found[-1].begin, end)
+        if intervals and intervals[-1].mode == mode:
+            intervals[-1] = ModeInterval(mode, intervals[-1].begin, end)
         else:
-            found.append(ModeInterval(mode, begin, end))
-    return found
+            intervals.append(ModeInterval(mode, begin, end))
+    return intervals
 
 
 def present_modes(dataset: xr.Dataset) -> list[str]:

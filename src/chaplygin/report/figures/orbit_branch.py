@@ -14,26 +14,26 @@ from ..drawing.style import FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 MARKS = {"fold": "o", "branch": "s", "doubling": "D", "torus": "^"}
 
 
-def branch(found: Branch, title: str) -> Figure:
+def branch(orbits: Branch, title: str) -> Figure:
     """Period and sizes of the multipliers of the orbits, and what happens on the way.
 
     Parameters
     ----------
-    found : Branch
+    orbits : Branch
     title : str
 
     Returns
     -------
     matplotlib.figure.Figure
     """
-    places = found.places
-    sizes = [np.sort(np.abs(orbit.multipliers.values)) for orbit in found.orbits]
+    places = orbits.places
+    sizes = [np.sort(np.abs(orbit.multipliers.values)) for orbit in orbits.orbits]
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(WIDTH, 4.4), layout="constrained")
-        figure.set_label(f"Periodic orbits against {found.varied}: {title}")
+        figure.set_label(f"Periodic orbits against {orbits.varied}: {title}")
         above, below = figure.subplots(2, sharex=True)
         above.set_title(title)
-        above.plot(places, [orbit.duration for orbit in found.orbits], color=SERIES[0])
+        above.plot(places, [orbit.duration for orbit in orbits.orbits], color=SERIES[0])
         above.set_ylabel("period  (s)")
         many = max(map(len, sizes))
         for number in range(many):
@@ -41,9 +41,9 @@ def branch(found: Branch, title: str) -> Figure:
             below.plot(places, column, color=SERIES[number % len(SERIES)])
         below.axhline(1.0, color=QUIET, linewidth=0.6)
         below.set_ylabel("modulus of the multipliers")
-        below.set_xlabel(typeset(found.varied))
-        for kind in dict.fromkeys(event.kind for event in found.events):
-            events = [event for event in found.events if event.kind == kind]
+        below.set_xlabel(typeset(orbits.varied))
+        for kind in dict.fromkeys(event.kind for event in orbits.events):
+            events = [event for event in orbits.events if event.kind == kind]
             above.plot(
                 [event.place for event in events],
                 [event.orbit.duration for event in events],
@@ -55,6 +55,6 @@ def branch(found: Branch, title: str) -> Figure:
         for axes in (above, below):
             axes.grid(axis="y", color=FAINT, linewidth=0.4)
             axes.set_axisbelow(True)
-        if found.events:
+        if orbits.events:
             above.legend(loc="best")
     return figure
