@@ -12,6 +12,7 @@ import pytest
 
 import chaplygin as ch
 from chaplygin.core.overview import Overview
+from chaplygin.flow.ensemble.run import ensemble_task
 
 #: Lines and columns of a screen.
 LINES, COLUMNS = 50, 80
@@ -50,6 +51,10 @@ SHOWN: Mapping[str, tuple[Callable[[], Any], str]] = {
         "PoissonStructure(name='bracket', source=",
     ),
     "catalogue": (lambda: ch.CATALOGUE, f"{len(ch.CATALOGUE)} systems"),
+    "task": (
+        lambda: ensemble_task(ball()[0], [ball()[1][:6]] * 50, np.linspace(0.0, 1.0, 1001)),
+        "Task(work=EnsembleWork(",
+    ),
     "motions of a batch": (
         lambda: ch.batch_integrator(ball()[0]).propagate([ball()[1][:6]] * 50, [1.0, 2.0]),
         "BatchTrajectories(states=array(50, 2, 6), deviations=None, outcome=array(50,), "

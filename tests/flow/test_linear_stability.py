@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import mpmath
+import numpy as np
 import pytest
 import sympy as sp
 
@@ -198,3 +199,14 @@ def test_unknown_parameters_and_too_few_digits_are_refused():
         linear_stability(ROUND, [0, 1, 0], {"mass": 1})
     with pytest.raises(InputError, match="digits = 2"):
         linear_stability(ROUND, [0, 1, 0], digits=2)
+
+
+def test_a_state_is_given_by_components_vectors_or_velocity() -> None:
+    ball = from_catalogue("chaplygin-ball")
+    flat = linear_stability(ball, [0, 3, 0, 0, 1, 0]).matrix
+    by_vectors = linear_stability(ball, {"M": (0, 3, 0), "gamma": np.array([0, 1, 0])})
+    by_velocity = linear_stability(ball, {"omega": (0, 2, 0), "gamma": (0, 1, 0)})
+    assert by_vectors.matrix == flat
+    assert by_velocity.matrix == flat
+    with pytest.raises(InputError, match=r"^M: must be 3 numbers, not \(0, 1\)$"):
+        linear_stability(ball, {"M": (0, 1), "gamma": (0, 1, 0)})

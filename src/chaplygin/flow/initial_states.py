@@ -102,6 +102,23 @@ def whole_start(
     return tuple(state)
 
 
+def vector_components(system: System, name: object, value: Any) -> list[tuple[object, Any]]:
+    """The components of a vector of the state with their values; anything else unchanged.
+
+    Raises
+    ------
+    InputError
+        If a vector has another number of components.
+    """
+    for vector in system.state:
+        if str(vector) == str(name) and len(symbols := flat([vector])) > 1:
+            numbers = list(value) if isinstance(value, Sequence | np.ndarray) else [value]
+            if isinstance(value, str) or len(numbers) != len(symbols):
+                raise InputError(f"{name}: must be {len(symbols)} numbers, not {value}")
+            return list(zip(symbols, numbers, strict=True))
+    return [(name, value)]
+
+
 def upright(vertical: Sequence[WorkingNumber]) -> list[mpmath.mpf]:
     """The quaternion of the shortest turn of a unit vector (body) to the vertical."""
     with mpmath.workdps(_DIGITS):

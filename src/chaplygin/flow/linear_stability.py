@@ -30,7 +30,7 @@ from ..core.vectors import to_components
 from ..errors import InputError
 from ..flow.heyoka_expressions import WorkingNumber
 from ..formulas.multiprecision import number, slopes
-from .initial_states import reduced_start
+from .initial_states import reduced_start, vector_components
 from .multiprecision_subspaces import minimum_norm_solution, null_space_basis, orthogonal_part
 
 NEWTON_STEPS = 60
@@ -114,10 +114,11 @@ def linear_stability(
     ----------
     system : System
         Symmetries among its laws may carry the steady motion along.
-    state : mapping of Symbol or name to number, or sequence in flat order
-        The steady motion.  Numbers of SymPy and mpmath, and strings, count with all their
-        digits; a float means the shortest decimal that gives it.  Variables on which nothing
-        depends may be left out.
+    state : mapping of Symbol or name to number or numbers, or sequence in flat order
+        The steady motion, by the variables and vectors of the state, or by ω and γ where the rest
+        follows from them in double precision.  Numbers of SymPy and mpmath, and strings, count
+        with all their digits; a float means the shortest decimal that gives it.  Variables on
+        which nothing depends may be left out.
     parameters : mapping of Symbol or name to number, optional
         Values that replace the system's defaults.
     along : iterable of mappings of Symbol or name to number
@@ -141,7 +142,7 @@ def linear_stability(
     --------
     >>> import chaplygin as ch
     >>> ball = ch.from_catalogue("chaplygin-ball")
-    >>> about_middle_axis = {"M_1": 0, "M_2": 1, "M_3": 0, "gamma_1": 0, "gamma_2": 1, "gamma_3": 0}
+    >>> about_middle_axis = {"M": (0, 1, 0), "gamma": (0, 1, 0)}
     >>> growth_rates = ch.linear_stability(ball, about_middle_axis).eigenvalues
     >>> round(float(growth_rates[0].real), 6)
     0.146647
@@ -181,7 +182,7 @@ def relative_equilibrium(
     ----------
     system, parameters, digits
         See :func:`linear_stability`.
-    guess : mapping of Symbol or name to number, or sequence in flat order
+    guess : mapping of Symbol or name to number or numbers, or sequence in flat order
     held : iterable of Symbol or name
         State variables that keep their guessed values; they choose one of a family.
 
@@ -197,7 +198,7 @@ def relative_equilibrium(
     """
     with mpmath.workdps(_working(digits)):
         variables = _variables(system)
-        point = _state(system, guess, variables)
+        point = _state(system, guess, parameters, variables)
         constants = _constants(system, parameters)
         fixed = {_symbol(system, name, "held") for name in held}
         loose = [i for i, s in enumerate(variables) if s not in fixed]
@@ -230,7 +231,7 @@ class _LinearisedSystem:
     ) -> None:
         self.system = system
         self.variables = _variables(system)
-        self.point = _state(system, state, self.variables)
+        self.point = _state(system, state, parameters, self.variables)
         self.values = {**self.point, **_constants(system, parameters)}
         # a state given as a float is exact to some 16 digits
         self.tolerance = mpmath.mpf(10) ** (-min(digits, 12))
@@ -348,7 +349,7 @@ def _variables(system: System) -> tuple[sp.Symbol, ...]:
     return variables
 
 
-def _symbol(system: System, name: sp.Symbol | str, where: str) -> sp.Symbol:
+def _symbol(system: System, name: object, where: str) -> sp.Symbol:
     for symbol in system.symbols:
         if str(symbol) == str(name):
             return symbol
@@ -357,11 +358,17 @@ def _symbol(system: System, name: sp.Symbol | str, where: str) -> sp.Symbol:
 
 
 def _state(
-    system: System, state: State, variables: Sequence[sp.Symbol]
+    system: System, state: State, parameters: Parameters, variables: Sequence[sp.Symbol]
 ) -> dict[sp.Symbol, mpmath.mpf]:
-    if not isinstance(state, Mapping):
-        state = dict(zip(system.symbols, reduced_start(system, state), strict=True))
-    named = {_symbol(system, key, "state"): number(x, f"{key}") for key, x in state.items()}
+    if not isinstance(state, Mapping) or "omega" in map(str, state.keys() - set(system.state)):
+        by_name = state
+        if isinstance(state, Mapping):
+            by_name = {str(key): value for key, value in state.items()}
+        state = dict(zip(system.symbols, reduced_start(system, by_name, parameters), strict=True))
+    named = {}
+    for key, value in state.items():
+        for name, component in vector_components(system, key, value):
+            named[_symbol(system, name, "state")] = number(component, str(name))
     missing = [str(s) for s in variables if s not in named]
     if missing:
         raise InputError(f"{system.name}: the state gives no value for {', '.join(missing)}")

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, runtime_checkable
 import numpy as np
 import numpy.typing as npt
 
+from ...core.overview import WithShortRepr
 from ...errors import InputError, RunError
 
 if TYPE_CHECKING:
@@ -82,8 +83,8 @@ class Coordinate:
     attributes: Mapping[str, object] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
-class Task:
+@dataclass(frozen=True, repr=False)
+class Task(WithShortRepr):
     """A computation of many members in blocks.
 
     Parameters
