@@ -90,6 +90,7 @@ def render(
     trajectory: Trajectory,
     dataset: xr.Dataset,
     pictures: Mapping[str, Figure],
+    svgs: Mapping[str, str],
     patience: ProofBudget,
     failure: RunError | None = None,
     solution: Solution | None = None,
@@ -105,6 +106,8 @@ def render(
         The same, as it is stored.
     pictures : mapping of str to Figure
         By name, as :func:`chaplygin.report.figures.all_figures` returns them.
+    svgs : mapping of str to str
+        The same as SVG, by :func:`chaplygin.report.figures.svg_text`.
     patience : ProofBudget
         For the proofs of its laws and of its place among all systems.
     failure : RunError, optional
@@ -139,7 +142,7 @@ def render(
         stands = classify(study.system, verdicts, patience, subject.model)
         places = [_section(part) for part in (stands, *stands.levels)]
         uncounted = stands.uncounted_by_reason
-    both, letters = figures.page_svgs(pictures)
+    both, letters = figures.page_svgs(pictures, svgs)
     drawn = {name: _figure_html(name, *svgs) for name, svgs in both.items()}
     lab = element(study_model(study, dataset, verdicts), drawn.get("scene", ""))
     return environment.get_template("report.html").render(

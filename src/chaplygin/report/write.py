@@ -86,10 +86,12 @@ def write_study(
     solution = known_solution(study)
     report.say("drawing")
     pictures = _figures(study, smooth, plan, solution)
+    svgs = {name: figures.svg_text(figure) for name, figure in pictures.items()}
     for name, figure in pictures.items():
-        for suffix in ("svg", "png"):
-            figures.save(figure, folder / "figures" / f"{name}.{suffix}")
-    text = page.render(study, trajectory, dataset, pictures, patience, failure, solution)
+        with atomic_file(folder / "figures" / f"{name}.svg") as place:
+            place.write_text(figures.svg_file(svgs[name]), encoding="utf-8")
+        figures.save(figure, folder / "figures" / f"{name}.png")
+    text = page.render(study, trajectory, dataset, pictures, svgs, patience, failure, solution)
     with atomic_file(folder / "report.html") as temporary:
         temporary.write_text(text, encoding="utf-8")
     end(folder)

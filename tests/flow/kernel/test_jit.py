@@ -96,7 +96,7 @@ def test_code_for_another_processor_is_not_used(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     doubling(4)
-    monkeypatch.setattr(native, "_processor", lambda: "another one")
+    monkeypatch.setattr(native, "_processor", lambda sets: "another one")
     assert not doubling(4).from_cache
 
 
@@ -139,7 +139,7 @@ def test_another_process_finds_the_code(tmp_path: Path) -> None:
         "x, y = sp.symbols('x y', real=True)\n"
         "flow = batch_integrator(System(name='o', title='O', field={x: y, y: -x}))\n"
         "found = flow.propagate([[1.0, 0.0]], [3.0])\n"
-        "print(flow.code.from_cache, found.states[0, 0, 0].hex(), found.states[0, 0, 1].hex())\n"
+        "print(flow.loop.code.from_cache, *(x.hex() for x in found.states[0, 0]))\n"
     )
     environment = os.environ | {"CHAPLYGIN_CACHE": str(tmp_path / "code")}
     lines = [
@@ -197,9 +197,9 @@ def test_every_option_is_other_code(folder: Path) -> None:
         {"digits": 30},
     ]
     made = [batch_integrator.__wrapped__(system, **chosen) for chosen in options]
-    assert not any(flow.code.from_cache for flow in made)
-    assert batch_integrator.__wrapped__(system, tolerance=1e-6).code.from_cache
-    assert batch_integrator.__wrapped__(replace(system, title="Another word")).code.from_cache
+    assert not any(flow.loop.code.from_cache for flow in made)
+    assert batch_integrator.__wrapped__(system, tolerance=1e-6).loop.code.from_cache
+    assert batch_integrator.__wrapped__(replace(system, title="Another word")).loop.code.from_cache
 
 
 def test_what_is_held_is_part_of_the_key(folder: Path) -> None:
@@ -226,4 +226,7 @@ def test_width_fills_two_registers() -> None:
 
 def test_lanes_of_a_body_are_compiled_once_for_all_processes(folder: Path) -> None:
     ball = body("chaplygin-ball")
-    assert [batch_integrator.__wrapped__(ball).code.from_cache for _ in range(2)] == [False, True]
+    assert [batch_integrator.__wrapped__(ball).loop.code.from_cache for _ in range(2)] == [
+        False,
+        True,
+    ]

@@ -16,6 +16,7 @@ from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import Guard, System
 from chaplygin.flow import batch as lanes_module
 from chaplygin.flow.batch import BatchIntegrator, batch_integrator
+from chaplygin.flow.devices.processor import SIGNATURE, ProcessorLoop
 from chaplygin.flow.integrator import integrate
 from chaplygin.flow.kernel import jit as native
 from chaplygin.flow.kernel.arithmetic import Double, Pair
@@ -303,12 +304,29 @@ def test_bits_do_not_depend_on_the_width(
     assert len(found) == 1
 
 
+@pytest.mark.parametrize(("digits", "until"), [(16, 2.0), (30, 0.05)])
+def test_bits_do_not_depend_on_the_instruction_sets(
+    monkeypatch: pytest.MonkeyPatch, digits: Any, until: float
+) -> None:
+    """As on processors without AVX-512, and without fused operations and AVX."""
+    ball, first = body("unbalanced-ball"), starts("unbalanced-ball", 11)
+    found, used = set(), set()
+    for left_out in ((), ("avx512",), ("avx", "f16c", "fma", "vaes", "vpclmul", "xop")):
+        sets = native.instruction_sets(*left_out)
+        monkeypatch.setattr(native, "host", lambda sets=sets: sets)
+        flow = batch_integrator.__wrapped__(ball, digits=digits, tolerance=1e-12)
+        found.add(flow.propagate(first, [until]).states.tobytes())
+        used.add(sets)
+    assert len(found) == 1
+    assert len(used) >= 2
+
+
 def _errors(table: Any, tolerances: Any) -> tuple[Any, Any]:
     """Errors and numbers of steps of the oscillator, by machine code from a table."""
     equations = equations_of(OSCILLATOR, 0, None, False)
     text, room = runge_kutta_loop(Double, table, equations, 4)
-    code = native.load_code(text, lambda: (text, room), {"march": lanes_module._SIGNATURE})
-    flow = replace(batch_integrator(OSCILLATOR), code=code)
+    code = native.load_code(text, lambda: (text, room), {"march": SIGNATURE})
+    flow = replace(batch_integrator(OSCILLATOR), loop=ProcessorLoop(code))
     found = [replace(flow, tolerance=t).propagate([[0.0, 1.0]], [100.0]) for t in tolerances]
     errors = [abs(f.states[0, 0, 0] - np.sin(100.0)) for f in found]
     return np.array(errors), np.array([f.steps[0] for f in found])

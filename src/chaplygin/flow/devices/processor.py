@@ -13,7 +13,8 @@ from .batch_arrays import BatchInput, BatchOutput, empty_output
 from .threads import run_in_threads
 
 _I, _P, _D = ctypes.c_int64, ctypes.c_void_p, ctypes.c_double
-_SIGNATURE = (_I, _I, _P, _P, _I, _P, _I, _D, _I, _P, _P, _P, _P, _P, _P, _P)
+#: Arguments of the loop.
+SIGNATURE = (_I, _I, _P, _P, _I, _P, _I, _D, _I, _P, _P, _P, _P, _P, _P, _P)
 
 
 @dataclass(frozen=True)
@@ -53,4 +54,4 @@ def processor_loop(equations: Equations, digits: int) -> ProcessorLoop:
         return runge_kutta_loop(*arithmetic_and_method(digits), equations, width)
 
     key = f"march {width} {digits} {serial(equations)}"
-    return ProcessorLoop(native.load_code(key, text, {"march": _SIGNATURE}))
+    return ProcessorLoop(native.load_code(key, text, {"march": SIGNATURE}))

@@ -14,6 +14,7 @@ import llvmlite
 import llvmlite.binding as llvm
 
 from ..kernel import code_cache as cache
+from ..kernel.jit import optimised
 
 #: The oldest processor that the newest driver knows (Turing).
 ARCHITECTURE = "sm_75"
@@ -29,16 +30,8 @@ def _machine() -> llvm.TargetMachine:
 
 def compile_ptx(text: str) -> str:
     """PTX of a text in LLVM's language."""
-    module = llvm.parse_assembly(text)
     machine = _machine()
-    module.triple, module.data_layout = machine.triple, str(machine.target_data)
-    builder = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=1))
-    passes = llvm.create_new_module_pass_manager()
-    passes.add_sroa_pass()
-    passes.add_instruction_combine_pass()
-    passes.add_simplify_cfg_pass()
-    passes.run(module, builder)
-    ptx: str = machine.emit_assembly(module)
+    ptx: str = machine.emit_assembly(optimised(text, machine))
     return ptx
 
 

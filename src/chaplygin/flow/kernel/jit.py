@@ -44,14 +44,51 @@ class Native:
     from_cache: bool
 
 
+@dataclass(frozen=True)
+class InstructionSets:
+    """The instruction sets that code may use.
+
+    Attributes
+    ----------
+    features : str
+        In LLVM's words, such as ``"+avx2,-avx512f"``.
+    width : int
+        Doubles in two registers, which keeps the pipelines full.
+    """
+
+    features: str
+    width: int
+
+
+def instruction_sets(*left_out: str) -> InstructionSets:
+    """Those of this processor, without some as if it were an older one.
+
+    Parameters
+    ----------
+    *left_out : str
+        Beginnings of LLVM's words: ``"avx512"`` leaves what there was with AVX2.
+    """
+    known = llvm.get_host_cpu_features()
+    for name in known:
+        known[name] = known[name] and not name.startswith(left_out)
+    width = 16 if known.get("avx512f") else 8 if known.get("avx") else 4
+    return InstructionSets(known.flatten(), width)
+
+
 @lru_cache
-def _machine() -> llvm.TargetMachine:
+def host() -> InstructionSets:
+    """All instruction sets of this processor."""
+    return instruction_sets()
+
+
+@lru_cache
+def _machine(sets: InstructionSets) -> llvm.TargetMachine:
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     target = llvm.Target.from_default_triple()
     return target.create_target_machine(
         cpu=llvm.get_host_cpu_name(),
-        features=llvm.get_host_cpu_features().flatten(),
+        features=sets.features,
         opt=2,
         reloc="pic",
         codemodel="small",
@@ -60,33 +97,29 @@ def _machine() -> llvm.TargetMachine:
 
 @lru_cache
 def _linker() -> llvm.LLJIT:
-    return llvm.create_lljit_compiler(_machine())
+    return llvm.create_lljit_compiler(_machine(instruction_sets()))
 
 
-@lru_cache
 def width() -> int:
-    """Doubles in two registers of this processor, which keeps its pipelines full."""
-    features = llvm.get_host_cpu_features()
-    if features.get("avx512f"):
-        return 16
-    return 8 if features.get("avx") else 4
+    """Doubles in a vector of the code for this processor."""
+    return host().width
 
 
-def _processor() -> str:
+def _processor(sets: InstructionSets) -> str:
     """The target of the code: processor, instruction sets, version of LLVM."""
     return " ".join(
         (
             llvm.get_default_triple(),
             llvm.get_host_cpu_name(),
-            llvm.get_host_cpu_features().flatten(),
+            sets.features,
             *map(str, llvm.llvm_version_info),
             llvmlite.__version__,
         )
     )
 
 
-def optimised_object(text: str, machine: llvm.TargetMachine) -> bytes:
-    """The object file of a text in LLVM's assembly language for a machine."""
+def optimised(text: str, machine: llvm.TargetMachine) -> llvm.ModuleRef:
+    """A text in LLVM's assembly language as a module for a machine."""
     module = llvm.parse_assembly(text)
     module.triple = machine.triple
     module.data_layout = str(machine.target_data)
@@ -98,7 +131,12 @@ def optimised_object(text: str, machine: llvm.TargetMachine) -> bytes:
     passes.add_instruction_combine_pass()
     passes.add_simplify_cfg_pass()
     passes.run(module, builder)
-    code: bytes = machine.emit_object(module)
+    return module
+
+
+def optimised_object(text: str, machine: llvm.TargetMachine) -> bytes:
+    """The object file of a text in LLVM's assembly language for a machine."""
+    code: bytes = machine.emit_object(optimised(text, machine))
     return code
 
 
@@ -122,11 +160,12 @@ def load_code(
     signatures : mapping of str to sequence of ctypes types
         Of each function that is to be called from Python.
     """
-    name = cache.code_name(key, _processor())
+    sets = host()
+    name = cache.code_name(key, _processor(sets))
 
     def object_code() -> tuple[bytes, int]:
         assembly, work_size = text()
-        return optimised_object(assembly + ATTRIBUTES, _machine()), work_size
+        return optimised_object(assembly + ATTRIBUTES, _machine(sets)), work_size
 
     (code, work_size), from_cache = cache.remember(name, object_code)
     library = llvm.JITLibraryBuilder().add_object_img(code).add_current_process()

@@ -23,6 +23,7 @@ from ...errors import InputError
 from ...experiment.files import atomic_file
 from .style import ALARM, COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE
 from .svg_paths import grouped_marks, short_path, with_shared_letters, with_shared_paths
+from .ticks import set_plain_ticks
 
 FORMATS: dict[str, dict[str, None]] = {
     ".png": {"Software": None},
@@ -80,11 +81,17 @@ def save(figure: Figure, path: str | FilePath) -> FilePath:
         )
     with atomic_file(target) as place:
         if suffix == ".svg":
-            place.write_text(f"{_PROLOG}{svg_text(figure)}\n", encoding="utf-8")
+            place.write_text(svg_file(svg_text(figure)), encoding="utf-8")
         else:
             with mpl.rc_context(STYLE):
+                set_plain_ticks(figure)
                 figure.savefig(place, format=suffix[1:], dpi=220, metadata=FORMATS[suffix])
     return target
+
+
+def svg_file(text: str) -> str:
+    """The content of an SVG file, from the element that :func:`svg_text` returns."""
+    return f"{_PROLOG}{text}\n"
 
 
 def svg_text(figure: Figure) -> str:
@@ -100,6 +107,7 @@ def svg_text(figure: Figure) -> str:
     """
     stream = io.StringIO()
     with mpl.rc_context(STYLE):
+        set_plain_ticks(figure)
         figure.savefig(stream, format="svg", metadata=FORMATS[".svg"])
     text = stream.getvalue()
     text = text[text.index("<svg") :]
@@ -132,14 +140,25 @@ def page_svg(figure: Figure, narrow: bool = False) -> str:
     shown: Figure = pickle.loads(pickle.dumps(figure)) if narrow else figure
     if narrow:
         _make_narrow(shown)
-    text = svg_text(shown)
+    return _with_page_colours(svg_text(shown))
+
+
+def _with_page_colours(text: str) -> str:
     for name, colour in PAGE_COLOURS.items():
         text = re.sub(rf"(?<=[ :\"]){colour}(?=[;\"])", f"var(--{name}, {colour})", text)
     return text
 
 
-def page_svgs(figures: Mapping[str, Figure]) -> tuple[dict[str, tuple[str, str]], str]:
+def page_svgs(
+    figures: Mapping[str, Figure], drawn: Mapping[str, str]
+) -> tuple[dict[str, tuple[str, str]], str]:
     """Figures of one page as SVG for wide and for narrow screens; see :func:`page_svg`.
+
+    Parameters
+    ----------
+    figures : mapping of str to matplotlib.figure.Figure
+    drawn : mapping of str to str
+        What :func:`svg_text` returned for each.
 
     Returns
     -------
@@ -151,7 +170,7 @@ def page_svgs(figures: Mapping[str, Figure]) -> tuple[dict[str, tuple[str, str]]
     """
     texts: dict[str, str] = {}
     for name, figure in figures.items():
-        wide, narrow = page_svg(figure), page_svg(figure, narrow=True)
+        wide, narrow = _with_page_colours(drawn[name]), page_svg(figure, narrow=True)
         mark = f"f{hashlib.sha256(wide.encode()).hexdigest()[:10]}"
         texts[f"{name} wide"], texts[f"{name} narrow"] = with_shared_paths(wide, narrow, mark)
     texts, letters = with_shared_letters(texts)

@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from ...geometry.mesh import BodyMesh
 from ...geometry.surface import SurfaceGround
 from ..drawing.dataset_access import NEEDED, title_of
-from ..drawing.files import FORMATS, page_svg, page_svgs, save, svg_text
+from ..drawing.files import FORMATS, page_svg, page_svgs, save, svg_file, svg_text
 from ..drawing.shading import Ground
 from ..drawing.style import STYLE
 from ..scenes.ball import ball_scene
@@ -59,6 +59,7 @@ __all__ = [
     "scene",
     "state",
     "state_figures",
+    "svg_file",
     "svg_text",
 ]
 
