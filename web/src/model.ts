@@ -269,7 +269,9 @@ export interface PageModel {
   direction: -1 | 1;
   until: number;
   samples: number;
+  /** Error allowed in a step, relative to the size of each vector of the state. */
   tolerance: number;
+  section_tolerance: number;
   columns: Column[];
   laws: Law[];
   quantities: Quantity[];

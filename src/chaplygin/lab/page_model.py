@@ -30,6 +30,10 @@ from .section_choice import section_choice
 from .section_terms import sectionable
 from .slider_range import parameter_range
 
+#: Of a motion in a page, so that states agree with Taylor series to 1e-12, and of its sections,
+#: as on the command line.
+TOLERANCE, SECTION_TOLERANCE = 1e-15, 1e-13
+
 #: Samples of a motion in a page at most.
 MOST_SAMPLES = 1201
 
@@ -88,7 +92,8 @@ def page_model(
         "direction": -1 if run.direction == "backward" else 1,
         "until": study.until,
         "samples": min(run.samples, MOST_SAMPLES),
-        "tolerance": 1e-13,
+        "tolerance": TOLERANCE,
+        "section_tolerance": SECTION_TOLERANCE,
         "columns": [
             {
                 "name": column.name,

@@ -613,7 +613,7 @@ var WasmEngine = class _WasmEngine {
     values[own.length + 2 + chosen] = 1;
     const start = Array.from(task.start).slice(0, section.dimension);
     const until = [task.until ?? Infinity];
-    const [marched] = module.march(section, start, values, until, task.points, model.tolerance);
+    const [marched] = module.march(section, start, values, until, task.points, model.section_tolerance);
     const { states, moments } = marched;
     const times = moments.map((t) => model.direction * t);
     return { rows: states, times, dimension: section.dimension, end: this.end(marched) };
