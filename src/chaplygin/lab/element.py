@@ -133,7 +133,7 @@ def element(model: PageModel, still: str = "", base: str | None = None) -> Eleme
     packed = base64.b64encode(gzip.compress(text.encode(), 9, mtime=0)).decode()
     html = (
         '<div id="chaplygin-lab" class="chaplygin-lab">'
-        f'<div class="lab-still">{still}</div></div>\n'
+        f'<div class="chaplygin-still">{still}</div></div>\n'
         f'<script id="chaplygin-data" type="text/plain">{packed}</script>\n'
         f"<script>{_LOADER}</script>"
     )

@@ -7,17 +7,17 @@ from collections.abc import Mapping
 import numpy as np
 import xarray as xr
 
-from ..errors import RunError
+from ..errors import InputError, RunError
 from ..experiment.study import Study, dataset_of
 from ..proof.verdict import Verdict
-from .page_model import MOST_SAMPLES, page_model
+from .page_model import MOST_SAMPLES, live_page_model, page_model
 from .scene_model import Json
 
 
 def study_model(
     study: Study, dataset: xr.Dataset, verdicts: Mapping[str, Verdict] | None = None
 ) -> dict[str, Json]:
-    """The model of a page that shows a motion.
+    """The model of a page that shows a motion: by computing it, or else as it is recorded.
 
     Parameters
     ----------
@@ -28,7 +28,11 @@ def study_model(
     verdicts : mapping of str to Verdict, optional
         On the laws, by name.
     """
-    return page_model(study, thinned(dataset), verdicts)
+    shown = thinned(dataset)
+    try:
+        return {**live_page_model(study, shown, verdicts), "recorded": None}
+    except InputError:
+        return page_model(study, shown, verdicts)
 
 
 def opened(study: Study, subject: Mapping[str, Json]) -> dict[str, Json]:
