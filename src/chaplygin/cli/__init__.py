@@ -9,6 +9,7 @@ import typer
 
 from ..interruption import watched
 from . import (
+    animate,
     audit,
     bifurcation,
     chart,
@@ -56,6 +57,7 @@ app.command("orbit")(orbit.command)
 app.command("bifurcation")(bifurcation.command)
 app.command("lyapunov")(lyapunov.command)
 app.command("chart")(chart.command)
+app.command("animate")(animate.command)
 app.command("lab")(lab.command)
 app.command("audit")(audit.command)
 

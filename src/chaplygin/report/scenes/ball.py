@@ -57,23 +57,25 @@ def ball_scene(dataset: xr.Dataset, outline: BodyMesh, ground: SurfaceGround) ->
         If the dataset lacks a variable or has no sample.
     """
     track = track_of(dataset, None)
-    normals = ground.normals(track.contact)
-    view = _view(track, normals)
-    extent = float(np.max(np.ptp(track.contact, axis=0)))
-    # nothing of the ball may be cut off
-    around = np.concatenate([track.contact, track.centre[-1:]])
-    margin = 0.75 * outline.diameter + extent * np.array([0.15, 0.15, 0.05])
-    box = frame_of(around, margin, ground)
-    seen = crossings(ground, box, view, _COLUMNS)
-    body = outline.in_space(track.rotation[-1], track.centre[-1])
+    view, seen = surface_seen(track, outline, ground)
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(WIDTH, WIDTH))
         figure.set_label(f"The ball and the path of its contact point: {title_of(dataset)}")
         sheet = Canvas(blank_axes(figure), view)
-        _paint(sheet, seen, track, outline, body)
+        paint_ball_scene(sheet, seen, track, outline)
         fit_height(figure, sheet.axes, WIDTH, 5.0)
         time_bar(figure, dataset, (track.times[0], track.times[-1]), (0.12, 0.16))
     return figure
+
+
+def surface_seen(track: Track, outline: BodyMesh, ground: SurfaceGround) -> tuple[View, Crossings]:
+    """The view of a ball on its surface, and what is seen of the surface around its way."""
+    view = _view(track, ground.normals(track.contact))
+    extent = float(np.max(np.ptp(track.contact, axis=0)))
+    # nothing of the ball may be cut off
+    around = np.concatenate([track.contact, track.centre[-1:]])
+    margin = 0.75 * outline.diameter + extent * np.array([0.15, 0.15, 0.05])
+    return view, crossings(ground, frame_of(around, margin, ground), view, _COLUMNS)
 
 
 def _view(track: Track, normals: FloatArray) -> View:
@@ -84,8 +86,9 @@ def _view(track: Track, normals: FloatArray) -> View:
     return View(float(np.arctan2(facing[1], facing[0])) + 0.4, 0.42)
 
 
-def _paint(sheet: Canvas, seen: Crossings, track: Track, outline: BodyMesh, body: BodyMesh) -> None:
-    """Surface, path and ball, from the farthest to the nearest."""
+def paint_ball_scene(sheet: Canvas, seen: Crossings, track: Track, outline: BodyMesh) -> None:
+    """Paint surface, path and ball, from the farthest to the nearest."""
+    body = outline.in_space(track.rotation[-1], track.centre[-1])
     times, path = smooth_curve(track.times, track.contact, CURVE_POINTS)
     fractions = time_shares(times)
     ball = float(sheet.view.depth(track.centre[-1]))

@@ -31,8 +31,8 @@ from ..drawing.style import FAINT, INK, STYLE, TIME_COLOURS, WIDTH
 #: Earlier positions that are drawn.
 EARLIER = 5
 #: Length of a drawn wheel or blade: a share of the mechanism's size, and of the picture's at least.
-_OF_MECHANISM = 0.2
-_OF_PICTURE = 0.022
+OF_MECHANISM = 0.2
+OF_PICTURE = 0.022
 #: A mechanism smaller than this share of its path is drawn once more, by itself.
 _SMALL = 0.16
 _PALE = "#b7c3ce"
@@ -68,13 +68,13 @@ def plan_view(dataset: xr.Dataset, motion: PlanMotion) -> Figure:
     instants = times_of(dataset)[good]
     times, path = smooth_curve(instants, motion.path[good], CURVE_POINTS)
     numbers = np.flatnonzero(good)
-    poses = [_Pose(motion, number) for number in _spread(motion.path, numbers)]
+    poses = [Pose(motion, number) for number in _spread(motion.path, numbers)]
     last = poses[-1]
     corners = np.concatenate([path, *(pose.corners for pose in poses)])
     low, high = corners.min(axis=0), corners.max(axis=0)
     extent = float(np.max(high - low))
     # wheels reach beyond their places
-    room = max(_OF_MECHANISM * last.size, _OF_PICTURE * extent) / 2 if last.shapes else 0.0
+    room = max(OF_MECHANISM * last.size, OF_PICTURE * extent) / 2 if last.shapes else 0.0
     low, high = low - room, high + room
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(WIDTH, 4.0))
@@ -97,7 +97,7 @@ def plan_view(dataset: xr.Dataset, motion: PlanMotion) -> Figure:
         sheet = Canvas(axes, View(-np.pi / 2, np.pi / 2))
         flat = np.column_stack([path, np.zeros(len(path))])
         sheet.time_coloured(flat, time_shares(times), 1.6, 1.0)
-        marks = max(_OF_MECHANISM * last.size, _OF_PICTURE * 2 * half)
+        marks = max(OF_MECHANISM * last.size, OF_PICTURE * 2 * half)
         for pose in poses[:-1]:
             pose.draw(axes, marks, _PALE, 50)
         last.draw(axes, marks, INK, 60)
@@ -111,7 +111,7 @@ def plan_view(dataset: xr.Dataset, motion: PlanMotion) -> Figure:
     return figure
 
 
-class _Pose:
+class Pose:
     """A mechanism at an instant: rods, and places with headings."""
 
     def __init__(self, motion: PlanMotion, number: int) -> None:
@@ -199,7 +199,7 @@ def _draw_enlarged(
     sheet: Canvas,
     path: FloatArray,
     fractions: FloatArray,
-    pose: _Pose,
+    pose: Pose,
     wide: float,
 ) -> None:
     """The mechanism at the end by itself, on the right of the map."""
@@ -210,7 +210,7 @@ def _draw_enlarged(
     middle = (corners.min(axis=0) + corners.max(axis=0)) / 2
     near = Canvas(axes, sheet.view)
     near.time_coloured(path, fractions, 1.6, 1.0)
-    pose.draw(axes, _OF_MECHANISM * pose.size, INK, 60)
+    pose.draw(axes, OF_MECHANISM * pose.size, INK, 60)
     _limits(axes, middle, 0.95 * pose.size, 1.0)
     axes.set_xticks([])
     axes.set_yticks([])

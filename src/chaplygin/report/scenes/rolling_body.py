@@ -84,20 +84,11 @@ def scene(
         figure.set_label(f"The body and the path of its contact point: {title_of(dataset)}")
         first, last = track.times[0], track.times[-1]
         colours = ModeColours(dataset, first, last) if "mode" in dataset else None
-        sheet = Canvas(blank_axes(figure), _scene_view(track, surface), colours)
-        body = outline.in_space(track.rotation[-1], track.centre[-1])
-        if isinstance(surface, PlaneGround):
-            spacing = _scene_on_plane(sheet, track, outline, body)
-            note = f"grid {spacing:g} {unit_of(dataset, 'contact')}".rstrip()
-        else:
-            note = ""
-            if body.hollow:
-                _scene_around_sphere(sheet, track, body, surface)
-            elif surface.radius > 0.0:
-                _scene_on_sphere(sheet, track, body, surface)
-            else:
-                _scene_in_bowl(sheet, track, body, surface)
+        sheet = Canvas(blank_axes(figure), scene_view(track, surface), colours)
+        spacing = draw_scene(sheet, track, outline, surface)
+        note = f"grid {spacing:g} {unit_of(dataset, 'contact')}".rstrip() if spacing else ""
         if colours is not None:
+            body = outline.in_space(track.rotation[-1], track.centre[-1])
             mark_events(sheet, dataset, track.times, track.contact, surface, body)
         fit_height(figure, sheet.axes, WIDTH, 5.0)
         if colours is None:
@@ -114,6 +105,38 @@ def scene(
             fontsize=9,
         )
     return figure
+
+
+def draw_scene(
+    sheet: Canvas, track: Track, outline: BodyMesh, surface: Ground, whole: Track | None = None
+) -> float:
+    """Draw the body at the end of a way, its surface and the paths of the contact.
+
+    Parameters
+    ----------
+    sheet : Canvas
+    track : Track
+    outline : BodyMesh
+    surface : Ground
+    whole : Track, optional
+        The way around which the surface is drawn, where it is to stay as the way goes on; the body
+        is then not drawn at earlier positions.
+
+    Returns
+    -------
+    float
+        The spacing of the grid on a plane; 0 where there is none.
+    """
+    body = outline.in_space(track.rotation[-1], track.centre[-1])
+    if isinstance(surface, PlaneGround):
+        return _scene_on_plane(sheet, track, outline, body, whole)
+    if body.hollow:
+        _scene_around_sphere(sheet, track, body, surface)
+    elif surface.radius > 0.0:
+        _scene_on_sphere(sheet, track, body, surface, whole or track)
+    else:
+        _scene_in_bowl(sheet, track, body, surface, whole or track)
+    return 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -192,7 +215,7 @@ def track_of(dataset: xr.Dataset, until: float | None) -> Track:
     )
 
 
-def _scene_view(track: Track, ground: Ground) -> View:
+def scene_view(track: Track, ground: Ground) -> View:
     """The view from which the path runs from left to right."""
     end = track.contact[-1]
     if isinstance(ground, PlaneGround):
@@ -279,11 +302,15 @@ def _draw_ghosts(sheet: Canvas, track: Track, outline: BodyMesh) -> None:
         sheet.outline(border, "#b5c2cf", 0.6)
 
 
-def _scene_on_plane(sheet: Canvas, track: Track, outline: BodyMesh, body: BodyMesh) -> float:
+def _scene_on_plane(
+    sheet: Canvas, track: Track, outline: BodyMesh, body: BodyMesh, whole: Track | None
+) -> float:
     """Draw grid, shadow, paths and body; give the spacing of the grid."""
     times, path = track.path(PlaneGround())
-    spacing = draw_grid(sheet, path.points, outline.diameter)
-    _draw_ghosts(sheet, track, outline)
+    around = path if whole is None else whole.path(PlaneGround())[1]
+    spacing = draw_grid(sheet, around.points, outline.diameter)
+    if whole is None:
+        _draw_ghosts(sheet, track, outline)
     sheet.time_coloured(path.points, time_shares(times), 2.0, 1.0)
     mark_start(sheet, path, 1.0)
     _draw_shadow(sheet, body, PlaneGround())
@@ -291,7 +318,9 @@ def _scene_on_plane(sheet: Canvas, track: Track, outline: BodyMesh, body: BodyMe
     return spacing
 
 
-def _scene_on_sphere(sheet: Canvas, track: Track, body: BodyMesh, ground: SphereGround) -> None:
+def _scene_on_sphere(
+    sheet: Canvas, track: Track, body: BodyMesh, ground: SphereGround, whole: Track
+) -> None:
     times, path = track.path(ground)
     fractions = time_shares(times)
     room = max(0.12, 0.75 * body.diameter / ground.radius)
@@ -299,7 +328,7 @@ def _scene_on_sphere(sheet: Canvas, track: Track, body: BodyMesh, ground: Sphere
     # The plane of contact parts body and sphere: the reader's side of it hides the other.
     if not in_front:
         draw_body(sheet, body, track)
-    draw_outside(sheet, ground.radius, cap_opening(path.points, 1.0, room, 1.2))
+    draw_outside(sheet, ground.radius, cap_opening(whole.path(ground)[1].points, 1.0, room, 1.2))
     timed_on_surface(sheet, path, fractions, -1.0, 1.0, 0.35)
     timed_on_surface(sheet, path, fractions, 1.0, 2.0, 1.0)
     mark_start(sheet, path, 1.0)
@@ -310,11 +339,13 @@ def _scene_on_sphere(sheet: Canvas, track: Track, body: BodyMesh, ground: Sphere
         _draw_border(sheet, body, "#b5c2cf", 0.6)
 
 
-def _scene_in_bowl(sheet: Canvas, track: Track, body: BodyMesh, ground: SphereGround) -> None:
+def _scene_in_bowl(
+    sheet: Canvas, track: Track, body: BodyMesh, ground: SphereGround, whole: Track
+) -> None:
     radius = abs(ground.radius)
     times, path = track.path(ground)
     fractions = time_shares(times)
-    opening = cap_opening(path.points, -1.0, 0.3, 1.75)
+    opening = cap_opening(whole.path(ground)[1].points, -1.0, 0.3, 1.75)
     draw_far_wall(sheet, radius, opening)
     timed_on_surface(sheet, path, fractions, -1.0, 2.0, 1.0)
     _draw_shadow(sheet, body, ground)

@@ -1,0 +1,134 @@
+"""``chaplygin animate``: a motion as a film, or as a model that moves."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from ..interruption import NOTHING, ending
+from .common import Force, Override, What, inform, study_of
+from .output_destination import STANDARD_OUTPUT, check_output
+from .progress import progress
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from ..experiment.study import Study
+    from ..report.film.frames import Picture
+    from ..report.write import Report
+
+#: Samples of a motion through which paths are drawn, at least.
+SMOOTH = 2000
+
+ENDINGS = (".mp4", ".webm", ".gif", ".glb")
+
+#: Frames of a film at most.
+MOST_FRAMES = 20_000
+
+
+def command(
+    what: What,
+    output: Annotated[
+        Path,
+        typer.Option(
+            "-o", "--output", metavar="FILE", help="Film to write: .mp4, .webm, .gif, or .glb."
+        ),
+    ],
+    rate: Annotated[int, typer.Option(help="Frames in a second.")] = 25,
+    speed: Annotated[
+        float, typer.Option(help="Seconds of the motion in a second of the film.")
+    ] = 1.0,
+    width: Annotated[int, typer.Option(help="Width in pixels.")] = 1280,
+    height: Annotated[int, typer.Option(help="Height in pixels.")] = 720,
+    overrides: Override = None,
+    force: Force = False,
+) -> None:
+    """Write the motion as a film, or as a model in space that moves (.glb); needs no browser.
+
+    .mp4 (H.264) and .webm (VP9) need the extra: pip install 'chaplygin[film]'.
+    """
+    from ..errors import InputError
+    from ..report.film.encode import require_encoder
+
+    suffix = output.suffix.lower()
+    if output == STANDARD_OUTPUT or suffix not in ENDINGS:
+        raise InputError(f"--output {output}: its name must end in {', '.join(ENDINGS)}")
+    for name, number, low, high in (
+        ("--rate", rate, 1, 120),
+        ("--width", width, 64, 7680),
+        ("--height", height, 64, 4320),
+    ):
+        if not low <= number <= high:
+            raise InputError(f"{name} {number}: it must be a whole number from {low} to {high}")
+    if not 0 < speed < float("inf"):
+        raise InputError(f"--speed {speed:g}: it must be a positive number")
+    check_output("--output", output, force, False, what)
+    if suffix != ".glb":
+        require_encoder(suffix)
+    study = study_of(what, overrides)
+    steps = max(1, round(abs(study.until) / speed * rate))
+    if steps > MOST_FRAMES:
+        raise InputError(
+            f"the film would have {steps:,} frames, and at most {MOST_FRAMES:,} are drawn: a "
+            "shorter motion (--set run.until=…), a larger --speed or a smaller --rate has fewer"
+        )
+    with ending(NOTHING), progress(f"integrating: {study.system.title}") as report:
+        if suffix == ".glb":
+            _model(study, steps, output)
+        else:
+            # an encoder halves the resolution of colours
+            size = (width - width % 2, height - height % 2)
+            _film(study, steps, output, rate, size, report)
+    inform(f"written to {output}")
+
+
+def _sampled(study: Study, steps: int) -> Study:
+    """The study with a sample for each frame."""
+    from dataclasses import replace
+
+    run = study.experiment.run.model_copy(update={"samples": steps + 1})
+    return replace(study, experiment=study.experiment.model_copy(update={"run": run}))
+
+
+def _film(
+    study: Study, steps: int, output: Path, rate: int, size: tuple[int, int], report: Report
+) -> None:
+    from ..experiment.plan import plan_motion
+    from ..experiment.study import dataset_of
+    from ..report.film.encode import write_film
+    from ..report.film.frames import frames
+
+    pieces = -(-SMOOTH // steps)
+    trajectory = _sampled(study, steps).trajectory(report, pieces)
+    drawn = None if study.subject.plan is None else plan_motion(study.subject.plan, trajectory)
+    count, pictures = frames(study.subject, dataset_of(study, trajectory), drawn, pieces, size)
+    report.say(f"drawing {count} frames")
+
+    def counted() -> Iterator[Picture]:
+        for number, picture in enumerate(pictures, 1):
+            yield picture
+            report(number / count)
+
+    write_film(counted(), output, rate, size)
+
+
+def _model(study: Study, steps: int, output: Path) -> None:
+    from ..errors import InputError
+    from ..experiment.contact_subject import ContactSubject
+    from ..experiment.study import dataset_of
+    from ..experiment.subject import BallSubject
+    from ..report.film.gltf import write_gltf
+    from ..report.scenes.scene import ball_scene_of, scene_of
+
+    subject = study.subject
+    contact = subject.contact if isinstance(subject, ContactSubject) else subject.rolling
+    if isinstance(subject, BallSubject):
+        outline = ball_scene_of(subject.ball).outline
+    elif contact is not None:
+        outline = scene_of(contact).outline
+    else:
+        raise InputError(f"{study.system.title} has no body that could be a model in space")
+    sampled = _sampled(study, steps)
+    write_gltf(dataset_of(sampled, sampled.trajectory()), outline, output)

@@ -1,0 +1,1 @@
+"""Motions as films, and as models that move."""
