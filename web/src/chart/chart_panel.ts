@@ -6,6 +6,7 @@ import { plain } from "../page/mathml";
 import { readable } from "../page/numbers";
 import { INDICATOR_SCALE, onScale, palette } from "../page/palette";
 import { megnoShare, megnoWords } from "../page/indicator";
+import { SERIF } from "../page/type";
 import { unitText } from "../page/units";
 import type { SectionSetting } from "../section/orbits";
 import { rangeAround } from "../controls/slider";
@@ -254,7 +255,7 @@ class Panel implements ChartPanel {
     const { drawn } = this;
     if (drawn === null) {
       pen.fillStyle = palette().quiet;
-      pen.font = "15px 'STIX Two Text', 'Palatino Linotype', Georgia, serif";
+      pen.font = `${frame.letter}px ${SERIF}`;
       pen.textAlign = "center";
       pen.fillText("Choose the axes and press Compute", frame.width / 2, frame.height / 2);
       return;

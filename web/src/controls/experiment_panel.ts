@@ -14,7 +14,7 @@ export function experimentPanel(lab: Lab): HTMLElement | null {
   if (lab.engine === null) return null;
   const usual = usualValues(model);
   const starts = model.start_inputs.map((input) => {
-    const made = slider({ ...input, symbol: formula(input.mathml) }, () => lab.mark(), (value) => {
+    const made = slider({ ...input, symbol: symbolOf(input) }, () => lab.mark(), (value) => {
       const inputs = startInputs(lab);
       const next = changed(inputs, input.name, value, usual.inputs.get(input.name) ?? NaN);
       void lab.change({ ...lab.wanted.value, start: { inputs: next } }, false);
@@ -23,7 +23,7 @@ export function experimentPanel(lab: Lab): HTMLElement | null {
   });
   const parameters = model.parameters.filter((each) => !each.fixed).map((each) => {
     const [low, high] = rangeAround(each.value, each.low, each.high);
-    const made = slider({ ...each, symbol: formula(each.mathml), low, high }, () => lab.mark(), (value) => {
+    const made = slider({ ...each, symbol: symbolOf(each), low, high }, () => lab.mark(), (value) => {
       const now = lab.wanted.value;
       void lab.change({ ...now, parameters: changed(now.parameters, each.name, value, each.value) }, false);
     });
@@ -56,19 +56,19 @@ export function experimentPanel(lab: Lab): HTMLElement | null {
   return element(
     "div",
     { class: "lab-sliders" },
-    group("Start", starts, note),
-    group("Parameters", parameters, null),
-    element("div", { role: "group", "aria-label": "Run" }, head("Run"), until.element, reset),
+    group("Start", true, starts, note),
+    group("Parameters", parameters.length <= 6 || innerWidth > 620, parameters, null),
+    element("details", { open: true }, element("summary", {}, "Run"), until.element, reset),
   );
 }
 
-function group(words: string, sliders: readonly (readonly [string, Slider])[], note: HTMLElement | null): HTMLElement | null {
+function group(words: string, open: boolean, sliders: readonly (readonly [string, Slider])[], note: HTMLElement | null): HTMLElement | null {
   if (sliders.length === 0) return null;
-  return element("div", { role: "group", "aria-label": words }, head(words), ...sliders.map(([, made]) => made.element), note);
+  return element("details", { open }, element("summary", {}, words), ...sliders.map(([, made]) => made.element), note);
 }
 
-function head(words: string): HTMLElement {
-  return element("p", { class: "lab-group-head" }, words);
+function symbolOf({ mathml, name }: { mathml: string; name: string }): Node {
+  return mathml ? formula(mathml) : document.createTextNode(name.replaceAll("_", " "));
 }
 
 function usualValues(model: PageModel): { inputs: Map<string, number>; parameters: Map<string, number> } {

@@ -3,13 +3,15 @@
 import uPlot from "uplot";
 import type { Lab } from "../lab";
 import { element, toggle } from "../page/dom";
+import { letter, SERIF } from "../page/type";
 import { formula } from "../page/mathml";
 import { readable } from "../page/numbers";
 import { onSchemeChange, palette, type Palette } from "../page/palette";
 import { place } from "../playback/motion";
 import { seriesGroups, type SeriesGroup } from "./series";
 
-const HEIGHT = 170;
+/** Height of a plot, in letters of the page. */
+const HEIGHT = 10.5;
 
 export interface PlotsPanel {
   element: HTMLElement;
@@ -75,7 +77,7 @@ export function plotsPanel(lab: Lab): PlotsPanel {
     const first = width === 0;
     width = sheets.clientWidth;
     if (first) build();
-    else for (const { plot } of plots) plot.setSize({ width, height: HEIGHT });
+    else for (const { plot } of plots) plot.setSize({ width, height: Math.round(HEIGHT * letter()) });
   }).observe(sheets);
   return { element: panel, chosen: drawn };
 }
@@ -113,19 +115,19 @@ function dataOf(lab: Lab, group: SeriesGroup): uPlot.AlignedData {
 
 function plotOf(lab: Lab, group: SeriesGroup, holder: HTMLElement, width: number): uPlot {
   const colours = palette();
-  const marks = { stroke: colours.quiet, font: "13px 'STIX Two Text', Georgia, serif", ticks: { stroke: colours.line, width: 1, size: 4 }, grid: { stroke: colours.line, width: 0.5 } };
+  const marks = { stroke: colours.quiet, font: `${0.8 * letter()}px ${SERIF}`, ticks: { stroke: colours.line, width: 1, size: 4 }, grid: { stroke: colours.line, width: 0.5 } };
   const dashes = [[], [7, 3], [2, 3], [8, 3, 2, 3]];
   const label = `${group.text}${group.unit ? `  (${group.unit})` : ""}`;
   const plot: uPlot = new uPlot(
     {
       width,
-      height: HEIGHT,
+      height: Math.round(HEIGHT * letter()),
       legend: { show: false },
       scales: { x: { time: false } },
       cursor: { y: false, drag: { x: false, y: false }, points: { size: 6 }, focus: { prox: 24 } },
       axes: [
-        { ...marks, size: 30, values: (_, values) => values.map((value) => readable(value, 6)) },
-        { ...marks, size: 62, label, labelSize: 22, labelFont: "italic 14px 'STIX Two Text', Georgia, serif", values: (_, values) => values.map((value) => readable(value, 6)) },
+        { ...marks, size: 1.9 * letter(), values: (_, values) => values.map((value) => readable(value, 6)) },
+        { ...marks, size: 3.9 * letter(), label, labelSize: 1.4 * letter(), labelFont: `italic ${0.88 * letter()}px ${SERIF}`, values: (_, values) => values.map((value) => readable(value, 6)) },
       ],
       series: [
         {},

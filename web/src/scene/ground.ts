@@ -24,7 +24,7 @@ export interface Ground {
   /** Spacing of its grid in metres; 0 without one. */
   spacing: number;
   /** Move what follows the reader's target. */
-  around(target: Vector, reach: number): void;
+  around(target: Vector, reach: number, body: Vector, shadow: number): void;
 }
 
 /** The plane z = 0, with a grid that fades around the target, and shadows. */
@@ -65,19 +65,21 @@ export function planeGround(spacing: number, colours: Palette): Ground {
   return {
     group,
     spacing,
-    around(target, reach) {
+    around(target, reach, body, shadowed) {
       // corners are moved rather than the mesh: the grid stays where it is in space
-      for (const attribute of corners) {
-        for (let k = 0; k < 4; k++) {
-          attribute.setXYZ(k, target[0] + reach * (k % 2 ? 1 : -1), target[1] + reach * (k < 2 ? 1 : -1), 0);
-        }
-        attribute.needsUpdate = true;
-      }
+      square(corners[0], target, reach);
+      square(corners[1], body, shadowed);
       (grid.uniforms["middle"]?.value as Vector3).set(...target);
       const uniform = grid.uniforms["reach"];
       if (uniform) uniform.value = reach;
     },
   };
+}
+
+function square(attribute: BufferAttribute | undefined, [x, y]: Vector, half: number): void {
+  if (attribute === undefined) return;
+  for (let k = 0; k < 4; k++) attribute.setXYZ(k, x + half * (k % 2 ? 1 : -1), y + half * (k < 2 ? 1 : -1), 0);
+  attribute.needsUpdate = true;
 }
 
 /** A sphere about the origin, or the cap of it with this angle from the pole to the rim. */

@@ -1,10 +1,10 @@
 /** Curves of constant width on the screen, in the colours of time, drawn up to an instant. */
 
 import {
+  BufferAttribute,
+  BufferGeometry,
   Color,
-  Float32BufferAttribute,
-  InstancedBufferGeometry,
-  InstancedInterleavedBuffer,
+  InterleavedBuffer,
   InterleavedBufferAttribute,
   Mesh,
   ShaderMaterial,
@@ -15,8 +15,8 @@ import type { TimedCurve } from "../playback/curve";
 const COLOURS = 5;
 
 const VERTEX = `
-attribute vec3 from;
 attribute vec3 to;
+attribute vec2 corner;
 attribute vec2 fromMark;
 attribute vec2 toMark;
 uniform vec2 screen;
@@ -24,17 +24,17 @@ uniform float width;
 uniform float lift;
 varying vec2 vMark;
 void main() {
-  vec4 a = projectionMatrix * modelViewMatrix * vec4(from, 1.0);
+  vec4 a = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
   vec4 b = projectionMatrix * modelViewMatrix * vec4(to, 1.0);
   vec2 run = (b.xy / b.w - a.xy / a.w) * screen;
   float far = length(run);
   vec2 along = far > 1e-6 ? run / far : vec2(1.0, 0.0);
   vec2 side = vec2(-along.y, along.x);
-  bool end = position.x > 0.5;
+  bool end = corner.x > 0.5;
   gl_Position = end ? b : a;
   vMark = end ? toMark : fromMark;
   // half a width beyond both ends: the joints of thick curves stay closed
-  vec2 shift = side * position.y + along * (end ? 0.35 : -0.35);
+  vec2 shift = side * corner.y + along * (end ? 0.35 : -0.35);
   gl_Position.xy += shift * width / screen * gl_Position.w;
   gl_Position.z -= lift * gl_Position.w;
 }`;
@@ -70,26 +70,13 @@ export interface RibbonStyle {
 
 /** A timed curve as a mesh. */
 export class Ribbon {
-  readonly mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
+  readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   private readonly curve: TimedCurve;
 
   constructor(curve: TimedCurve, style: RibbonStyle, colours: readonly string[]) {
     this.curve = curve;
     const count = curve.times.length;
-    const data = new Float32Array(5 * Math.max(2, count));
-    for (let k = 0; k < count; k++) {
-      data.set([curve.points[3 * k] ?? 0, curve.points[3 * k + 1] ?? 0, curve.points[3 * k + 2] ?? 0, curve.times[k] ?? 0, curve.lengths[k] ?? 0], 5 * k);
-    }
-    const geometry = new InstancedBufferGeometry();
-    geometry.setAttribute("position", new Float32BufferAttribute([0, -1, 0, 1, -1, 0, 0, 1, 0, 1, 1, 0], 3));
-    geometry.setIndex([0, 1, 2, 2, 1, 3]);
-    const first = new InstancedInterleavedBuffer(data, 5, 1);
-    const second = new InstancedInterleavedBuffer(data.slice(5), 5, 1);
-    geometry.setAttribute("from", new InterleavedBufferAttribute(first, 3, 0));
-    geometry.setAttribute("fromMark", new InterleavedBufferAttribute(first, 2, 3));
-    geometry.setAttribute("to", new InterleavedBufferAttribute(second, 3, 0));
-    geometry.setAttribute("toMark", new InterleavedBufferAttribute(second, 2, 3));
-    geometry.instanceCount = Math.max(0, count - 1);
+    const geometry = segments(curve);
     const material = new ShaderMaterial({
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
@@ -122,7 +109,14 @@ export class Ribbon {
       if ((times[middle] ?? 0) <= t) low = middle;
       else high = middle;
     }
-    this.uniform<Vector2>("now").set(t, lengths[t >= (times[high] ?? 0) ? high : low] ?? 0);
+    const now = t >= (times[high] ?? 0) ? high : low;
+    this.uniform<Vector2>("now").set(t, lengths[now] ?? 0);
+    // what is to come is not drawn at all where it has no colour
+    if (this.uniform<number>("after") > 0) return;
+    const since = (lengths[now] ?? 0) - this.uniform<number>("tail");
+    let first = now;
+    while (first > 0 && (lengths[first] ?? 0) > since) first -= 1;
+    this.mesh.geometry.setDrawRange(6 * first, 6 * (now - first + 1));
   }
 
   /** Tell it how large the picture is, in CSS pixels. */
@@ -138,4 +132,34 @@ export class Ribbon {
   private uniform<T>(name: string): T {
     return this.mesh.material.uniforms[name]?.value as T;
   }
+}
+
+/** Numbers of a corner: the segment's start, its end, the corner, and time and length at both ends. */
+const STRIDE = 12;
+
+/** Four corners a segment. They are no instances of one: that is slow where no graphics card draws. */
+function segments({ points, times, lengths }: TimedCurve): BufferGeometry {
+  const count = Math.max(0, times.length - 1);
+  const data = new Float32Array(4 * STRIDE * count);
+  const indices = new Uint32Array(6 * count);
+  for (let k = 0; k < count; k++) {
+    for (let corner = 0; corner < 4; corner++) {
+      const at = STRIDE * (4 * k + corner);
+      data.set(points.subarray(3 * k, 3 * k + 6), at);
+      data.set([corner & 1, corner & 2 ? 1 : -1, times[k] ?? 0, lengths[k] ?? 0, times[k + 1] ?? 0, lengths[k + 1] ?? 0], at + 6);
+    }
+    indices.set([0, 1, 2, 2, 1, 3].map((corner) => 4 * k + corner), 6 * k);
+  }
+  const geometry = new BufferGeometry();
+  const buffer = new InterleavedBuffer(data, STRIDE);
+  const add = (name: string, size: number, offset: number): void => {
+    geometry.setAttribute(name, new InterleavedBufferAttribute(buffer, size, offset));
+  };
+  add("position", 3, 0);
+  add("to", 3, 3);
+  add("corner", 2, 6);
+  add("fromMark", 2, 8);
+  add("toMark", 2, 10);
+  geometry.setIndex(new BufferAttribute(indices, 1));
+  return geometry;
 }

@@ -41,6 +41,8 @@ export interface Shown {
 
 const TRACE_ON_BODY = 6.3;
 const VECTOR_LENGTH = 0.9;
+/** Points with which a curve is drawn, where it has fewer samples. */
+const CURVE_POINTS = 1200;
 
 /** Draws motions of one model. Lengths of the model are divided by its size. */
 export class Stage {
@@ -152,9 +154,9 @@ export class Stage {
     this.camera.lookAt(target);
     const metres = this.view.target.map((place) => place * this.size) as Vector;
     const nearby = Math.min(Math.max(this.reach, 2), 0.62 * this.view.distance);
-    this.ground?.around(metres, nearby * this.size);
-    const body = new Vector3(...now.centre).divideScalar(this.size);
-    if (this.linkage !== null) body.set(metres[0], metres[1], 0).divideScalar(this.size);
+    const place = this.placeOf(now);
+    this.ground?.around(metres, nearby * this.size, place, 1.7 * this.size);
+    const body = new Vector3(...place).divideScalar(this.size);
     this.lamp.target.position.copy(body);
     this.lamp.position.copy(body).add(this.lampDirection().multiplyScalar(6));
     this.renderer.render(this.world, this.camera);
@@ -200,10 +202,16 @@ export class Stage {
   }
 
   private follow(now: Pose): void {
-    const { path } = this.scene;
-    const place = path === null ? now.centre : (row(this.motion, path, 2, now.t) ?? [0, 0]);
-    const [x = 0, y = 0, z = 0] = place;
+    const [x, y, z] = this.placeOf(now);
     this.view = { ...this.view, target: [x / this.size, y / this.size, z / this.size] };
+  }
+
+  /** Where the body, or the mechanism, is. */
+  private placeOf(now: Pose): Vector {
+    const { path } = this.scene;
+    if (path === null) return now.centre;
+    const [x = 0, y = 0] = row(this.motion, path, 2, now.t) ?? [];
+    return [x, y, 0];
   }
 
   private clear(): void {
@@ -302,7 +310,7 @@ export class Stage {
   private curveOf(column: string): TimedCurve {
     const name = this.motion.columns[column] ? column : "centre";
     const count = finiteSamples(this.motion, name, 3);
-    const parts = Math.max(1, Math.min(6, Math.ceil(2400 / Math.max(1, count))));
+    const parts = Math.max(1, Math.min(6, Math.ceil(CURVE_POINTS / Math.max(1, count))));
     return smoothCurve(this.motion.times, this.motion.columns[name] ?? new Float64Array(0), count, parts);
   }
 
@@ -321,7 +329,7 @@ export class Stage {
       const arm = contact.map((place, i) => place - (centre[i] ?? 0)) as Vector;
       points.set(turnedBack(attitude, arm), 3 * k);
     }
-    return smoothCurve(motion.times, points, count, Math.max(1, Math.min(6, Math.ceil(2400 / Math.max(1, count)))));
+    return smoothCurve(motion.times, points, count, Math.max(1, Math.min(6, Math.ceil(CURVE_POINTS / Math.max(1, count)))));
   }
 
   private place(now: Pose): void {

@@ -1,6 +1,7 @@
 /** The frame of a plane of two quantities: where a value is on the paper, and the marks on its axes. */
 
 import { readable, ticks } from "../page/numbers";
+import { SERIF } from "../page/type";
 import type { Palette } from "../page/palette";
 
 export type Range = [low: number, high: number];
@@ -11,49 +12,56 @@ export interface Axis {
   label: string;
 }
 
-/** Space in CSS pixels around the plane. */
-export const MARGIN = { left: 62, right: 14, top: 10, bottom: 42 } as const;
+/** Space around the plane, in letters of the page. */
+const MARGIN = { left: 3.8, right: 0.9, top: 0.6, bottom: 2.6 } as const;
 
 /** Places of a plane on a drawing surface of this size in CSS pixels. */
 export class Frame {
+  readonly margin: { readonly left: number; readonly right: number; readonly top: number; readonly bottom: number };
+
   constructor(
     readonly width: number,
     readonly height: number,
     readonly x: Axis,
     readonly y: Axis,
-  ) {}
+    /** Size of a letter in CSS pixels. */
+    readonly letter = 16,
+  ) {
+    const { left, right, top, bottom } = MARGIN;
+    this.margin = { left: left * letter, right: right * letter, top: top * letter, bottom: bottom * letter };
+  }
 
   get innerWidth(): number {
-    return Math.max(1, this.width - MARGIN.left - MARGIN.right);
+    return Math.max(1, this.width - this.margin.left - this.margin.right);
   }
 
   get innerHeight(): number {
-    return Math.max(1, this.height - MARGIN.top - MARGIN.bottom);
+    return Math.max(1, this.height - this.margin.top - this.margin.bottom);
   }
 
   right(value: number): number {
     const [low, high] = this.x.range;
-    return MARGIN.left + ((value - low) / (high - low)) * this.innerWidth;
+    return this.margin.left + ((value - low) / (high - low)) * this.innerWidth;
   }
 
   down(value: number): number {
     const [low, high] = this.y.range;
-    return MARGIN.top + ((high - value) / (high - low)) * this.innerHeight;
+    return this.margin.top + ((high - value) / (high - low)) * this.innerHeight;
   }
 
   valueX(right: number): number {
     const [low, high] = this.x.range;
-    return low + ((right - MARGIN.left) / this.innerWidth) * (high - low);
+    return low + ((right - this.margin.left) / this.innerWidth) * (high - low);
   }
 
   valueY(down: number): number {
     const [low, high] = this.y.range;
-    return high - ((down - MARGIN.top) / this.innerHeight) * (high - low);
+    return high - ((down - this.margin.top) / this.innerHeight) * (high - low);
   }
 
   /** Whether a place on the paper is in the plane. */
   contains(right: number, down: number): boolean {
-    return right >= MARGIN.left && right <= this.width - MARGIN.right && down >= MARGIN.top && down <= this.height - MARGIN.bottom;
+    return right >= this.margin.left && right <= this.width - this.margin.right && down >= this.margin.top && down <= this.height - this.margin.bottom;
   }
 }
 
@@ -64,10 +72,10 @@ export function zoomedRange([low, high]: Range, about: number, factor: number): 
 
 /** Draw axes, marks and labels. */
 export function drawFrame(pen: CanvasRenderingContext2D, frame: Frame, colours: Palette): void {
-  const { left, top } = MARGIN;
+  const { margin: { left, top }, letter } = frame;
   const { innerWidth: wide, innerHeight: tall } = frame;
   pen.save();
-  pen.font = "13px 'STIX Two Text', 'Palatino Linotype', Georgia, serif";
+  pen.font = `${0.8 * letter}px ${SERIF}`;
   pen.lineWidth = 1;
   pen.strokeStyle = colours.quiet;
   pen.beginPath();
@@ -78,23 +86,23 @@ export function drawFrame(pen: CanvasRenderingContext2D, frame: Frame, colours: 
   pen.fillStyle = colours.ink;
   pen.textAlign = "center";
   pen.textBaseline = "top";
-  for (const value of ticks(...frame.x.range, Math.max(2, wide / 90))) {
+  for (const value of ticks(...frame.x.range, Math.max(2, wide / (5.6 * letter)))) {
     const place = frame.right(value);
     tick(pen, place, top + tall, 0, 4);
     pen.fillText(readable(value, 6), place, top + tall + 6);
   }
   pen.textAlign = "right";
   pen.textBaseline = "middle";
-  for (const value of ticks(...frame.y.range, Math.max(2, tall / 55))) {
+  for (const value of ticks(...frame.y.range, Math.max(2, tall / (3.4 * letter)))) {
     const place = frame.down(value);
     tick(pen, left - 4, place, 4, 0);
     pen.fillText(readable(value, 6), left - 7, place);
   }
-  pen.font = "italic 15px 'STIX Two Text', 'Palatino Linotype', Georgia, serif";
+  pen.font = `italic ${0.92 * letter}px ${SERIF}`;
   pen.textAlign = "center";
   pen.textBaseline = "bottom";
   pen.fillText(frame.x.label, left + wide / 2, frame.height - 2);
-  pen.translate(14, top + tall / 2);
+  pen.translate(0.85 * letter, top + tall / 2);
   pen.rotate(-Math.PI / 2);
   pen.textBaseline = "middle";
   pen.fillText(frame.y.label, 0, 0);

@@ -1,6 +1,7 @@
 /** A plane of two quantities on the screen: pointer, wheel, fingers and keys. */
 
 import { element, fitCanvas } from "../page/dom";
+import { letter } from "../page/type";
 import { onSchemeChange, palette } from "../page/palette";
 import { drawFrame, Frame, zoomedRange, type Axis, type Range } from "./frame";
 
@@ -66,7 +67,7 @@ export class Sheet {
   }
 
   get frame(): Frame {
-    return new Frame(this.element.clientWidth, this.element.clientHeight, this.x, this.y);
+    return new Frame(this.element.clientWidth, this.element.clientHeight, this.x, this.y, letter());
   }
 
   /** The pen on the picture, in CSS pixels, to add to what is painted. */
