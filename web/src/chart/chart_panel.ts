@@ -4,7 +4,7 @@ import type { Lab } from "../lab";
 import { choice, element } from "../page/dom";
 import { plain } from "../page/mathml";
 import { readable } from "../page/numbers";
-import { INDICATOR_SCALE, onScale, palette } from "../page/palette";
+import { indicatorScale, onScale, palette } from "../page/palette";
 import { megnoShare, megnoWords } from "../page/indicator";
 import { SERIF } from "../page/type";
 import { unitText } from "../page/units";
@@ -221,7 +221,7 @@ class Panel implements ChartPanel {
         for (let column = 0; column < size; column += side) {
           if (this.sides[row * size + column] !== side) continue;
           const value = drawn.values[row * size + column] ?? NaN;
-          const colour = Number.isFinite(value) ? onScale(INDICATOR_SCALE, this.share(value)) : null;
+          const colour = Number.isFinite(value) ? onScale(indicatorScale(), this.share(value)) : null;
           for (let r = row; r < Math.min(size, row + side); r++) {
             for (let c = column; c < Math.min(size, column + side); c++) {
               const place = 4 * ((size - 1 - r) * size + c);
@@ -247,7 +247,7 @@ class Panel implements ChartPanel {
     const { drawn } = this;
     if (drawn === null) return;
     const [low, high] = drawn.setting.kind === "megno" ? ["MEGNO 2, regular", "32 and more, chaotic"] : drawn.scale.map((value) => readable(value, 3));
-    const scale = element("i", { style: `background:linear-gradient(90deg,${INDICATOR_SCALE.join(",")})` });
+    const scale = element("i", { style: `background:linear-gradient(90deg,${indicatorScale().join(",")})` });
     this.key.replaceChildren(element("span", {}, low ?? ""), scale, element("span", {}, high ?? ""), element("span", {}, "blank: no such motion"));
   }
 

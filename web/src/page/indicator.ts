@@ -1,6 +1,6 @@
 /** Colours and words for indicators of chaos. */
 
-import { INDICATOR_SCALE, onScale } from "./palette";
+import { indicatorScale, onScale } from "./palette";
 import { readable } from "./numbers";
 
 /** Share of the scale for a MEGNO: it tends to 2 on regular motions and grows with chaos. */
@@ -10,7 +10,7 @@ export function megnoShare(value: number): number {
 
 /** Colour of a MEGNO, red, green and blue. */
 export function megnoColour(value: number): [number, number, number] {
-  return onScale(INDICATOR_SCALE, megnoShare(value));
+  return onScale(indicatorScale(), megnoShare(value));
 }
 
 /** A MEGNO in words. */

@@ -95,7 +95,15 @@ export function onScale(scale: readonly string[], share: number): [number, numbe
   ];
 }
 
-/** From regular to chaotic: dark blue to yellow, in even steps of lightness (cividis). */
-export const INDICATOR_SCALE = [
+/** From regular to chaotic. */
+export function indicatorScale(): readonly string[] {
+  return palette().dark ? INDICATOR_BY_NIGHT : INDICATOR_BY_DAY;
+}
+
+/* Without its darkest part, which is lost on a dark page. */
+const INDICATOR_BY_NIGHT = ["#4f7cc4", "#6a7fae", "#7f8592", "#93907f", "#a99d74", "#c3b369", "#e1cc55", "#fee838"] as const;
+
+/* Dark blue to yellow, in even steps of lightness (cividis). */
+const INDICATOR_BY_DAY = [
   "#00224e", "#123570", "#3b496c", "#575d6d", "#707173", "#8a8678", "#a59c74", "#c3b369", "#e1cc55", "#fee838",
 ] as const;

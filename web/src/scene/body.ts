@@ -25,21 +25,33 @@ export class BodyModel {
   readonly group = new Group();
   private readonly materials: MeshPhongMaterial[] = [];
 
+  private readonly middle = new Vector3();
+
   constructor(surface: Surface, colours: Palette) {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(surface.positions, 3));
-    geometry.setAttribute("normal", new BufferAttribute(surface.normals, 3));
-    geometry.setIndex(new BufferAttribute(surface.indices, 1));
-    const { low, high } = box(surface.positions);
-    const middle = new Vector3(...low).add(new Vector3(...high)).multiplyScalar(0.5);
     const { hollow } = surface;
     for (const side of hollow ? [BackSide, FrontSide] : [DoubleSide]) {
-      const material = twoTones(middle, side, hollow, colours);
-      const mesh = new Mesh(geometry, material);
+      const material = twoTones(this.middle, side, hollow, colours);
+      const mesh = new Mesh(new BufferGeometry(), material);
       mesh.castShadow = !hollow;
       mesh.renderOrder = side === BackSide ? 0 : hollow ? 8 : 1;
       this.materials.push(material);
       this.group.add(mesh);
+    }
+    this.reshape(surface);
+  }
+
+  /** Give it another surface. */
+  reshape(surface: Surface): void {
+    const { low, high } = box(surface.positions);
+    this.middle.set(...low).add(new Vector3(...high)).multiplyScalar(0.5);
+    for (const mesh of this.group.children) {
+      if (!(mesh instanceof Mesh)) continue;
+      (mesh.geometry as BufferGeometry).dispose();
+      const geometry = new BufferGeometry();
+      geometry.setAttribute("position", new BufferAttribute(surface.positions, 3));
+      geometry.setAttribute("normal", new BufferAttribute(surface.normals, 3));
+      geometry.setIndex(new BufferAttribute(surface.indices, 1));
+      mesh.geometry = geometry;
     }
   }
 

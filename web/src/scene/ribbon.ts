@@ -22,6 +22,7 @@ attribute vec2 toMark;
 uniform vec2 screen;
 uniform float width;
 uniform float lift;
+uniform vec2 now;
 varying vec2 vMark;
 void main() {
   vec4 a = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
@@ -33,8 +34,9 @@ void main() {
   bool end = corner.x > 0.5;
   gl_Position = end ? b : a;
   vMark = end ? toMark : fromMark;
-  // half a width beyond both ends: the joints of thick curves stay closed
-  vec2 shift = side * corner.y + along * (end ? 0.35 : -0.35);
+  // beyond both ends, so that joints stay closed; not where the curve is pale and would be twice as dark
+  float joint = fromMark.x <= now.x ? 0.35 : 0.0;
+  vec2 shift = side * corner.y + along * (end ? joint : -joint);
   gl_Position.xy += shift * width / screen * gl_Position.w;
   gl_Position.z -= lift * gl_Position.w;
 }`;
@@ -71,7 +73,7 @@ export interface RibbonStyle {
 /** A timed curve as a mesh. */
 export class Ribbon {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
-  private readonly curve: TimedCurve;
+  private curve: TimedCurve;
 
   constructor(curve: TimedCurve, style: RibbonStyle, colours: readonly string[]) {
     this.curve = curve;
@@ -117,6 +119,15 @@ export class Ribbon {
     let first = now;
     while (first > 0 && (lengths[first] ?? 0) > since) first -= 1;
     this.mesh.geometry.setDrawRange(6 * first, 6 * (now - first + 1));
+  }
+
+  /** Give it another curve. */
+  reshape(curve: TimedCurve): void {
+    this.curve = curve;
+    this.mesh.geometry.dispose();
+    this.mesh.geometry = segments(curve);
+    const first = curve.times[0] ?? 0;
+    this.uniform<Vector2>("span").set(first, Math.max(curve.times.at(-1) ?? 1, first + 1e-12));
   }
 
   /** Tell it how large the picture is, in CSS pixels. */

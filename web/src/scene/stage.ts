@@ -96,8 +96,28 @@ export class Stage {
   /** Show another motion of the same model, perhaps of another body. */
   setMotion(motion: Motion, surface: Surface | null): void {
     this.motion = motion;
+    const known = this.surface;
     this.surface = surface;
-    this.build();
+    if (this.path === null || (this.trace === null) !== !this.leavesTrace || motion.columns["attitude"] === undefined) return this.build();
+    // what a graphics program has been made for stays: making one anew takes longer than the motion
+    if (surface !== null && !sameSurface(surface, known)) this.body?.reshape(surface);
+    const contact = this.curveOf("contact");
+    this.reach = reachOf(this.scene.path !== null ? this.planPath().points : contact.points, this.size);
+    if (this.scene.support?.kind === "sphere") {
+      if (this.ground !== null) this.metres.remove(this.ground.group);
+      this.buildGround(contact.points);
+    }
+    this.path.reshape(this.scene.path !== null ? this.planPath() : contact);
+    this.trace?.reshape(this.traceOnBody());
+    for (const { name, column } of this.scene.vectors) {
+      const drawn = this.arrows.get(name);
+      if (drawn !== undefined) drawn.scale = largestLength(motion, column) || drawn.scale;
+    }
+  }
+
+  private get leavesTrace(): boolean {
+    const { columns } = this.motion;
+    return this.body !== null && columns["contact"] !== undefined && columns["attitude"] !== undefined;
   }
 
   /** Spacing of the grid on the ground in metres; 0 without one. */
@@ -242,7 +262,7 @@ export class Stage {
     }
     this.path = new Ribbon(scene.path !== null ? this.planPath() : contact, { width: 3, before: 1, after: 0.16, tail: Infinity }, colours.time);
     this.metres.add(this.path.mesh);
-    if (this.body !== null && motion.columns["contact"] && motion.columns["attitude"]) {
+    if (this.leavesTrace) {
       this.trace = new Ribbon(this.traceOnBody(), { width: 2.2, before: 1, after: 0, tail: TRACE_ON_BODY * this.size }, colours.time);
       this.bodyFrame.add(this.trace.mesh);
     }
@@ -359,6 +379,10 @@ export class Stage {
       drawn.arrow.set(new Vector3(...from), new Vector3(...inSpace).multiplyScalar(length));
     }
   }
+}
+
+function sameSurface(a: Surface, b: Surface | null): boolean {
+  return b !== null && a.positions.length === b.positions.length && a.positions.every((place, k) => place === b.positions[k]);
 }
 
 function largestLength(motion: Motion, column: string): number {

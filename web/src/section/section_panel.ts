@@ -7,7 +7,7 @@ import { choice, element, toggle } from "../page/dom";
 import { megnoColour, megnoWords } from "../page/indicator";
 import { plain } from "../page/mathml";
 import { extent, readable } from "../page/numbers";
-import { INDICATOR_SCALE, palette } from "../page/palette";
+import { indicatorScale, palette } from "../page/palette";
 import { unitText } from "../page/units";
 import { Sheet, type Place } from "../sheet/sheet";
 import type { Frame, Range } from "../sheet/frame";
@@ -187,11 +187,34 @@ class Panel implements SectionPanel {
       this.chosen = { ...this.chosen, value: middleOf(values) };
       this.value.value = String(this.chosen.value);
     }
+    const opening = !this.placed;
     this.placed = true;
     const span = motion.times.at(-1) ?? 1;
     this.longest = (50 * span * Math.max(this.points, 1000)) / Math.max(1, passes());
     if (passes() === 0) this.longest = 20 * span;
-    await this.trace(state, true);
+    const orbit = await this.trace(state, true);
+    if (orbit !== null && opening) this.spread(orbit);
+  }
+
+  /** Choose other quantities than those that a section holds constant, such as the longitude at γ₁ = 0. */
+  private spread(orbit: Orbit): void {
+    const { model } = this.lab;
+    for (const axis of ["x", "y"] as const) {
+      const values = orbit[axis];
+      if (values.length < 3 || varies(values, this.quantity(this.chosen[axis])?.angle === true)) continue;
+      const other = this.chosen[axis === "x" ? "y" : "x"];
+      const names = model.state.slice(0, model.reduced).map(({ name }) => name);
+      const next = names.findIndex((name, k) => {
+        if ([this.chosen.on, other].includes(name) || quantityIndex(model, name) < 0) return false;
+        return varies(Float64Array.from({ length: orbit.rows.length / model.reduced }, (_, n) => orbit.rows[n * model.reduced + k] ?? NaN), false);
+      });
+      if (next < 0) continue;
+      this.chosen = { ...this.chosen, [axis]: names[next] ?? this.chosen[axis] };
+      const list = this.element.querySelector<HTMLSelectElement>(`select[aria-label="${axis === "x" ? "across" : "up"}"]`);
+      if (list) list.value = this.chosen[axis];
+      this.clear();
+      return;
+    }
   }
 
   private mark(): void {
@@ -271,7 +294,7 @@ class Panel implements SectionPanel {
   private colourBy(isOn: boolean): void {
     this.byIndicator = isOn;
     this.key.hidden = !isOn;
-    const scale = element("i", { style: `background:linear-gradient(90deg,${INDICATOR_SCALE.join(",")})` });
+    const scale = element("i", { style: `background:linear-gradient(90deg,${indicatorScale().join(",")})` });
     this.key.replaceChildren(element("span", {}, "MEGNO 2, regular"), scale, element("span", {}, "32 and more, chaotic"));
     this.sheet.repaint();
     this.writeEntries();
@@ -376,6 +399,12 @@ function paintPoints(pen: CanvasRenderingContext2D, frame: Frame, orbit: Orbit, 
     const [right, down] = [frame.right(orbit.x[k] ?? NaN), frame.down(orbit.y[k] ?? NaN)];
     if (frame.contains(right, down)) pen.fillRect(right - dot / 2, down - dot / 2, dot, dot);
   }
+}
+
+/** Whether values differ by more than rounding; angles half a turn apart are the same line of a body. */
+function varies(values: Float64Array, angle: boolean): boolean {
+  const [low, high] = extent(angle ? values.map((value) => Math.abs(Math.tan(value / 2))) : values, 0);
+  return high - low > 1e-6 * Math.max(Math.abs(low), Math.abs(high)) && new Set(values).size > 2;
 }
 
 function along(from: Place, to: Place, count: number): Place[] {
