@@ -18,7 +18,7 @@ from chaplygin.analysis.lyapunov.indicators import (
 from chaplygin.analysis.lyapunov.report import Spectrum
 from chaplygin.analysis.lyapunov.zero_exponents import vanish
 from chaplygin.catalogue import from_catalogue
-from chaplygin.flow.state_scales import state_scales_at
+from chaplygin.flow.linearisation.state_scales import state_scales_at
 
 #: Lengths are multiplied by these numbers, masses by their cubes: centimetres, millimetres.
 SCALES = (1e-2, 1e3)

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from chaplygin.flow.integrator import integrate
-from chaplygin.flow.linear_stability import relative_equilibrium
+from chaplygin.flow.linearisation.linear_stability import relative_equilibrium
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

@@ -16,9 +16,9 @@ from chaplygin.contact.friction.modes import MODE_NAMES
 from chaplygin.contact.friction.viscous_friction import Viscous
 from chaplygin.experiment.contact.dataset import contact_dataset
 from chaplygin.experiment.contact.trajectory import ContactTrajectory
-from chaplygin.experiment.contact_subject import ContactSubject
 from chaplygin.experiment.dataset import to_dataset
 from chaplygin.experiment.study import Study, dataset_of
+from chaplygin.experiment.subjects.contact_subject import ContactSubject
 from contact.case_files import CASES, experiment_text
 
 BALL = """\

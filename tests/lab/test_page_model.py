@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import chaplygin as ch
-from chaplygin.experiment.plan import plan_motion
 from chaplygin.experiment.study import dataset_of
+from chaplygin.experiment.subjects.plan import plan_motion
 from chaplygin.lab.page_model import page_model
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

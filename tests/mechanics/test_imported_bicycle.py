@@ -13,7 +13,7 @@ import pytest
 import sympy as sp
 
 from chaplygin.core.system import System
-from chaplygin.flow.linear_stability import linear_stability
+from chaplygin.flow.linearisation.linear_stability import linear_stability
 from chaplygin.formulas.multiprecision import number, slopes
 from chaplygin.mechanics.lagrangian.sympy_import import from_sympy
 

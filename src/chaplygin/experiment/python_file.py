@@ -26,13 +26,13 @@ from ..mechanics.lagrangian.mechanism import Mechanism
 from ..mechanics.lagrangian.plan import Plan, plan_of
 from ..mechanics.lagrangian.poincare_suslov import equations
 from ..parsing import nearest
-from .described_system import described_subject
 from .file.described_models import EquationsExperiment
 from .file.source import Source
 from .file.toml import Key, Tables
 from .file.validation import validation_messages, value_text
-from .initial_state import lift_of
 from .study import Study
+from .subjects.described_system import described_subject
+from .subjects.initial_state import lift_of
 from .write_equations import plan_table_of, tables_of
 
 _SYSTEMS: Mapping[str, type] = {"mechanism": Mechanism, "system": System, "study": Study}

@@ -19,21 +19,21 @@ from ..errors import InputError
 from ..flow.cost import TooMuchError
 from ..flow.trajectory import Trajectory, require_pieces
 from ..mechanics.rolling.equations import Rolling
-from .ball_subject import ball_subject
-from .catalogue_system import body_of_catalogue, system_of_catalogue
 from .contact.dataset import contact_dataset
 from .contact.trajectory import ContactTrajectory
-from .contact_subject import contact_subject
 from .dataset import to_dataset
-from .described_system import equations_subject, mechanism_subject
 from .file.ball_model import BallExperiment
 from .file.catalogue_models import StateExperiment, SystemExperiment
 from .file.described_models import EquationsExperiment, MechanismExperiment
 from .file.models import Experiment
 from .file.rolling_model import FrictionExperiment, RollingExperiment
-from .initial_state import StartValues, normalised_vectors, on_level
-from .rolling_subject import rolling_subject
-from .subject import Subject, Variables
+from .subjects.ball_subject import ball_subject
+from .subjects.catalogue_system import body_of_catalogue, system_of_catalogue
+from .subjects.contact_subject import contact_subject
+from .subjects.described_system import equations_subject, mechanism_subject
+from .subjects.initial_state import StartValues, normalised_vectors, on_level
+from .subjects.rolling_subject import rolling_subject
+from .subjects.subject import Subject, Variables
 
 
 @dataclass(frozen=True, repr=False)

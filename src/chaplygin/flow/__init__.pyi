@@ -4,11 +4,11 @@ from .gauss import gauss_integrator as gauss_integrator
 from .integrator import integrate as integrate
 from .kernel.equations import Section as Section, poincare_section as poincare_section
 from .level_projection import project_to_level as project_to_level
-from .linear_stability import (
+from .linearisation.linear_stability import (
     Linearisation as Linearisation,
     relative_equilibrium as relative_equilibrium,
 )
+from .linearisation.tangent_space import TangentSpace as TangentSpace
 from .sampling.draw import level_sampler as level_sampler, sample_level as sample_level
 from .sections.poincare_map import PoincareMap as PoincareMap
-from .tangent_space import TangentSpace as TangentSpace
 from .trajectory import Event as Event, Trajectory as Trajectory

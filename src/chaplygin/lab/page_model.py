@@ -10,10 +10,10 @@ import xarray as xr
 from ..core.arrays import FloatArray
 from ..core.system import Parameter, System
 from ..errors import InputError
-from ..experiment.contact_subject import ContactSubject
 from ..experiment.section_coordinates import is_angle
 from ..experiment.study import Study
-from ..experiment.subject import BallSubject
+from ..experiment.subjects.contact_subject import ContactSubject
+from ..experiment.subjects.subject import BallSubject
 from ..flow.variable_metadata import FRAMES, variable_metadata
 from ..formulas.array_evaluation import values
 from ..printing.formula import latex

@@ -12,7 +12,7 @@ from ..core.system import System
 from ..core.vectors import Vector, to_components
 from ..errors import InputError
 from ..experiment.study import Study
-from ..experiment.subject import BodySubject
+from ..experiment.subjects.subject import BodySubject
 from ..flow.kernel.equations import Equations, equations_of
 from ..flow.kernel.outcomes import STATUS_MESSAGES
 from ..flow.kernel.wasm import march_text, values_text, wasm_module

@@ -8,9 +8,9 @@ import numpy as np
 
 from ..core.system import System
 from ..core.vectors import Vector
-from ..experiment.initial_state import unit_vectors
 from ..experiment.section_coordinates import is_angle
 from ..experiment.study import Study
+from ..experiment.subjects.initial_state import unit_vectors
 from ..flow.variable_metadata import variable_metadata
 from ..printing.formula import text
 from .columns import symbol_mathml

@@ -11,9 +11,9 @@ import xarray as xr
 from ..contact.equations.situation import FrictionalContact
 from ..core.arrays import FloatArray
 from ..core.vectors import real_symbol
-from ..experiment.contact_subject import ContactSubject
 from ..experiment.study import Study
-from ..experiment.subject import BallSubject
+from ..experiment.subjects.contact_subject import ContactSubject
+from ..experiment.subjects.subject import BallSubject
 from ..geometry.mesh import DirectionGrid, direction_grid
 from ..geometry.surface import frame_of, ground_of_ball
 from ..mechanics.ball.ball import RollingBall

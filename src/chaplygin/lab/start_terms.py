@@ -15,7 +15,7 @@ import sympy as sp
 
 from ..core.system import System, flat
 from ..core.vectors import Vector, to_components
-from ..experiment.subject import BodySubject
+from ..experiment.subjects.subject import BodySubject
 from ..formulas.graph import Graph, Reader, Term
 from ..mechanics.rolling.attitude import attitude
 from ..mechanics.rolling.initial_state import is_no_spin

@@ -19,8 +19,8 @@ from ..core.vectors import Vector, real_symbol
 from ..errors import RunError
 from ..experiment.closed_form import closed_form_section
 from ..experiment.contact.trajectory import ContactTrajectory
-from ..experiment.contact_subject import ContactSubject
 from ..experiment.study import Study
+from ..experiment.subjects.contact_subject import ContactSubject
 from ..explicit.base.solution import Solution
 from ..flow.trajectory import Trajectory
 from ..lab.element import element

@@ -5,9 +5,9 @@ from __future__ import annotations
 import xarray as xr
 from matplotlib.figure import Figure
 
-from ..experiment.contact_subject import ContactSubject
-from ..experiment.plan import PlanMotion
-from ..experiment.subject import BallSubject, BodySubject, Subject
+from ..experiment.subjects.contact_subject import ContactSubject
+from ..experiment.subjects.plan import PlanMotion
+from ..experiment.subjects.subject import BallSubject, BodySubject, Subject
 from . import figures
 from .drawing.contact_values import friction_limits
 from .figures.contact import contact_figures

@@ -13,8 +13,8 @@ from ..errors import InterruptionError, RunError
 from ..experiment.closed_form import diagram_if_known, known_solution
 from ..experiment.dataset import write
 from ..experiment.files import atomic_file
-from ..experiment.plan import PlanMotion, plan_motion
 from ..experiment.study import Study, dataset_of
+from ..experiment.subjects.plan import PlanMotion, plan_motion
 from ..explicit.base.solution import Solution
 from ..flow.trajectory import Trajectory
 from . import figures, page

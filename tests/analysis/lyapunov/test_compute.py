@@ -21,7 +21,7 @@ from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError, RunError
 from chaplygin.experiment.file.models import catalogue_experiment
 from chaplygin.experiment.study import prepare
-from chaplygin.flow.linear_stability import linear_stability
+from chaplygin.flow.linearisation.linear_stability import linear_stability
 
 
 @pytest.fixture(scope="module")

@@ -10,10 +10,10 @@ import pytest
 import chaplygin as ch
 from chaplygin.contact import contact_motion
 from chaplygin.errors import InputError
-from chaplygin.experiment.contact_subject import ContactSubject
 from chaplygin.experiment.friction_ensembles.section import contact_section_task
 from chaplygin.experiment.poincare import Place
 from chaplygin.experiment.study import Study
+from chaplygin.experiment.subjects.contact_subject import ContactSubject
 from chaplygin.flow.ensemble.computation import compute
 from chaplygin.flow.ensemble.members import from_lists, grid
 from experiment.friction_ensembles.test_ensembles import BILLIARD, sticking

@@ -15,7 +15,7 @@ from chaplygin.core.vectors import to_components
 from chaplygin.explicit.bifurcation import bifurcation_diagram
 from chaplygin.explicit.bifurcation.families import SEPARATED
 from chaplygin.explicit.separations.chaplygin_ball_area_constant import chaplygin_area
-from chaplygin.flow.linear_stability import linear_stability
+from chaplygin.flow.linearisation.linear_stability import linear_stability
 from explicit.tori_followed import counted
 
 QUICK = ("veselova", "chaplygin-ball", "neumann", "rubber-ball-of-ratio")

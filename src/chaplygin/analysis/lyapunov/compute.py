@@ -19,8 +19,8 @@ from ...errors import EarlyEndError, InputError, InterruptionError, RunError
 from ...flow.batch import BatchIntegrator, batch_integrator
 from ...flow.devices.graphics import Device
 from ...flow.initial_states import reduced_start
-from ...flow.state_scales import state_scales
-from ...flow.tangent_space import propagate
+from ...flow.linearisation.state_scales import state_scales
+from ...flow.linearisation.tangent_space import propagate
 from ...flow.validation import require_on_phase_space
 from ...formulas.array_evaluation import parameter_rows, relation_terms
 from .averages import average, resolution

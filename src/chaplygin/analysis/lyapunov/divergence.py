@@ -12,7 +12,7 @@ from ...core.arrays import FloatArray
 from ...core.laws import Measure
 from ...core.system import System
 from ...core.vectors import to_components
-from ...flow.tangent_space import orthonormal
+from ...flow.linearisation.tangent_space import orthonormal
 from ...formulas.array_formulas import Formulas
 from .averages import Average, average
 from .zero_exponents import TrivialDirections, vanish

@@ -26,8 +26,8 @@ from ...errors import InputError
 from ...flow.batch import batch_integrator
 from ...flow.devices.graphics import Device
 from ...flow.level_projection import select_parameters
-from ...flow.state_scales import state_scales
-from ...flow.tangent_space import TangentSpace, orthonormal
+from ...flow.linearisation.state_scales import state_scales
+from ...flow.linearisation.tangent_space import TangentSpace, orthonormal
 
 #: Part of a motion left out at the beginning, where a deviation finds its direction.
 UNSETTLED = 0.2

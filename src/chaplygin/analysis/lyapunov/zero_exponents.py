@@ -21,9 +21,9 @@ from ...core.arrays import FloatArray
 from ...core.laws import Law, Symmetry
 from ...core.system import System
 from ...core.vectors import to_components
-from ...flow.linear_stability import components, essential_variables
-from ...flow.state_scales import state_scales_at
-from ...flow.tangent_space import TangentSpace
+from ...flow.linearisation.linear_stability import components, essential_variables
+from ...flow.linearisation.state_scales import state_scales_at
+from ...flow.linearisation.tangent_space import TangentSpace
 from ...formulas.array_formulas import Formulas
 from ...printing.formula import text
 from ...printing.laws import equation

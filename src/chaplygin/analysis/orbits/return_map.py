@@ -20,8 +20,8 @@ from ...core.parameters import require_parameters
 from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
+from ...flow.linearisation.state_scales import state_scales_at
 from ...flow.sections.poincare_map import PoincareMap
-from ...flow.state_scales import state_scales_at
 from ...formulas.array_formulas import Formulas
 from .maps import ConservedFunctions, Image
 from .rotation import average, unwrapped_turns

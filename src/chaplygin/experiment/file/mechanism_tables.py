@@ -1,8 +1,8 @@
 """The tables of a file with a Lagrangian or with equations of motion.
 
-Formulas are kept as they are typed; :mod:`chaplygin.experiment.mechanism_from_tables` reads them
-when all
-names are known.  The description of a field completes the sentence "… must be".
+Formulas are kept as they are typed; they are read when all names are known
+(:mod:`chaplygin.experiment.subjects.mechanism_from_tables`).  The description of a field completes
+the sentence "… must be".
 """
 
 from __future__ import annotations

@@ -17,8 +17,8 @@ from ...errors import InputError
 from ...flow.ensemble.task import Coordinate, Task, Variable
 from ...flow.variable_metadata import cf_attributes
 from ...parsing import nearest, parse
-from ..contact_subject import ContactSubject
 from ..study import Study
+from ..subjects.contact_subject import ContactSubject
 from .ensemble import mode_attributes, outcome_attributes
 from .event_numbers import EVENT_NUMBERS, MotionNumber, motion_number
 from .file_numbers import FileNumbers

@@ -23,8 +23,8 @@ from ...flow.ensemble.task import Arrays, Task, Variable
 from ...flow.variable_metadata import cf_attributes, system_attributes, variable_metadata
 from ..contact.dataset import mode_flags, work_meanings
 from ..contact.trajectory import BALANCE
-from ..contact_subject import ContactSubject
 from ..study import Study
+from ..subjects.contact_subject import ContactSubject
 from .event_numbers import EVENT_NUMBERS, recorded_values
 from .file_numbers import FileNumbers
 from .members import (

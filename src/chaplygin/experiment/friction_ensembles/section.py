@@ -25,9 +25,9 @@ from ...flow.variable_metadata import (
     system_attributes,
     variable_metadata,
 )
-from ..contact_subject import ContactSubject
 from ..poincare import DIRECTIONS, Place
 from ..study import Study
+from ..subjects.contact_subject import ContactSubject
 from .ensemble import mode_attributes, outcome_attributes
 from .event_numbers import formula_at, require_formula
 from .file_numbers import FileNumbers

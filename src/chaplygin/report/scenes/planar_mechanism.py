@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 
 from ...core.arrays import FloatArray
 from ...errors import InputError
-from ...experiment.plan import PlanMotion
+from ...experiment.subjects.plan import PlanMotion
 from ...geometry.view import View
 from ..drawing.canvas import Canvas, time_bar
 from ..drawing.curves import smooth_curve

@@ -15,22 +15,22 @@ from typing import ClassVar, TypeAlias
 
 import mpmath
 
-from ..core.arrays import FloatArray
-from ..core.system import Observable, System
-from ..core.vectors import real_symbol
-from ..errors import InputError
-from ..flow.integrator import integrate
-from ..flow.trajectory import Trajectory
-from ..mechanics.ball.ball import RollingBall
-from ..mechanics.ball.initial_state import ball_state
-from ..mechanics.constraints.integrability import nonholonomy
-from ..mechanics.lagrangian.mechanism import TIME, Mechanism
-from ..mechanics.lagrangian.plan import Plan
-from ..mechanics.rolling.equations import Rolling
-from ..mechanics.rolling.gauss_map import centre_outside
-from ..mechanics.rolling.initial_state import initial_state
-from ..printing.formula import text
-from .file.tables import CommonRunTable
+from ...core.arrays import FloatArray
+from ...core.system import Observable, System
+from ...core.vectors import real_symbol
+from ...errors import InputError
+from ...flow.integrator import integrate
+from ...flow.trajectory import Trajectory
+from ...mechanics.ball.ball import RollingBall
+from ...mechanics.ball.initial_state import ball_state
+from ...mechanics.constraints.integrability import nonholonomy
+from ...mechanics.lagrangian.mechanism import TIME, Mechanism
+from ...mechanics.lagrangian.plan import Plan
+from ...mechanics.rolling.equations import Rolling
+from ...mechanics.rolling.gauss_map import centre_outside
+from ...mechanics.rolling.initial_state import initial_state
+from ...printing.formula import text
+from ..file.tables import CommonRunTable
 from .glossary import glossary
 from .initial_state import StartValues, initial_state_from_values, unit_vectors
 

@@ -8,15 +8,15 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from ..core.arrays import FloatArray
-from ..core.system import System
-from ..flow.trajectory import Trajectory
-from ..formulas.array_evaluation import values
-from ..mechanics.lagrangian.mechanism import TIME, Mechanism
-from ..mechanics.lagrangian.plan import Plan, plan_of
-from .file.described_models import OwnExperiment
-from .file.mechanism_tables import PlanTable
-from .file.names import Names
+from ...core.arrays import FloatArray
+from ...core.system import System
+from ...flow.trajectory import Trajectory
+from ...formulas.array_evaluation import values
+from ...mechanics.lagrangian.mechanism import TIME, Mechanism
+from ...mechanics.lagrangian.plan import Plan, plan_of
+from ..file.described_models import OwnExperiment
+from ..file.mechanism_tables import PlanTable
+from ..file.names import Names
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,10 +7,10 @@ from typing import cast
 
 import mpmath
 
-from ..catalogue import Entry, entry, known_laws_of
-from ..catalogue.entry import Family
-from ..catalogue.fixed_point.with_fluid import with_fluid
-from ..catalogue.so_n.start import (
+from ...catalogue import Entry, entry, known_laws_of
+from ...catalogue.entry import Family
+from ...catalogue.fixed_point.with_fluid import with_fluid
+from ...catalogue.so_n.start import (
     ATTITUDE,
     GAMMA,
     OMEGA,
@@ -19,12 +19,12 @@ from ..catalogue.so_n.start import (
     take_contact,
     take_spin,
 )
-from ..core.system import System
-from ..errors import InputError
-from ..mechanics.rolling.body import Body
-from ..mechanics.rolling.fluid import fluids_of_cavities
-from ..mechanics.rolling.initial_state import DIGITS
-from .file.catalogue_models import CatalogueExperiment, StateExperiment, SystemExperiment
+from ...core.system import System
+from ...errors import InputError
+from ...mechanics.rolling.body import Body
+from ...mechanics.rolling.fluid import fluids_of_cavities
+from ...mechanics.rolling.initial_state import DIGITS
+from ..file.catalogue_models import CatalogueExperiment, StateExperiment, SystemExperiment
 from .initial_state import StartValues, initial_state_from_values
 from .rolling_subject import letters_with_fluid, rolling_setting
 from .subject import BallSubject, BodySubject, Subject

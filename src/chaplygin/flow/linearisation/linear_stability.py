@@ -22,15 +22,15 @@ from typing import Any, TypeAlias, TypeGuard
 import mpmath
 import sympy as sp
 
-from ..arguments import Parameters, arguments_checked
-from ..core.laws import Law, Symmetry
-from ..core.parameters import parameter_values
-from ..core.system import System
-from ..core.vectors import to_components
-from ..errors import InputError
-from ..flow.heyoka_expressions import WorkingNumber
-from ..formulas.multiprecision import number, slopes
-from .initial_states import reduced_start, vector_components
+from ...arguments import Parameters, arguments_checked
+from ...core.laws import Law, Symmetry
+from ...core.parameters import parameter_values
+from ...core.system import System
+from ...core.vectors import to_components
+from ...errors import InputError
+from ...formulas.multiprecision import number, slopes
+from ..heyoka_expressions import WorkingNumber
+from ..initial_states import reduced_start, vector_components
 from .multiprecision_subspaces import minimum_norm_solution, null_space_basis, orthogonal_part
 
 NEWTON_STEPS = 60

@@ -23,8 +23,8 @@ from chaplygin.core.vectors import (
 from chaplygin.errors import InputError
 from chaplygin.experiment.file.described_models import EquationsExperiment, MechanismExperiment
 from chaplygin.experiment.file.models import loads
-from chaplygin.experiment.mechanism_from_tables import mechanism_of
 from chaplygin.experiment.study import Study, prepare
+from chaplygin.experiment.subjects.mechanism_from_tables import mechanism_of
 from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism, rotations
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
 from chaplygin.proof.prover import prove

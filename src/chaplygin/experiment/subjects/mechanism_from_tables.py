@@ -9,16 +9,16 @@ from typing import TypeAlias
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ..core.laws import Integral, Law, Measure, Symmetry
-from ..core.system import Guard, Observable, Parameter, System
-from ..core.vectors import Diagonal, Vector, to_components
-from ..errors import InputError
-from ..mechanics.lagrangian.mechanism import TIME, Frame, Mechanism, euclidean, rotations
-from ..mechanics.lagrangian.structure_functions import check_structure
-from ..parsing import Formula, Named, nearest
-from .file.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
-from .file.mechanism_tables import NumberTable
-from .file.names import Names, components
+from ...core.laws import Integral, Law, Measure, Symmetry
+from ...core.system import Guard, Observable, Parameter, System
+from ...core.vectors import Diagonal, Vector, to_components
+from ...errors import InputError
+from ...mechanics.lagrangian.mechanism import TIME, Frame, Mechanism, euclidean, rotations
+from ...mechanics.lagrangian.structure_functions import check_structure
+from ...parsing import Formula, Named, nearest
+from ..file.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
+from ..file.mechanism_tables import NumberTable
+from ..file.names import Names, components
 
 UNTITLED = "Untitled system"
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..catalogue.balls.ball_entry import ball_variables
-from ..catalogue.balls.ball_laws import known_ball_laws
-from ..core.vectors import Vector
-from ..mechanics.ball.ball import RollingBall
-from ..mechanics.ball.surface import ImplicitSurface, SmoothSurface
-from ..printing.numerals import number
-from .file.ball_model import BallExperiment, moment
-from .file.shape_tables import BallTable
+from ...catalogue.balls.ball_entry import ball_variables
+from ...catalogue.balls.ball_laws import known_ball_laws
+from ...core.vectors import Vector
+from ...mechanics.ball.ball import RollingBall
+from ...mechanics.ball.surface import ImplicitSurface, SmoothSurface
+from ...printing.numerals import number
+from ..file.ball_model import BallExperiment, moment
+from ..file.shape_tables import BallTable
 from .mechanism_from_tables import identifier
 from .subject import PlacedBallSubject
 

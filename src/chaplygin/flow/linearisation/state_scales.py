@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arguments import Parameters
-from ..core.arrays import FloatArray
-from ..core.system import System
-from ..formulas.array_formulas import Formulas
-from .batch import batch_integrator
-from .kernel.equations import groups
+from ...arguments import Parameters
+from ...core.arrays import FloatArray
+from ...core.system import System
+from ...formulas.array_formulas import Formulas
+from ..batch import batch_integrator
+from ..kernel.equations import groups
 
 #: Part of a motion over which the sizes of its vectors are taken, and the number of samples.
 STRETCH, LOOKS = 0.1, 32

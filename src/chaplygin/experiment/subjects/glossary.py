@@ -7,10 +7,10 @@ from collections.abc import Mapping
 import sympy as sp
 from sympy.matrices.expressions import Inverse, MatPow
 
-from ..core.system import System
-from ..core.vectors import Diagonal, Symmetric, Vector
-from ..parsing import Formula, Named
-from ..printing.formula import text
+from ...core.system import System
+from ...core.vectors import Diagonal, Symmetric, Vector
+from ...parsing import Formula, Named
+from ...printing.formula import text
 
 #: Letters of every body, in body axes.
 _BODY = {

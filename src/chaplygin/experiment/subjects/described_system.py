@@ -8,13 +8,13 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import cast
 
-from ..core.system import System
-from ..errors import InputError
-from ..mechanics.lagrangian.mechanism import TIME, Mechanism
-from ..mechanics.lagrangian.poincare_suslov import equations
-from ..parsing import nearest
-from .file.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
-from .file.toml import Key
+from ...core.system import System
+from ...errors import InputError
+from ...mechanics.lagrangian.mechanism import TIME, Mechanism
+from ...mechanics.lagrangian.poincare_suslov import equations
+from ...parsing import nearest
+from ..file.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
+from ..file.toml import Key
 from .initial_state import StartValues
 from .mechanism_from_tables import identifier, mechanism_of, system_of, with_claims
 from .plan import described_plan

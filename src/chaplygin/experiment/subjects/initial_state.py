@@ -14,16 +14,16 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from ..core.system import System
-from ..core.vectors import Vector, norm_squared, to_components
-from ..errors import InputError
-from ..flow.initial_states import upright
-from ..formulas.multiprecision import Multiprecision
-from ..mechanics.rolling.attitude import attitude
-from ..mechanics.rolling.initial_state import DIGITS, SLACK
-from ..parsing import Named, nearest
-from ..printing.formula import text
-from .file.validation import value_text
+from ...core.system import System
+from ...core.vectors import Vector, norm_squared, to_components
+from ...errors import InputError
+from ...flow.initial_states import upright
+from ...formulas.multiprecision import Multiprecision
+from ...mechanics.rolling.attitude import attitude
+from ...mechanics.rolling.initial_state import DIGITS, SLACK
+from ...parsing import Named, nearest
+from ...printing.formula import text
+from ..file.validation import value_text
 
 #: Components that a vector may have.
 SIZES = (2, 3, 4)

@@ -8,7 +8,8 @@ and integrals, and are counted modulo the flow and the symmetries.
 
 Lengths and angles of deviations are measured with each variable divided by a fixed size, so that
 they are the same in all units: what is called orthonormal below is so in these measures, and
-gradients are those with respect to the measured variables.  See :mod:`chaplygin.flow.state_scales`.
+gradients are those with respect to the measured variables; see
+:mod:`chaplygin.flow.linearisation.state_scales`.
 """
 
 from __future__ import annotations
@@ -20,12 +21,12 @@ from functools import cached_property
 import numpy as np
 import sympy as sp
 
-from ..arguments import Parameters
-from ..core.arrays import FloatArray, IntArray
-from ..core.system import System
-from ..formulas.array_formulas import Formulas
-from .batch import BatchIntegrator
-from .level_projection import REDUNDANT, select_parameters
+from ...arguments import Parameters
+from ...core.arrays import FloatArray, IntArray
+from ...core.system import System
+from ...formulas.array_formulas import Formulas
+from ..batch import BatchIntegrator
+from ..level_projection import REDUNDANT, select_parameters
 
 #: A vector whose remainder is shorter than this share of it counts as dependent on others.
 DEPENDENT = 1e-12

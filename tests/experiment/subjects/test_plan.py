@@ -9,9 +9,9 @@ from matplotlib.collections import LineCollection, PolyCollection
 
 from chaplygin.errors import InputError
 from chaplygin.experiment.file.models import catalogue_experiment, loads
-from chaplygin.experiment.plan import plan_motion
 from chaplygin.experiment.python_file import load_python
 from chaplygin.experiment.study import dataset_of, prepare
+from chaplygin.experiment.subjects.plan import plan_motion
 from chaplygin.report import figures
 from spread import spread
 

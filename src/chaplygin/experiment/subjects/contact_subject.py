@@ -11,29 +11,33 @@ from typing import Any, ClassVar
 import mpmath
 import numpy as np
 
-from ..contact.course.compiled import OMEGA, VELOCITY, CompiledContact
-from ..contact.course.rules import Rules
-from ..contact.equations.equations_of_motion import equations_of_motion
-from ..contact.equations.situation import FrictionalContact
-from ..contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
-from ..contact.friction.friction_law import FrictionLaw
-from ..contact.friction.modes import Mode
-from ..contact.friction.rolling_friction import ContourResistance, RollingResistance, ViscousRolling
-from ..contact.friction.user_friction import UserFriction
-from ..contact.friction.viscous_friction import NormalViscous, PowerFriction, Viscous
-from ..contact.starts import SLACK, clearance, start_in_contact, start_in_space
-from ..core.arrays import FloatArray
-from ..core.system import System
-from ..errors import InputError
-from ..mechanics.rolling.gauss_map import centre_outside
-from ..mechanics.rolling.surfaces import Plane, Sphere
-from ..printing.numerals import number
-from .contact.dataset import work_meanings
-from .contact.trajectory import ContactTrajectory, contact_trajectory
-from .file.contact_tables import FrictionTable
-from .file.rolling_model import FrictionExperiment
-from .file.shape_tables import shape_name
-from .file.tables import CommonRunTable
+from ...contact.course.compiled import OMEGA, VELOCITY, CompiledContact
+from ...contact.course.rules import Rules
+from ...contact.equations.equations_of_motion import equations_of_motion
+from ...contact.equations.situation import FrictionalContact
+from ...contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
+from ...contact.friction.friction_law import FrictionLaw
+from ...contact.friction.modes import Mode
+from ...contact.friction.rolling_friction import (
+    ContourResistance,
+    RollingResistance,
+    ViscousRolling,
+)
+from ...contact.friction.user_friction import UserFriction
+from ...contact.friction.viscous_friction import NormalViscous, PowerFriction, Viscous
+from ...contact.starts import SLACK, clearance, start_in_contact, start_in_space
+from ...core.arrays import FloatArray
+from ...core.system import System
+from ...errors import InputError
+from ...mechanics.rolling.gauss_map import centre_outside
+from ...mechanics.rolling.surfaces import Plane, Sphere
+from ...printing.numerals import number
+from ..contact.dataset import work_meanings
+from ..contact.trajectory import ContactTrajectory, contact_trajectory
+from ..file.contact_tables import FrictionTable
+from ..file.rolling_model import FrictionExperiment
+from ..file.shape_tables import shape_name
+from ..file.tables import CommonRunTable
 from .mechanism_from_tables import identifier
 from .rolling_subject import body_of, forces_of, ground_words
 from .subject import Subject

@@ -10,7 +10,7 @@ import sympy as sp
 from chaplygin import InputError, from_catalogue
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import cross, real_symbol, vectors
-from chaplygin.flow.linear_stability import linear_stability, relative_equilibrium
+from chaplygin.flow.linearisation.linear_stability import linear_stability, relative_equilibrium
 
 x, v, w, theta, c, s, g, length, k = (
     real_symbol(name) for name in ("x", "v", "w", "theta", "c", "s", "g", "l", "k")

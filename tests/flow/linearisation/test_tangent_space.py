@@ -11,7 +11,7 @@ from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import System
 from chaplygin.core.vectors import real_symbol, to_components
 from chaplygin.flow.batch import batch_integrator
-from chaplygin.flow.tangent_space import TangentSpace, orthonormal, propagate
+from chaplygin.flow.linearisation.tangent_space import TangentSpace, orthonormal, propagate
 
 x, y, z = map(real_symbol, "xyz")
 LINEAR = System("linear", "Linear", {x: x / 5 + y, y: -y, z: -3 * z / 10})

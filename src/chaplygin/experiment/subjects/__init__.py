@@ -1,0 +1,1 @@
+"""The systems that studies follow, each built from its kind of experiment."""

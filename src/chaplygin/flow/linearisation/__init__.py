@@ -1,0 +1,1 @@
+"""Linear equations near a motion: eigenvalues of steady motions, tangent vectors, scales."""
