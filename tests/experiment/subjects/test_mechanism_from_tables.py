@@ -29,7 +29,7 @@ from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism, rotations
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
 from chaplygin.proof.prover import prove
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
+EXAMPLES = Path(__file__).parents[3] / "examples"
 SLEIGH, SUSLOV, VOLTERRA, TURNTABLE = (
     (EXAMPLES / f"{name}.toml").read_text(encoding="utf-8")
     for name in ("sleigh", "suslov_problem", "volterra", "turntable")

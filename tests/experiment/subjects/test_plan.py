@@ -15,7 +15,7 @@ from chaplygin.experiment.subjects.plan import plan_motion
 from chaplygin.report import figures
 from spread import spread
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
+EXAMPLES = Path(__file__).parents[3] / "examples"
 SLEIGH = (EXAMPLES / "sleigh.toml").read_text(encoding="utf-8")
 PLAIN = SLEIGH[: SLEIGH.index("[plan]")] + SLEIGH[SLEIGH.index("[start]") :]
 IN_CATALOGUE = (
