@@ -95,8 +95,8 @@ def _sampled(study: Study, steps: int) -> Study:
 def _film(
     study: Study, steps: int, output: Path, rate: int, size: tuple[int, int], report: Report
 ) -> None:
-    from ..experiment.plan import plan_motion
     from ..experiment.study import dataset_of
+    from ..experiment.subjects.plan import plan_motion
     from ..report.film.encode import write_film
     from ..report.film.frames import frames
 
@@ -116,9 +116,9 @@ def _film(
 
 def _model(study: Study, steps: int, output: Path) -> None:
     from ..errors import InputError
-    from ..experiment.contact_subject import ContactSubject
     from ..experiment.study import dataset_of
-    from ..experiment.subject import BallSubject
+    from ..experiment.subjects.contact_subject import ContactSubject
+    from ..experiment.subjects.subject import BallSubject
     from ..report.film.gltf import write_gltf
     from ..report.scenes.scene import ball_scene_of, scene_of
 

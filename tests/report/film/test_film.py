@@ -7,11 +7,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from chaplygin.experiment.plan import plan_motion
 
 from chaplygin.errors import InputError
 from chaplygin.experiment.file.models import load, loads
 from chaplygin.experiment.study import Study, dataset_of, prepare
+from chaplygin.experiment.subjects.plan import plan_motion
 from chaplygin.report.film.encode import require_encoder, write_film
 from chaplygin.report.film.frames import Picture, frames
 

@@ -17,9 +17,9 @@ from matplotlib.figure import Figure
 
 from ...core.arrays import FloatArray
 from ...errors import InputError
-from ...experiment.contact_subject import ContactSubject
-from ...experiment.plan import PlanMotion
-from ...experiment.subject import BallSubject, BodySubject, Subject
+from ...experiment.subjects.contact_subject import ContactSubject
+from ...experiment.subjects.plan import PlanMotion
+from ...experiment.subjects.subject import BallSubject, BodySubject, Subject
 from ...geometry.view import View
 from ..drawing.canvas import Canvas, blank_axes
 from ..drawing.dataset_access import times_of, unit_of
