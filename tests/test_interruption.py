@@ -169,6 +169,8 @@ time.sleep(60)
         os.kill(int(err.splitlines()[0]), 0)
 
 
+BILLIARD = Path(__file__).parents[1] / "examples" / "billiard_ball.toml"
+
 #: Each command with what it is to be at work at for minutes.
 COMMANDS = {
     "list": "list",
@@ -183,6 +185,10 @@ COMMANDS = {
     "lyapunov": "lyapunov rattleback --until 2e4",
     "chart": "chart rattleback --of lyapunov --x omega_1=0.1:1:40 --y omega_3=0:1:40 -o c.zarr",
     "audit": "audit",
+    "run with friction": f"run {BILLIARD} -o m.nc --set run.until=1e7 --set run.samples=9999",
+    "study with friction": f"study {BILLIARD} -o s --set run.until=1e6",
+    "ensemble with friction": f"ensemble {BILLIARD} -o e.zarr --draw mu=0.1:0.4 --starts 99999",
+    "section with friction": f"section {BILLIARD} -o s.zarr --on omega_1 --until 1e8 --points 9999",
 }
 
 

@@ -366,3 +366,8 @@ def test_one_sentence(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     assert len(first) < 600
     assert all(line.startswith("    ") for line in excerpt)
     assert not re.search(r"has no attribute|object is not|could not convert", first)
+
+
+def test_several_of_a_word_in_y() -> None:
+    with pytest.raises(InputError, match="must be a Cavity or a sequence of Cavities, not"):
+        c.Body(1.0, (0.4, 0.5, 0.6), c.Ball(1.0), cavity="x")  # type: ignore[arg-type]

@@ -10,6 +10,7 @@ from __future__ import annotations
 import builtins
 import inspect
 import os
+import re
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -300,7 +301,8 @@ def _plural(kind: _Kind | None) -> str:
     article, _, noun = kind.words.partition(" ")
     if article in ("a", "an") and " or " not in noun:
         head, of, rest = noun.partition(" of ")
-        return f"{head}s{of}{rest}"
+        several = re.sub(r"(?<=[^aeiou])y$", "ie", head) + "s"
+        return f"{several}{of}{rest}"
     return f"entries, each {kind.words}"
 
 

@@ -271,3 +271,19 @@ def test_random_starts_neither_hang_nor_fall_nor_gain_energy(loaded: CompiledCon
 def test_many_random_starts(loaded: CompiledContact, seed: int) -> None:
     for state, given in random_drops(60, seed):
         assert_sound(loaded, state, given)
+
+
+@pytest.mark.parametrize(
+    ("state", "times", "words"),
+    [
+        ("x", [0, 1], "state"),
+        ({"omega": (0, 0, 1)}, [0, 1], "state"),
+        ([1, 0, 0, 0, 0, 0, 1, *[0] * 8, 1], "x", "times"),
+        ([0] * 7 + [1] * 9, [0, 1], "state: its first four numbers, the attitude, are zero"),
+    ],
+)
+def test_states_and_times_that_are_none(
+    loaded: CompiledContact, state: Any, times: Any, words: str
+) -> None:
+    with pytest.raises(ch.InputError, match=f"^{words}"):
+        contact_motion(loaded, state, times)

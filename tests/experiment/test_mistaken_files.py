@@ -336,6 +336,22 @@ def test_one_sentence(name: str, text: str | bytes, ask: Ask) -> None:
             '[equations]\nstate = ["x"]\nrates = {x = "x"}\n[guards]\ne = "x"\n[start]\nx=1\n',
             'guards.e: must be a table with value and message, not the text "x"',
         ),
+        (
+            '[system]\nname = "suslov-nd"\ndimension = [4]\n',
+            "line 3, system.dimension: must be a whole number from 3 to 9, not [4.0]",
+        ),
+        (
+            '[system]\nname = "suslov-nd"\n[parameters]\ndimension = 2\n',
+            "line 4, parameters.dimension: must be a whole number from 3 to 9, not 2",
+        ),
+        (
+            '[system]\nname = "chaplygin-ball-nd"\nmass = -1\n',
+            "line 3, system.mass: mass -1.0: it must be a positive finite number",
+        ),
+        (
+            '[system]\nname = "suslov-nd"\n[start]\nM = [1, 2, 3]\n',
+            "line 4, start.M: M_1: follows from the others",
+        ),
     ],
 )
 def test_the_cause_and_its_place(text: str, words: str, ask: Ask) -> None:

@@ -12,7 +12,8 @@ import numpy.typing as npt
 from ..arguments import arguments_checked
 from ..core.arrays import FloatArray
 from ..errors import InputError
-from .course.compiled import WORK, CompiledContact
+from ..formulas.array_evaluation import as_float_array
+from .course.compiled import ATTITUDE, WORK, CompiledContact
 from .course.course import Course
 from .course.course_state import Piece
 from .course.endings import Ending
@@ -162,7 +163,7 @@ def contact_motion(
     >>> round(float(motion.observables()["velocity"][-1, 0]), 12)
     1.0
     """
-    moments = np.asarray(times, dtype=float)
+    moments = as_float_array("times", times)
     increasing = moments.ndim == 1 and len(moments) and np.all(np.diff(moments) > 0)
     if not increasing or not np.isfinite(moments).all():
         raise InputError("times: they must be finite numbers that increase")
@@ -216,7 +217,7 @@ def _motion_to_last_sample(course: Course) -> ContactMotion:
 
 def _start(contact: CompiledContact, state: Sequence[float] | FloatArray) -> FloatArray:
     """The state with all its works, in or above contact."""
-    start = np.array(state, dtype=float)
+    start = as_float_array("state", state).copy()
     if start.shape not in ((WORK,), (contact.size,)):
         raise InputError(
             f"state: {start.shape} numbers; a state has {WORK}, or {contact.size} "
@@ -224,6 +225,8 @@ def _start(contact: CompiledContact, state: Sequence[float] | FloatArray) -> Flo
         )
     if not np.isfinite(start).all():
         raise InputError("state: all its numbers must be finite")
+    if not start[ATTITUDE].any():
+        raise InputError("state: its first four numbers, the attitude, are zero")
     if obstacle := contact.obstacle(start):
         raise InputError(f"state: {obstacle}")
     if len(start) == WORK:

@@ -200,8 +200,9 @@ class Family(ABC):
         else:
             count = int(dimension)
         if not SMALLEST <= count <= LARGEST:
+            shown = list(dimension) if isinstance(dimension, tuple) else dimension
             raise InputError(
-                f"dimension: must be a whole number from {SMALLEST} to {LARGEST}, not {dimension!r}"
+                f"dimension: must be a whole number from {SMALLEST} to {LARGEST}, not {shown}"
             )
         return count
 

@@ -73,6 +73,10 @@ class ExperimentBase(Table):
                 raise InputError(sentence, self.where(*key)) from None
             if colon and self.has(*key, subject):
                 raise InputError(sentence, self.where(*key, subject)) from None
+            # "radius -1.0 of the ball: ...", and a component of a vector
+            for name in (subject.partition(" ")[0], subject.rpartition("_")[0]) if colon else ():
+                if name and self.has(*key, name):
+                    raise InputError(error.message, self.where(*key, name)) from None
             raise InputError(error.message, self.where(*key)) from None
 
     def __eq__(self, other: object) -> bool:

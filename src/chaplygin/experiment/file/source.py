@@ -112,6 +112,10 @@ class Source:
                 makers.append(f"--set {setting}")
         if makers:
             return " ".join(dict.fromkeys(reversed(makers)))
+        if key[:2] == ("system", "parameters") and key not in self._lines:
+            # parameters of n dimensions may stand elsewhere
+            places = (("system", *key[2:]), ("parameters", *key[2:]))
+            key = next((place for place in places if place in self._lines), key)
         number = self.line(key)
         parts = [self.name, f"line {number}" if number else "", dotted_key(key)]
         return ", ".join(part for part in parts if part)

@@ -80,7 +80,7 @@ def refusal(problem: Problem, level: Sequence[Condition] = ()) -> NoClosedFormEr
 def degenerate(problem: Problem) -> NoClosedFormError:
     """A motion of a solvable system whose curve has double roots of a kind that is not solved."""
     return NoClosedFormError(
-        f"this motion of the {_title_in_sentence(problem.system.title)} is not solved, since roots "
+        f"this motion of {_title_in_sentence(problem.system.title)} is not solved, since roots "
         f"of its curve coincide, as they do for equal moments: {_known_laws(problem)}"
     )
 
@@ -107,7 +107,7 @@ def _off_level(problem: Problem, level: Sequence[Condition]) -> _Obstacle:
     """A start off the level on which the system is solvable."""
     conditions = " and ".join(f"{_condition_text(problem, condition)}" for condition in level)
     return _Obstacle(
-        f"this motion of the {_title_in_sentence(problem.system.title)}",
+        f"this motion of {_title_in_sentence(problem.system.title)}",
         f"are its motions on which {conditions}",
     )
 
@@ -125,7 +125,7 @@ def _condition_text(problem: Problem, condition: Condition) -> str:
 
 def _obstacle(problem: Problem) -> _Obstacle:
     obstacles = (rule(problem, problem.rolling) for rule in _RULES if problem.rolling is not None)
-    plain = _Obstacle(f"the {_title_in_sentence(problem.system.title)}", _family(problem))
+    plain = _Obstacle(_title_in_sentence(problem.system.title), _family(problem))
     return next((obstacle for obstacle in obstacles if obstacle is not None), plain)
 
 
@@ -135,20 +135,21 @@ def _family(problem: Problem) -> str:
 
 
 def _title_in_sentence(title: str) -> str:
-    """A title inside a sentence; names of people keep their capital."""
+    """A title inside a sentence, with its article; names of people keep their capital."""
     first, space, remainder = title.partition(" ")
     names = (
         "Chaplygin",
         "Veselova",
         "Suslov",
-        "Suslov's",
         "Clebsch",
         "Neumann",
         "Lagrange",
         "Bruns",
     )
+    if first.endswith("'s"):
+        return title
     capitalised = first in names or first.isupper()
-    return title if capitalised else f"{first.lower()}{space}{remainder}"
+    return f"the {title if capitalised else f'{first.lower()}{space}{remainder}'}"
 
 
 Rule = Callable[[Problem, Rolling], _Obstacle | None]

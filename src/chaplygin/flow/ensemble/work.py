@@ -98,7 +98,8 @@ class EnsembleWork:
             starts, parameters, points = self.starts(first, last)
             motions = self.lanes.propagate(starts, self.times, parameters)
         except InputError as error:
-            raise InputError(error.message, f"runs {first} to {last - 1}") from error
+            runs = f"runs {first} to {last - 1}" if last > first + 1 else f"run {first}"
+            raise InputError(error.message, runs) from error
         arrays: dict[str, npt.NDArray[np.number]] = {
             name: np.asarray(parameters[name]) for name in self.varied
         }
