@@ -179,6 +179,10 @@ class Family(Protocol):
     def constraint(self) -> str:
         """The condition on ω, as a sentence; empty where it is free."""
 
+    @property
+    def upright(self) -> bool:
+        """Whether γ is the last row of the attitude."""
+
     def entry(self, given: Settings | None = None) -> Entry:
         """The entry of the dimension and with the numbers that settings give."""
 

@@ -148,6 +148,10 @@ def _apart(
         rows = rotation_near(named.pop(str(matrix)), int(matrix.shape[0]))
         placed[str(matrix)] = [x for row in rows for x in row]
         last = [float(x) for x in rows[-1]]
+        # on a sphere the normal γ moves in space, and no relation ties it to the attitude
+        ties = {str(s) for relation in lift.relations for s in relation.free_symbols}
+        if "gamma" in named and "gamma_1" not in ties:
+            return named, placed
         given = np.asarray(named.setdefault("gamma", last), dtype=float)
         if given.shape != (len(last),) or not np.allclose(
             given / (np.linalg.norm(given) or 1.0), last, rtol=0.0, atol=_SLACK

@@ -25,6 +25,11 @@ every n:
 * what γγᵀ adds is 2(u, Sγ) + (u, γ) tr S, and ∂/∂p of (u, p)γ is 2(u, γ).  On the phase space
   (u, γ) = 0 and Bγ = γ, so that (u, Sγ) = (u, γ) = 0.
 
+On a sphere γ̇ is multiplied by a ratio ε.  What belongs to k̇ vanishes by itself, so that measure
+and energy of the marble ball stay, and the energy of the rubber ball too.  The rubber ball has
+(1 − ε)ku more in ṗ, k = I(u∧γ), whose divergence is (1 − ε) Σ (I(eᵢ∧γ), Seᵢ∧u), the sum above: the
+exponent becomes 1/(2ε) − 1.
+
 These arguments hold for every n.  `chaplygin_ball` and `veselova` write the whole residual for one
 n, derivatives taken entry by entry, as a law of a system without motion, which
 :func:`chaplygin.prove` certifies.
@@ -144,15 +149,17 @@ def chaplygin_ball(n: int, exponent: sp.Rational = -HALF) -> System:
     )
 
 
-def veselova(n: int, exponent: sp.Rational = -HALF) -> System:
+def veselova(n: int, exponent: sp.Expr = -HALF, ratio: sp.Expr = sp.S.One) -> System:
     """The residual of the density (det B)^exponent of the Veselova system and the rubber ball.
 
     Parameters
     ----------
     n : int
         The dimension of space.
-    exponent : sympy.Rational
-        −1/2 in the law that holds.
+    exponent : sympy.Expr
+        1/(2ε) − 1 in the law that holds, −1/2 on a plane.
+    ratio : sympy.Expr
+        ε of a ball on a sphere: 1 on a plane, or a symbol.
 
     Returns
     -------
@@ -172,17 +179,31 @@ def veselova(n: int, exponent: sp.Rational = -HALF) -> System:
     x, y, inverse = (sp.Matrix(to_components(name)) for name in (u, gamma, S))
     B = _operator_of_planes(inertia, y)
     slopes = [B.diff(s) for s in y]
-    # ∂/∂γ of −u, with ∂u/∂γᵢ = −S ∂ᵢB u
-    residual = sp.Add(*((inverse * slope * x)[i] for i, slope in enumerate(slopes)))
-    residual -= exponent * sp.Add(
+    weight = sp.expand(ratio * exponent)
+    # ∂/∂γ of −εu, with ∂u/∂γᵢ = −S ∂ᵢB u
+    residual = ratio * sp.Add(*((inverse * slope * x)[i] for i, slope in enumerate(slopes)))
+    residual -= weight * sp.Add(
         *(x[i] * (inverse * slope).trace() for i, slope in enumerate(slopes))
     )
-    vanishing = 2 * (x.T * inverse * y)[0] + (x.T * y)[0] * inverse.trace()
+    vanishing = (ratio - 2 * weight) * (x.T * inverse * y)[0]
+    vanishing += ratio * (x.T * y)[0] * inverse.trace()
+    # ∂/∂p of (1 − ε) I(u∧γ) u, with ∂u/∂p = S
+    turns = [_above(_unit(n, b) * y.T - y * _unit(n, b).T) for b in range(n)]
+    planes = [_bivector(n, place) for place in places]
+    for b, turn in enumerate(turns):
+        image = inertia * sp.Matrix(turn)
+        matrix = sp.zeros(n)
+        for value, plane in zip(image, planes, strict=True):
+            matrix += value * plane
+        residual += (1 - ratio) * (inverse.row(b) * matrix * x)[0]
     return System(
         name="veselova-measure",
         title=f"The measure of the Veselova system in {n} dimensions",
         field={name: _still(name) for name in (u, gamma, S)},
-        parameters=_parameters(inertia, "entry of the operator of inertia"),
+        parameters=(
+            *_parameters(inertia, "entry of the operator of inertia"),
+            *(Parameter(s, "ratio of radii", 0.5) for s in sorted(ratio.free_symbols, key=str)),
+        ),
         laws=(
             Identity(
                 "measure",

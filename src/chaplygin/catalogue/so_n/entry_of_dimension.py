@@ -54,6 +54,11 @@ class Family(ABC):
     rolls: bool = False
     tensor_by_default: bool = False
 
+    @property
+    def upright(self) -> bool:
+        """Whether γ is the last row of the attitude: fixed in space."""
+        return True
+
     @abstractmethod
     def equations(self, inertia: Inertia, parameters: tuple[Parameter, ...]) -> System:
         """The system with this inertia; `parameters` are those of the ball besides."""
@@ -122,15 +127,13 @@ class Family(ABC):
         )
 
     def _system(self, inertia: Inertia, values: Numbers) -> System:
-        ball = (
-            (
-                Parameter(m, "mass", values["m"], "kg", (m > 0,)),
-                Parameter(R, "radius of the ball", values["R"], "m", (R > 0,)),
-            )
-            if self.rolls
-            else ()
+        return self.equations(inertia, self._ball_parameters(values) if self.rolls else ())
+
+    def _ball_parameters(self, values: Numbers) -> tuple[Parameter, ...]:
+        return (
+            Parameter(m, "mass", values["m"], "kg", (m > 0,)),
+            Parameter(R, "radius of the ball", values["R"], "m", (R > 0,)),
         )
-        return self.equations(inertia, ball)
 
     def _inertia(self, settings: dict[str, object]) -> tuple[Inertia, dict[str, float]]:
         """Take dimension and inertia out of the settings."""

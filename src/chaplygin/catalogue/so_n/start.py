@@ -23,8 +23,8 @@ Given: TypeAlias = MutableMapping[str, float | Sequence[float]]
 ATTITUDE, OMEGA, GAMMA, CONTACT = "attitude", "omega", "gamma", "contact"
 
 
-def take_attitude(values: Given, n: int) -> Matrix:
-    """Take the attitude out of a start: as given, or the shortest turn of γ to the last axis.
+def take_attitude(values: Given, n: int, family: Family) -> tuple[Matrix, list[mpmath.mpf]]:
+    """Take attitude and γ out of a start: as given, or the shortest turn of γ to the last axis.
 
     Raises
     ------
@@ -36,13 +36,13 @@ def take_attitude(values: Given, n: int) -> Matrix:
     if given is None:
         if gamma is None:
             raise InputError("start: gamma or attitude is missing")
-        return upright_matrix(gamma)
+        return upright_matrix(gamma), gamma
     attitude = rotation_near(given, n)
     if gamma is None:
-        return attitude
-    if max(abs(x - y) for x, y in zip(gamma, attitude[-1], strict=True)) > SLACK:
+        return attitude, attitude[-1]
+    if family.upright and max(abs(x - y) for x, y in zip(gamma, attitude[-1], strict=True)) > SLACK:
         raise InputError("gamma: must be the last row of the attitude; one of them may be left out")
-    return attitude
+    return attitude, attitude[-1] if family.upright else gamma
 
 
 def take_contact(values: Given, n: int) -> list[mpmath.mpf]:

@@ -13,6 +13,7 @@ from functools import partial
 import sympy as sp
 
 from ...core.system import System, Theorem
+from ...core.vectors import real_symbol
 from .any_inertia import (
     chaplygin_ball,
     energy_of_ball,
@@ -72,3 +73,21 @@ def of_veselova(n: int, determinant: sp.Symbol, quadratic: tuple[str, ...]) -> t
         words = "theorem for every mass tensor and dimension (docs/quadratic-integrals.md)"
         found.append(Theorem(quadratic, words, partial(_together, rate_of_pencil)))
     return tuple(found)
+
+
+def of_rubber_ball_on_sphere(n: int, determinant: sp.Symbol) -> tuple[Theorem, ...]:
+    """Energy and measure of the rubber ball on a sphere, for every ratio ε of the radii.
+
+    Parameters
+    ----------
+    n : int
+        The dimension of space.
+    determinant : Symbol
+        That of the operator from u to p.
+    """
+    ratio = real_symbol("epsilon")
+    measure = partial(veselova, n, 1 / (2 * ratio) - 1, ratio)
+    return (
+        Theorem(("energy",), WORDS, partial(_together, partial(energy_of_veselova, n))),
+        Theorem(("measure",), WORDS, partial(_together, measure), (determinant,)),
+    )

@@ -163,7 +163,7 @@ class FieldTable(FormulaTable):
 
 
 #: Keys of [system] that a system of n dimensions has besides its parameters.
-OF_A_DIMENSION = ("dimension", "moments", "mass_tensor", "factors", "mass", "radius")
+OF_A_DIMENSION = ("dimension", "moments", "mass_tensor", "factors", "mass", "radius", "a")
 
 
 def _setting(value: object) -> Setting:

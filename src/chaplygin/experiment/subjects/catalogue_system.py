@@ -66,8 +66,9 @@ class NDimensionalSubject(Subject):
         """
         values, n = dict(self.start_values), self.dimension
         with mpmath.workdps(DIGITS):
-            attitude, contact = take_attitude(values, n), take_contact(values, n)
-            gamma = attitude[-1]
+            attitude, gamma = take_attitude(values, n, self.family)
+            lift = self.system.lifted().symbols[len(self.system.symbols) + n * n :]
+            contact = take_contact(values, n) if lift else []
             spin = take_spin(values, gamma, self.family)
             if spin is None:
                 reduced = replace(self.system, reconstruction=None)
@@ -78,9 +79,7 @@ class NDimensionalSubject(Subject):
                 raise InputError(f"{name}: follows from omega; give one of them")
             else:
                 state = state_of(self.system, spin, gamma)
-            state += [x for row in attitude for x in row] + contact
-            # a body about a fixed point has no contact
-            return tuple(state[: len(self.system.lifted().symbols)])
+            return (*state, *(x for row in attitude for x in row), *contact)
 
 
 def _with_defaults(item: Entry, start: StartValues) -> StartValues:
