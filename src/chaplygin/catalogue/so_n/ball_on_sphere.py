@@ -38,6 +38,7 @@ a, epsilon = real_symbol("a"), real_symbol("epsilon")
 HALF = sp.Rational(1, 2)
 #: Radius of the sphere in the example, m.
 SPHERE = 2.0
+NORMAL = ("outward normal of the sphere at the contact, body axes", "1")
 
 
 class OnSphere(Family):
@@ -52,11 +53,6 @@ class OnSphere(Family):
     def settings(self) -> tuple[str, ...]:
         """The radius of the sphere, too."""
         return (*super().settings, "a")
-
-    def variables(self) -> Mapping[str, tuple[str, str]]:
-        """Meaning and unit of the variables of the state."""
-        normal = "outward normal of the sphere at the contact, body axes"
-        return {**super().variables(), "gamma": (normal, "1")}
 
     def _ball(self, settings: dict[str, object]) -> dict[str, float]:
         given = settings.pop("a", SPHERE)
@@ -99,6 +95,10 @@ RATIO = (epsilon, a / (R + a))
 class BallOnSphere(OnSphere, ChaplyginBall):
     """The marble ball on a sphere of every dimension."""
 
+    def variables(self) -> Mapping[str, tuple[str, str]]:
+        """Meaning and unit of the variables of the state."""
+        return {**super().variables(), "gamma": NORMAL}
+
     def equations(self, inertia: Inertia, parameters: tuple[Parameter, ...]) -> System:
         """The equations in k and γ."""
         n = inertia.dimension
@@ -129,6 +129,10 @@ class BallOnSphere(OnSphere, ChaplyginBall):
 @dataclass(frozen=True, kw_only=True)
 class RubberBallOnSphere(OnSphere, Veselova):
     """The rubber ball on a sphere of every dimension."""
+
+    def variables(self) -> Mapping[str, tuple[str, str]]:
+        """Meaning and unit of the variables of the state."""
+        return {**super().variables(), "gamma": NORMAL}
 
     def equations(self, inertia: Inertia, parameters: tuple[Parameter, ...]) -> System:
         """The equations in p and γ."""
