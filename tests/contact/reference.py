@@ -27,7 +27,7 @@ Use
               {kind: "ellipsoid", axes, turn (of the first semi-axis about body axis 3), centre},
               centre: from the centre of mass to the centre of the shape
     surface   {kind: "plane", turntable: rate about z} or
-              {kind: "sphere", radius, side: "outside" | "inside"} about the origin
+              {kind: "sphere", radius, side: "outside" | "inside", turntable} about the origin
     contact   mu; spin_arm; patch; viscous; spin_viscous; slip; rolling; rolling_viscous; contour;
               restitution; impact_law ("stronge", "poisson", "newton"); absent means none
     gravity   acceleration, along -z
@@ -47,8 +47,8 @@ and states in which no force agrees with the laws (Painleve); each raises Arithm
 be kept out by the choice of the motion.
 
 Forces, with ``n`` the normal of the support, ``u`` the velocity of the touching particle against
-the support, ``Omega`` the spin against the support, ``w`` the part of omega along the support, and
-``N`` the normal force:
+the support, ``Omega`` and ``w`` the parts of the angular velocity against the support about the
+normal and along the support, and ``N`` the normal force:
 
 ===================  ==================================================  =========================
 key                  force                                               couple

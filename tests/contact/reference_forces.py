@@ -206,14 +206,14 @@ class Problem:
 
         support_velocity: list[Any] = [0.0, 0.0, 0.0]
         support_rate: list[Any] = [0.0, 0.0, 0.0]
+        axis = times(surface.turntable, UP)
         if surface.turntable:
-            axis = times(surface.turntable, UP)
             support_velocity = cross(axis, plus(y[:3], arm))
             support_rate = cross(axis, plus(velocity, arm_rate))
         slip = minus(point_velocity, support_velocity)
-        upright = dot(omega, n)
-        spin = upright - surface.turntable
-        over = minus(omega, times(upright, n))
+        against_support = minus(omega, axis)
+        spin = dot(against_support, n)
+        over = minus(against_support, times(spin, n))
 
         force, couple = self._per_normal_force(slip, spin, over, n, spread, mode, given)
         steady_force = times(-law.viscous, slip) if law.viscous else [0.0, 0.0, 0.0]
@@ -256,10 +256,10 @@ class Problem:
         else:
             condition(n, cross(arm, n), -dot(n, swing) - dot(n_rate, point_velocity))
         if mode.spin_held:
-            condition(ZERO, n, -dot(omega, n_rate))
+            condition(ZERO, n, -dot(against_support, n_rate))
         if mode.turn_held:
             for t in (t1, t2):
-                condition(ZERO, t, upright * dot(n_rate, t))
+                condition(ZERO, t, spin * dot(n_rate, t))
 
         found = solution(matrix, right)
         omega_rate = applied(turn, found[:3])
@@ -273,7 +273,7 @@ class Problem:
         held = multipliers[3 if mode.slide_held else 1 :]
         spin_couple = held[0] if mode.spin_held else 0.0
         acceleration = plus(times(1.0 / m, total_force), [0.0, 0.0, -self.gravity])
-        upright_rate = dot(omega_rate, n) + dot(omega, n_rate)
+        spin_rate = dot(omega_rate, n) + dot(against_support, n_rate)
         return Response(
             acceleration,
             total_torque,
@@ -284,9 +284,9 @@ class Problem:
             slip,
             minus(plus(acceleration, cross(omega_rate, arm), swing), support_rate),
             spin,
-            upright_rate,
+            spin_rate,
             over,
-            minus(omega_rate, plus(times(upright_rate, n), times(upright, n_rate))),
+            minus(omega_rate, plus(times(spin_rate, n), times(spin, n_rate))),
             n,
             omega,
         )

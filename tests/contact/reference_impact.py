@@ -44,7 +44,7 @@ def impact(problem: Problem, y: list[float], rtol: float) -> tuple[bool, bool, b
     slip = plus(y[7:10], cross(omega, arm))
     if surface.turntable:
         slip = minus(slip, cross(times(surface.turntable, UP), plus(y[:3], arm)))
-    spin = dot(omega, n) - surface.turntable
+    spin = dot(omega, n) - surface.turntable * n[2]
 
     def answer(impulse: Vector, couple: Vector) -> list[float]:
         """Change of (slip along t1, t2, spin, normal velocity) by an impulse at the contact."""

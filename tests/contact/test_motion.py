@@ -287,3 +287,86 @@ def test_states_and_times_that_are_none(
 ) -> None:
     with pytest.raises(ch.InputError, match=f"^{words}"):
         contact_motion(loaded, state, times)
+
+
+def test_a_spinning_ball_stays_where_its_rolling_ends() -> None:
+    """Resistance to rolling ends the rolling after 7v/(5gδ/R); nothing resists the spin."""
+    ball = ch.Body(1.0, (0.004, 0.004, 0.004), ch.Ball(0.1))
+    laws = (Coulomb(0.3), RollingResistance(0.002))
+    contact = FrictionalContact(ball, laws=laws, field=GRAVITY)
+    state = [1, 0, 0, 0, 0, 0, 0.1, 0.2, 0, 0, 0, 2.0, 5.0, 0, 0, 1]
+    motion = contact_motion(contact, state, [0.0, 3.0])
+    assert [(e.kind, e.mode) for e in motion.events] == [("rolling stop", "spinning")]
+    assert motion.events[0].time == pytest.approx(0.2 * 1.4 * 0.1 / (G * 0.002), abs=1e-14)
+    vertical = motion.end_state[13:16]
+    np.testing.assert_allclose(motion.end_state[10:13], 5 * vertical, atol=1e-14)
+    np.testing.assert_allclose(motion.end_state[7:10], 0, atol=1e-14)
+    balance = motion.observables()["energy"] + motion.states[:, 16:].sum(axis=1)
+    assert abs(balance[1] - balance[0]) < 1e-14
+
+
+def test_a_ball_slides_without_rolling_where_its_resistance_is_stronger() -> None:
+    """The moment μNR of friction is less than δN: the ball slides like a block, and rests."""
+    ball = ch.Body(1.0, (0.004, 0.004, 0.004), ch.Ball(0.1))
+    contact = FrictionalContact(ball, laws=(Coulomb(0.1), RollingResistance(0.011)), field=GRAVITY)
+    state = [1, 0, 0, 0, 0, 0, 0.1, 1.0, 0, 0, 0, 0, 0, 0, 0, 1]
+    motion = contact_motion(contact, state, [0.0, 0.5, 2.0])
+    assert motion.intervals[0].mode == "sliding without rolling"
+    assert [(e.kind, e.mode) for e in motion.events] == [("rest", "rest")]
+    assert motion.events[0].time == pytest.approx(1 / (0.1 * G), abs=1e-13)
+    assert motion.states[1, 7] == pytest.approx(1 - 0.05 * G, abs=1e-14)
+    assert motion.end_state[4] == pytest.approx(1 / (0.2 * G), abs=1e-13)
+    assert not motion.end_state[10:13].any()
+
+
+def test_a_ball_that_drops_without_turning_rests_on_its_resistance() -> None:
+    """No rolling is left to have a direction."""
+    ball = ch.Body(1.0, (0.4, 0.4, 0.4), ch.Ball(1.0))
+    contact = FrictionalContact(ball, laws=(Coulomb(0.3), RollingResistance(0.1)), field=GRAVITY)
+    motion = contact_motion(contact, drop(1.5, (0, 0, 0), (0, 0, 0)), [0.0, 1.0])
+    assert [(e.kind, e.mode) for e in motion.events] == [("landing", "rest")]
+    assert motion.reason == ""
+
+
+def test_a_body_at_rest_on_a_turntable_turns_with_it() -> None:
+    ball = ch.Body(1.0, (0.4, 0.4, 0.4), ch.Ball(1.0))
+    laws = (Coulomb(0.5), RollingResistance(0.3))
+    contact = FrictionalContact(ball, ch.Plane(turntable=1.2), laws, GRAVITY)
+    start_state = start_in_space(contact, (0.5, 0, 1), (1, 0, 0, 0), (0, 0.6, 0), (0, 0, 1.2))
+    motion = contact_motion(contact, start_state, [0.0, 2.0])
+    assert motion.intervals == (type(motion.intervals[0])("rest", 0.0, 2.0),)
+    place = 0.5 * np.array([math.cos(2.4), math.sin(2.4)])
+    np.testing.assert_allclose(motion.end_state[4:6], place, atol=1e-14)
+
+
+def jamming(rules: Rules, times: Any) -> Any:
+    """An ellipsoid on a sphere; as it slides, B falls to zero and the normal force grows."""
+    inertia = [[0.1408, -0.0046, 0.0], [-0.0046, 0.1174, -0.0118], [0.0, -0.0118, 0.1474]]
+    shape = ch.Ellipsoid((0.612, 0.916, 0.859), turn=-0.198, centre=(-0.171, 0.176, -0.081))
+    field = ch.Forces(gravity=1.0)
+    body = ch.Body(1.898, inertia, shape)
+    contact = FrictionalContact(body, ch.Sphere(4.0), (Coulomb(0.654),), field)
+    state = start_in_space(
+        contact,
+        (1.45549644098972, 1.3804334756152463, 4.5025878715455985),
+        (-0.7940359575902549, -0.19309510786853926, 0.11910539363853824, -0.5639459926067152),
+        (0.04562095153316903, -0.5970375016447813, -0.16872198149816142),
+        (0.705, -2.075, 1.155),
+    )
+    return contact_motion(contact, state, times, rules)
+
+
+@pytest.mark.slow
+def test_a_dynamic_jam_ends_in_finite_time() -> None:
+    """1/N² falls linearly to zero, and there the motion ends with a reason."""
+    motion = jamming(Rules(), [0.0, 0.0121, 0.01214, 0.0121431, 0.02])
+    assert motion.ending == "paradox"
+    inverse = motion.observables()["normal_force"][2:4] ** -2.0
+    slope = (inverse[1] - inverse[0]) / (motion.times[3] - motion.times[2])
+    assert motion.end_time == pytest.approx(motion.times[3] - inverse[1] / slope, abs=1e-9)
+    again = jamming(Rules(on_paradox="impact"), [0.0, 0.02])
+    assert again.events[0].kind == "impact without collision"
+    assert again.events[0].time == pytest.approx(motion.end_time, abs=1e-11)
+    assert np.linalg.norm(again.events[0].impulse) > 0
+    energies = [motion.observables()["energy"][0], again.observables()["energy"][-1]]
+    assert energies[1] < energies[0]

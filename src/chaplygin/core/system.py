@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, TypeAlias
@@ -159,14 +159,17 @@ def flat_pairs(pairs: Pairs) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
     return tuple(scalars)
 
 
-def unknown_names(formula: sp.Expr, known: Iterable[sp.Symbol]) -> str:
+def unknown_names(formula: sp.Expr, known: Collection[sp.Symbol]) -> str:
     """The symbols of a formula that are not known, as text; empty if there are none.
 
     A symbol with the name of a known one but other assumptions is reported with both.
     """
+    missing = formula.free_symbols - set(known)
+    if not missing:
+        return ""
     symbols = {str(s): s for s in known}
     names = []
-    for symbol in sorted(formula.free_symbols - set(symbols.values()), key=str):
+    for symbol in sorted(missing, key=str):
         like = symbols.get(str(symbol))
         names.append(
             str(symbol)

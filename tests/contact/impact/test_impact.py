@@ -8,10 +8,17 @@ import mpmath
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.linalg import expm
 
 from chaplygin.contact.impact.friction_response import response_with_spin_at_rest
 from chaplygin.contact.impact.impact import impact, normal_response, zeno_closure
-from chaplygin.contact.impact.impact_slide import Ends, Linear, slide, slide_integrator
+from chaplygin.contact.impact.impact_slide import (
+    Ends,
+    Linear,
+    SlidingFriction,
+    slide,
+    slide_integrator,
+)
 from chaplygin.contact.impact.mobility import Mobility, mobility
 from chaplygin.errors import InputError
 from contact.colliding_bodies import (
@@ -473,6 +480,48 @@ def test_a_restitution_below_rounding_ends_the_impact() -> None:
     normal = Linear(0.0, 1.47917328, beta)
     ends = Ends(False, 1.0, 0.0, 0.0, -6.955714613867327e-19, None, None)
     slip = np.array([-0.91422412, 8.71702432])
-    result = slide(slide_integrator(), beta, A, 0.08582, slip, normal, ends)
+    result = slide(slide_integrator(False), beta, A, SlidingFriction(0.08582), slip, normal, ends)
     assert result.event == "returned"
     assert abs(result.clock) < 1e-8
+
+
+def test_viscous_friction_in_proportion_to_the_normal_force() -> None:
+    """A ball without dry friction: u′ = −(7/2m)ν u over the impulse of the normal force."""
+    ball = mobility(1.0, [0.4, 0.4, 0.4], [0, 0, -1], [0, 0, 1])
+    result = impact(ball, [0.6, 0.8, -2.0], mu=0.0, viscous=0.3, restitution=0.5)
+    left = np.exp(-3.5 * 0.3 * 3.0) * np.array([0.6, 0.8])
+    np.testing.assert_allclose(result.contact_velocity, [*left, 1.0], atol=1e-14)
+    assert result.normal_impulse == pytest.approx(3.0, abs=1e-14)
+
+
+@pytest.mark.parametrize("order", [0.5, 1.0, 2.0])
+def test_dry_and_viscous_friction_in_an_impact(order: float) -> None:
+    """Against steps of Runge and Kutta in the normal impulse."""
+    body = mobility(1.3, [0.3, 0.5, 0.4], [0.3, -0.4, -0.8], [0, 0, 1])
+    mu, nu, slip = 0.1, 0.4, np.array([1.5, -0.4])
+    result = impact(body, [*slip, -1.0], mu=mu, viscous=nu, order=order)
+
+    def rate(P: float, u: np.ndarray) -> np.ndarray:
+        s = np.hypot(u[0], u[1])
+        force = -(mu + nu * s**order) * u[:2] / s
+        return body.A @ np.array([*force, 1.0])
+
+    def compressed(P: float, u: np.ndarray) -> float:
+        return float(u[2])
+
+    compressed.terminal = True  # type: ignore[attr-defined]
+    solved = solve_ivp(
+        rate, (0, 10), [*slip, -1.0], events=compressed, rtol=1e-12, atol=1e-14, method="DOP853"
+    )
+    np.testing.assert_allclose(result.contact_velocity, solved.y[:, -1], atol=1e-11)
+    assert result.normal_impulse == pytest.approx(solved.t[-1], rel=1e-11)
+
+
+def test_sliding_that_begins_in_an_impact_against_viscous_friction() -> None:
+    """From rest the slip of a body that is not symmetric tends to what the friction balances."""
+    body = mobility(1.3, [0.3, 0.5, 0.4], [0.3, -0.4, -0.8], [0, 0, 1])
+    result = impact(body, [0.0, 0.0, -1.0], mu=0.0, viscous=0.4)
+    A, beta = body.A[:2, :2], body.A[:2, 2]
+    P = result.normal_impulse
+    slip = np.linalg.solve(0.4 * A, (np.eye(2) - expm(-0.4 * P * A)) @ beta)
+    np.testing.assert_allclose(result.contact_velocity[:2], slip, atol=1e-13)

@@ -21,7 +21,7 @@ from ..friction.prescribed import (
     LATITUDE_COEFFICIENTS,
     prescribed,
 )
-from .compiled import CompiledContact
+from .compiled import VELOCITY, CompiledContact
 from .mode_integrator import ModeIntegrator, with_values
 
 #: Chebyshev points of (0, 1], the last one at the end.
@@ -38,6 +38,10 @@ _MOST_CHANGES, _STEP = 20, 1e-5
 
 #: The length of a beginning is divided by four at most so many times.
 _ATTEMPTS = 12
+
+
+#: Part of the velocities that rounding leaves in the slip, and how far the slip must grow above.
+_NOISE, _GROWN = 4e-15, 1e5
 
 
 @dataclass(frozen=True, eq=False)
@@ -213,9 +217,11 @@ def _collocated(trial: _Trial, time: float, state: FloatArray, duration: float) 
         if size > 0.5 * last:
             jacobian = np.empty((0, 0))
         last = size
-    angles = np.abs(across / along[:, None])
-    grows = bool(np.all(np.diff(np.concatenate([[0.0], along])) > 0))
-    if not grows or angles[~at_points].max() > 1e-7 or angles[at_points].max() > 1e-7:
+    # the slip is a difference of velocities, whose rounding it shows at the first points
+    noise = _NOISE * float(np.abs(state[VELOCITY]).max() + np.abs(across).max())
+    grows = bool(np.all(np.diff(np.concatenate([[0.0], along])) > -noise))
+    aside = np.abs(across) > 1e-7 * along[:, None] + noise
+    if not grows or along[-1] < _GROWN * noise or aside.any():
         return None
     integrator, states = course(coefficients)
     return Beginning(integrator, float(duration), states[-1, :-1])

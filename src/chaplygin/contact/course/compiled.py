@@ -11,6 +11,7 @@ from functools import lru_cache
 import heyoka as hy
 import numpy as np
 import sympy as sp
+from scipy.spatial.transform import Rotation
 
 from ...core.arrays import FloatArray
 from ...core.system import System, flat
@@ -93,6 +94,10 @@ class ContactNumbers:
     rates_of_place : array (size,)
         Of attitude, position and normal, in the columns of the state; zero in the others.
     mobility : Mobility
+    support_turn_rate : array (3,)
+        Rate of the angular velocity of the support, Ω_s ζ×ω.
+    unheld_rise : float
+        Normal acceleration of the contact without any force of the support.
     """
 
     r: FloatArray
@@ -112,6 +117,8 @@ class ContactNumbers:
     q: FloatArray
     rates_of_place: FloatArray
     mobility: Mobility
+    support_turn_rate: FloatArray
+    unheld_rise: float
 
 
 class CompiledContact:
@@ -193,6 +200,30 @@ class CompiledContact:
             self._last = (key, self._computed_numbers(state))
         return self._last[1]
 
+    def without_rolling(self, known: ContactNumbers) -> ContactNumbers:
+        """What is known while the rolling is held, as `equations.held_rolling` has it.
+
+        Parameters
+        ----------
+        known : ContactNumbers
+            Of a body that may roll.
+        """
+        touch, inertia = known.mobility, np.linalg.inv(self._inverse_inertia)
+        given = known.spin * known.gammadot + known.support_turn_rate
+        moment = float(touch.gamma @ inertia @ touch.gamma)
+        along = float(touch.gamma @ inertia @ (known.free_turn - given)) / moment
+        turn = given + along * touch.gamma
+        change = turn - known.free_turn
+        return replace(
+            known,
+            free_turn=turn,
+            slip_rate=known.slip_rate + np.cross(change, touch.r),
+            spin_rate=known.spin_rate + float(touch.gamma @ change),
+            mobility=mobility_at(
+                touch.mass, np.outer(touch.gamma, touch.gamma) / moment, touch.r, touch.gamma
+            ),
+        )
+
     def _computed_numbers(self, state: FloatArray) -> ContactNumbers:
         padded = np.zeros(self._numbers.size)
         padded[:WORK] = state[:WORK]
@@ -208,6 +239,8 @@ class CompiledContact:
             rates[columns] = rest[11 : 11 + WORK][columns]
         unit = vectors[gamma] / float(np.linalg.norm(vectors[gamma]))
         touch = mobility_at(self._mass, self._inverse_inertia, vectors[r], unit)
+        turntable = self.situation.surface.turntable
+        vertical = Rotation.from_quat(state[ATTITUDE], scalar_first=True).as_matrix()[2]
         # a couple that does not depend on the normal force belongs to the free motion
         turn = touch.inverse_inertia @ rest[8:11]
         return ContactNumbers(
@@ -228,6 +261,8 @@ class CompiledContact:
             q=rest[5:8] if np.isfinite(rest[5:8]).all() else np.zeros(3),
             rates_of_place=rates,
             mobility=touch,
+            support_turn_rate=turntable * np.cross(vertical, state[OMEGA]),
+            unheld_rise=float(unit @ vectors[slip_rate]) + normal,
         )
 
 

@@ -15,10 +15,10 @@ from ..friction.modes import FLIGHT, Mode, Range
 from ..impact.impact import Impact, zeno_closure
 from ..slip.stopping import WEAK, finish_stop
 from .beginning import Beginning, beginning
-from .compiled import OMEGA
 from .course_state import NO_SLIP, SLIP_FLOOR
 from .endings import SINGULAR, EndError
 from .events import EventKind
+from .jam import after_jam
 from .mode_integrator import PAUSE
 from .near_rest import departure, first_direction, frozen_slip, state_after_stop
 from .rolling_course import RollingCourse
@@ -31,6 +31,18 @@ _LOWEST = 1e-6
 
 #: Likewise for a slip that ends slowly.
 _WEAK_FLOOR = 1e-3
+
+
+_PARADOX = (
+    "no motion in contact is possible here (Painlevé's paradox: the friction of any normal force "
+    "would press the body into the support)"
+)
+
+
+_LIFTED = (
+    "friction that does not depend on the normal force lifts the body, which without it would be "
+    "pressed into the support: neither contact nor flight is possible"
+)
 
 
 class Course(RollingCourse):
@@ -101,7 +113,7 @@ class Course(RollingCourse):
         """Slide on, in the range of the present state."""
         known = self._known()
         slip = float(np.linalg.norm(known.slip))
-        self.mode = replace(self.mode, touching=True, sliding=True, rolling=True)
+        self.mode = replace(self.mode, touching=True, sliding=True)
         self.mode = replace(self.mode, range=self._range_of(known))
         # a slide may be slower than the usual floor from its start
         size = math.hypot(slip, self._dry.patch * known.spin)
@@ -109,20 +121,12 @@ class Course(RollingCourse):
         if self._dry.mu and 0 < size < 10 * floor:
             self._floor_factor *= 0.01 * size / floor
 
-    def _decide_on_spin(self, sliding: bool) -> bool:
-        """Hold the spin, which is zero, or let it begin; whether it is held."""
-        mode = Mode(sliding=sliding, spinning=False)
-        self._project(mode)
-        N, couple = self._normal_force_and_couple(mode)
-        spins = abs(couple) > self._dry.spin_arm * N
-        if spins:
-            self._spin_sign = -math.copysign(1.0, couple)
-        self.mode = replace(mode, spinning=spins)
-        return not spins
-
     def _require_pressure(self) -> None:
         """Leave the support, or find no motion, where a sliding contact presses no longer."""
         if not self.mode.sliding or not self.mode.touching:
+            return
+        if self.mode.rolling and self._rolling_is_zero:
+            # the resistance to rolling is decided on later
             return
         integrator = self._integrator(self.mode)
         N = float(integrator.outputs(self.state)["normal_force"])
@@ -131,10 +135,10 @@ class Course(RollingCourse):
         paradox = "paradox" in names and values[names.index("paradox")] <= 0
         if N > 0 and not paradox:
             return
-        if self._free_normal_acceleration() >= 0:
-            self._take_off()
-        else:
+        if paradox and self._known().unheld_rise < 0:
             self._paradox()
+        else:
+            self._lift_off()
 
     def _leave_rest(
         self,
@@ -158,7 +162,8 @@ class Course(RollingCourse):
         if kind in ("stick", "spin stop"):
             kind = "direct restart"
         self._spin_sign = choice.spin_sign or self._spin_sign
-        self.mode = Mode(spinning=bool(self._dry.patch or choice.spin_sign or not spin_at_rest))
+        spinning = bool(self._dry.patch or choice.spin_sign or not spin_at_rest)
+        self.mode = Mode(spinning=spinning, rolling=self.mode.rolling)
         if kind:
             self._record(kind, before, *impacts, unique=choice.unique)
         self._begin(choice.direction)
@@ -166,7 +171,7 @@ class Course(RollingCourse):
     def _leave_support(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
         """Leave a support that a contact without slip presses no longer."""
         strength = float(np.linalg.norm(self._known().free_acceleration))
-        if self._free_normal_acceleration() < -_LEVEL * strength:
+        if self._known().unheld_rise < -_LEVEL * strength:
             if self._dry.never_slips:
                 raise EndError(
                     "pulled",
@@ -182,15 +187,12 @@ class Course(RollingCourse):
     def _begin(self, direction: FloatArray) -> None:
         """Slide from zero slip in a first direction (and that of the spin)."""
         known = self._known()
-        if self._resists_rolling and not known.rolling.any():
+        if self.mode.rolling and self._resists_rolling and not known.rolling.any():
             raise EndError(
                 "no beginning",
                 "sliding begins while the body does not roll, where resistance to rolling has no "
                 "direction: start it with some rolling",
             )
-        speed = float(np.linalg.norm(self.state[OMEGA]))
-        strength = float(np.linalg.norm(known.free_acceleration))
-        rate = max(speed, math.sqrt(strength / self._length))
         if self._dry.patch and direction[3]:
             self._spin_sign = math.copysign(1.0, direction[3])
         slide = beginning(
@@ -200,7 +202,7 @@ class Course(RollingCourse):
             self.mode,
             direction,
             self._spin_sign,
-            0.02 / rate,
+            0.02 / self._turning_rate,
         )
         if slide is None:
             raise EndError(
@@ -229,19 +231,26 @@ class Course(RollingCourse):
             "spin stop": self._spin_stop,
             "spin start": self._spin_start,
             "rolling stop": self._rolling_stop,
+            "rolling start": self._rolling_start,
             "range": self._change_range,
             "paradox": self._paradox,
         }
         if guard not in handlers:
             messages = {g.name: g.message for g in self._integrator(self.mode).system.guards}
             raise EndError("guard", messages.get(guard) or guard)
+        self._rolling_factor = 1.0
         handlers[guard]()
+        if self.mode.touching and not self.mode.rolling:
+            self._decide_on_rolling()
 
     def _lift_off(self) -> None:
-        if self.mode.sliding:
-            self._take_off()
-        else:
+        if not self.mode.sliding:
             self._leave_support(None, self.state)
+            return
+        strength = float(np.linalg.norm(self._known().free_acceleration))
+        if self._known().unheld_rise < -_LEVEL * strength:
+            raise EndError("lifted", _LIFTED)
+        self._take_off()
 
     def _take_off(self) -> None:
         before = self.state
@@ -275,6 +284,8 @@ class Course(RollingCourse):
                 result.spin,
                 mu=self._dry.mu,
                 spin_arm=self._dry.spin_arm,
+                viscous=self._dry.viscous,
+                order=self._dry.order,
             )
             self._push(impulse, couple)
         self._stay("landing", before, result)
@@ -290,6 +301,7 @@ class Course(RollingCourse):
         else:
             raise InputError("state: with mu = inf the contact cannot slip; its slip must be zero")
         self._settle(kind, before, *impacts)
+        self._decide_on_rolling()
 
     def _stick(self) -> None:
         """Complete a stop, and hold the contact or leave zero in another direction."""
@@ -336,33 +348,10 @@ class Course(RollingCourse):
             if choice is None or choice.holds:
                 raise EndError("no beginning", "static friction ends, but sliding cannot begin")
             direction = choice.direction
-        self.mode = Mode(spinning=self.mode.spinning or bool(self._dry.patch))
+        spinning = self.mode.spinning or bool(self._dry.patch)
+        self.mode = Mode(spinning=spinning, rolling=self.mode.rolling)
         self._record("slip", before)
         self._begin(direction)
-
-    def _spin_stop(self) -> None:
-        """The spin has come to zero: hold it, or let it change its sign."""
-        before, sliding = self.state, self.mode.sliding
-        if not self._dry.spin_arm:
-            # formulas of friction in |Ω| that do not hold the spin
-            mode = self.mode
-            self._decide_on_spin(sliding)
-            self.mode = mode
-            self._record("spin reversal", before)
-            return
-        if not sliding:
-            self._project(replace(self.mode, spinning=False))
-            self._leave_rest("spin stop", before, spin_at_rest=True)
-            return
-        stopped = self._decide_on_spin(sliding=True)
-        self._record("spin stop" if stopped else "spin reversal", before)
-
-    def _spin_start(self) -> None:
-        before = self.state
-        _, couple = self._normal_force_and_couple(self.mode)
-        self._spin_sign = -math.copysign(1.0, couple)
-        self.mode = replace(self.mode, spinning=True)
-        self._record("spin start", before)
 
     def _change_range(self) -> None:
         if self.mode.sliding:
@@ -386,11 +375,17 @@ class Course(RollingCourse):
 
     def _paradox(self) -> None:
         """No motion in contact: end, or take an impact without collision."""
+        part = 1.0 if self.rules.on_paradox == "stop" else 2.0
+        jam = after_jam(self._integrator(self.mode), self._known(), self.state, self._speed, part)
+        if jam is not None:
+            self.state = jam[0]
+            self.time += jam[1]
+            self._project(self.mode)
         if self.rules.on_paradox == "stop":
-            raise EndError(
-                "paradox",
-                "no motion in contact is possible here (Painlevé's paradox: the friction of any "
-                "normal force would press the body into the support)",
-            )
+            raise EndError("paradox", _PARADOX)
         before = self.state
-        self._stay("impact without collision", before, self._collide())
+        self.mode = replace(self.mode, rolling=True)
+        result = self._collide()
+        if result.normal_impulse <= 0:
+            raise EndError("paradox", _PARADOX)
+        self._stay("impact without collision", before, result)

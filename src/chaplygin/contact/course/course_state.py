@@ -26,7 +26,8 @@ from .compiled import (
 )
 from .endings import SINGULAR, EndError, Ending
 from .events import ContactEvent, EventKind
-from .mode_integrator import ModeIntegrator, with_values
+from .jam import jams
+from .mode_integrator import PAUSE, ModeIntegrator, with_values
 from .near_rest import (
     Departure,
     dry_friction,
@@ -39,6 +40,9 @@ SLIP_FLOOR, NO_SLIP = 1e-8, 1e-12
 
 #: Likewise of a bounce that is the last one.
 LAST_BOUNCE = 1e-7
+
+#: So much of the time must be made in a stretch.
+_LEAST_PROGRESS = 1e-12
 
 #: So many events without progress of time end a motion.
 _STUCK = 60
@@ -97,7 +101,7 @@ class CourseState:
         self._dry = dry_friction(contact.situation)
         self._spin_sign = 1.0
         self._next_moment = self._idle = 0
-        self._floor_factor = 1.0
+        self._floor_factor = self._rolling_factor = 1.0
         known = contact.numbers(state)
         body = contact.situation.body
         # a body may touch its support with its centre of mass
@@ -127,10 +131,15 @@ class CourseState:
         last = float(self.moments[-1])
         outcome = integrator.advance(self.time, self.state, list(wanted), last, _STRETCH)
         self._add_piece(integrator, outcome.time, outcome.samples)
+        # towards a singularity the steps tend to zero
+        least = _LEAST_PROGRESS * max(abs(self.time), last - self.time)
+        stalls = outcome.guard == PAUSE and outcome.time - self.time <= least
         self.steps += outcome.steps
         self._idle = 0 if outcome.time > self.time else self._idle + 1
         self.time, self.state = outcome.time, outcome.state
-        if outcome.guard == "failure":
+        if outcome.guard == "failure" or stalls:
+            if jams(integrator, self._known(), self.state):
+                return "paradox"
             raise EndError("singular", "; ".join(filter(None, (SINGULAR, self._extremes()))))
         if self._idle > _STUCK or len(self.events) > self.rules.most_events:
             raise EndError(
@@ -163,11 +172,19 @@ class CourseState:
     def _integrator(self, mode: Mode) -> ModeIntegrator:
         floor = SLIP_FLOOR * self._speed * self._floor_factor
         values = {"spin_sign": self._spin_sign, "slip_floor": floor}
-        values["rolling_floor"] = SLIP_FLOOR * self._speed / self._length
+        values["rolling_floor"] = self._rolling_floor
         return with_values(self.contact.mode(mode), values)
 
+    @property
+    def _rolling_floor(self) -> float:
+        """Angular velocity of rolling below which it comes to its end."""
+        return SLIP_FLOOR * self._speed / self._length * self._rolling_factor
+
     def _known(self) -> ContactNumbers:
-        return self.contact.numbers(self.state)
+        known = self.contact.numbers(self.state)
+        if self.mode.touching and not self.mode.rolling:
+            return self.contact.without_rolling(known)
+        return known
 
     def _project(self, mode: Mode) -> None:
         self.state = self._integrator(mode).project(self.state)
@@ -194,6 +211,15 @@ class CourseState:
             )
         )
 
+    def _amend(self) -> None:
+        """Let the last event lead to the present mode and state, where these were decided later."""
+        if not self.events or self.events[-1].time != self.time:
+            return
+        last, kind = self.events[-1], self.events[-1].kind
+        if kind in ("stick", "rolling stop") and self.mode.name == "rest":
+            kind = "rest"
+        self.events[-1] = replace(last, kind=kind, mode=self.mode.name, after=self.state.copy())
+
     def _range_of(self, known: ContactNumbers) -> Range:
         if not self._dry.patch:
             return ""
@@ -201,18 +227,17 @@ class CourseState:
 
     def _mode_at_rest(self, spin_at_rest: bool) -> Mode:
         if self._dry.patch:
-            return Mode(sliding=False, spinning=False, range="above")
-        return Mode(sliding=False, spinning=not spin_at_rest)
+            return self._mode_without_slip(spinning=False, span="above")
+        return self._mode_without_slip(spinning=not spin_at_rest)
+
+    def _mode_without_slip(self, spinning: bool, span: Range = "") -> Mode:
+        return Mode(sliding=False, spinning=spinning, rolling=self.mode.rolling, range=span)
 
     def _normal_force_and_couple(self, mode: Mode) -> tuple[float, float]:
         """Normal force, and couple about the normal besides that of resistance to rolling."""
         values = self._integrator(mode).outputs(self.state)
         N = float(values["normal_force"])
         return N, float(values["gamma"] @ (values["friction_couple"] - N * self._known().q))
-
-    def _free_normal_acceleration(self) -> float:
-        known = self._known()
-        return float(known.mobility.gamma @ known.slip_rate) + known.normal_rate
 
     def _last_rebound(self) -> float:
         """Normal velocity of the bounces that are taken together with all that follow them.
@@ -221,7 +246,7 @@ class CourseState:
         """
         length = self._length + float(np.abs(self.state[POSITION]).max())
         height = 100 * np.finfo(float).eps * length
-        rising = math.sqrt(2 * height * abs(self._free_normal_acceleration()))
+        rising = math.sqrt(2 * height * abs(self._known().unheld_rise))
         return max(LAST_BOUNCE * self._speed, rising)
 
     def _rise(self) -> None:
@@ -240,6 +265,8 @@ class CourseState:
             known.spin if self._dry.spin_arm else 0.0,
             mu=self._dry.mu,
             spin_arm=self._dry.spin_arm,
+            viscous=self._dry.viscous,
+            order=self._dry.order,
             restitution=self.rules.restitution,
             law=self.rules.impact_law,
         )
@@ -260,9 +287,9 @@ class CourseState:
             span = held_range_of(
                 choice.couple / self._dry.patch, self._dry.mu * choice.normal_force
             )
-            self.mode = Mode(sliding=False, spinning=False, range=span)
+            self.mode = self._mode_without_slip(spinning=False, span=span)
             self._spin_sign = math.copysign(1.0, choice.couple)
             return
         spinning = bool(choice.spin_sign) or not self._dry.spin_arm
-        self.mode = Mode(sliding=False, spinning=spinning)
+        self.mode = self._mode_without_slip(spinning)
         self._spin_sign = choice.spin_sign or self._spin_sign

@@ -19,6 +19,8 @@ EventKind = Literal[
     "lift-off",
     "landing",
     "impact without collision",
+    "rolling stop",
+    "rolling start",
     "rolling reversal",
     "rest",
 ]
@@ -34,8 +36,8 @@ class ContactEvent:
     kind : str
         ``"stick"``: sliding ends; ``"slip"``: it begins; ``"direct restart"``: it ends and begins
         again at once; ``"spin stop"``, ``"spin start"``, ``"spin reversal"`` likewise of the spin;
-        ``"lift-off"``, ``"landing"``, ``"impact without collision"``; ``"rolling reversal"``:
-        rolling ends under its resistance and begins again at once; ``"rest"``: all motion ends.
+        and of the rolling; ``"lift-off"``, ``"landing"``, ``"impact without collision"``;
+        ``"rest"``: all motion ends.
     mode : str
         The mode that follows.
     before, after : array (size,)

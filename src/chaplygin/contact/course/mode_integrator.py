@@ -164,7 +164,7 @@ class ModeIntegrator:
         elif code != _TIME_LIMIT:
             guard = PAUSE if code == _STEP_LIMIT else "failure"
         samples = np.concatenate([first, values[1 : len(moments) - at_start + 1]])
-        if guard == "failure":
+        if guard == "failure" and not np.isfinite(stepper.state).all():
             # the last good state is that of the last sample
             good = (grid[len(values) - 1], values[-1]) if len(values) else (time, np.array(state))
             return Outcome(float(good[0]), good[1], guard, samples, steps)

@@ -51,6 +51,8 @@ class DryFriction:
         Name of the law of sliding.
     static_mu : float
         Coefficient of static friction, at least `mu`.
+    viscous, order : float
+        ν and p of the friction ν|u|ᵖ per normal force, which counts in impacts.
     """
 
     mu: float
@@ -58,6 +60,8 @@ class DryFriction:
     spin_arm: float
     law: str
     static_mu: float
+    viscous: float = 0.0
+    order: float = 1.0
 
     @property
     def never_slips(self) -> bool:
@@ -68,10 +72,12 @@ class DryFriction:
 def dry_friction(situation: FrictionalContact) -> DryFriction:
     """The thresholds of a situation."""
     arm = max((law.spin_arm for law in situation.laws), default=0.0)
+    viscous, order = next((law.power for law in situation.laws if law.power[0]), (0.0, 1.0))
     for law in situation.laws:
         if law.static_mu is not None and law.kinetic_mu is not None:
-            return DryFriction(law.kinetic_mu, law.patch_radius, arm, law.name, law.static_mu)
-    return DryFriction(0.0, 0.0, arm, "", 0.0)
+            mu, patch, static = law.kinetic_mu, law.patch_radius, law.static_mu
+            return DryFriction(mu, patch, arm, law.name, static, viscous, order)
+    return DryFriction(0.0, 0.0, arm, "", 0.0, viscous, order)
 
 
 def frozen_slip(known: ContactNumbers, dry: DryFriction, spin_sign: float) -> FrozenSlip:

@@ -2,105 +2,177 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
+from dataclasses import replace
 
 import numpy as np
 
 from ...core.arrays import FloatArray
+from ...mechanics.rolling.shapes import Disk
+from ...mechanics.rolling.surfaces import Plane
 from ..friction.friction_law import FrictionLaw
-from ..friction.modes import Mode
-from ..impact.impact import Impact
-from .compiled import (
-    OMEGA,
-    VELOCITY,
-)
-from .course_state import SLIP_FLOOR, CourseState
+from .compiled import OMEGA, WORK
+from .course_state import NO_SLIP, SLIP_FLOOR
 from .endings import EndError
-from .events import EventKind
-from .rolling_end import rolling_restart, state_with_rolling
+from .rolling_end import direction_of_couple, rolling_rate, rolling_restart, state_with_rolling
+from .spin_course import SpinCourse
 
-_ROLLING_HELD = (
-    "the resistance to rolling holds the rolling while the body still {}: a motion that is not "
-    "computed"
-)
+_NEITHER = "rolling can neither be held nor begin: the resistance to it has no direction here"
+
+#: Time, over a typical one, after which a rolling that was held is followed by its equations.
+_FIRST_TIME = 1e-4
 
 
-class RollingCourse(CourseState, ABC):
+class RollingCourse(SpinCourse, ABC):
     """A motion whose rolling may end, turn back or begin."""
 
     @abstractmethod
-    def _leave_rest(
-        self,
-        kind: EventKind | None,
-        before: FloatArray,
-        *impacts: Impact,
-        spin_at_rest: bool,
-    ) -> None:
-        """Hold a contact without slip if friction can, or begin to slide."""
+    def _require_pressure(self) -> None:
+        """Leave the support, or find no motion, where a sliding contact presses no longer."""
+
+    def _decide_on_rolling(self) -> None:
+        """Hold a rolling that is zero, or let it begin, after what has just happened."""
+        before = self.mode
+        self._begin_to_roll()
+        if self.mode != before:
+            self._amend()
 
     def _begin_to_roll(self) -> None:
-        """Decide on rolling that a resistance holds at zero, at the start or after an impact."""
-        if not self._resists_rolling:
-            return
-        known = self._known()
+        """Hold a rolling that is zero, or let it begin."""
         size = SLIP_FLOOR * self._speed / self._length
-        if not self.mode.touching or float(np.linalg.norm(known.rolling)) > 1e-4 * size:
+        if not (self.mode.touching and self._rolling_is_zero) or self._hold_rolling():
             return
-        integrator = self._integrator(self.mode)
-        restart = rolling_restart(integrator, known, self.state, size, self.mode.sliding)
-        if restart is not None:
-            self._roll_back(*restart)
-            if not self.mode.sliding:
-                # the resistance changes the friction that holds the contact
-                self._leave_rest(None, self.state, spin_at_rest=not self.mode.spinning)
-        elif self.mode.sliding or abs(known.spin) * self._length > 1e-7 * self._speed:
-            raise EndError("rolling held", _ROLLING_HELD.format("slides or spins about the normal"))
+        self.mode = replace(self.mode, rolling=True)
+        restart = rolling_restart(
+            self._integrator(self.mode), self._known(), self.state, size, self.mode.sliding
+        )
+        if restart is None:
+            raise EndError("rolling held", _NEITHER)
+        self._roll_back(*restart)
+        if self.mode.sliding:
+            self._require_pressure()
         else:
-            self._rest()
+            # the resistance changes the friction that holds the contact
+            self._leave_rest(None, self.state, spin_at_rest=not self.mode.spinning)
 
     def _rolling_stop(self) -> None:
-        """Rolling comes to its end under resistance: the body rests, or rolls back."""
+        """Rolling comes to its end under resistance: it is held, or the body rolls back."""
         before, known = self.state, self._known()
         mode, integrator = self.mode, self._integrator(self.mode)
-        rolling = known.rolling
-        size = float(np.linalg.norm(rolling))
-        rate = integrator.rates(self.state)[OMEGA]
-        loss = -float(rate @ rolling) / size
+        size = float(np.linalg.norm(known.rolling))
+        rates = integrator.rates(self.state)
+        loss = -float(known.rolling @ rolling_rate(known, rates[OMEGA])) / size
         if loss <= 0:
             raise EndError("no end", "rolling comes close to its end and does not reach it")
-        remaining = size / loss
-        state = self.state + 0.5 * remaining * known.rates_of_place
-        self.state = state_with_rolling(known, state, np.zeros(3), mode.sliding)
-        self.time += remaining
-        self._project(mode)
-        column = self.contact.work_column(self._law_of_rolling().name)
-        self.state[column] += known.energy - self._known().energy
-        restart = rolling_restart(integrator, self._known(), self.state, size, mode.sliding)
-        if restart is not None:
-            self._roll_back(*restart)
-            self._record("rolling reversal", before)
+        self._move_on(rates, size / loss, np.zeros(3))
+        self.time += size / loss
+        if self._hold_rolling():
+            self._record("rest" if self.mode.name == "rest" else "rolling stop", before)
             return
-        if mode.sliding or abs(known.spin) * self._length > 1e-7 * self._speed:
-            what = "slides" if mode.sliding else "spins about the normal"
-            raise EndError("rolling held", _ROLLING_HELD.format(what))
-        self._rest()
-        self._record("rest", before)
+        restart = rolling_restart(integrator, self._known(), self.state, size, mode.sliding)
+        if restart is None:
+            raise EndError("rolling held", _NEITHER)
+        self._roll_back(*restart)
+        self._record("rolling reversal", before)
+
+    def _rolling_start(self) -> None:
+        """The resistance has come to its limit: rolling begins, like the square of the time."""
+        begun, before, held = self.time, self.state, self._integrator(self.mode)
+        self.mode = replace(self.mode, rolling=True)
+        self._record("rolling start", before)
+        first = _FIRST_TIME / self._turning_rate
+        count = int(np.searchsorted(self.moments, begun + first, side="right"))
+        wanted = list(self.moments[self._next_moment : count])
+        outcome = held.advance(begun, before, wanted, begun + first)
+        self._add_piece(held, outcome.time, outcome.samples)
+        self.time, self.state = outcome.time, outcome.state
+        couple = held.outputs(self.state)["friction_couple"]
+        known = self._known()
+        integrator, slides = self._integrator(self.mode), self.mode.sliding
+        size = self._rolling_floor
+        n = direction_of_couple(integrator, known, self.state, size, slides, couple)
+        there = state_with_rolling(known, self.state, size * n, slides)
+        growth = float(rolling_rate(known, integrator.rates(there)[OMEGA]) @ n)
+        if outcome.guard or growth <= 0:
+            raise EndError(
+                "no beginning", "rolling begins, but no motion with a growing rolling was found"
+            )
+        rolling = 0.5 * growth * first * n
+        self._rolling_factor = min(1.0, 0.25 * growth * first / size)
+        self._move_on(np.zeros(len(self.state)), 0.0, rolling)
+
+    @property
+    def _turning_rate(self) -> float:
+        """A typical rate (1/s) of the motion."""
+        speed = float(np.linalg.norm(self.state[OMEGA]))
+        strength = float(np.linalg.norm(self._known().free_acceleration))
+        return max(speed, math.sqrt(strength / self._length))
 
     def _roll_back(self, direction: FloatArray, rate: float) -> None:
         """Roll on from rest, along a direction that rolling keeps while it grows."""
-        known = self._known()
-        size = 2 * SLIP_FLOOR * self._speed / self._length
-        lasting = size / rate
-        state = self.state + 0.5 * lasting * known.rates_of_place
-        self.state = state_with_rolling(known, state, size * direction, self.mode.sliding)
+        usual = self._turning_rate**2
+        # the slower it grows, the less of it may be taken as growing evenly
+        self._rolling_factor = min(1.0, max(rate / usual, 1e-6))
+        rolling = 2 * self._rolling_floor * direction
+        there = state_with_rolling(self._known(), self.state, rolling, self.mode.sliding)
+        lasting = float(np.linalg.norm(rolling)) / rate
+        self._move_on(self._integrator(self.mode).rates(there), lasting, rolling)
         self.time += lasting
-        self._project(self.mode)
 
-    def _rest(self) -> None:
-        energy, law = self._known().energy, self._law_of_rolling()
-        self.state[VELOCITY] = self.state[OMEGA] = 0.0
-        self.state[self.contact.work_column(law.name)] += energy - self._known().energy
-        self.mode = Mode(sliding=False, spinning=False, rolling=False)
+    def _move_on(self, rates: FloatArray, lasting: float, rolling: FloatArray) -> None:
+        """Move through a short time at constant rates, to a given rolling (3,)."""
+        known = self._known()
+        total = known.energy + float(self.state[WORK:].sum())
+        self.state = self.state + lasting * rates
+        self.state = state_with_rolling(self._known(), self.state, rolling, self.mode.sliding)
+        self._project(self.mode)
+        column = self.contact.work_column(self._law_of_rolling().name)
+        self.state[column] += total - self._known().energy - float(self.state[WORK:].sum())
+
+    def _hold_rolling(self) -> bool:
+        """Hold a rolling that is zero if its resistance can; whether it is held."""
+        situation = self.contact.situation
+        if isinstance(situation.body.shape, Disk) and self._law_of_rolling().name == "contour":
+            # along its edge alone does the contact of a disk wander
+            return False
+        spins = self.mode.spinning and not self._spin_stays_zero()
+        held = replace(self.mode, rolling=False, spinning=spins)
+        integrator = self._integrator(held)
+        state = integrator.project(self.state)
+        names = [guard.name for guard in integrator.system.guards]
+        margins = dict(zip(names, integrator.guard_values(state).tolist(), strict=True))
+        if margins["rolling start"] < 0 or margins["lift-off"] <= 0:
+            return False
+        lost = self._known().energy
+        self.mode, self.state = held, state
+        column = self.contact.work_column(self._law_of_rolling().name)
+        self.state[column] += lost - self._known().energy
+        if margins.get("slip", 1.0) < 0:
+            # the resistance changes the friction that holds the contact
+            self._leave_rest(None, self.state, spin_at_rest=not spins)
+        return True
+
+    def _spin_stays_zero(self) -> bool:
+        """Whether a body that neither slides nor rolls has no spin, and gets none."""
+        known = self._known()
+        if self.mode.sliding or abs(known.spin) * self._length > NO_SLIP * self._speed:
+            return False
+        if isinstance(self.contact.situation.surface, Plane):
+            # no force has a moment about the vertical through the contact
+            return True
+        held = replace(self.mode, rolling=False)
+        rates = self._integrator(held).rates(self._integrator(held).project(self.state))
+        change = float(known.gamma @ rolling_rate(known, rates[OMEGA]))
+        strength = float(np.linalg.norm(known.free_acceleration))
+        return abs(change) * self._length <= 1e-9 * strength
+
+    @property
+    def _rolling_is_zero(self) -> bool:
+        """Whether there is no rolling, so that a resistance to it has no direction."""
+        rolling = float(np.linalg.norm(self.contact.numbers(self.state).rolling))
+        least = 1e-4 * SLIP_FLOOR * self._speed / self._length
+        return self._resists_rolling and rolling <= least
 
     @property
     def _resists_rolling(self) -> bool:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from scipy.optimize import brentq
 
 from ...core.arrays import FloatArray
 from .compiled import OMEGA, VELOCITY, ContactNumbers
@@ -45,6 +46,57 @@ def state_with_rolling(
     return result
 
 
+def rolling_rate(known: ContactNumbers, turning: FloatArray) -> FloatArray:
+    """Rate (3,) of the angular velocity over the support, with a rate of ω; it is Ω̇ along γ.
+
+    The part along the support is the rate of ω_t where that is small.
+
+    Parameters
+    ----------
+    known : ContactNumbers
+    turning : array (3,)
+        ω̇.
+    """
+    return turning - known.support_turn_rate - known.spin * known.gammadot
+
+
+def direction_of_couple(
+    integrator: ModeIntegrator,
+    known: ContactNumbers,
+    state: FloatArray,
+    size: float,
+    slips: bool,
+    couple: FloatArray,
+) -> FloatArray:
+    """The direction (3,) of rolling against which the resistance has the direction of a couple.
+
+    Parameters
+    ----------
+    integrator, known, state, size, slips
+        As of `rolling_restart`.
+    couple : array (3,)
+        Its part along the support counts.
+    """
+    tangents = known.mobility.tangents
+    wanted = tangents @ couple
+
+    def resistance(angle: float) -> FloatArray:
+        n = np.array([math.cos(angle), math.sin(angle)])
+        there = state_with_rolling(known, state, size * (n @ tangents), slips)
+        result: FloatArray = tangents @ integrator.outputs(there)["friction_couple"]
+        return result
+
+    def across(angle: float) -> float:
+        x = resistance(angle)
+        return float(x[0] * wanted[1] - x[1] * wanted[0])
+
+    # the resistance is opposed to the rolling by less than a right angle
+    middle = math.atan2(-wanted[1], -wanted[0])
+    half = math.pi / 2
+    angle = float(brentq(across, middle - half, middle + half, xtol=1e-15))
+    return np.array([math.cos(angle), math.sin(angle)]) @ tangents
+
+
 def rolling_restart(
     integrator: ModeIntegrator,
     known: ContactNumbers,
@@ -67,15 +119,11 @@ def rolling_restart(
         Whether the contact slides.
     """
     tangents = known.mobility.tangents
-    gammadot = known.gammadot
 
     def rate(n: FloatArray) -> FloatArray:
         there = state_with_rolling(known, state, size * (n @ tangents), slips)
         turning = integrator.rates(there)[OMEGA]
-        gamma = known.gamma
-        along = turning - (turning @ gamma) * gamma
-        # ω_t changes with γ too, by the spin
-        return tangents @ (along - known.spin * gammadot)
+        return tangents @ rolling_rate(known, turning)
 
     for angle in 2 * math.pi * np.arange(_STARTS) / _STARTS:
         n = np.array([math.cos(angle), math.sin(angle)])

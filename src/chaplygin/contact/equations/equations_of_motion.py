@@ -32,6 +32,7 @@ from ...mechanics.rolling.attitude import (
 from ...mechanics.rolling.surfaces import Plane
 from ..friction.friction_law import Reaction
 from ..friction.modes import Mode
+from ..friction.rolling_friction import ContourResistance
 from ..friction.symbols import (
     N,
     contact_velocity,
@@ -47,6 +48,7 @@ from ..friction.symbols import (
     r,
     reach,
     reaction,
+    rolling,
     rolling_floor,
     slip,
     slip_floor,
@@ -55,11 +57,19 @@ from ..friction.symbols import (
     v,
 )
 from .free_body import FreeBody, a, free_body, m
+from .held_rolling import (
+    contour_hold_definitions,
+    holding_couple_of_rolling,
+    with_held_rolling,
+)
 from .reaction import normal_excess, normal_rate_free, reaction_definitions
 from .situation import FrictionalContact
 
 #: What the equations lack where a force of friction grows with the normal force beyond measure.
 PARADOX = "no motion in contact is possible (Painlevé's paradox)"
+
+#: Part of B without friction, to which B is followed where it tends to zero.
+JAM = 1e-6
 
 #: What they lack where a force of friction depends on the normal force too strongly.
 NOT_FOUND = "no normal force was found for a law of friction that depends on it"
@@ -95,7 +105,7 @@ def equations_of_motion(situation: FrictionalContact, mode: Mode) -> System:
     powers = first | powers
     work: Pairs = tuple((work_symbol(name), power) for name, power in powers.items())
     turn = free.inverse_inertia * (cross(r, reaction) + couple)
-    at_rest = mode.touching and not mode.rolling
+    at_rest = _at_rest(mode, free)
     field: Pairs = (
         (attitude, quaternion_rate(omega)),
         (position, constant(to_components(rotation()) * to_components(v))),
@@ -148,28 +158,35 @@ def _reaction(
     if not mode.touching:
         definitions += ((reaction, none), (couple, none), (N, sp.S.Zero), (friction, none))
         return definitions, powers, (Guard("landing", gap, "the body lands"),)
-    if not mode.rolling:
-        definitions += (
-            (reaction, -m * free_acceleration),
-            (couple, -1 * (free.inverse_inertia**-1 * free_turn) - cross(r, reaction)),
-            (N, dot(gamma, reaction)),
-            (friction, reaction - N * gamma),
-        )
-        return definitions, powers, ()
     total = sum((law.reaction(mode) for law in laws), Reaction())
     definitions += tuple(pair for law in laws for pair in law.definitions(mode))
-    definitions += reaction_definitions(free, mode, total)
+    if mode.rolling:
+        definitions += reaction_definitions(free, mode, total)
+    else:
+        without_rolling, held = with_held_rolling(free)
+        along_normal = reaction_definitions(held, mode, total)
+        definitions += without_rolling + holding_couple_of_rolling(free, held, along_normal)
+        if any(isinstance(law, ContourResistance) for law in laws):
+            definitions += contour_hold_definitions(free)
     definitions += ((friction, reaction - N * gamma),)
     powers = {law.name: law.reaction(mode).power for law in laws}
     guards = [Guard("lift-off", N, "the body leaves the support")]
     guards += [guard for law in laws for guard in law.guards(mode)]
-    if mode.sliding and any(law.reaction(mode).p != zero for law in laws):
-        guards.append(Guard("paradox", normal_response, PARADOX))
+    if mode.sliding and not total.p == total.q == zero:
+        # the normal force tends to infinity with 1/B, and no step ends at B = 0
+        least = JAM * dot(gamma, free.mobility * gamma)
+        guards.append(Guard("paradox", normal_response - least, PARADOX))
     if normal_excess in dict(definitions):
         # compared with accelerations, so that it says nothing where the body leaves
         size = normal_rate_free**2 + norm_squared(free_acceleration)
         guards.append(Guard("normal force", 1e-20 * size - normal_excess**2, NOT_FOUND))
     return definitions, powers, tuple(guards)
+
+
+def _at_rest(mode: Mode, free: FreeBody) -> bool:
+    """Whether nothing moves in a mode; a body at rest on a turning support moves with it."""
+    moving = mode.sliding or mode.spinning or mode.rolling
+    return mode.touching and not moving and free.turning == 0
 
 
 def _relations(situation: FrictionalContact, mode: Mode, free: FreeBody) -> tuple[sp.Expr, ...]:
@@ -192,7 +209,7 @@ def _relations(situation: FrictionalContact, mode: Mode, free: FreeBody) -> tupl
     if not mode.spinning:
         relations += (spin,)
     if not mode.rolling:
-        relations += tuple(to_components(omega))
+        relations += tuple(to_components(omega if _at_rest(mode, free) else rolling))
     return relations
 
 

@@ -71,8 +71,12 @@ class FreeBody:
         In order: kinematics of the contact, slip, spin, and the accelerations `free_acceleration`,
         `free_turn` and `slip_rate` without the reaction.
     parameters : tuple of Parameter
-    inverse_inertia, mobility : MatrixExpr
-        I⁻¹, and A = E/m − r̂ I⁻¹ r̂.
+    inertia, inverse_inertia, mobility : MatrixExpr
+        I, I⁻¹, and A = E/m − r̂ I⁻¹ r̂.
+    turn, slip_rate : MatrixExpr
+        ω̇ and the acceleration of the touching particle over the support, without the reaction.
+    spin_rate : sympy.Expr
+        Rate of the spin, without the reaction.
     vertical, support_velocity : MatrixExpr
         Vertical of space, and velocity of the support at the contact, body axes.
     turning : sympy.Expr
@@ -84,8 +88,12 @@ class FreeBody:
     touch: Contact
     definitions: Pairs
     parameters: tuple[Parameter, ...]
+    inertia: MatrixExpr
     inverse_inertia: MatrixExpr
     mobility: MatrixExpr
+    turn: MatrixExpr
+    slip_rate: MatrixExpr
+    spin_rate: sp.Expr
     vertical: MatrixExpr
     support_velocity: MatrixExpr
     turning: sp.Expr
@@ -159,8 +167,12 @@ def free_body(situation: FrictionalContact, touching: bool) -> FreeBody:
         touch=touch,
         definitions=definitions,
         parameters=_parameters(body, touch, moving_support, field),
+        inertia=inertia,
         inverse_inertia=inverse,
         mobility=mobility,
+        turn=free_turn,
+        slip_rate=slip_rate,
+        spin_rate=spin_rate,
         vertical=vertical,
         support_velocity=moving_support.velocity,
         turning=moving_support.turn,

@@ -22,8 +22,6 @@ from ..friction.symbols import (
     normal_response,
     r,
     reaction,
-    slip_rate,
-    spin_rate,
 )
 from .free_body import FreeBody
 
@@ -50,7 +48,7 @@ def reaction_definitions(free: FreeBody, mode: Mode, laws: Reaction) -> Pairs:
     ----------
     free : FreeBody
     mode : Mode
-        A mode in which the body touches and may roll.
+        A mode in which the body touches; the rolling is held if `free` is that of held rolling.
     laws : Reaction
         That of all laws together, without what holds the contact.
     """
@@ -62,10 +60,10 @@ def _while_sliding(free: FreeBody, mode: Mode, laws: Reaction) -> Pairs:
     turned = cross(Y * gamma, r)
     sigma, tilt = dot(gamma, Y * gamma), dot(gamma, turned)
     # accelerations of the contact without normal force, and for each unit of it
-    base = slip_rate + A * laws.force + cross(Y * laws.couple, r)
+    base = free.slip_rate + A * laws.force + cross(Y * laws.couple, r)
     normal_0 = dot(gamma, base) + normal_rate
     normal_1 = dot(gamma, A * (gamma + laws.p) + cross(Y * laws.q, r))
-    spin_0 = spin_rate + dot(turned, laws.force) + dot(gamma, Y * laws.couple)
+    spin_0 = free.spin_rate + dot(turned, laws.force) + dot(gamma, Y * laws.couple)
     spin_1 = dot(turned, gamma + laws.p) + dot(gamma, Y * laws.q)
     torque = N * laws.q + laws.couple
     pairs: Pairs = ()
@@ -103,7 +101,7 @@ def _without_slip(free: FreeBody, mode: Mode, laws: Reaction) -> Pairs:
     turned = cross(Y * gamma, r)
     pairs: Pairs = (
         (Z, free.mobility**-1),
-        (_h, -1 * (Z * (slip_rate + cross(Y * laws.couple, r)))),
+        (_h, -1 * (Z * (free.slip_rate + cross(Y * laws.couple, r)))),
         (_h_q, Z * cross(Y * laws.q, r)),
     )
     if mode.spinning:
@@ -121,7 +119,7 @@ def _without_slip(free: FreeBody, mode: Mode, laws: Reaction) -> Pairs:
         (n[0], dot(gamma, _h)),
         (n[1], 1 + dot(gamma, _h_q)),
         (n[2], dot(gamma, _h_s)),
-        (w[0], spin_rate + dot(gamma, Y * laws.couple) + dot(turned, _h)),
+        (w[0], free.spin_rate + dot(gamma, Y * laws.couple) + dot(turned, _h)),
         (w[1], dot(gamma, Y * laws.q) - dot(turned, _h_q)),
         (w[2], dot(gamma, Y * gamma) - dot(turned, _h_s)),
         (N, (n[0] * w[2] + n[2] * w[0]) / (n[1] * w[2] - n[2] * w[1])),

@@ -37,5 +37,7 @@ def require_compatible(laws: Sequence[FrictionLaw]) -> None:
                 f"friction: the laws {first} and {second} both hold a contact without {hold}; give "
                 "one of them"
             )
+    if "slip" in names and "power" in names:
+        raise InputError("friction: two laws in proportion to the normal force and a power of slip")
     if "rolling" in names and "contour" in names:
         raise InputError("friction: resistance to rolling excludes resistance along the contour")

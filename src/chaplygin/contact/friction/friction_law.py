@@ -112,6 +112,11 @@ class FrictionLaw(ABC):
         return self.static_mu
 
     @property
+    def power(self) -> tuple[float, float]:
+        """ν and p of a force ν|u|ᵖ for each unit of normal force, with no threshold."""
+        return 0.0, 1.0
+
+    @property
     def spin_arm(self) -> float:
         """Greatest couple per normal force (m) that holds the spin by itself, whatever the slip."""
         return 0.0

@@ -23,7 +23,7 @@ class Mode:
     spinning : bool
         Whether the body may spin about the normal; false where a couple holds it.
     rolling : bool
-        Whether the body may roll; false at rest, where resistance to rolling holds it.
+        Whether the body may roll; false where resistance to rolling holds it.
     range : str
         The range of the coupled law of Contensou and Erismann, empty for other laws.
 
@@ -45,11 +45,12 @@ class Mode:
         """The mode in words."""
         if not self.touching:
             return "flight"
-        if not self.rolling:
-            return "rest"
+        if self.rolling:
+            name = "sliding" if self.sliding else "rolling"
+            return name if self.spinning else f"{name} without spin"
         if self.sliding:
-            return "sliding" if self.spinning else "sliding without spin"
-        return "rolling" if self.spinning else "rolling without spin"
+            return "sliding without rolling" if self.spinning else "sliding without turning"
+        return "spinning" if self.spinning else "rest"
 
 
 FLIGHT = Mode(touching=False)
@@ -62,4 +63,7 @@ MODE_NAMES = (
     "rolling",
     "rolling without spin",
     "rest",
+    "sliding without rolling",
+    "sliding without turning",
+    "spinning",
 )

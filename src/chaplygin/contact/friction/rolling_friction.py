@@ -4,12 +4,23 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import sympy as sp
+
 from ...arguments import arguments_checked
 from ...core.system import Guard, Parameter
-from ...core.vectors import real_symbol
+from ...core.vectors import dot, norm_squared, real_symbol
 from .friction_law import FrictionLaw, Reaction, coefficient, require_coefficient
 from .modes import Mode
-from .symbols import contour_couple, rolling, rolling_floor, rolling_speed
+from .symbols import (
+    N,
+    contour_couple,
+    contour_hold,
+    couple,
+    gamma,
+    rolling,
+    rolling_floor,
+    rolling_speed,
+)
 
 rolling_arm, rolling_viscous, contour_arm = (
     real_symbol(name) for name in ("delta_r", "c_r", "mu_c")
@@ -64,8 +75,9 @@ class RollingResistance(FrictionLaw):
         return Reaction(q=-rolling_arm * rolling / rolling_speed) if mode.rolling else Reaction()
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
-        """The angular velocity of rolling while there is any."""
-        return _rolling_guards(mode)
+        """The angular velocity of rolling while there is any; what holds it, less its limit."""
+        across = norm_squared(couple) - dot(gamma, couple) ** 2
+        return _rolling_guards(mode, rolling_arm**2 * N**2 - across)
 
 
 @arguments_checked
@@ -163,16 +175,16 @@ class ContourResistance(FrictionLaw):
         return Reaction(q=-contour_arm * contour_couple) if mode.rolling else Reaction()
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
-        """The speed of the contact point over the body while there is any."""
-        return _rolling_guards(mode)
+        """The angular velocity of rolling while there is any; what holds it, less its limit."""
+        return _rolling_guards(mode, contour_arm**2 * N**2 - norm_squared(contour_hold))
 
 
-def _rolling_guards(mode: Mode) -> tuple[Guard, ...]:
-    """The angular velocity of rolling, while there is any.
+def _rolling_guards(mode: Mode, holds: sp.Expr) -> tuple[Guard, ...]:
+    """The angular velocity of rolling, while there is any, or what stays positive as it is held.
 
     Its square would touch zero too closely for an event: in the plane rolling passes through zero.
     """
     if not mode.rolling:
-        return ()
+        return (Guard("rolling start", holds, "rolling begins"),)
     margin = rolling_speed - rolling_floor
     return (Guard("rolling stop", margin, "rolling ends"),)

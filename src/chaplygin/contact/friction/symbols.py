@@ -22,6 +22,9 @@ contour_couple = Vector("contour_couple")
 #: Normal force, tangential force of the support on the body, couple that holds the spin.
 N, friction, holding_couple = real_symbol("N"), Vector("friction"), real_symbol("holding_couple")
 
+#: The vector e along the support for which γ×(W e) is the couple that holds the rolling.
+contour_hold = Vector("contour_hold")
+
 #: Speed (m/s) and angular velocity (rad/s) below which a motion is followed in logarithmic time.
 slip_floor, rolling_floor = real_symbol("slip_floor"), real_symbol("rolling_floor")
 

@@ -111,6 +111,11 @@ class NormalViscous(FrictionLaw):
         meaning = "coefficient of friction in proportion to slip and normal force"
         return (coefficient(nu, meaning, self.coefficient, "s/m"),)
 
+    @property
+    def power(self) -> tuple[float, float]:
+        """ν and 1."""
+        return self.coefficient, 1.0
+
     def reaction(self, mode: Mode) -> Reaction:
         """The force −νN u."""
         return Reaction(p=-nu * slip)
@@ -174,6 +179,11 @@ class PowerFriction(FrictionLaw):
         meaning = "coefficient of friction in proportion to normal force and a power of slip"
         unit = f"(s/m)^{self.order:g}"
         return (coefficient(power_viscous, meaning, self.coefficient, unit),)
+
+    @property
+    def power(self) -> tuple[float, float]:
+        """ν and p."""
+        return self.coefficient, self.order
 
     @property
     def is_smooth(self) -> bool:

@@ -28,6 +28,7 @@ from .friction_response import (
 )
 from .impact_course import ImpactCourse, ImpactPhase
 from .impact_segments import ROUNDING
+from .impact_slide import SlidingFriction
 from .mobility import Mobility
 
 ImpactLaw = Literal["stronge", "poisson", "newton"]
@@ -84,6 +85,8 @@ def impact(
     *,
     mu: float,
     spin_arm: float = 0.0,
+    viscous: float = 0.0,
+    order: float = 1.0,
     restitution: float = 0.0,
     law: ImpactLaw = "stronge",
 ) -> Impact:
@@ -104,6 +107,8 @@ def impact(
         before any normal impulse, or the friction of stopping it lifts the body off.
     spin_arm : float
         Greatest couple of spin friction per normal force (a length).
+    viscous, order : float
+        ν and p of the friction ν|u|ᵖ per normal force, besides μ.
     restitution : float
         Between 0 and 1.
     law : str
@@ -135,6 +140,7 @@ def impact(
     ['sliding', 'sticking']
     """
     u = _checked(velocity, spin, mu, spin_arm, restitution, law)
+    friction_law = _sliding_friction(mu, viscous, order)
     approach = float(mobility.gamma @ u)
     scale = float(np.linalg.norm(u))
     if approach > 1e-14 * scale:
@@ -143,7 +149,14 @@ def impact(
         )
     tangents = mobility.tangents
     course = ImpactCourse(
-        mobility, mu, spin_arm, tangents @ u, float(spin), min(approach, 0.0), restitution, law
+        mobility,
+        friction_law,
+        spin_arm,
+        tangents @ u,
+        float(spin),
+        min(approach, 0.0),
+        restitution,
+        law,
     )
     course.run()
     friction = course.friction @ tangents
@@ -197,6 +210,8 @@ def zeno_closure(
     *,
     mu: float,
     spin_arm: float = 0.0,
+    viscous: float = 0.0,
+    order: float = 1.0,
 ) -> tuple[FloatArray, float]:
     """Impulse (3,) and couple impulse that take away a small normal velocity of the contact.
 
@@ -212,7 +227,7 @@ def zeno_closure(
     velocity : (3,) array
         Of the touching particle relative to the support, body axes; its normal part may have
         either sign.
-    spin, mu, spin_arm
+    spin, mu, spin_arm, viscous, order
         As of :func:`impact`.
 
     Raises
@@ -221,6 +236,7 @@ def zeno_closure(
         If sliding friction turns a normal impulse into approach (B ≤ 0).
     """
     u = _checked(velocity, spin, mu, spin_arm, 0.0, "stronge")
+    sliding = _sliding_friction(mu, viscous, order)
     gamma, tangents = mobility.gamma, mobility.tangents
     slip = tangents @ u
     if spin_arm and spin == 0:
@@ -233,13 +249,23 @@ def zeno_closure(
     elif np.isinf(mu):
         raise InputError("mu inf: a contact that slides has no finite friction")
     else:
-        force = -mu * slip / np.hypot(*slip)
+        speed = float(np.hypot(*slip))
+        force = -sliding.at(speed) * slip / speed
     B = response.normal[0] + float(response.normal[1] @ force)
     if B <= 0:
         raise InputError(f"B = {B:.6g}: it must be positive for the contact to last")
     pressure = -float(gamma @ u) / B
     couple = response.couple[0] + float(response.couple[1] @ force)
     return pressure * (gamma + force @ tangents), pressure * couple
+
+
+def _sliding_friction(mu: float, viscous: float, order: float) -> SlidingFriction:
+    if not (0 <= viscous < np.inf and 0 < order < np.inf):
+        raise InputError(
+            f"viscous {viscous}, order {order}: the first must be zero or positive and finite, the "
+            "second positive and finite"
+        )
+    return SlidingFriction(mu, viscous, order)
 
 
 def _checked(

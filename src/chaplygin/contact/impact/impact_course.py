@@ -18,7 +18,7 @@ from .friction_response import (
     response_with_spin_at_rest,
 )
 from .impact_segments import ROUNDING, Segment, constant_friction, turning_rate
-from .impact_slide import Ends, Linear, slide, slide_integrator
+from .impact_slide import Ends, Linear, SlidingFriction, slide, slide_integrator
 from .mobility import Mobility
 from .polynomial_events import first_rise, value
 
@@ -28,6 +28,8 @@ Event = Literal[
 ]
 #: Sliding this much slower than at the start of its phase stops as if straight.
 STOP = float(np.exp(-40.0))
+#: A spin with which another one begins, relative to the velocities of the impact.
+_FIRST_SPIN = 1e-17
 #: Stretches of an impact at most.
 STRETCHES = 10_000
 
@@ -54,7 +56,8 @@ class ImpactCourse:
     Parameters
     ----------
     mobility : Mobility
-    mu, spin_arm : float
+    friction : SlidingFriction
+    spin_arm : float
     slip : (2,) array
         Tangential velocity, along the tangents of the mobility.
     spin, normal : float
@@ -65,7 +68,7 @@ class ImpactCourse:
     def __init__(
         self,
         mobility: Mobility,
-        mu: float,
+        friction: SlidingFriction,
         spin_arm: float,
         slip: FloatArray,
         spin: float,
@@ -73,7 +76,8 @@ class ImpactCourse:
         restitution: float,
         law: str,
     ) -> None:
-        self.mobility, self.mu, self.spin_arm = mobility, mu, spin_arm
+        self.mobility, self.mu, self.spin_arm = mobility, friction.mu, spin_arm
+        self._law, self._size = friction, float(np.hypot(np.hypot(*slip), normal))
         self.slip, self.spin, self.normal = slip, spin, normal
         self.restitution, self.law, self.approach = restitution, law, normal
         self.normal_impulse = self.compression_impulse = self.couple_impulse = 0.0
@@ -90,7 +94,7 @@ class ImpactCourse:
         self._first_speed = 0.0
         self._at_rest = response_with_spin_at_rest(mobility)
         self._spinning: dict[float, FrictionResponse] = {}
-        self._integrator = slide_integrator()
+        self._integrator = slide_integrator(bool(friction.viscous))
         self._decide()
 
     def run(self) -> None:
@@ -121,8 +125,8 @@ class ImpactCourse:
 
     @property
     def _friction(self) -> float:
-        """Greatest friction per unit of the parameter."""
-        return 1.0 if self._weight == 0 else self.mu
+        """Friction of sliding per unit of the parameter, at the present speed."""
+        return 1.0 if self._weight == 0 else self._law.at(float(np.hypot(*self.slip)))
 
     def _response(self) -> FrictionResponse:
         if self._turning is None and self._weight:
@@ -160,6 +164,19 @@ class ImpactCourse:
                 beta, A = response.tangential
                 self._sticks = False
                 self._straight = least_motion_force(A, beta, self.mu)
+                if self._law.viscous and self._weight:
+                    self._start_against_viscosity(beta)
+
+    def _start_against_viscosity(self, beta: FloatArray) -> None:
+        """Begin to slide, at a speed beyond rounding, with friction that depends on the speed."""
+        assert self._straight is not None
+        direction = -self._straight if self.mu else beta
+        size = float(np.hypot(*direction))
+        if size > ROUNDING * float(np.abs(self.mobility.A).max()):
+            self.slip = STOP * self._size / size * direction
+            self._straight, self._first_speed = None, STOP * self._size
+        else:
+            self._sticks = True
 
     def _start_of_spin(self) -> float | None:
         """The sign that the spin takes while the contact slides, None if it stays zero."""
@@ -177,7 +194,7 @@ class ImpactCourse:
         direction: FloatArray | None
         if self._sticks:
             force, direction = holding_force(response), None
-        elif self.mu == 0:
+        elif self.mu == 0 and not self._law.viscous:
             force, direction = np.zeros(2), None
         elif self._straight is not None:
             force, direction = self._straight, -self._straight / np.hypot(*self._straight)
@@ -187,6 +204,8 @@ class ImpactCourse:
             along, across, straight = turning_rate(response, weight, self._friction, direction)
             # going straight from here misplaces the end by what the slide would turn yet
             missed = speed * min(1.0, abs(across / along)) if along < 0 else np.inf
+            if self._law.viscous and weight:
+                straight, missed = False, speed if along < 0 else np.inf
             if not straight and missed >= STOP * self._first_speed:
                 return None
             force = -self._friction * direction
@@ -208,7 +227,7 @@ class ImpactCourse:
         couple = None
         if self._turning is None and weight:
             constant, slope = self._at_rest.couple
-            couple = np.array([constant, *(-self.mu * slope)]) / self.spin_arm
+            couple = np.array([constant, *(-self._friction * slope)]) / self.spin_arm
         missing = {
             "stronge": (1.0, 0.0, 0.0),
             "poisson": (0.0, 1.0, 0.0),
@@ -221,7 +240,8 @@ class ImpactCourse:
             spin=spin.times(self._turning) if self._turning and weight else None,
             couple=couple,
         )
-        end = slide(self._integrator, weight * beta, A, self._friction, self.slip, normal, ends)
+        law = self._law if weight else SlidingFriction(self._friction)
+        end = slide(self._integrator, weight * beta, A, law, self.slip, normal, ends)
         impulse = weight * end.clock
         self.normal_impulse += impulse
         self.compression_impulse += impulse if self.compressing else 0.0
@@ -326,8 +346,10 @@ class ImpactCourse:
         if event == "spin starts":
             direction = self.slip / np.hypot(*self.slip)
             constant, slope = self._at_rest.couple
-            self._turning = -float(np.sign(constant - self.mu * float(slope @ direction)))
-            self.spin = 0.0
+            self._turning = -float(np.sign(constant - self._friction * float(slope @ direction)))
+            # it starts like the square of the impulse, and must not end at once by rounding
+            unit = float(np.linalg.norm(self.mobility.spin_force) / self.mobility.A.max())
+            self.spin = self._turning * _FIRST_SPIN * self._size * unit
             self._straight, self._first_speed = None, float(np.hypot(*self.slip))
             return
         if event == "stopped":

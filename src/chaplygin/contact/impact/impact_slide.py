@@ -2,7 +2,7 @@
 
 Sliding with velocity s n turns ever faster as s goes to zero.  In the logarithmic time θ with
 dP = s dθ it does not: n′ = G n⊥, s′ = H s, where the rate of the sliding velocity is
-β − μ A n = H n + G n⊥.
+β − F A n = H n + G n⊥ with the friction F = μ + ν sᵖ for each unit of the normal force.
 """
 
 from __future__ import annotations
@@ -23,6 +23,9 @@ from ...flow.kernel import code_cache
 #: A slide is followed down to this part of its speed in one go.
 LEAST = float(np.exp(-8.0))
 
+#: Likewise of a slide that grows.
+MOST = 1 / LEAST
+
 #: Restitution of less than this part of the work of the slide is none.
 LEAST_RETURN = 1e-18
 
@@ -40,9 +43,33 @@ _EVENTS: tuple[SlideEvent | None, ...] = (
     "spin starts",
     "spin starts",
     None,
+    None,
 )
 
-_PARAMETERS = 22
+_PARAMETERS = 24
+
+
+@dataclass(frozen=True)
+class SlidingFriction:
+    """Friction for each unit of normal force while a contact slides, μ + ν sᵖ at the speed s.
+
+    Attributes
+    ----------
+    mu : float
+        μ; it may be infinite.
+    viscous : float
+        ν ((s/m)^p).
+    order : float
+        p.
+    """
+
+    mu: float
+    viscous: float = 0.0
+    order: float = 1.0
+
+    def at(self, speed: float) -> float:
+        """Friction at a speed (m/s)."""
+        return self.mu + (self.viscous * speed**self.order if self.viscous else 0.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,34 +147,40 @@ class Ends:
     couple: FloatArray | None
 
 
-def slide_integrator() -> hy.taylor_adaptive:
-    """The compiled equations of a slide, for `slide` to change their state; one in each thread."""
-    return _integrator_of_thread(threading.get_ident())
+def slide_integrator(viscous: bool) -> hy.taylor_adaptive:
+    """The compiled equations of a slide, for `slide` to change their state; one in each thread.
+
+    Parameters
+    ----------
+    viscous : bool
+        Whether friction depends on the speed.
+    """
+    return _integrator_of_thread(viscous, threading.get_ident())
 
 
 @lru_cache(maxsize=64)
-def _integrator_of_thread(_: int) -> hy.taylor_adaptive:
-    return copy.copy(_integrator())
+def _integrator_of_thread(viscous: bool, _: int) -> hy.taylor_adaptive:
+    return copy.copy(_integrator(viscous))
 
 
 def slide(
     integrator: hy.taylor_adaptive,
     beta: FloatArray,
     A: FloatArray,
-    mu: float,
+    friction: SlidingFriction,
     slip: FloatArray,
     normal: Linear,
     ends: Ends,
 ) -> Slide:
-    """Sliding with the rate β − μ A n of the slip s n, to the first of its ends.
+    """Sliding with the rate β − F A n of the slip s n, to the first of its ends.
 
     Parameters
     ----------
     integrator : heyoka.taylor_adaptive
         As `slide_integrator` returns it.
     beta, A : (2,) and (2, 2) array
-    mu : float
-        Friction per unit of the clock.
+    friction : SlidingFriction
+        Per unit of the clock.
     slip : (2,) array
         At the start.
     normal : Linear
@@ -160,6 +193,7 @@ def slide(
         If it takes too many steps.
     """
     speed = float(np.hypot(*slip))
+    mu = friction.at(speed)
     # in θ times the greatest rate, with the speed as unit, all numbers are of order one
     unit = float(np.hypot(*beta)) + mu * float(np.abs(A).max())
     clock, force = speed / unit, -mu * speed / unit
@@ -180,12 +214,13 @@ def slide(
         pars[15:19] = _scaled(ends.spin, clock, force, size)
     if ends.couple is not None:
         pars[19:22] = ends.couple
+    pars[22:] = (mu - friction.mu) / mu if friction.viscous else 0.0, friction.order
     integrator.reset_cooldowns()
     integrator.time = 0.0
-    integrator.pars[:] = pars
+    integrator.pars[:] = pars[: len(integrator.pars)]
     integrator.state[:] = [*(slip / speed), 1.0, 0.0, 0.0, 0.0, 0.0]
     outcome = int(integrator.propagate_until(_LONGEST, max_steps=_STEPS)[0])
-    if not -7 <= outcome < 0:
+    if not -len(_EVENTS) <= outcome < 0:
         raise RunError("the sliding of an impact does not end", 0.0)
     n1, n2, w, p, f1, f2, work = integrator.state.tolist()
     return Slide(
@@ -203,32 +238,37 @@ def _scaled(quantity: Linear, clock: float, force: float, scale: float) -> Float
     return np.array(terms) / scale
 
 
-@lru_cache(maxsize=1)
-def _integrator() -> hy.taylor_adaptive:
-    return code_cache.remember(code_cache.code_name("impact slide", "2"), _compiled)[0]
+@lru_cache(maxsize=2)
+def _integrator(viscous: bool) -> hy.taylor_adaptive:
+    name = code_cache.code_name("impact slide", "3", str(viscous))
+    return code_cache.remember(name, lambda: _compiled(viscous))[0]
 
 
-def _compiled() -> hy.taylor_adaptive:
+def _compiled(viscous: bool) -> hy.taylor_adaptive:
     names = n1, n2, w, p, f1, f2, work = hy.make_vars("n1", "n2", "w", "p", "f1", "f2", "work")
     q = [hy.par[i] for i in range(_PARAMETERS)]
-    x = q[0] - q[2] * n1 - q[3] * n2
-    y = q[1] - q[4] * n1 - q[5] * n2
+    # the friction relative to that at the start, against the direction n
+    share = 1.0 - q[22] + q[22] * hy.exp(q[23] * hy.log(w)) if viscous else hy.expression(1.0)
+    f, g = share * n1, share * n2
+    x = q[0] - q[2] * f - q[3] * g
+    y = q[1] - q[4] * f - q[5] * g
     growth, turning = n1 * x + n2 * y, n1 * y - n2 * x
     normal = q[6] + q[7] * p + q[8] * f1 + q[9] * f2
-    rates = (-turning * n2, turning * n1, growth * w, w, w * n1, w * n2, normal * w)
+    rates = (-turning * n2, turning * n1, growth * w, w, w * f, w * g, normal * w)
     rising = [
         q[10] * normal + q[10] - 1.0,
         -(1.0 - q[10]) * normal - q[10],
         q[11] * work + q[12] * p + q[13] * normal + q[14],
         -(q[15] + q[16] * p + q[17] * f1 + q[18] * f2),
-        q[19] + q[20] * n1 + q[21] * n2 - 1.0,
-        -(q[19] + q[20] * n1 + q[21] * n2) - 1.0,
+        q[19] + q[20] * f + q[21] * g - 1.0,
+        -(q[19] + q[20] * f + q[21] * g) - 1.0,
         LEAST - w,
+        w - MOST,
     ]
     return hy.taylor_adaptive(
         list(zip(names, rates, strict=True)),
         [1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0],
         tol=1e-16,
-        pars=[0.0] * _PARAMETERS,
+        pars=[0.0] * (_PARAMETERS if viscous else _PARAMETERS - 2),
         t_events=[hy.t_event(e, direction=hy.event_direction.positive) for e in rising],
     )

@@ -13,7 +13,7 @@ import numpy as np
 
 from ...core.arrays import FloatArray
 from ...errors import InputError, RunError
-from ..impact.impact_slide import Ends, Linear, slide, slide_integrator
+from ..impact.impact_slide import Ends, Linear, SlidingFriction, slide, slide_integrator
 from .frozen_slip import FrozenSlip, PointSlip, growth_and_turning
 
 #: The logarithm of the slip down to which its turning is followed.
@@ -137,7 +137,7 @@ def _stop_at_point(slip: PointSlip, n: FloatArray, size: float) -> Stop:
     unit = _greatest_rate(slip, 2)
     steady = (constant * slip.tangential + pressing * beta) / unit
     matrix = (np.outer(slip.tangential, slope) + pressing * A) / unit
-    integrator = slide_integrator()
+    integrator, friction_law = slide_integrator(viscous=False), SlidingFriction(slip.mu)
     logarithm, clock, friction = 0.0, 0.0, np.zeros(2)
     last = min(END - float(np.log(size)), 0.0)
     while True:
@@ -153,9 +153,11 @@ def _stop_at_point(slip: PointSlip, n: FloatArray, size: float) -> Stop:
         if slip.force(n)[0] <= 0:
             raise RunError("the slip does not shrink to zero", 0.0)
         try:
-            part = slide(integrator, steady, matrix, slip.mu, n, _NEVER, _NO_ENDS)
+            part = slide(integrator, steady, matrix, friction_law, n, _NEVER, _NO_ENDS)
         except RunError:
             raise RunError("the slip does not shrink to zero", 0.0) from None
+        if part.speed > 1:
+            raise RunError("the slip does not shrink to zero", 0.0)
         speed = float(np.exp(logarithm))
         clock, friction = clock + speed * part.clock, friction + speed * part.friction
         n, logarithm = part.direction / np.hypot(*part.direction), logarithm + np.log(part.speed)

@@ -47,6 +47,9 @@ MODE_STYLES = {
     "rolling": ModeStyle("#44aa99"),
     "rolling without spin": ModeStyle("#44aa99", "/////", _DASHED),
     "rest": ModeStyle(INK),
+    "sliding without rolling": ModeStyle("#882255"),
+    "sliding without turning": ModeStyle("#882255", "/////", _DASHED),
+    "spinning": ModeStyle("#999933"),
 }
 
 

@@ -1,0 +1,74 @@
+"""Where B tends to zero: the normal force grows beyond measure, in a finite time (dynamic jam).
+
+B is the normal acceleration of the contact for each unit of normal force.  With N ∝ 1/B the square
+of B is linear in time, and the impulse ∫N dt that is left is finite.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...core.arrays import FloatArray
+from ..equations.equations_of_motion import JAM
+from .compiled import OMEGA, VELOCITY, WORK, ContactNumbers
+from .mode_integrator import ModeIntegrator
+
+#: B below this part of its value without friction tends to zero where integration fails.
+_JAMMING = 1e-3
+
+
+def jams(integrator: ModeIntegrator, known: ContactNumbers, state: FloatArray) -> bool:
+    """Whether integration ended where B falls to zero, faster than time is resolved.
+
+    Parameters
+    ----------
+    integrator : ModeIntegrator
+    known : ContactNumbers
+        At `state`.
+    state : array (size,)
+    """
+    response = _response(integrator, known, state)
+    touch = known.mobility
+    least = _JAMMING * float(touch.gamma @ touch.A @ touch.gamma)
+    return bool(np.isfinite(state).all()) and response is not None and response < least
+
+
+def after_jam(
+    integrator: ModeIntegrator, known: ContactNumbers, state: FloatArray, speed: float, part: float
+) -> tuple[FloatArray, float] | None:
+    """State and duration of the fall of B to zero; None if B does not fall.
+
+    What a force changes goes on as ∫N dt, that is by twice the rate at first.
+
+    Parameters
+    ----------
+    integrator : ModeIntegrator
+    known : ContactNumbers
+        At `state`.
+    state : array (size,)
+    speed : float
+        A typical one (m/s).
+    part : float
+        1, or 2 for a B that is negative by as much as it was positive.
+    """
+    response = _response(integrator, known, state)
+    rates = integrator.rates(state)
+    short = 1e-9 * speed / float(np.linalg.norm(rates[VELOCITY]))
+    later = _response(integrator, known, state + short * rates)
+    if response is None or later is None or not 0 < later < response:
+        return None
+    lasting = 0.5 * response * short / (response - later)
+    pushed = 2 * part * lasting * rates
+    pushed[: VELOCITY.start] = lasting * rates[: VELOCITY.start]
+    pushed[OMEGA.stop : WORK] = lasting * rates[OMEGA.stop : WORK]
+    return state + pushed, lasting
+
+
+def _response(integrator: ModeIntegrator, known: ContactNumbers, state: FloatArray) -> float | None:
+    """B; None in a mode without friction in proportion to the normal force."""
+    names = [guard.name for guard in integrator.system.guards]
+    if "paradox" not in names:
+        return None
+    margin = float(integrator.guard_values(state)[names.index("paradox")])
+    touch = known.mobility
+    return margin + JAM * float(touch.gamma @ touch.A @ touch.gamma)
