@@ -185,8 +185,10 @@ class CompiledContact:
         def finite(numbers: Sequence[float]) -> bool:
             values = np.array([*numbers[:WORK], *start[WORK:], *numbers[WORK:]])
             result = function(values[:count], pars=values[count : count + function.nparams])
-            # the couple of a body that does not roll has no direction
-            known = np.delete(result.reshape(-1), slice(_COUPLE, _COUPLE + 3))
+            # the couple of a body that does not roll has no direction, nor has what it does
+            rates = _COUPLE + 6
+            without = np.r_[_COUPLE : _COUPLE + 3, rates + VELOCITY.start : rates + OMEGA.stop]
+            known = np.delete(result.reshape(-1), without)
             return bool(np.isfinite(known * known).all())
 
         numbers = [*start[:WORK].tolist(), *self._values.tolist()]

@@ -259,9 +259,10 @@ class CourseState:
 
     def _collide(self) -> Impact:
         known = self._known()
+        receding = float(known.mobility.gamma @ known.slip)
         result = impact(
             known.mobility,
-            known.slip,
+            known.slip - max(receding, 0.0) * known.mobility.gamma,
             known.spin if self._dry.spin_arm else 0.0,
             mu=self._dry.mu,
             spin_arm=self._dry.spin_arm,
