@@ -349,8 +349,8 @@ MISTAKES: dict[str, Callable[[], Any]] = {
     "Isomorphism": lambda: c.Isomorphism("i", "chaplygin-ball", {}),
     "Reduction": lambda: c.Reduction("r", "x", "y"),
     "Separation": lambda: c.Separation("r", None, None),
-    "thinned": lambda: T.subsample("x"),
-    "thinned 0": lambda: T.subsample(0),
+    "subsample": lambda: T.subsample("x"),
+    "subsample 0": lambda: T.subsample(0),
 }
 
 

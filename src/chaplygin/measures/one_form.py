@@ -18,12 +18,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ..core.laws import Identity, Law, Measure, Rate
+from ..core.named_formulas import Pairs
 from ..core.system import Parameter, System
 from ..core.vectors import (
     Diagonal,
@@ -42,7 +42,6 @@ from ..mechanics.rolling.shapes import Ball
 from ..mechanics.rolling.surfaces import Plane
 from .shape_geometry import Geometry, geometry
 
-Pairs = tuple[tuple[Any, Any], ...]
 #: Bases with exponents.
 Powers = tuple[tuple[sp.Expr, sp.Expr], ...]
 

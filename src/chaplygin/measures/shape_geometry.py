@@ -9,18 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
+from ..core.named_formulas import Pairs
 from ..core.system import Parameter
 from ..core.vectors import Symmetric, Vector, constant, cross, dot, norm_squared, real_symbol
 from ..mechanics.rolling.implicit import Implicit
 from ..mechanics.rolling.shapes import Shape
 from ..mechanics.rolling.surfaces import Plane, Surface
 
-Pairs = tuple[tuple[Any, Any], ...]
 Operator = Callable[[MatrixExpr], MatrixExpr]
 
 gamma, r = Vector("gamma"), Vector("r")

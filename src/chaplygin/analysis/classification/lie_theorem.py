@@ -17,7 +17,7 @@ from .facts import HERE, Fact, ProofBudget, fact_of
 from .ranks import RankSample, View, conditions_on_parameters
 from .rotation_symmetry import Turning, is_rotation_invariant
 
-Components = dict[sp.Symbol, Any]
+Components = dict[sp.Symbol, sp.Expr]
 
 
 def fields(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) -> list[Symmetry]:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import Identity, Integral
+from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
 from ...core.vectors import (
     Diagonal,
@@ -28,8 +28,6 @@ from ...mechanics.rolling.equations import ContactModel, Forces, Rolling
 from ...mechanics.rolling.shapes import Ellipsoid
 from ...mechanics.rolling.surfaces import Sphere
 from ..entry import Entry, Numbers, Start
-
-Pairs = tuple[tuple[Any, Any], ...]
 
 omega, gamma, r, rdot, gammadot = vectors("omega gamma r rdot gammadot")
 M, dh, torque, c = vectors("M dh torque c")

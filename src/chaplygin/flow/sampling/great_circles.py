@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -33,7 +32,7 @@ _FINE = 1e-12
 _EDGE = 1e-5
 
 #: From curves and parameters on them to values and slopes.
-Along = Callable[[Any, Any], tuple[Any, Any]]
+Along = Callable[[IntArray, FloatArray], tuple[FloatArray, FloatArray]]
 
 
 @dataclass(frozen=True)

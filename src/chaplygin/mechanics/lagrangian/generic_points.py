@@ -9,7 +9,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import wraps
-from typing import Any, ParamSpec, TypeVar
+from typing import ParamSpec, TypeVar
 
 import mpmath
 import sympy as sp
@@ -42,7 +42,7 @@ def with_working_precision(function: Callable[P, T]) -> Callable[P, T]:
     return wrapped
 
 
-Point = Mapping[sp.Symbol, Any]
+Point = Mapping[sp.Symbol, mpmath.mpf]
 
 
 class GenericPoint:

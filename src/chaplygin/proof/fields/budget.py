@@ -7,12 +7,14 @@ million of them in a second.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TypeAlias
+
+from flint import fmpq_mpoly
 
 from ...errors import InputError
 from ...formulas.errors import EffortSpentError, OutOfReachError
 
-Poly = Any
+Poly: TypeAlias = fmpq_mpoly
 
 EFFORT = 2_000_000_000
 """Term operations that one proof may take, by default: some minutes of one core."""

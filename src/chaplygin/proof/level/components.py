@@ -16,16 +16,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TypeAlias
 
 from ...formulas.errors import EmptyLevelError, OutOfReachError
 from ..fields.function_field import FunctionField
-from ..fields.quotient_ring import coefficient
+from ..fields.quotient_ring import Poly, coefficient
 from ..fields.signs import Signs
 from .triangular_set import chain
 
-Poly = Any
-Polys = tuple[Poly, ...]
+Polys: TypeAlias = tuple[Poly, ...]
 
 MOST_STEPS = 600
 """Systems of conditions that are looked at before a decomposition is out of reach."""
