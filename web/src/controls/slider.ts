@@ -33,7 +33,8 @@ export function slider(given: SliderValue, begin: () => void, act: (value: numbe
     range.value = String(Math.round(STEPS * share));
     range.style.setProperty("--share", String(Math.min(1, Math.max(0, share))));
     range.setAttribute("aria-valuetext", `${readable(value)} ${given.unit}`);
-    if (document.activeElement !== field) field.value = shortest(value);
+    // what is nothing beside the range is rounding
+    if (document.activeElement !== field) field.value = Math.abs(value) < 1e-12 * (high - low) ? "0" : shortest(value);
   };
   let moving = false;
   range.addEventListener("input", () => {
@@ -69,9 +70,9 @@ export function slider(given: SliderValue, begin: () => void, act: (value: numbe
   return { element: made, set: show };
 }
 
-/** A number in as few digits as give it again, up to seven. */
+/** A number in five digits, or all that it has if they are fewer. */
 function shortest(value: number): string {
-  return String(Number(value.toPrecision(6)));
+  return String(Number(value.toPrecision(5)));
 }
 
 /** A number rounded to a step that is small on a range. */
