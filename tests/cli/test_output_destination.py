@@ -165,6 +165,23 @@ def test_mistakes_that_cost_nothing_are_told_before_anything_heavy_is_imported(
     assert (tmp_path / "there.nc").read_text() == "mine"
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("what", ["no-such-system", "mine.toml"])
+def test_mistakes_in_names_and_files_are_told_before_the_integrators_are_imported(
+    tmp_path: Path, what: str
+) -> None:
+    (tmp_path / "mine.toml").write_text('[system]\nnam = "veselova"\n')
+    script = (
+        "import sys\nfrom chaplygin.__main__ import main\n"
+        "try: main()\nfinally: print(sorted({'heyoka', 'xarray', 'matplotlib', 'scipy'} & "
+        "set(sys.modules)))"
+    )
+    run = program("run", what, "-o", "new.nc", folder=tmp_path, script=script)
+    out, err = run.communicate()
+    assert (run.returncode, err[:7]) == (2, b"error: ")
+    assert out.decode().strip() == "[]"
+
+
 def test_the_sections_of_the_audit_are_those_of_the_paper() -> None:
     assert list(audit.SECTIONS) == list(TITLES)
 

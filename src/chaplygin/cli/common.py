@@ -117,16 +117,18 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
             raise InputError(f"--precision {precision}: it must be {' or '.join(PRECISIONS)}")
         options.append(f"run.precision={precision}")
     with waiting(f"preparing {what}"):
-        from ..experiment.file.models import catalogue_experiment, load
-        from ..experiment.python_file import load_python
-        from ..experiment.study import prepare
-
         if path.suffix == ".py":
+            from ..experiment.python_file import load_python
+
             study = load_python(path, options)
-        elif named:
-            study = prepare(catalogue_experiment(what, options))
         else:
-            study = prepare(load(path, options))
+            from ..experiment.file.models import catalogue_experiment, load
+
+            experiment = catalogue_experiment(what, options) if named else load(path, options)
+            # what is wrong with a name or a file is said before the rest is imported
+            from ..experiment.study import prepare
+
+            study = prepare(experiment)
     for remark in study.remarks:
         inform(f"note: {remark}")
     return study
