@@ -8,7 +8,7 @@ SOURCES := pyproject.toml constraints.txt scripts/setup.sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help demo test slow check lint types format pictures bench clean
+.PHONY: help demo test slow check lint types format web pictures bench clean
 
 # A virtual environment knows its own address: in a folder that was moved or copied it is made anew.
 ifneq ($(shell cat $(VENV)/address 2>/dev/null),$(CURDIR))
@@ -44,6 +44,9 @@ format: $(VENV)/dev ## put the code in its format and mend what can be mended
 	@$(BIN)/python -m ruff check --fix-only .
 	@$(BIN)/python -m ruff format .
 
+web: ## check and build the front end of the laboratory; needs Node
+	@sh scripts/front_end.sh
+
 pictures: $(VENV)/core ## draw the pictures of the README again
 	@set -e; for name in rattleback coin ball_in_a_bowl; do \
 	  $(BIN)/chaplygin study examples/$$name.toml -o build/$$name --force; \
@@ -55,7 +58,7 @@ bench: $(VENV)/dev ## run the benchmarks
 	  echo "$$file"; $(BIN)/python "$$file"; done
 
 clean: ## remove all that make has made: .venv/, demo/, caches
-	@rm -rf $(VENV) demo build dist .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	@rm -rf $(VENV) demo build dist web/build web/node_modules .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	@find src tests -type d -name __pycache__ -exec rm -rf {} +
 
 $(VENV)/core $(VENV)/dev: $(SOURCES)

@@ -1,0 +1,1 @@
+from .server.notebook import widget as widget
