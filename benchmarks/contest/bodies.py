@@ -20,7 +20,7 @@ from chaplygin.flow.heyoka_expressions import Translator
 from chaplygin.flow.initial_states import flat_starts
 from chaplygin.flow.kernel import code_cache as cache
 
-__all__ = ["BODIES", "Body", "deviation", "rows"]
+__all__ = ["BEYOND", "BODIES", "Body", "deviation", "rows"]
 
 GRAVITY = 9.81
 #: Tolerance of the motions in 34 digits: far below every error that is measured.
@@ -75,11 +75,13 @@ class Body:
     def starts(self, seed: int, count: int) -> np.ndarray:
         """Random states: γ uniform on the sphere, ω uniform in a cube."""
         dice = np.random.default_rng([seed, *self.name.encode()])
+        n = sum(str(s).startswith("gamma_") for s in self.system.symbols)
         # one after the other: fewer starts are the first of more
         drawn = [
-            (dice.normal(size=3), dice.uniform(-self.spin, self.spin, size=3)) for _ in range(count)
+            (dice.normal(size=n), dice.uniform(-self.spin, self.spin, size=n * (n - 1) // 2))
+            for _ in range(count)
         ]
-        gamma, omega = np.array(drawn).transpose(1, 0, 2)
+        gamma, omega = (np.array(rows) for rows in zip(*drawn, strict=True))
         return np.asarray(flat_starts(self.system, {"omega": omega, "gamma": gamma}))
 
     def ends(self, starts: np.ndarray, until: float) -> np.ndarray:
@@ -197,7 +199,27 @@ def _bodies() -> dict[str, Body]:
     return {body.name: body for body in made}
 
 
+def _beyond() -> dict[str, Body]:
+    """Balls of four dimensions: moments in the coordinate planes, and a mass tensor."""
+    tensor = [
+        [0.4, 0.1, 0.0, 0.05],
+        [0.1, 0.6, 0.0, 0.0],
+        [0.0, 0.0, 0.9, 0.1],
+        [0.05, 0, 0.1, 1.2],
+    ]
+    numbers = {"ball-4": {"dimension": 4}, "ball-4-tensor": {"mass_tensor": tensor}}
+    made = (
+        Body(
+            name, _reduced(chaplygin.from_catalogue("chaplygin-ball-nd", **given)), 20.0, 50.0, 5.0
+        )
+        for name, given in numbers.items()
+    )
+    return {body.name: body for body in made}
+
+
 BODIES = _bodies()
+#: Bodies that are compared when asked for by name.
+BEYOND = _beyond()
 
 
 def rows(found: list[np.ndarray], size: int) -> np.ndarray:
