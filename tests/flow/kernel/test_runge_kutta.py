@@ -272,6 +272,21 @@ def _falls(motion: Any, until: float) -> list[float]:
     return [brentq(lambda t: motion(t)[0, 5], grid[i], grid[i + 1], xtol=1e-14) for i in places]
 
 
+@pytest.mark.parametrize("apart", [1e-2, 1e-3, 1e-4, 1e-5])
+@pytest.mark.parametrize("side", [1, -1])
+def test_no_pair_of_crossings_is_missed(apart: float, side: int) -> None:
+    """Where an oscillation passes a level near its extremum, in turns of the oscillation."""
+    turns, half = 5, np.pi * apart
+    level = sp.Float(side * np.cos(half), 20)
+    flow = batch_integrator(OSCILLATOR, section=Section(x - level, 0), tolerance=1e-11)
+    phases = np.linspace(0.3, 5.9, 101) + (0.0 if side > 0 else np.pi)
+    first = np.stack([np.cos(phases), np.sin(phases)], axis=1)
+    found = flow.crossings(first, 4 * turns, until=2 * np.pi * turns)
+    assert (found.counts == 2 * turns).all()
+    times = found.times[:, : 2 * turns].reshape(101, turns, 2)
+    np.testing.assert_allclose(np.diff(times, axis=2), 2 * half, rtol=0.05)
+
+
 # --- widths, and mistakes in the table --------------------------------------------------------
 
 

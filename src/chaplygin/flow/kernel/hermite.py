@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from .ir_writer import IRWriter
 
+#: Distance of an extremum from the ends of a step, of its length, from which on it is looked at.
+NEAR = 1e-6
+
 
 def cubic(
     w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str
@@ -37,11 +40,12 @@ def root(w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -
 
 
 def dipping(
-    w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str
+    w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str, slack: str
 ) -> tuple[str, str]:
-    """The mask of cubics with one sign at the ends and another at an extremum.
+    """The mask of cubics with one sign at the ends and, within their error, another in between.
 
-    The second result is the step to that turn: taken, it leaves one crossing on each side.
+    The second result is the step to the extremum: taken, it leaves one crossing on each side.
+    `slack` times x²(1 − x)² is the error of the cubic.
     """
     zero = w.constant(0.0)
     a, b, c, d = cubic(w, step, g, g_new, gdot, gdot_new)
@@ -61,10 +65,13 @@ def dipping(
         )
         x = w.choose(inside, first, second)
         value = w.call("fma", w.call("fma", w.call("fma", d, x, c), x, a), x, g)
-        other = w.compare("olt", w.op("fmul", value, g), zero)
-        within = w.conjunction(
-            w.compare("ogt", x, w.constant(0.01)), w.compare("olt", x, w.constant(0.99))
-        )
+        low, high = w.compare("ogt", x, w.constant(NEAR)), w.compare("olt", x, w.constant(1 - NEAR))
+        within = w.conjunction(low, high)
+        # on the side of g where the product is positive
+        depth = w.op("fmul", value, w.call("copysign", w.constant(1.0), g))
+        spread = w.call("fma", w.op("fneg", x), x, x)
+        error = w.op("fmul", slack, w.op("fmul", spread, spread))
+        other = w.compare("olt", depth, error)
         turn = w.choose(
             w.conjunction(turns, w.conjunction(other, within)), w.op("fmul", x, step), zero
         )

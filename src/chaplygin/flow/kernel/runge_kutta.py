@@ -30,6 +30,9 @@ MAX_STEPS_WITHOUT_CROSSING = 1e6
 #: The stage at which section and guards are evaluated inside a step, besides its ends.
 HALFWAY = 9
 
+#: The error of the cubic of a step, of the error found halfway.
+ERROR_MARGIN = 4.0
+
 #: The error allowed to deviations, relative to that of the motion.
 LOOSER = 100.0
 
@@ -384,7 +387,7 @@ class RungeKuttaLoop:
         factor = w.choose(number, factor, w.constant(0.2))
         if self.equations.section is not None:
             self.evaluate("section", "new")
-            excess = self._wavering(step)
+            off, excess = self._wavering(step)
             slower = w.op("fmul", w.constant(0.9), w.inverse_root(excess, 8))
             factor = w.choose(w.compare("olt", slower, factor), slower, factor)
             allowed = w.conjunction(
@@ -408,7 +411,7 @@ class RungeKuttaLoop:
             fault = w.choose(over, w.constant(float(OVER)), self.get("fault"))
             event = w.choose(over, w.constant(_END), zero)
             moved, following, event, fault = self._cross(
-                step, running, refining, allowed, following, event, fault
+                step, running, refining, allowed, following, event, fault, off
             )
             self.put("fault", fault)
         floor = w.call("fma", w.call("fabs", time), w.constant(1e-15), self.get("floor"))
@@ -541,6 +544,7 @@ class RungeKuttaLoop:
         following: str,
         event: str,
         fault: str,
+        off: str,
     ) -> tuple[str, str, str, str]:
         """Find crossings, and go to them."""
         w, n, zero = self.w, self.n, self.w.constant(0.0)
@@ -549,7 +553,9 @@ class RungeKuttaLoop:
         gdot_new = n.leading(n.load(self.place("section"), 1))
         rises = w.conjunction(w.compare("olt", g, zero), w.compare("oge", g_new, zero))
         falls = w.conjunction(w.compare("ogt", g, zero), w.compare("ole", g_new, zero))
-        dips, turn = dipping(w, step, g_here, g_new, gdot, gdot_new)
+        x = float(sum(self.method.a[HALFWAY]))
+        slack = w.op("fmul", w.constant(ERROR_MARGIN / (x * (1 - x)) ** 2), w.call("fabs", off))
+        dips, turn = dipping(w, step, g_here, g_new, gdot, gdot_new, slack)
         dips = w.conjunction(
             w.conjunction(running, allowed),
             w.conjunction(dips, w.complement(w.disjunction(rises, falls))),
@@ -613,10 +619,11 @@ class RungeKuttaLoop:
             return w.disjunction(rises, falls)
         return rises if direction > 0 else falls
 
-    def _wavering(self, step: str) -> str:
-        """The squared distance of the section's function from the cubic of the step.
+    def _wavering(self, step: str) -> tuple[str, str]:
+        """The distance of the section's function from the cubic of the step; its share, squared.
 
-        Up to 1 it crosses zero where the cubic does; beyond, it may have turned unseen in between.
+        With a share up to 1 it crosses zero where the cubic does; beyond, it may have turned unseen
+        in between.
         """
         w, n = self.w, self.n
         x = float(sum(self.method.a[HALFWAY]))
@@ -633,7 +640,7 @@ class RungeKuttaLoop:
         allowed = w.call("fma", w.constant(0.02), rises, w.constant(1e-13))
         allowed = w.call("fma", w.constant(0.05), ends, allowed)
         share = w.op("fdiv", off, allowed)
-        return w.op("fmul", share, share)
+        return off, w.op("fmul", share, share)
 
 
 def runge_kutta_loop(
