@@ -21,7 +21,7 @@ from chaplygin.flow.ensemble import random_starts
 SIZES = (100_000, 1_000_000, 10_000_000)
 
 
-def run(size: int, workers: int) -> dict[str, float]:
+def run(size: int, workers: int, block: int | None) -> dict[str, float]:
     """One ensemble; peaks are those of the writing process and of the largest worker."""
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder) / "ensemble.zarr"
@@ -32,6 +32,7 @@ def run(size: int, workers: int) -> dict[str, float]:
             [10.0],
             record=("energy",),
             tolerance=1e-10,
+            block=block,
             where=place,
             client=workers,
         )
@@ -59,14 +60,17 @@ def main() -> None:
     parser.add_argument("--json", action="store_true")
     parser.add_argument("--sizes", type=int, nargs="+", default=SIZES, metavar="N")
     parser.add_argument("--workers", type=int, default=2, help="processes of Dask")
+    parser.add_argument("--block", type=int, help="motions of a block; default: 4096")
     parser.add_argument("--one", type=int, help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.one:
-        print(json.dumps(run(options.one, options.workers)))
+        print(json.dumps(run(options.one, options.workers, options.block)))
         return
     rows = []
     for size in options.sizes:
         command = [sys.executable, __file__, "--one", str(size), "--workers", str(options.workers)]
+        if options.block:
+            command += ["--block", str(options.block)]
         told = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
         rows.append(json.loads(told))
         if not options.json:

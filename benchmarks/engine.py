@@ -8,7 +8,8 @@ which other work on the machine changes little; time that passed is shown beside
 
 ``--body ball-4`` asks of a ball of four dimensions, ``ball-4-tensor`` of one with a mass tensor.
 ``--json`` prints, for five tasks and three bodies, the time of heyoka's best variant in that of
-this engine; of two targets the smaller ratio.
+this engine; of two targets the smaller ratio.  The row ``"numba"`` is that of ensembles beside
+loops written by hand over 16 lanes, with as many equal steps as their median and worst errors need.
 """
 
 from __future__ import annotations

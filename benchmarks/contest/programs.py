@@ -59,13 +59,16 @@ class Program:
         """Seconds of processor time to compile; many programs do so for one setting only."""
         return max(seconds for _, seconds in self.compiled.values())
 
-    def calibrate(self, starts: np.ndarray, exact: np.ndarray, target: float) -> float | None:
-        """The coarsest setting whose median error meets the target; None if none does."""
+    def calibrate(
+        self, starts: np.ndarray, exact: np.ndarray, target: float, worst: float = np.inf
+    ) -> float | None:
+        """The coarsest setting with median and worst error within bounds; None if none has."""
 
         def meets(place: int) -> bool:
             setting = self.settings[place]
             run = self.rehearse(setting) if self.rehearse else self.ready(setting, starts)
-            return bool(np.nanmedian(deviation(run(starts), exact)) <= target)
+            missed = deviation(run(starts), exact)
+            return bool(np.nanmedian(missed) <= target and np.nanmax(missed) <= worst)
 
         low, high = 0, len(self.settings) - 1
         if not meets(high):

@@ -9,7 +9,7 @@ from importlib.util import find_spec
 import numpy as np
 
 from . import arrays, compiled, interpreted, ours, rigid, taylor
-from .bodies import Body
+from .bodies import Body, deviation
 from .programs import TOLERANCES, Program, Result, Trial, compare, contest
 
 __all__ = ["QUICK", "TASKS", "THOROUGH", "Effort", "Outcome", "Task", "ball"]
@@ -60,6 +60,8 @@ class Outcome:
     ----------
     each : float
         What a time is divided by: section points, seconds of a rolling ball, or 1.
+    rival : str
+        With whom this engine is compared.
     """
 
     task: str
@@ -67,6 +69,7 @@ class Outcome:
     target: float
     results: Mapping[str, Result]
     each: float = 1.0
+    rival: str = "heyoka"
 
     @property
     def own(self) -> Result:
@@ -75,17 +78,17 @@ class Outcome:
 
     @property
     def best(self) -> Result:
-        """heyoka's best on one thread."""
+        """The rival's best on one thread."""
         rivals = [
             r
             for name, r in self.results.items()
-            if name.startswith("heyoka") and "threads" not in name
+            if name.startswith(self.rival) and "threads" not in name
         ]
         return min((r for r in rivals if np.isfinite(r.core)), key=lambda r: r.core)
 
     @property
     def ratio(self) -> float:
-        """Time of heyoka's best in that of this engine."""
+        """Time of the rival's best in that of this engine."""
         return self.best.core / self.own.core
 
 
@@ -116,6 +119,21 @@ def ensemble(body: Body, target: float, effort: Effort) -> Outcome:
         ]
     programs = [ours.ensemble(body, body.span), *rivals]
     return Outcome("ensemble", body.name, target, contest(programs, trial, target, effort.turns))
+
+
+def by_hand(body: Body, target: float, effort: Effort) -> Outcome:
+    """The same, beside loops written by hand whose median and worst errors are as small."""
+    trial = _trial(body, max(effort.states, 16), effort.many, lambda x: body.ends(x, body.span))
+    own, other = ours.ensemble(body, body.span), compiled.numba_fixed(body, body.span)
+    starts, exact = trial.rehearsal, trial.rehearsal_exact
+    setting = own.calibrate(starts, exact, target)
+    assert setting is not None
+    worst = float(np.nanmax(deviation(own.ready(setting, starts)(starts), exact)))
+    steps = other.calibrate(starts, exact, target, worst)
+    settings = {own.name: setting} | ({} if steps is None else {other.name: steps})
+    able = {program.name: program for program in (own, other) if program.name in settings}
+    results = compare(able, settings, trial, effort.turns)
+    return Outcome("numba", body.name, target, results, rival="numba")
 
 
 def _others(body: Body) -> list[Program]:
@@ -219,6 +237,7 @@ def _part(program: Program, share: float) -> Program:
 #: Where two targets are asked for, the smaller ratio is the one reported.
 TASKS = (
     Task("ensemble", (1e-10, 1e-12), ensemble),
+    *((Task("numba", (1e-10, 1e-12), by_hand),) if find_spec("numba") else ()),
     Task("single", (1e-15,), single),
     Task("section", (1e-10, 1e-12), section),
     Task("tangent", (1e-10, 1e-12), tangent),
