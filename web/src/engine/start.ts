@@ -1,7 +1,7 @@
 /** Starts: from the numbers that a user turns, and from points of a section on a level. */
 
 import type { LevelTask, Numbers, StartTask, State } from "./engine.js";
-import { dot, shortestStep } from "./linear.js";
+import { dot, orthonormal, shortestStep } from "./linear.js";
 import type { Module } from "./module.js";
 
 /** A start may miss a relation by this much, relative to its size; more is refused, as in Python. */
@@ -135,6 +135,30 @@ function satisfied(numbers: Float64Array, state: Float64Array, count: number): b
   return true;
 }
 
+/**
+ * The rows of the integrals that keep their values: none that is a coordinate itself or depends on
+ * such, and no more than a state has numbers to spare.
+ */
+function keptIntegrals(module: Module, conditions: Float64Array, coordinates: string[]): number[] {
+  const { tables, model } = module;
+  const size = tables.conditions.inputs;
+  const count = tables.relations + tables.integrals.length + model.quantities.length;
+  const slope = (row: number): Float64Array =>
+    conditions.slice(count + row * size, count + (row + 1) * size);
+  const relations = [...Array(tables.relations).keys()];
+  const rows = tables.integrals.map((name, i) => ({ name, row: tables.relations + i }));
+  const free = rows.filter(({ name }) => coordinates.includes(name));
+  const spare = size - tables.relations - 3;
+  const kept: number[] = [];
+  let basis = orthonormal([...relations, ...free.map(({ row }) => row)].map(slope));
+  for (const { row } of rows.filter((each) => !free.includes(each))) {
+    const more = orthonormal([...basis, slope(row)]);
+    if (more.length > basis.length && kept.length < spare) kept.push(row);
+    basis = more;
+  }
+  return kept;
+}
+
 /** The state of a level at a point of a section, reached from a reference on the same level. */
 export function startOnLevel(module: Module, task: LevelTask): State {
   const { model, tables } = module;
@@ -147,22 +171,13 @@ export function startOnLevel(module: Module, task: LevelTask): State {
   if (missing !== undefined) return { message: `${missing}: no quantity of ${model.name}` };
   const before = tables.relations + tables.integrals.length;
   const count = before + names.length;
-  // a state has so many numbers to spare; integrals beyond them, and those that are asked for, are free
-  const spare = size - tables.relations - places.length;
-  const kept = tables.integrals
-    .map((name, i) => ({ name, row: tables.relations + i }))
-    .filter(({ name }) => name !== section.x && name !== section.y)
-    .slice(0, Math.max(0, spare));
-  const conserved = tables.relations + kept.length;
-  const rows = [
-    ...Array(tables.relations).keys(),
-    ...kept.map(({ row }) => row),
-    ...places.map((p) => before + p),
-  ];
-  const turns = [...Array(conserved).fill(false), ...places.map((p) => model.quantities[p]!.angle)];
   const at = (z: Numbers): Float64Array => module.values(tables.conditions, z, values);
-  let state = Float64Array.from(Array.from(task.reference).slice(0, size));
+  const state = Float64Array.from(Array.from(task.reference).slice(0, size));
   const first = at(state);
+  const kept = keptIntegrals(module, first, [section.x, section.y]);
+  const conserved = tables.relations + kept.length;
+  const rows = [...Array(tables.relations).keys(), ...kept, ...places.map((p) => before + p)];
+  const turns = [...Array(conserved).fill(false), ...places.map((p) => model.quantities[p]!.angle)];
   const level = rows.map((row, i) => (i < tables.relations ? 0 : first[row]!));
   const goal = [...level.slice(0, conserved), section.value ?? 0, task.x, task.y];
   const scales = scalesOf(module, state);

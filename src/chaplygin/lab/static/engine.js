@@ -235,6 +235,24 @@ function satisfied(numbers, state, count) {
   }
   return true;
 }
+function keptIntegrals(module, conditions, coordinates) {
+  const { tables, model } = module;
+  const size = tables.conditions.inputs;
+  const count = tables.relations + tables.integrals.length + model.quantities.length;
+  const slope = (row) => conditions.slice(count + row * size, count + (row + 1) * size);
+  const relations = [...Array(tables.relations).keys()];
+  const rows = tables.integrals.map((name, i) => ({ name, row: tables.relations + i }));
+  const free = rows.filter(({ name }) => coordinates.includes(name));
+  const spare = size - tables.relations - 3;
+  const kept = [];
+  let basis = orthonormal([...relations, ...free.map(({ row }) => row)].map(slope));
+  for (const { row } of rows.filter((each) => !free.includes(each))) {
+    const more = orthonormal([...basis, slope(row)]);
+    if (more.length > basis.length && kept.length < spare) kept.push(row);
+    basis = more;
+  }
+  return kept;
+}
 function startOnLevel(module, task) {
   const { model, tables } = module;
   const { section } = task;
@@ -246,18 +264,13 @@ function startOnLevel(module, task) {
   if (missing !== void 0) return { message: `${missing}: no quantity of ${model.name}` };
   const before = tables.relations + tables.integrals.length;
   const count = before + names.length;
-  const spare = size - tables.relations - places.length;
-  const kept = tables.integrals.map((name, i) => ({ name, row: tables.relations + i })).filter(({ name }) => name !== section.x && name !== section.y).slice(0, Math.max(0, spare));
-  const conserved = tables.relations + kept.length;
-  const rows = [
-    ...Array(tables.relations).keys(),
-    ...kept.map(({ row }) => row),
-    ...places.map((p) => before + p)
-  ];
-  const turns = [...Array(conserved).fill(false), ...places.map((p) => model.quantities[p].angle)];
   const at = (z) => module.values(tables.conditions, z, values);
-  let state = Float64Array.from(Array.from(task.reference).slice(0, size));
+  const state = Float64Array.from(Array.from(task.reference).slice(0, size));
   const first = at(state);
+  const kept = keptIntegrals(module, first, [section.x, section.y]);
+  const conserved = tables.relations + kept.length;
+  const rows = [...Array(tables.relations).keys(), ...kept, ...places.map((p) => before + p)];
+  const turns = [...Array(conserved).fill(false), ...places.map((p) => model.quantities[p].angle)];
   const level = rows.map((row, i) => i < tables.relations ? 0 : first[row]);
   const goal = [...level.slice(0, conserved), section.value ?? 0, task.x, task.y];
   const scales = scalesOf(module, state);
