@@ -319,6 +319,8 @@ def _solve_body_of_revolution(problem: Problem) -> Solution | None:
 def _solve_lagrange_top(problem: Problem) -> Solution | None:
     from .lagrange.solution import solve_top
 
+    if [str(name) for name in problem.system.state] != ["M", "Gamma"]:
+        return None
     top = entry("lagrange-top").system()
     if problem.system.field != top.field or problem.system.definitions != top.definitions:
         return None
