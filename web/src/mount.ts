@@ -85,7 +85,6 @@ async function open(source: Source): Promise<Lab> {
 
 function build(target: HTMLElement, holder: HTMLElement, lab: Lab): void {
   const scene = scenePanel(lab);
-  const still = target.querySelector<HTMLElement>(".chaplygin-still");
   if (scene !== null) target.classList.add("lab-live");
   const full = (): void => {
     if (document.fullscreenElement !== null) void document.exitFullscreen();
@@ -118,7 +117,9 @@ function build(target: HTMLElement, holder: HTMLElement, lab: Lab): void {
     event.preventDefault();
     void (event.shiftKey ? lab.redo() : lab.undo());
   });
-  if (scene === null && still === null) holder.classList.add("lab-without-scene");
+  if (scene === null && lab.shown.value.motion.columns["attitude"] !== undefined && lab.message.value === "") {
+    lab.say("This browser draws no scene, as it offers no WebGL; everything else works.");
+  }
 }
 
 function handleOf(ready: Promise<void>, current: () => Lab | null): PageHandle {

@@ -23,6 +23,7 @@ import { Arrow } from "./arrows";
 import { BodyModel, type Surface } from "./body";
 import { capOpening } from "./cap";
 import { meshGround, planeGround, sphereGround, type Ground } from "./ground";
+import { largestLength, meshSpacing, sameSurface } from "./measures";
 import { Linkage } from "./linkage";
 import { openingView, planPoints, reachOf } from "./opening_view";
 import { Ribbon } from "./ribbon";
@@ -380,30 +381,3 @@ export class Stage {
     }
   }
 }
-
-function sameSurface(a: Surface, b: Surface | null): boolean {
-  return b !== null && a.positions.length === b.positions.length && a.positions.every((place, k) => place === b.positions[k]);
-}
-
-function largestLength(motion: Motion, column: string): number {
-  const values = motion.columns[column];
-  if (values === undefined) return 0;
-  let largest = 0;
-  for (let k = 0; k + 2 < values.length; k += 3) {
-    const length = Math.hypot(values[k] ?? 0, values[k + 1] ?? 0, values[k + 2] ?? 0);
-    if (length > largest) largest = length;
-  }
-  return largest;
-}
-
-function meshSpacing(positions: ArrayLike<number>): number {
-  let [low, high] = [Infinity, -Infinity];
-  for (let k = 0; k < positions.length; k++) {
-    low = Math.min(low, positions[k] ?? low);
-    high = Math.max(high, positions[k] ?? high);
-  }
-  const rough = (high - low) / 12;
-  const power = 10 ** Math.floor(Math.log10(rough));
-  return (([1, 2, 5, 10] as const).find((step) => step * power >= rough * (1 - 1e-9)) ?? 10) * power;
-}
-

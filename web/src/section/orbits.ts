@@ -28,6 +28,10 @@ export interface Orbit {
   indicator: number | null;
 }
 
+/** Points of the first piece; later ones take about so many milliseconds. */
+const FIRST_PIECE = 250;
+const PIECE_TIME = 60;
+
 /** Some points of a section, in order. */
 export interface Piece {
   x: Float64Array;
@@ -51,15 +55,16 @@ export async function* sectionPieces(
   setting: SectionSetting,
   start: Float64Array,
   points: number,
-  piece: number,
   longest: number,
 ): AsyncGenerator<Piece> {
   const [ix, iy] = [quantityIndex(model, setting.x), quantityIndex(model, setting.y)];
   const width = model.quantities.length;
   let from: Float64Array = start;
   let time = 0;
+  let piece = FIRST_PIECE;
   for (let done = 0; done < points; ) {
     const { on, value, direction } = setting;
+    const began = performance.now();
     const part = await engine.section({ parameters, start: from, on, value, direction, points: Math.min(piece, points - done), until: longest - time });
     const count = part.rows.length / part.dimension;
     if (count > 0) {
@@ -73,6 +78,8 @@ export async function* sectionPieces(
       return;
     }
     done += count;
+    const share = PIECE_TIME / Math.max(1, performance.now() - began);
+    piece = Math.round(Math.min(5000, Math.max(50, piece * share)));
   }
 }
 

@@ -1,6 +1,6 @@
 /** Poincaré section: a click starts an orbit, a drag scans, a box enlarges. */
 
-import type { Engine, State } from "../engine/engine";
+import type { State } from "../engine/engine";
 import type { Lab } from "../lab";
 import type { Quantity } from "../model";
 import { choice, element, toggle } from "../page/dom";
@@ -8,12 +8,13 @@ import { megnoColour, megnoWords } from "../page/indicator";
 import { plain } from "../page/mathml";
 import { extent, readable } from "../page/numbers";
 import { indicatorScale, palette } from "../page/palette";
+import { SpareEngine } from "../sources/workers";
 import { unitText } from "../page/units";
+import { along, letters, paintPoints, passingPlane, same, sentence, varies } from "./points";
 import { Sheet, type Place } from "../sheet/sheet";
 import type { Frame, Range } from "../sheet/frame";
-import { crossings, longer, middleOf, nearest, nearestState, quantityIndex, sectionPieces, type Orbit, type SectionSetting } from "./orbits";
+import { crossings, longer, nearest, nearestState, quantityIndex, sectionPieces, type Orbit, type SectionSetting } from "./orbits";
 
-const PIECE = 1000;
 const SCAN = 12;
 
 export interface SectionPanel {
@@ -29,7 +30,7 @@ export interface SectionPanel {
 export function sectionPanel(lab: Lab): SectionPanel | null {
   const { engine, model } = lab;
   if (engine === null || model.section === null) return null;
-  return new Panel(lab, engine, { ...model.section });
+  return new Panel(lab, new SpareEngine(model), { ...model.section });
 }
 
 class Panel implements SectionPanel {
@@ -53,7 +54,7 @@ class Panel implements SectionPanel {
 
   constructor(
     private readonly lab: Lab,
-    private readonly engine: Engine,
+    private readonly engines: SpareEngine,
     private chosen: SectionSetting,
   ) {
     this.sheet = new Sheet({
@@ -147,7 +148,7 @@ class Panel implements SectionPanel {
   private clear(): void {
     this.list = [];
     this.serial = 0;
-    this.era += 1;
+    this.next();
     this.current = "";
     this.follow();
     this.entries.replaceChildren();
@@ -165,7 +166,7 @@ class Panel implements SectionPanel {
     if (known) return this.mark();
     this.list = [];
     this.serial = 0;
-    this.era += 1;
+    this.next();
     void this.open(state);
   }
 
@@ -176,24 +177,37 @@ class Panel implements SectionPanel {
     const { model } = this.lab;
     const { states } = motion;
     if (states === undefined) return void this.trace(state, true);
-    const index = quantityIndex(model, this.chosen.on);
-    const all = await this.engine.quantities(experiment.parameters, states, states.length / motion.times.length);
+    const all = await this.engines.engine.quantities(experiment.parameters, states, states.length / motion.times.length);
     if (era !== this.era) return;
     const width = model.quantities.length;
-    const values = Float64Array.from(motion.times, (_, k) => all[k * width + index] ?? NaN);
-    const angle = model.quantities[index]?.angle === true;
-    const passes = (): number => crossings(values, this.chosen.value, this.chosen.direction, angle);
-    if (!this.placed && passes() < 2) {
-      this.chosen = { ...this.chosen, value: middleOf(values) };
-      this.value.value = String(this.chosen.value);
-    }
+    const column = (name: string): Float64Array => {
+      const index = quantityIndex(model, name);
+      return Float64Array.from(motion.times, (_, k) => all[k * width + index] ?? NaN);
+    };
+    const passes = (on: string, value: number): number =>
+      crossings(column(on), value, this.chosen.direction, model.quantities[quantityIndex(model, on)]?.angle === true);
     const opening = !this.placed;
     this.placed = true;
+    if (opening) {
+      this.chosen = passingPlane(model, this.chosen, column, passes);
+      this.axes({ x: [-1, 1], y: [-1, 1] });
+      this.writeSetting();
+    }
     const span = motion.times.at(-1) ?? 1;
-    this.longest = (50 * span * Math.max(this.points, 1000)) / Math.max(1, passes());
-    if (passes() === 0) this.longest = 20 * span;
+    const count = passes(this.chosen.on, this.chosen.value);
+    this.longest = count === 0 ? 20 * span : (5 * span * Math.max(this.points, 1000)) / count;
     const orbit = await this.trace(state, true);
     if (orbit !== null && opening) this.spread(orbit);
+  }
+
+  /** Show what is chosen in the lists. */
+  private writeSetting(): void {
+    const { on, value, x, y } = this.chosen;
+    this.value.value = String(value);
+    for (const [label, name] of [["on", on], ["across", x], ["up", y]] as const) {
+      const list = this.element.querySelector<HTMLSelectElement>(`select[aria-label="${label}"]`);
+      if (list) list.value = name;
+    }
   }
 
   /** Choose other quantities than those that a section holds constant, such as the longitude at γ₁ = 0. */
@@ -210,11 +224,16 @@ class Panel implements SectionPanel {
       });
       if (next < 0) continue;
       this.chosen = { ...this.chosen, [axis]: names[next] ?? this.chosen[axis] };
-      const list = this.element.querySelector<HTMLSelectElement>(`select[aria-label="${axis === "x" ? "across" : "up"}"]`);
-      if (list) list.value = this.chosen[axis];
+      this.writeSetting();
       this.clear();
       return;
     }
+  }
+
+  /** What is still being computed is of no use any more. */
+  private next(): void {
+    this.era += 1;
+    this.engines.renew();
   }
 
   private mark(): void {
@@ -232,32 +251,32 @@ class Panel implements SectionPanel {
     for (const place of places) {
       const [[left, right], [low, high]] = [this.sheet.frame.x.range, this.sheet.frame.y.range];
       const near = nearestState(this.list, this.lab.model.reduced, place, right - left, high - low);
-      const found: State = await this.engine.startOnLevel({
+      const found: State | null = await this.engines.engine.startOnLevel({
         parameters: experiment.parameters,
         // from a point that is on the section the way is shortest
         reference: near ?? state,
         section: { on, value, direction, x, y },
         x: place.x,
         y: place.y,
-      });
-      if (era !== this.era) return;
+      }).catch(() => null);
+      if (era !== this.era || found === null) return;
       if ("message" in found) {
         refused = found.message;
         continue;
       }
-      const orbit = await this.trace(found.state, false, place);
+      if (place === places.at(-1)) this.play(found.state);
+      await this.trace(found.state, false, place);
       if (era !== this.era) return;
-      if (orbit !== null && place === places.at(-1)) this.play(orbit);
     }
     if (refused !== "") this.lab.say(sentence(refused), true);
   }
 
   /** Show the motion of an orbit in the scene. */
-  private play(orbit: Orbit): void {
+  private play(start: Float64Array): void {
     const { lab } = this;
     const { parameters } = lab.shown.value.experiment;
-    this.current = JSON.stringify([parameters, Array.from(orbit.start)]);
-    void lab.change({ ...lab.wanted.value, start: { state: Array.from(orbit.start) } });
+    this.current = JSON.stringify([parameters, Array.from(start)]);
+    void lab.change({ ...lab.wanted.value, start: { state: Array.from(start) } });
     lab.clock.seek(0);
     this.mark();
   }
@@ -270,8 +289,9 @@ class Panel implements SectionPanel {
     if (place !== null) orbit = longer(orbit, { x: Float64Array.of(place.x), y: Float64Array.of(place.y), rows: orbit.rows, time: 0 });
     this.serial += 1;
     this.list.push(orbit);
+    this.writeEntries();
     try {
-      for await (const piece of sectionPieces(this.engine, this.lab.model, parameters, this.chosen, start, this.points, PIECE, this.longest)) {
+      for await (const piece of sectionPieces(this.engines.engine, this.lab.model, parameters, this.chosen, start, this.points, this.longest)) {
         if (era !== this.era) return null;
         const index = this.list.indexOf(orbit);
         if (index < 0) return null;
@@ -283,6 +303,7 @@ class Panel implements SectionPanel {
         if (piece.end !== null && piece.x.length === 0) this.lab.say(`The motion has no point of this section: ${piece.end}.`, true);
       }
     } catch (why) {
+      if (era !== this.era) return null;
       this.lab.say(sentence(why instanceof Error ? why.message : String(why)), true);
       return null;
     }
@@ -306,7 +327,8 @@ class Panel implements SectionPanel {
     const { era } = this;
     const { parameters } = this.lab.shown.value.experiment;
     const until = Math.min(orbit.until, 20 * this.lab.model.until);
-    const value = await this.engine.indicator({ parameters, start: orbit.start, until, kind: "megno" });
+    const value = await this.engines.engine.indicator({ parameters, start: orbit.start, until, kind: "megno" }).catch(() => null);
+    if (value === null) return;
     const index = this.list.findIndex((each) => each.number === orbit.number);
     const now = this.list[index];
     if (era !== this.era || now === undefined) return;
@@ -384,47 +406,9 @@ class Panel implements SectionPanel {
       const words = `Play orbit ${orbit.number + 1}: ${orbit.x.length} points${orbit.indicator === null ? "" : `, ${megnoWords(orbit.indicator)}`}`;
       const isOn = state !== null && same(orbit.start, state);
       const made = element("button", { type: "button", "aria-label": words, title: words, "aria-current": isOn ? "true" : null }, element("i", { style: `background:${this.colour(orbit)}` }), String(orbit.number + 1));
-      made.addEventListener("click", () => this.play(orbit));
+      made.addEventListener("click", () => this.play(orbit.start));
       return made;
     });
     this.entries.replaceChildren(...entries);
   }
 }
-
-function paintPoints(pen: CanvasRenderingContext2D, frame: Frame, orbit: Orbit, from: number, colour: string, ratio: number): void {
-  const size = orbit.x.length > 3000 ? 1.2 : 1.8;
-  const dot = Math.max(1, Math.round(size * ratio)) / ratio;
-  pen.fillStyle = colour;
-  for (let k = from; k < orbit.x.length; k++) {
-    const [right, down] = [frame.right(orbit.x[k] ?? NaN), frame.down(orbit.y[k] ?? NaN)];
-    if (frame.contains(right, down)) pen.fillRect(right - dot / 2, down - dot / 2, dot, dot);
-  }
-}
-
-/** Whether values differ by more than rounding; angles half a turn apart are the same line of a body. */
-function varies(values: Float64Array, angle: boolean): boolean {
-  const [low, high] = extent(angle ? values.map((value) => Math.abs(Math.tan(value / 2))) : values, 0);
-  return high - low > 1e-6 * Math.max(Math.abs(low), Math.abs(high)) && new Set(values).size > 2;
-}
-
-function along(from: Place, to: Place, count: number): Place[] {
-  return Array.from({ length: count }, (_, k) => {
-    const share = k / (count - 1);
-    return { x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y) };
-  });
-}
-
-function letters(quantity: Quantity): string {
-  return quantity.mathml ? plain(quantity.mathml) : quantity.name;
-}
-
-function same(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
-  if (a.length !== b.length) return false;
-  for (let k = 0; k < a.length; k++) if (a[k] !== b[k]) return false;
-  return true;
-}
-
-function sentence(words: string): string {
-  return words.endsWith(".") ? words : `${words}.`;
-}
-

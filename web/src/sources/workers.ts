@@ -14,6 +14,8 @@ interface Answer {
 /** An engine in a worker, and a way to end it. */
 export interface WorkerEngine {
   engine: Engine;
+  /** Whether it computes. */
+  busy(): boolean;
   end(): void;
 }
 
@@ -45,6 +47,7 @@ export function workerEngine(model: PageModel): WorkerEngine {
   );
   return {
     engine,
+    busy: () => waiting.size > 0,
     end() {
       worker.terminate();
       URL.revokeObjectURL(address);
@@ -57,4 +60,23 @@ export function workerEngine(model: PageModel): WorkerEngine {
 /** How many workers a long computation may have beside the page. */
 export function workerCount(): number {
   return Math.min(8, Math.max(1, (navigator.hardwareConcurrency || 2) - 1));
+}
+
+/** An engine in a worker of its own, whose work can be thrown away. */
+export class SpareEngine {
+  private worker: WorkerEngine | null = null;
+
+  constructor(private readonly model: PageModel) {}
+
+  get engine(): Engine {
+    this.worker ??= workerEngine(this.model);
+    return this.worker.engine;
+  }
+
+  /** End what is being computed; the next call finds a worker that is free. */
+  renew(): void {
+    if (this.worker?.busy() !== true) return;
+    this.worker.end();
+    this.worker = null;
+  }
 }
