@@ -12,6 +12,7 @@ import xarray as xr
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from chaplygin.errors import InputError
@@ -376,6 +377,17 @@ def test_on_a_telephone_letters_can_be_read(data, outline, name):
     points = float(re.search(r'width="([\d.]+)pt"', narrow)[1])
     if name != "scene":
         assert points <= 3.7 * 72
+
+
+def test_a_long_legend_is_broken_on_a_telephone():
+    """It stayed as wide as a page, and its letters were too small to be read."""
+    figure = Figure(figsize=(6.3, 2.6), layout="constrained")
+    axes = figure.add_subplot()
+    for name in ("energy", "the square of the momentum in planes that contain γ"):
+        axes.plot([0.0, 1.0], [0.0, 1.0], label=name)
+    axes.legend(loc="lower right", bbox_to_anchor=(0.0, 1.0, 1.0, 0.0), ncols=2)
+    narrow = figures.page_svg(figure, narrow=True)
+    assert float(re.search(r'width="([\d.]+)pt"', narrow)[1]) <= 3.7 * 72
 
 
 # Scene

@@ -6,6 +6,7 @@ import hashlib
 import io
 import pickle
 import re
+import textwrap
 import warnings
 from collections.abc import Mapping
 from pathlib import Path as FilePath
@@ -191,6 +192,8 @@ def _make_narrow(figure: Figure) -> None:
                 axes.locator_params(nbins=4)
         return
     panels = [axes for axes in figure.axes if axes.axison]
+    for axes in panels:
+        _wrap_legend(axes)
     high *= _stack(figure, panels)
     columns = {spec.colspan.start for axes in panels if (spec := axes.get_subplotspec())}
     if len(columns) > 1 or (len(panels) == 1 and _is_long(figure, panels[0])):
@@ -251,8 +254,17 @@ def _widen_margins(figure: Figure, larger: float) -> None:
 def _is_long(figure: Figure, axes: Axes) -> bool:
     """Whether axes have a legend that needs the width of a page."""
     legend = axes.get_legend() or next(iter(figure.legends), None)
-    lines = [] if legend is None else [text.get_text() for text in legend.get_texts()]
+    texts = [] if legend is None else [text.get_text() for text in legend.get_texts()]
+    lines = [line for text in texts for line in text.splitlines()]
     return max(map(len, lines), default=0) > _LONG
+
+
+def _wrap_legend(axes: Axes) -> None:
+    """Break the long words of a legend into lines, but for those with formulas."""
+    legend = axes.get_legend()
+    for text in [] if legend is None else legend.get_texts():
+        if "$" not in text.get_text():
+            text.set_text(textwrap.fill(text.get_text(), _LONG))
 
 
 def _share(figure: Figure, axes: Axes, legend: Legend) -> float:
