@@ -16,7 +16,9 @@ import { pose, type Pose } from "./playback/motion";
 import { transport } from "./playback/transport";
 import { scenePanel } from "./scene/scene_panel";
 import { sectionPanel } from "./section/section_panel";
-import { engineOf, type Source } from "./sources/source";
+import { pythonPanel } from "./python/python_panel";
+import { askOf } from "./sources/ask";
+import { engineOf, type Ask, type Source } from "./sources/source";
 import { installStyle } from "./style/install";
 
 /** What a test, or a program in the page, may do with a mounted laboratory. */
@@ -45,7 +47,7 @@ export function mount(target: HTMLElement, source: Source): PageHandle {
   let lab: Lab | null = null;
   const ready = open(source).then((opened) => {
     lab = opened;
-    build(target, holder, opened);
+    build(target, holder, opened, askOf(source));
   });
   ready.catch((why: unknown) => {
     holder.replaceChildren(element("p", { class: "lab-message lab-refused", role: "alert" }, why instanceof Error ? why.message : String(why)));
@@ -83,7 +85,7 @@ async function open(source: Source): Promise<Lab> {
   return lab;
 }
 
-function build(target: HTMLElement, holder: HTMLElement, lab: Lab): void {
+function build(target: HTMLElement, holder: HTMLElement, lab: Lab, ask: Ask | null): void {
   const scene = scenePanel(lab);
   if (scene !== null) target.classList.add("lab-live");
   const full = (): void => {
@@ -109,6 +111,7 @@ function build(target: HTMLElement, holder: HTMLElement, lab: Lab): void {
   const laws = lawsPanel(lab);
   if (laws !== null) values.push({ name: "laws", title: "Laws", content: laws });
   const downloads = downloadsPanel({ lab, scene, plots, section, address: permalink(lab) });
+  if (ask !== null) values.push({ name: "python", title: "Python", content: pythonPanel(ask, lab) });
   values.push({ name: "downloads", title: "Save", content: downloads }, { name: "keys", title: "Keys", content: help() });
   const view = element("div", { class: "lab-view" }, scene?.element ?? null, transport(lab, full), scene?.switches ?? null, message);
   holder.append(view, tabs("Values", values).element, tabs("Pictures", pictures).element);

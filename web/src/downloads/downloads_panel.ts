@@ -124,7 +124,7 @@ function even(side: number): number {
 }
 
 /** The experiment file of the motion in the scene. */
-function experimentText(lab: Lab): string {
+export function experimentText(lab: Lab): string {
   const { model } = lab;
   const { experiment } = lab.shown.value;
   const list = (values: Readonly<Record<string, number>>): { name: string; value: number }[] => Object.entries(values).map(([name, value]) => ({ name, value }));

@@ -132,7 +132,8 @@ class Laboratory:
             yield {"saved": request.file}
             yield {"done": True}
             return
-        text = self.folder.experiment(request.subject.what)
+        subject = request.subject
+        text = subject.experiment or self.folder.experiment(subject.what)
         store = ""
         if isinstance(request, Chart):
             store = str(self.folder.store(store_name(request, text)))

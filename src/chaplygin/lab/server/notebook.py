@@ -153,7 +153,7 @@ class _Kernel:
             if isinstance(asked, Listing | Saving | Chart):
                 raise InputError("a notebook has no folder: chaplygin lab has")
             with self._turn:
-                for part in answer(Assignment(asked, self._experiment)):
+                for part in answer(Assignment(asked, asked.subject.experiment or self._experiment)):
                     if number in self._unwanted:
                         return
                     say(part)

@@ -48,9 +48,12 @@ class Subject(_Checked):
     what : str
     set : mapping
         Keys of the experiment file, or names of parameters, with their values.
+    experiment : str, optional
+        The text of an experiment file, in place of what `what` means.
     """
 
     what: Short
+    experiment: Annotated[str, Field(max_length=LARGEST)] | None = None
     set: dict[Short, object] = Field(default_factory=dict, max_length=200)
 
     @field_validator("set")
