@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from chaplygin.interruption import ending, watched
+
 #: Ctrl-C may be ignored where tests are run in the background, and would be in the program too.
 HEARING = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
 BEGIN = f"""{HEARING}
@@ -72,6 +74,19 @@ def test_what_says_nothing_has_saved_nothing() -> None:
         130,
         "interrupted: nothing was saved; the same command starts from the beginning\n",
     )
+
+
+def test_each_command_says_it_where_ctrl_c_is_ignored(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        for words in ("a third is kept", "a half is kept"):
+            with pytest.raises(KeyboardInterrupt), watched(), ending(words):
+                raise KeyboardInterrupt
+            assert capsys.readouterr().err == f"interrupted: {words}\n"
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_what_is_saved_is_waited_for() -> None:

@@ -121,11 +121,13 @@ def watched() -> Iterator[None]:
 
     Nothing is changed in a thread that is not the main one, and where Ctrl-C is dealt with already.
     """
-    main = threading.current_thread() is threading.main_thread()
-    if not main or signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+    if threading.current_thread() is not threading.main_thread():
         yield
         return
     _STATE.said = _STATE.reached = False
+    if signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+        yield
+        return
     ear, mouth = socket.socketpair()
     mouth.setblocking(False)
     before = signal.set_wakeup_fd(mouth.fileno(), warn_on_full_buffer=False)
