@@ -525,3 +525,24 @@ def test_sliding_that_begins_in_an_impact_against_viscous_friction() -> None:
     P = result.normal_impulse
     slip = np.linalg.solve(0.4 * A, (np.eye(2) - expm(-0.4 * P * A)) @ beta)
     np.testing.assert_allclose(result.contact_velocity[:2], slip, atol=1e-13)
+
+
+def test_a_slide_whose_speed_hardly_changes_goes_on() -> None:
+    """Near a direction in which it neither grows nor shrinks it takes many steps, and does end."""
+    A = np.array(
+        [[4.734948084124503, 0.01829115035798747], [0.01829115035798747, 5.120561271834452]]
+    )
+    beta = np.array([0.1757963393107045, -1.2892459696679441])
+    slip = np.array([-3.9712469941030858e-06, 1.6988250202034527e-05])
+    normal = Linear(-0.022202056757275407, 1.412202837306653, beta)
+    ends = Ends(True, 0.0, 0.0, 0.0, -1.0, None, None)
+    friction = SlidingFriction(0.25473419904639666)
+    clock, events = 0.0, []
+    while "compressed" not in events and len(events) < 20:
+        part = slide(slide_integrator(False), beta, A, friction, slip, normal, ends)
+        slip = part.speed * part.direction
+        normal = Linear(normal.at(part.clock, part.friction), normal.normal, normal.friction)
+        clock += part.clock
+        events.append(part.event)
+    assert len(events) > 1 and events[-1] == "compressed"
+    assert normal.constant == pytest.approx(0, abs=1e-15)

@@ -32,6 +32,8 @@ LEAST_RETURN = 1e-18
 #: Duration in θ, and steps, of a slide at most.
 _LONGEST, _STEPS = 1e9, 2000
 
+_STEP_LIMIT = int(hy.taylor_outcome.step_limit)
+
 SlideEvent = Literal["compressed", "approaching again", "returned", "spin stopped", "spin starts"]
 
 #: What ends a slide, in the order of the events of the compiled equations.
@@ -102,7 +104,7 @@ class Slide:
     Attributes
     ----------
     event : str
-        What ends it; None if only its speed has become small.
+        What ends it; None if only its speed has become small or large, or after many steps.
     direction : (2,) array
     speed : float
     clock : float
@@ -190,7 +192,7 @@ def slide(
     Raises
     ------
     RunError
-        If it takes too many steps.
+        If it cannot be followed.
     """
     speed = float(np.hypot(*slip))
     mu = friction.at(speed)
@@ -220,11 +222,13 @@ def slide(
     integrator.pars[:] = pars[: len(integrator.pars)]
     integrator.state[:] = [*(slip / speed), 1.0, 0.0, 0.0, 0.0, 0.0]
     outcome = int(integrator.propagate_until(_LONGEST, max_steps=_STEPS)[0])
-    if not -len(_EVENTS) <= outcome < 0:
+    if not -len(_EVENTS) <= outcome < 0 and outcome != _STEP_LIMIT:
         raise RunError("the sliding of an impact does not end", 0.0)
+    # near a direction in which the slip neither grows nor shrinks it goes on for long
+    event = None if outcome == _STEP_LIMIT else _EVENTS[-1 - outcome]
     n1, n2, w, p, f1, f2, work = integrator.state.tolist()
     return Slide(
-        event=_EVENTS[-1 - outcome],
+        event=event,
         direction=np.array([n1, n2]),
         speed=speed * w,
         clock=clock * p,

@@ -13,7 +13,7 @@ import numpy as np
 
 from ...core.arrays import FloatArray
 from ...errors import InputError, RunError
-from ..impact.impact_slide import Ends, Linear, SlidingFriction, slide, slide_integrator
+from ..impact.impact_slide import LEAST, Ends, Linear, SlidingFriction, slide, slide_integrator
 from .frozen_slip import FrozenSlip, PointSlip, growth_and_turning
 
 #: The logarithm of the slip down to which its turning is followed.
@@ -156,7 +156,7 @@ def _stop_at_point(slip: PointSlip, n: FloatArray, size: float) -> Stop:
             part = slide(integrator, steady, matrix, friction_law, n, _NEVER, _NO_ENDS)
         except RunError:
             raise RunError("the slip does not shrink to zero", 0.0) from None
-        if part.speed > 1:
+        if part.speed > 2 * LEAST:
             raise RunError("the slip does not shrink to zero", 0.0)
         speed = float(np.exp(logarithm))
         clock, friction = clock + speed * part.clock, friction + speed * part.friction
