@@ -27,6 +27,10 @@ def test_the_fast_top_is_unstable_and_the_slow_one_stable_for_every_viscosity() 
         assert growth(float(claims.SLOW), 1, viscosity) < 0 < growth(180.0, 1, viscosity)
 
 
+def test_sliding_without_spin_has_the_friction_of_coulomb() -> None:
+    assert claims.sliding_without_spin().decision == "proven"
+
+
 def test_the_inverted_top_with_the_same_jellett_integral_is_stable() -> None:
     share = float(claims._inverted_share())
     assert growth(180.0 * share, -1, 0.02) < 0

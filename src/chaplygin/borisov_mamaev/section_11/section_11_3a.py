@@ -5,8 +5,8 @@ from __future__ import annotations
 import sympy as sp
 
 from ...contact.invariants import top_stability as top
-from ...contact.invariants.friction_shares import HERTZ, force_beyond
 from ...contact.invariants.sliding_top import I_1, I_3, R, c, g, m, tippe_top
+from ...contact.pressure.pressure_ranges import hertz_ranges
 from ...proof.verdict import Verdict
 from ..claim import Claim, Remark
 from ..methods.conclusion import computed_verdict, conclusion_verdict
@@ -152,11 +152,10 @@ def by_viscous_friction() -> Verdict:
 
 def sliding_without_spin() -> Verdict:
     """𝓕 → 1 for k → ∞, with the first correction −1/(10k²)."""
-    series = force_beyond(HERTZ)
-    square = sp.Symbol("square")
-    terms = sp.hyper((series.a, series.b), (series.c,), square)
-    limit, first = terms.subs(square, 0), sp.diff(terms, square).subs(square, 0)
-    shown = limit == 1 and first == series.a * series.b / series.c == -sp.Rational(1, 10)
+    _, closed, _ = hertz_ranges()
+    x = sp.Symbol("x", positive=True)
+    series = sp.series(sp.simplify(closed.force.xreplace({closed.argument: 1 / x})), x, 0, 4)
+    shown = series.removeO() == 1 - x**2 / 10
     return computed_verdict(
         "coulomb",
         shown,
