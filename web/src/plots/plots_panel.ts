@@ -59,7 +59,7 @@ export function plotsPanel(lab: Lab): PlotsPanel {
     now();
   };
   for (const group of groups()) {
-    const face = group.text.length <= 4 ? formula(group.mathml) : group.text;
+    const face = group.mathml && group.text.length <= 4 ? formula(group.mathml) : group.text;
     chips.append(
       toggle(face, group.meaning || group.name, chosen.has(group.name), (on) => {
         if (on) chosen.add(group.name);
