@@ -10,7 +10,9 @@ import xarray as xr
 from ..errors import InputError, RunError
 from ..experiment.study import Study, dataset_of
 from ..proof.verdict import Verdict
+from .bifurcation_model import bifurcation_model
 from .page_model import MOST_SAMPLES, live_page_model, page_model
+from .reduced import reduced_system
 from .scene_model import Json
 
 
@@ -30,9 +32,11 @@ def study_model(
     """
     shown = thinned(dataset)
     try:
-        return {**live_page_model(study, shown, verdicts), "recorded": None}
+        model = live_page_model(study, shown, verdicts)
     except InputError:
         return page_model(study, shown, verdicts)
+    diagram = bifurcation_model(study, reduced_system(study))
+    return {**model, "recorded": None, "bifurcation": diagram}
 
 
 def opened(study: Study, subject: Mapping[str, Json]) -> dict[str, Json]:

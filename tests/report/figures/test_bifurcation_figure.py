@@ -10,10 +10,10 @@ from matplotlib.text import Text
 
 from chaplygin.errors import InputError
 from chaplygin.explicit.bifurcation import bifurcation_diagram
+from chaplygin.explicit.bifurcation.layout import window
 from chaplygin.report.drawing.style import COMPONENTS
 from chaplygin.report.figures import save
 from chaplygin.report.figures.bifurcation import draw_bifurcation_diagram
-from chaplygin.report.figures.bifurcation_layout import window
 
 NAMES = ("veselova", "neumann", "chaplygin-ball-area", "chaplygin-ball-fedorov")
 #: A motion in a region of tori.

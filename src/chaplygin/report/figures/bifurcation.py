@@ -16,8 +16,8 @@ from matplotlib.lines import Line2D
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...explicit.bifurcation import Boundary, Diagram, Region
+from ...explicit.bifurcation.layout import Grid, Heights, Window, heights, places, window
 from ..drawing.style import COMPONENTS, FAINT, INK, QUIET, STYLE, WIDTH
-from .bifurcation_layout import Grid, Heights, Window, heights, places, window
 
 #: Pale colours of regions with 1–2, 3–4 and more tori.
 TONES = {2: "#e6eef5", 4: "#f6ecd2", 8: "#f3dfe2"}

@@ -13,8 +13,8 @@ from flint import fmpq
 from scipy.ndimage import distance_transform_edt
 
 from ...core.arrays import BoolArray, FloatArray
-from ...explicit.bifurcation import Diagram, Region
-from ...explicit.bifurcation.arrangement import rational
+from . import Diagram, Region
+from .arrangement import rational
 
 #: Abscissae (n,) in a column and the heights of its arcs there (n, arcs).
 Heights: TypeAlias = tuple[FloatArray, FloatArray]
