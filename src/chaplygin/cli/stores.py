@@ -35,7 +35,7 @@ OnDevice = Annotated[
 
 
 def device_of(text: str) -> Device:
-    """Where motions are computed.
+    """The device on which motions are computed.
 
     Raises
     ------

@@ -255,7 +255,7 @@ def _even_steps(nodes: FloatArray, sample: Callable[[float], FloatArray], count:
 
 
 def _thickness(points: FloatArray) -> float:
-    """How far the two sides of a body without thickness are moved apart along axis 3."""
+    """The distance by which the sides of a body without thickness are moved apart along axis 3."""
     across = float(np.max(np.ptp(points[..., :2], axis=(0, 1))))
     if float(np.ptp(points[..., 2])) >= _FLAT_THICKNESS * across / 2:
         return 0.0

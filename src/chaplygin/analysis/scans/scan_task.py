@@ -47,7 +47,7 @@ class Rule(Protocol):
 
     @property
     def device(self) -> Device:
-        """Where the motions are computed."""
+        """The device on which the motions are computed."""
 
     @property
     def further(self) -> Mapping[str, str]:

@@ -170,7 +170,7 @@ def _energy(value: sp.Expr) -> Integral:
 def _of_constraint(
     normal: MatrixExpr, I: Diagonal | Symmetric, A: Diagonal | Symmetric, momentum: MatrixExpr
 ) -> list[Law]:
-    """What Veselova's system and Suslov's problem keep besides energy and circulations."""
+    """Integrals of Veselova's system and Suslov's problem besides energy and circulations."""
     if normal == gamma:
         square = norm_squared(cross(I * omega + momentum, gamma))
         meaning = "square of the horizontal momentum"

@@ -42,7 +42,7 @@ NORMAL = ("outward normal of the sphere at the contact, body axes", "1")
 
 
 class OnSphere(Family):
-    """What balls on a sphere have besides those on a hyperplane."""
+    """The part of balls on a sphere that those on a hyperplane do not have."""
 
     @property
     def upright(self) -> bool:

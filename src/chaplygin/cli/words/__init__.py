@@ -1,1 +1,1 @@
-"""What commands say: of the results of a run, and of mistakes in a command line."""
+"""Sentences of commands: on the results of a run, and on mistakes in a command line."""

@@ -1,1 +1,1 @@
-"""Where many motions are computed: on the processors of a machine, or on a graphics processor."""
+"""Devices on which many motions are computed: processors, and a graphics processor."""

@@ -12,7 +12,7 @@ from ...core.arrays import FloatArray, IntArray
 
 @dataclass(frozen=True)
 class BatchInput:
-    """What a call reads.
+    """Input of a call.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class BatchInput:
 
 @dataclass(frozen=True)
 class BatchOutput:
-    """What a call writes.
+    """Output of a call.
 
     Attributes
     ----------

@@ -46,7 +46,7 @@ _ROOM = 1.12
 
 @dataclass(frozen=True)
 class _Window:
-    """What is seen on paper: a middle for each instant, and half the width and height."""
+    """The visible part of the plane: a middle for each instant, and half the width and height."""
 
     middles: FloatArray
     half: FloatArray
