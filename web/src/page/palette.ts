@@ -14,7 +14,9 @@ export interface Palette {
   shell: readonly [string, string];
   seam: string;
   ground: readonly [light: string, dark: string];
+  /** Lines of the grid on a plane, and of those on a surface. */
   grid: string;
+  lines: string;
   shadow: number;
   /** Colours of the components 1, 2, 3 of a vector. */
   components: readonly string[];
@@ -36,6 +38,7 @@ const DAY: Palette = {
   seam: "#3d5a76",
   ground: ["#f4f7fa", "#b3bfcb"],
   grid: "#aab6c2",
+  lines: "#aab6c2",
   shadow: 0.34,
   components: ["#004488", "#bb5566", "#d9a521"],
   series: ["#332288", "#cc6677", "#117733", "#ddaa33", "#88ccee", "#aa4499", "#999933", "#44aa99"],
@@ -54,6 +57,7 @@ const NIGHT: Palette = {
   seam: "#25394d",
   ground: ["#5b6773", "#2c353e"],
   grid: "#56636f",
+  lines: "#94a3b1",
   shadow: 0.6,
   components: ["#6ea8e6", "#e58a99", "#e6bd52"],
   series: ["#a497f3", "#e58a99", "#58b97b", "#e6bd52", "#88ccee", "#d582c8", "#c3c35c", "#5cc4b2"],

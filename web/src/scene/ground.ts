@@ -144,7 +144,7 @@ function surfaceMaterial(side: Side, opacity: number, lines: string, colours: Pa
   const glass = opacity < 1;
   const material = new MeshLambertMaterial({ color: colours.ground[0], side, transparent: glass, opacity, depthWrite: !glass });
   material.onBeforeCompile = (shader) => {
-    shader.uniforms["uLine"] = { value: new Color(colours.grid) };
+    shader.uniforms["uLine"] = { value: new Color(colours.lines) };
     shader.vertexShader = shader.vertexShader
       .replace("#include <common>", "#include <common>\nvarying vec3 vOwn;\nvarying vec3 vTurn;")
       .replace("#include <begin_vertex>", "#include <begin_vertex>\nvOwn = position;\nvTurn = normalize(normal);");
