@@ -56,9 +56,11 @@ def parameters_by_symbol(
     InputError
         If the system has no parameter of a name.
     """
+    if not parameters:
+        return {}
     symbols = {str(symbol): symbol for symbol in system.defaults}
-    require_parameters(system.name, symbols, parameters or ())
-    return {symbols[str(key)]: value for key, value in (parameters or {}).items()}
+    require_parameters(system.name, symbols, parameters)
+    return {symbols[str(key)]: value for key, value in parameters.items()}
 
 
 def parameter_values(

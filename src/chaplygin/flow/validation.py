@@ -68,12 +68,14 @@ def require_on_phase_space(
     magnitudes = np.abs(numbers(relations, points, parameters))
     missed, sizes = np.split(magnitudes, 2, axis=1)
     excess = missed / (SLACK * sizes + LEAST)
+    # what is not a number is not within bounds
+    if (excess <= 1).all():
+        return
     worst = np.unravel_index(np.argmax(np.nan_to_num(excess, nan=np.inf)), excess.shape)
-    if not excess[worst] <= 1:
-        raise InputError(
-            f"{system.name}: start {worst[0]} misses the phase space; "
-            f"{system.relations[worst[1]]} is {missed[worst]:.3g} there and must vanish"
-        )
+    raise InputError(
+        f"{system.name}: start {worst[0]} misses the phase space; "
+        f"{system.relations[worst[1]]} is {missed[worst]:.3g} there and must vanish"
+    )
 
 
 def extremes_in_words(

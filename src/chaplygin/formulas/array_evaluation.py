@@ -141,9 +141,11 @@ def parameter_rows(system: System, parameters: Parameters | None, count: int) ->
         If a name is unknown, a value is not finite or not admissible, or an array has another
         length.
     """
+    if not parameters:
+        return np.array([[value for _, value in system.default_values]])
     parameters_by_symbol(system, parameters)
     columns: dict[str, FloatArray | float] = dict(system.default_values)
-    for key, value in (parameters or {}).items():
+    for key, value in parameters.items():
         column = as_float_array(f"{system.name}: {key}", value)
         if column.shape not in ((), (count,)):
             raise InputError(
@@ -157,8 +159,7 @@ def parameter_rows(system: System, parameters: Parameters | None, count: int) ->
     rows = np.empty((count if varied else 1, len(columns)))
     for i, entries in enumerate(columns.values()):
         rows[:, i] = entries
-    if parameters:
-        require_admissible(system, dict(zip(system.defaults, rows.T, strict=True)))
+    require_admissible(system, dict(zip(system.defaults, rows.T, strict=True)))
     return rows
 
 
@@ -203,11 +204,17 @@ def values(
     return numbers(terms, points, spread)
 
 
+@lru_cache(maxsize=64)
+def _in_order(terms: tuple[Term, ...]) -> tuple[Term, ...]:
+    """The terms on which some depend, operands first; once for terms that are evaluated often."""
+    return tuple(topological_order(terms))
+
+
 def numbers(terms: Sequence[Term], states: FloatArray, parameters: FloatArray) -> FloatArray:
     """Terms at states (..., size) with parameters (..., parameters): (..., terms)."""
     known: dict[int, FloatArray | np.float64] = {}
     with np.errstate(all="ignore"):
-        for node in topological_order(terms):
+        for node in _in_order(tuple(terms)):
             if node.kind == "number":
                 known[id(node)] = np.float64(float(node.args[0]))
             elif node.kind == "state":
