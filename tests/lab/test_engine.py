@@ -24,7 +24,12 @@ pytestmark = needs_node
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
 #: Systems of each kind: a body, a ball on a surface, a mechanism, one without motion in space.
-FEW = ["unbalanced-ball", "rubber-ball-on-torus", "chaplygin-sleigh", "clebsch"]
+FEW = [
+    "unbalanced-ball",
+    "chaplygin-sleigh",
+    pytest.param("rubber-ball-on-torus", marks=pytest.mark.slow),
+    pytest.param("clebsch", marks=pytest.mark.slow),
+]
 
 KINDS = ("megno", "lyapunov")
 
@@ -177,7 +182,7 @@ def test_parameters_are_taken():
     "name",
     [
         "unbalanced-ball",
-        "rubber-body",
+        pytest.param("rubber-body", marks=pytest.mark.slow),
         pytest.param("veselova", marks=pytest.mark.slow),
         pytest.param("marble-ball-on-torus", marks=pytest.mark.slow),
         pytest.param("cushion.toml", marks=pytest.mark.slow),
@@ -203,6 +208,7 @@ def message_of_engine(name, parameters, inputs):
     return result["message"]
 
 
+@pytest.mark.slow
 def test_starts_are_refused_in_the_words_of_python():
     spins = message_of_engine("rubber-body", {}, {"omega_3": 9.0})
     assert spins.startswith("omega: (omega, gamma) = ")
@@ -246,6 +252,7 @@ def test_points_of_a_section_come_back_to_their_states():
     assert "no state on this level was found at longitude = 0, M_3 = 1000" in none["message"]
 
 
+@pytest.mark.slow
 def test_integrals_may_be_coordinates():
     """A state with other values of two integrals, as for a click into a bifurcation diagram."""
     model = model_of("clebsch")
@@ -297,6 +304,7 @@ def test_indicators_are_those_of_python(name, until, close):
     assert abs(megno - value) < close * value
 
 
+@pytest.mark.slow
 def test_the_mesh_of_a_body_follows_its_parameters():
     model = model_of("rattleback")
     mesh, longer = run_engine(model, ("bodyMesh", [{}]), ("bodyMesh", [{"b_1": 0.3}]))
