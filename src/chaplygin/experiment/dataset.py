@@ -252,7 +252,7 @@ except Exception:
 _DAMAGED = 3
 
 #: Seconds after which HDF5 is taken to go round in circles; it needs a hundredth of one.
-_PATIENCE = 60.0
+_PATIENCE = 20.0
 
 
 def _require_readable(path: Path) -> None:
