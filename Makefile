@@ -50,7 +50,9 @@ web: ## check and build the front end of the laboratory; needs Node
 pictures: $(VENV)/core ## draw the pictures of the README again
 	@set -e; for name in rattleback coin ball_in_a_bowl; do \
 	  $(BIN)/chaplygin study examples/$$name.toml -o build/$$name --force; \
-	  cp build/$$name/figures/scene.png docs/pictures/$$name.png; done
+	  cp build/$$name/figures/scene.png docs/pictures/$$name.png; \
+	  $(BIN)/chaplygin animate examples/$$name.toml -o docs/pictures/$$name.gif --force \
+	    --rate 12 --width 480 --height 300 --set run.until=5; done
 
 bench: $(VENV)/dev ## run the benchmarks
 	@set -e; for file in benchmarks/bench_*.py; do \

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from ..interruption import ending
+from ..interruption import CODE, ending
 from .common import Override, inform, study_of
 
 #: Where pages are served unless another port is asked for.
@@ -67,5 +68,9 @@ def command(
 
             webbrowser.open(address)
 
-    with ending("the laboratory is closed; experiments and charts that were saved stay"):
-        serve(folder, name, port, announce)
+    try:
+        with ending("the laboratory is closed; experiments and charts that were saved stay"):
+            serve(folder, name, port, announce)
+    except KeyboardInterrupt:
+        # no worker is left, and the libraries take a second to be unloaded
+        os._exit(CODE)

@@ -20,6 +20,8 @@ from pathlib import Path
 
 import pytest
 
+from browser import Opened, browsers
+
 pytest.importorskip("starlette")
 pytest.importorskip("uvicorn")
 
@@ -275,3 +277,17 @@ def test_nothing_is_left_running(tmp_path: Path, sent: signal.Signals) -> None:
 def _ask_and_be_cut_off(running: Laboratory) -> None:
     with contextlib.suppress(OSError, http.client.HTTPException, AssertionError):
         running.ask({**LONG, "subject": {"what": "unbalanced-ball"}})
+
+
+def test_the_page_asks_for_proofs_and_shows_them(laboratory: Laboratory) -> None:
+    with browsers() as launch:
+        address = f"http://127.0.0.1:{laboratory.port}/{laboratory.token}/"
+        opened = Opened(launch(), address).ready()
+        opened.page.get_by_role("tab", name="Python").click()
+        opened.page.get_by_role("button", name="Prove the laws").click()
+        answers = opened.page.locator(".lab-answers")
+        answers.get_by_text("energy").first.wait_for(timeout=120_000)
+        assert "energy proven" in answers.inner_text()
+        asked = {url for url in opened.strangers if url != f"{address}ask"}
+        assert asked == set()
+        assert opened.complaints == []
