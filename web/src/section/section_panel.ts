@@ -264,9 +264,10 @@ class Panel implements SectionPanel {
         refused = found.message;
         continue;
       }
-      if (place === places.at(-1)) this.play(found.state);
+      // the points first: drawing the scene anew takes longer than computing them
       await this.trace(found.state, false, place);
       if (era !== this.era) return;
+      if (place === places.at(-1)) this.play(found.state);
     }
     if (refused !== "") this.lab.say(sentence(refused), true);
   }
