@@ -90,7 +90,7 @@ def test_every_task_runs_and_gives_a_ratio(contest: SimpleNamespace):
     body = replace(contest.bodies.BODIES["chaplygin-ball"], span=4.0, long=4.0, short=1.0)
     outcomes = [task.run(body, task.targets[0], effort) for task in tasks.TASKS]
     found = contest.engine.ratios(outcomes)
-    assert list(found) == ["ensemble", "single", "section", "tangent", "digits30"]
+    assert list(found) == ["ensemble", "numba", "single", "section", "tangent", "digits30"]
     assert all(row[body.name] > 0 for row in found.values())
     for outcome in outcomes:
         assert outcome.own.error <= 100 * outcome.target
