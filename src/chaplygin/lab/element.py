@@ -35,6 +35,8 @@ _LOADER = """\
 (async () => {
   const data = document.getElementById("chaplygin-data");
   const place = document.getElementById("chaplygin-lab");
+  // the still is painted first
+  await new Promise((go) => { requestAnimationFrame(() => setTimeout(go)); setTimeout(go, 500); });
   try {
     const packed = Uint8Array.from(atob(data.textContent.trim()), (c) => c.charCodeAt(0));
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
