@@ -102,7 +102,7 @@ def test_a_catalogue_name_is_no_file_with_lines(ask: Ask) -> None:
                 'kind = "ball"\nradius = 1.0',
                 'kind = "implicit"\nsurface = "x**2 + y**2 - z**2 - 1"',
             ),
-            "ball.toml, line 4, body.shape: surface x**2 + y**2 - z**2 - 1 = 0: it is not closed",
+            "line 6, body.shape.surface: surface x**2 + y**2 - z**2 - 1 = 0: it is not closed",
         ),
     ],
 )

@@ -356,17 +356,17 @@ SYSTEM = '[system]\nname = "{name}"\n[system.parameters]\n{parameters}\n'
         ),
         (
             text(shape='kind = "revolution"\nsupport = "gamma_3"'),
-            "body.toml, line 5, body.shape",
+            "body.toml, line 7, body.shape.support: ",
             "must be positive, the distance of the tangent plane from the centre",
         ),
         (
             text(shape='kind = "implicit"\nsurface = "x**2 + y**2 + z**2 + 1"'),
-            "body.toml, line 5, body.shape",
+            "body.toml, line 7, body.shape.surface: ",
             "must be negative there (negative inside, zero on the surface)",
         ),
         (
             text(shape='kind = "implicit"\nsurface = "x**2 + y**2 + z - 1"'),
-            "body.toml, line 5, body.shape",
+            "body.toml, line 7, body.shape.surface: ",
             "it is not closed",
         ),
     ],

@@ -207,7 +207,7 @@ def closed_form_section(solution: Solution, trajectory: Trajectory) -> ClosedFor
 
 #: A differential before another factor.
 _AFTER = re.compile(
-    r"(\\text\{d[a-z]+\}(?:_\{\w+\})?) "
+    r"(\\text\{d[a-z]+\}(?:_\{\w+\})?) (?:\\, )?"
     r"((?:\w|\\(?!text)[a-z]+)(?:_\{\w+\})?(?:\^\{\w+\})?)(?=[}\s])"
 )
 

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ...core.arrays import FloatArray
-from ...flow.cost import Pace
+from ...flow.cost import Pace, TooMuchError
 from ...flow.validation import extremes_in_words
 from ..friction.contensou import held_range_of, range_of
 from ..friction.modes import Mode, Range
@@ -132,8 +132,9 @@ class CourseState:
         outcome = integrator.advance(self.time, self.state, list(wanted), last, _STRETCH)
         self._add_piece(integrator, outcome.time, outcome.samples)
         # towards a singularity the steps tend to zero
-        least = _LEAST_PROGRESS * max(abs(self.time), last - self.time)
-        stalls = outcome.guard == PAUSE and outcome.time - self.time <= least
+        least = _LEAST_PROGRESS * max(abs(self.time), min(last - self.time, self._usual_time))
+        progress = outcome.time - self.time
+        stalls = outcome.guard == PAUSE and progress <= least
         self.steps += outcome.steps
         self._idle = 0 if outcome.time > self.time else self._idle + 1
         self.time, self.state = outcome.time, outcome.state
@@ -146,10 +147,20 @@ class CourseState:
                 "many events", f"{len(self.events)} events up to t = {self.time:.9g}: too many"
             )
         length = last - float(self.moments[0])
+        if outcome.guard == PAUSE and progress <= _LEAST_PROGRESS * (last - self.time):
+            raise TooMuchError(
+                f"to follow a motion for {length:g} s would take more than "
+                f"{_STRETCH / _LEAST_PROGRESS:.0e} steps"
+            )
         if length:
             done = (self.time - float(self.moments[0])) / length
             self._pace.check(done, f"to follow a motion for {length:g} s")
         return outcome.guard
+
+    @property
+    def _usual_time(self) -> float:
+        """A typical time of the motion, in which it passes its own length."""
+        return self._length / self._speed if self._speed else math.inf
 
     def _extremes(self) -> str:
         """The numbers that make a step impossible, in words; empty once there was one."""

@@ -49,7 +49,7 @@ MODE_STYLES = {
     "rest": ModeStyle(INK),
     "sliding without rolling": ModeStyle("#882255"),
     "sliding without turning": ModeStyle("#882255", "/////", _DASHED),
-    "spinning": ModeStyle("#999933"),
+    "spinning": ModeStyle("#999933", ".....", (0.0, (4.0, 1.2, 1.0, 1.2))),
 }
 
 
