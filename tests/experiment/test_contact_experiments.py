@@ -296,3 +296,43 @@ def test_a_reference_case_from_its_file(name: str) -> None:
     times = [event["time"] for event in case["events"]]
     np.testing.assert_allclose(dataset["event_time"].values[kept], times, rtol=0, atol=1e-10)
     assert dataset.attrs["energy_balance_drift"] < 1e-12
+
+
+#: An ellipsoid that bounces to rest against a bowl; a bounce of some 1e-5 m was missed.
+BOUNCES = """\
+[body]
+mass = 0.65
+inertia = [[0.2036, 0.0003, -0.0134], [0.0003, 0.2099, -0.0091], [-0.0134, -0.0091, 0.1989]]
+[body.shape]
+kind = "ellipsoid"
+axes = [0.763, 0.988, 0.826]
+turn = -0.859
+centre = [0.018, -0.158, -0.182]
+[surface]
+kind = "sphere"
+radius = 5.0
+side = "inside"
+turntable = -0.377
+[contact]
+model = "friction"
+mu = 0.231
+restitution = 0.6
+impact_law = "poisson"
+[field]
+gravity = 9.81
+[start]
+position = [-0.30930257632025, 0.7881017999501824, -3.80286329063733]
+attitude = [-0.2492311072004005, -0.5592814095026052, 0.7732118650005599, 0.16501991398251775]
+velocity = [-1.8829738568847558, -1.8973484881819649, -0.4319208956592711]
+omega = [-0.658, -0.615, 0.771]
+[run]
+until = 1.0
+samples = 41
+"""
+
+
+@pytest.mark.slow
+def test_no_bounce_is_missed() -> None:
+    motion = ch.prepare(ch.loads(BOUNCES, "f.toml")).trajectory()
+    assert motion.recorded["gap"].min() > -1e-12
+    assert len(motion.changes) > 15

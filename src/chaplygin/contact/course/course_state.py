@@ -261,9 +261,9 @@ class CourseState:
         return max(LAST_BOUNCE * self._speed, rising)
 
     def _rise(self) -> None:
-        """Put a flying body above the support by a height of rounding size, so that it leaves."""
+        """Put a flying body above the support, by more than its height is rounded."""
         known = self._known()
-        rise = 4e-16 * (self._length + float(np.abs(self.state[POSITION]).max()))
+        rise = 2e-15 * (self._length + float(np.abs(self.state[POSITION]).max()))
         up = Rotation.from_quat(self.state[ATTITUDE], scalar_first=True).apply(known.mobility.gamma)
         self.state = self.state.copy()
         self.state[POSITION] += max(0.0, rise - known.gap) * up
