@@ -336,3 +336,39 @@ def test_no_bounce_is_missed() -> None:
     motion = ch.prepare(ch.loads(BOUNCES, "f.toml")).trajectory()
     assert motion.recorded["gap"].min() > -1e-12
     assert len(motion.changes) > 15
+
+
+#: A disk too fast to be held at first, under friction without bound.
+THROWN = """\
+[body]
+mass = 1.845
+inertia = [[0.2462, 0.0072, -0.0235], [0.0072, 0.3135, 0.0725], [-0.0235, 0.0725, 0.3026]]
+[body.shape]
+kind = "disk"
+radius = 1.0
+centre = [-0.079, -0.192, 0.137]
+[surface]
+kind = "plane"
+turntable = 0.542
+[contact]
+model = "friction"
+restitution = 0.3
+mu = inf
+[field]
+gravity = 1.0
+[start]
+gamma = [1.548, 0.175, -0.538]
+omega = [3.008, -4.013, -4.262]
+[run]
+until = 0.5
+samples = 41
+on_liftoff = "fly"
+"""
+
+
+@pytest.mark.slow
+def test_friction_without_bound_lets_a_body_leave() -> None:
+    motion = ch.prepare(ch.loads(THROWN, "f.toml")).trajectory()
+    first = motion.changes[0]
+    assert (first.kind, first.time) == ("lift-off", 0.0)
+    assert motion.drift < 1e-12

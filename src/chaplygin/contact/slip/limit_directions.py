@@ -266,8 +266,9 @@ def rest_of_point(slip: PointSlip, static_mu: float | None = None) -> Rest:
     holding = np.array(force)
     holds = bool(pressure > 0 and np.hypot(*holding) <= limit * pressure)
     couple = slip.response.couple[0] * pressure + float(slip.response.couple[1] @ holding)
-    monotone = np.isinf(slip.mu) or slip.mu * np.abs(slope).max() <= ROUNDING * constant
-    exits = () if holds and monotone else _exits(limit_directions(slip))
+    # without bound, friction lets no slip begin
+    is_held = np.isinf(slip.mu) or (holds and slip.mu * np.abs(slope).max() <= ROUNDING * constant)
+    exits = () if is_held else _exits(limit_directions(slip))
     return Rest(float(pressure), holding, float(couple) + slip.couple, holds, exits)
 
 
