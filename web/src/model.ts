@@ -24,8 +24,6 @@ export interface Parameter {
   value: number;
   low: number | null;
   high: number | null;
-  /** Whether the page cannot change it: shape, mesh or start would have to be computed anew. */
-  fixed: boolean;
 }
 
 /** A number that a user may turn to give the start, such as a component of ω. */
@@ -89,16 +87,6 @@ export interface SectionChoice {
   direction: -1 | 0 | 1;
   x: string;
   y: string;
-}
-
-/** A chart over two quantities: parameters or start inputs, by name. */
-export interface ChartChoice {
-  kind: "megno" | "lyapunov";
-  x: string;
-  y: string;
-  xRange: [number, number];
-  yRange: [number, number];
-  until: number;
 }
 
 /** A curve or region of a bifurcation diagram, in values of two integrals. */
@@ -277,7 +265,6 @@ export interface PageModel {
   quantities: Quantity[];
   guards: Guard[];
   section: SectionChoice | null;
-  chart: ChartChoice | null;
   bifurcation: Bifurcation | null;
   scene: Scene;
   recorded: Recorded | null;

@@ -9,7 +9,7 @@ import { onScale } from "../src/page/palette";
 
 const model = {
   until: 10,
-  parameters: [{ name: "I_1", fixed: false }, { name: "m", fixed: true }],
+  parameters: [{ name: "I_1" }],
   start_inputs: [{ name: "omega_3" }],
   state: [{ name: "M_1" }, { name: "M_2" }],
 } as unknown as PageModel;

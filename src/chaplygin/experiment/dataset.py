@@ -269,7 +269,9 @@ def _require_readable(path: Path) -> None:
             check=False,
         )
     except subprocess.TimeoutExpired:
-        raise InputError(f"{path}: not a readable NetCDF file") from None
+        raise InputError(
+            f"{path}: not a readable NetCDF file: HDF5 came to no end of it in {_PATIENCE:g} s"
+        ) from None
     # a signal ends it where HDF5 breaks down
     if looked.returncode == _DAMAGED or looked.returncode < 0:
         raise InputError(f"{path}: not a readable NetCDF file")

@@ -71,24 +71,22 @@ def page_model(
     >>> model["title"], model["reduced"], [column["name"] for column in model["columns"]][:3]
     ('Veselova system', 6, ['omega', 'gamma', 'spin_torque'])
     """
-    changing = study.subject.changes_equations
-    columns = columns_of_dataset(dataset) if changing and dataset is not None else ()
-    columns = columns if changing else columns_of(study)
     reduced = reduced_system(study)
-    scalars = () if changing else scalars_of(study, reduced)
-    whole = study.system.lifted() if study.system.reconstruction else study.system
+    if study.subject.changes_equations:
+        columns = () if dataset is None else columns_of_dataset(dataset)
+        formulas = _NO_FORMULAS
+    else:
+        columns = columns_of(study)
+        formulas = _formulas(study, reduced, verdicts or {})
     run = study.experiment.run
     return {
+        **formulas,
         "format": 1,
         "name": study.system.name,
         "title": study.system.title,
         "kind": _kind(study),
         "experiment": study.complete_toml(),
-        "state": [] if changing else _state(study, whole),
         "reduced": len(study.system.symbols),
-        "parameters": [] if changing else [_parameter(p, study) for p in study.system.parameters],
-        "start": [] if changing else [float(x) for x in study.start],
-        "start_inputs": [] if changing else start_inputs(study),
         "direction": -1 if run.direction == "backward" else 1,
         "until": study.until,
         "samples": min(run.samples, MOST_SAMPLES),
@@ -105,13 +103,7 @@ def page_model(
             }
             for column in columns
         ],
-        "laws": [] if changing else _laws(study, verdicts or {}),
-        "quantities": [_quantity(scalar) for scalar in scalars],
         "guards": [{"message": guard.message} for guard in reduced.guards],
-        "section": None
-        if changing
-        else section_choice(study, reduced, sectionable(reduced, scalars)),
-        "chart": None,
         "bifurcation": None,
         "scene": scene_model(study, columns, dataset),
         "recorded": None if dataset is None else recorded(study, columns, dataset),
@@ -144,6 +136,33 @@ def live_page_model(
         "wasm_tables": module.tables,
     }
     return page_model(study, dataset, verdicts) | computing
+
+
+#: Of a motion through several modes, which no equations give as a whole.
+_NO_FORMULAS: dict[str, Json] = {
+    "state": [],
+    "parameters": [],
+    "start": [],
+    "start_inputs": [],
+    "laws": [],
+    "quantities": [],
+    "section": None,
+}
+
+
+def _formulas(study: Study, reduced: System, verdicts: Mapping[str, Verdict]) -> dict[str, Json]:
+    """What a page shows of the equations and laws."""
+    scalars = scalars_of(study, reduced)
+    whole = study.system.lifted() if study.system.reconstruction else study.system
+    return {
+        "state": _state(study, whole),
+        "parameters": [_parameter(p, study) for p in study.system.parameters],
+        "start": [float(x) for x in study.start],
+        "start_inputs": start_inputs(study),
+        "laws": _laws(study, verdicts),
+        "quantities": [_quantity(scalar) for scalar in scalars],
+        "section": section_choice(study, reduced, sectionable(reduced, scalars)),
+    }
 
 
 def _kind(study: Study) -> str:
@@ -187,7 +206,6 @@ def _parameter(parameter: Parameter, study: Study) -> Json:
         "value": float(parameter.default),
         "low": low,
         "high": high,
-        "fixed": False,
     }
 
 
@@ -217,10 +235,6 @@ def _quantity(scalar: Scalar) -> Json:
         "meaning": scalar.meaning,
         "angle": scalar.angle,
     }
-
-
-def _section(study: Study, reduced: System, scalars: Sequence[Scalar]) -> Json:
-    return section_choice(study, reduced, sectionable(reduced, scalars))
 
 
 # --- the recorded motion -----------------------------------------------------------------------

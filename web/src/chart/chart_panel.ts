@@ -80,9 +80,6 @@ class Panel implements ChartPanel {
   }
 
   private opening(): ChartSetting {
-    const { model } = this.lab;
-    const given = model.chart;
-    if (given !== null) return { ...given, size: 100 };
     const [a, b] = this.choices;
     const onSection = this.section !== null;
     const unit: Range = [0, 1];
@@ -312,7 +309,6 @@ function choicesOf({ model }: Lab): Choice[] {
   };
   const inputs = model.start_inputs.map(({ name, mathml, unit, value, low, high }) => ({ name, value, text: text(mathml, name, unit), range: [low, high] as Range }));
   const parameters = model.parameters
-    .filter(({ fixed }) => !fixed)
     .map(({ name, mathml, unit, value, low, high }) => ({ name, value, text: text(mathml, name, unit), range: rangeAround(value, low, high) }));
   return [...inputs, ...parameters];
 }

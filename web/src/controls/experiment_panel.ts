@@ -21,7 +21,7 @@ export function experimentPanel(lab: Lab): HTMLElement | null {
     });
     return [input.name, made] as const;
   });
-  const parameters = model.parameters.filter((each) => !each.fixed).map((each) => {
+  const parameters = model.parameters.map((each) => {
     const [low, high] = rangeAround(each.value, each.low, each.high);
     const made = slider({ ...each, symbol: symbolOf(each), low, high }, () => lab.mark(), (value) => {
       const now = lab.wanted.value;

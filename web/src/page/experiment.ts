@@ -59,7 +59,7 @@ export function fromFragment(
     const value = Number(text);
     const name = key.slice(2);
     if (key.startsWith("p.")) {
-      if (!Number.isFinite(value) || !model.parameters.some((p) => p.name === name && !p.fixed)) return null;
+      if (!Number.isFinite(value) || !model.parameters.some((p) => p.name === name)) return null;
       experiment.parameters[name] = value;
     } else if (key.startsWith("s.")) {
       if (!Number.isFinite(value) || !model.start_inputs.some((input) => input.name === name)) return null;

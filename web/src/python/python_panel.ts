@@ -66,7 +66,7 @@ export function pythonPanel(ask: Ask, lab: Lab): HTMLElement {
   const after = field("after returns", "1");
   row("Periodic orbit", () => ({ request: { do: "orbit", on: on.value(), after: Number(after.value()) }, show: orbit }), on.label, after.label);
   const of = field("of", "megno");
-  const [first, second] = model.parameters.filter(({ fixed }) => !fixed);
+  const [first, second] = model.parameters;
   const axis = (name: string, value: number): string => `${name}=${value - 0.2 * (Math.abs(value) || 1)}:${value + 0.2 * (Math.abs(value) || 1)}:100`;
   const x = field("across", first ? axis(first.name, first.value) : "");
   const y = field("up", second ? axis(second.name, second.value) : "");

@@ -27,15 +27,13 @@ from ...core.system import Parameter, System
 from ...core.vectors import outer, real_symbol, to_components
 from ..entry import Values
 from .elimination import solution
-from .entry_of_dimension import SOURCE, D, Family, R, cycle, direction
+from .entry_of_dimension import MOMENTUM, SOURCE, D, Family, R, cycle, direction
 from .inertia import Inertia, MassTensor, Moments, pairs
 from .invariants import invariants
 from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
 from .theorems import of_ball
 
 HALF = sp.Rational(1, 2)
-MOMENTUM = "kg m^2/s"
-SQUARE = "kg^2 m^4/s^2"
 DENSITY = "invariant measure; Δ up to a constant factor"
 Delta = real_symbol("Delta")
 

@@ -29,6 +29,7 @@ from .inertia import (
 m, R = real_symbol("m"), real_symbol("R")
 D = m * R**2
 SOURCE = "§12, problem 3"
+MOMENTUM, SQUARE = "kg m^2/s", "kg^2 m^4/s^2"
 DEFAULT_DIMENSION = 4
 
 Given = Mapping[str, object]
@@ -265,3 +266,12 @@ def across(numbers: Sequence[float], gamma: Sequence[float]) -> tuple[float, ...
     """The part of a vector orthogonal to the unit vector γ."""
     along = sum(x * y for x, y in zip(numbers, gamma, strict=True))
     return tuple(x - along * y for x, y in zip(numbers, gamma, strict=True))
+
+
+def momentum_and_direction(rolls: bool) -> Mapping[str, tuple[str, str]]:
+    """Meaning and unit of p and γ; γ is the normal of a hyperplane on which a ball rolls."""
+    fixed = "normal of the hyperplane" if rolls else "direction fixed in space"
+    return {
+        "p": ("momentum in planes through γ", MOMENTUM),
+        "gamma": (f"{fixed}, body axes", "1"),
+    }

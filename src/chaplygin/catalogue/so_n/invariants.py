@@ -9,9 +9,7 @@ from ...core.matrices import Column, MatrixProduct, Pfaffian, Skew, SymmetricMat
 from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
 from ...core.vectors import norm_squared
-from .entry_of_dimension import SOURCE
-
-SQUARE = "kg^2 m^4/s^2"
+from .entry_of_dimension import SOURCE, SQUARE
 
 
 def invariants(k: Skew, gamma: Column) -> tuple[Pairs, tuple[Integral, ...]]:

@@ -35,10 +35,20 @@ from ...core.system import Parameter, System
 from ...core.vectors import Vector, dot, norm_squared, real_symbol
 from ...errors import InputError
 from ..entry import Numbers, Values
-from .entry_of_dimension import SOURCE, D, Family, R, across, cycle, direction, numbers_of
+from .entry_of_dimension import (
+    SOURCE,
+    SQUARE,
+    D,
+    Family,
+    R,
+    across,
+    cycle,
+    direction,
+    momentum_and_direction,
+    numbers_of,
+)
 from .inertia import Inertia, ProductMoments
 from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
-from .veselova import MOMENTUM, SQUARE
 
 HALF = sp.Rational(1, 2)
 W = real_symbol("W")
@@ -91,11 +101,7 @@ class Special(Family):
 
     def variables(self) -> Mapping[str, tuple[str, str]]:
         """Meaning and unit of the variables of the state."""
-        fixed = "normal of the hyperplane" if self.rolls else "direction fixed in space"
-        return {
-            "p": ("momentum in planes through γ", MOMENTUM),
-            "gamma": (f"{fixed}, body axes", "1"),
-        }
+        return momentum_and_direction(self.rolls)
 
     @property
     def settings(self) -> tuple[str, ...]:
@@ -128,6 +134,29 @@ class Special(Family):
         if min(numbers.values()) <= 0 or len(set(numbers.values())) < n:
             raise InputError("factors: must be positive and different from each other")
         return self.kind(n, numbers), numbers
+
+    def _on_cotangent_bundle(
+        self,
+        inertia: Inertia,
+        parameters: tuple[Parameter, ...],
+        definitions: Pairs,
+        field: Mapping[Column, sp.Expr],
+        laws: tuple[Law, ...],
+    ) -> System:
+        n = inertia.dimension
+        return System(
+            name=self.name,
+            title=self.title,
+            summary=f"{self.summary} {inertia.words}",
+            source=SOURCE,
+            parameters=(*inertia.parameters, *parameters),
+            definitions=definitions,
+            field=dict(field),
+            relations=_cotangent(Column("p", n), gamma_of(n)),
+            laws=laws,
+            observables=(angular_velocity(n),),
+            reconstruction=motion_in_space(n, R if self.rolls else None),
+        )
 
     def _system(self, inertia: Inertia, values: Numbers) -> System:
         self.check(values)
@@ -201,26 +230,12 @@ class SpecialVeselova(Special):
         )
         energy = HALF * dot(b, p) / W
         laws: tuple[Law, ...] = (
-            Integral("energy", energy, "energy", source=SOURCE, unit="J"),
-            Integral(
-                "momentum", norm_squared(p), "square of the momentum", source=SOURCE, unit=SQUARE
-            ),
+            *_energy_and_momentum(energy, p),
             *quadratic_integrals(p, gamma, a, p, dot(b, p)),
             *_hamiltonian(p, gamma, a, energy),
         )
-        return System(
-            name=self.name,
-            title=self.title,
-            summary=f"{self.summary} {inertia.words}",
-            source=SOURCE,
-            parameters=(*inertia.parameters, *parameters),
-            definitions=definitions,
-            field={p: dot(u, p) * gamma, gamma: -u},
-            relations=_cotangent(p, gamma),
-            laws=laws,
-            observables=(angular_velocity(n),),
-            reconstruction=motion_in_space(n, R if self.rolls else None),
-        )
+        field = {p: dot(u, p) * gamma, gamma: -u}
+        return self._on_cotangent_bundle(inertia, parameters, definitions, field, laws)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -258,26 +273,20 @@ class SpecialBall(Special):
         )
         energy = HALF * (norm_squared(p) - dot(c, p) / W) / D
         laws: tuple[Law, ...] = (
-            Integral("energy", energy, "energy", source=SOURCE, unit="J"),
-            Integral(
-                "momentum", norm_squared(p), "square of the momentum", source=SOURCE, unit=SQUARE
-            ),
+            *_energy_and_momentum(energy, p),
             *_ball_integrals(p, gamma, a),
             *_hamiltonian(p, gamma, [1 / s for s in a], energy),
         )
-        return System(
-            name=self.name,
-            title=self.title,
-            summary=f"{self.summary} {inertia.words}",
-            source=SOURCE,
-            parameters=(*inertia.parameters, *parameters),
-            definitions=definitions,
-            field={p: -omega * p, gamma: -omega * gamma},
-            relations=_cotangent(p, gamma),
-            laws=laws,
-            observables=(angular_velocity(n),),
-            reconstruction=motion_in_space(n, R),
-        )
+        field = {p: -omega * p, gamma: -omega * gamma}
+        return self._on_cotangent_bundle(inertia, parameters, definitions, field, laws)
+
+
+def _energy_and_momentum(energy: sp.Expr, p: Vector) -> tuple[Integral, Integral]:
+    words = "square of the momentum"
+    return (
+        Integral("energy", energy, "energy", source=SOURCE, unit="J"),
+        Integral("momentum", norm_squared(p), words, source=SOURCE, unit=SQUARE),
+    )
 
 
 def _ball_integrals(p: Vector, gamma: Vector, factors: Sequence[sp.Symbol]) -> tuple[Integral, ...]:

@@ -29,14 +29,22 @@ from ...core.system import Parameter, System
 from ...core.vectors import dot, norm_squared, real_symbol, to_components
 from ..entry import Values
 from .elimination import solution
-from .entry_of_dimension import SOURCE, D, Family, R, across, cycle, direction
+from .entry_of_dimension import (
+    SOURCE,
+    SQUARE,
+    D,
+    Family,
+    R,
+    across,
+    cycle,
+    direction,
+    momentum_and_direction,
+)
 from .inertia import SMALLEST, Inertia, MassTensor, Moments, pairs
 from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
 from .theorems import of_veselova
 
 HALF = sp.Rational(1, 2)
-MOMENTUM = "kg m^2/s"
-SQUARE = "kg^2 m^4/s^2"
 DENSITY = "invariant measure; Δ up to a constant factor"
 Delta = real_symbol("Delta")
 
@@ -108,11 +116,7 @@ class Veselova(Family):
 
     def variables(self) -> Mapping[str, tuple[str, str]]:
         """Meaning and unit of the variables of the state."""
-        fixed = "normal of the hyperplane" if self.rolls else "direction fixed in space"
-        return {
-            "p": ("momentum in planes through γ", MOMENTUM),
-            "gamma": (f"{fixed}, body axes", "1"),
-        }
+        return momentum_and_direction(self.rolls)
 
     @property
     def constraint(self) -> str:
