@@ -15,9 +15,8 @@ appears at once too, under a provisional name first.
 
 from __future__ import annotations
 
+import contextlib
 import errno
-import fcntl
-import os
 import shutil
 import warnings
 from collections.abc import Iterator, Mapping
@@ -127,7 +126,7 @@ def open_store(task: Task, folder: Path) -> Iterator[Store]:
             if _is_empty(folder):
                 _create(task, folder)
             group = _group(folder)
-            stack.enter_context(_sole_writer(folder))
+            stack.enter_context(_locked(folder, patient=False))
             store = _resumed_store(task, folder, group)
         except OSError as problem:
             raise InputError(f"{folder} cannot be written: {_reason(problem)}") from problem
@@ -170,7 +169,7 @@ def _create(task: Task, folder: Path) -> None:
     if not folder.parent.is_dir():
         raise InputError(f"{folder} cannot be written: there is no folder {folder.parent}")
     provisional = folder.with_name(f".{folder.name}.begun")
-    with _lock(folder.parent, fcntl.LOCK_EX):
+    with _locked(provisional, patient=True):
         shutil.rmtree(provisional, ignore_errors=True)
         try:
             if _is_empty(folder):
@@ -313,33 +312,32 @@ def _notes(group: zarr.Group) -> Mapping[str, Any]:
 
 
 @contextmanager
-def _sole_writer(folder: Path) -> Iterator[None]:
-    """Lock a store against other writers, or refuse it."""
-    with ExitStack() as stack:
-        try:
-            stack.enter_context(_lock(folder, fcntl.LOCK_EX | fcntl.LOCK_NB))
-        except BlockingIOError as problem:
-            raise InputError(
-                f"{folder} is being written by another process: wait for it"
-            ) from problem
-        yield
+def _locked(folder: Path, *, patient: bool) -> Iterator[None]:
+    """Lock a store against other writers; the lock ends with the process, however that ends.
 
+    The lock is a file beside the store, which is deleted while it is still locked: who waits for
+    a deleted file starts over with a new one.
 
-@contextmanager
-def _lock(folder: Path, operation: int) -> Iterator[None]:
-    """Lock a folder; the lock ends with the process, however that ends."""
-    handle = os.open(folder, os.O_RDONLY)
+    Raises
+    ------
+    InputError
+        If another process has it and is not waited for.
+    """
+    import filelock
+
+    place = folder.resolve().with_name(f".{folder.name}.lock")
+    # filelock waits where nothing can be written; this says why not
+    place.touch()
     try:
-        try:
-            fcntl.flock(handle, operation)
-        except BlockingIOError:
-            raise
-        except OSError:
-            # some network file systems have no such locks
-            pass
-        yield
-    finally:
-        os.close(handle)
+        with filelock.FileLock(place, timeout=-1 if patient else 0):
+            try:
+                yield
+            finally:
+                # Windows does not delete a file that is open
+                with contextlib.suppress(OSError):
+                    place.unlink()
+    except filelock.Timeout as problem:
+        raise InputError(f"{folder} is being written by another process: wait for it") from problem
 
 
 def _resumed_store(task: Task, folder: Path, group: zarr.Group) -> Store:
