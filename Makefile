@@ -37,8 +37,9 @@ lint: $(VENV)/dev ## check format and lint alone
 	@$(BIN)/python -m ruff format --check .
 	@$(BIN)/python -m ruff check .
 
-types: $(VENV)/dev ## check types alone
-	@$(BIN)/python -m mypy
+types: $(VENV)/dev ## check types alone, as they are on each operating system
+	@set -e; for system in linux darwin win32; do \
+	  $(BIN)/python -m mypy --platform $$system --cache-dir .mypy_cache/$$system; done
 
 format: $(VENV)/dev ## put the code in its format and mend what can be mended
 	@$(BIN)/python -m ruff check --fix-only .

@@ -6,6 +6,8 @@ They hold machine code and verdicts, so a file is read only if
   can write to it (save in folders such as ``/tmp``, where the sticky bit keeps others from
   removing or renaming what is not theirs);
 - the folder it is in and the file itself belong to this user, and nobody else can write to them;
+  on Windows, where modes do not say who can write, the folder is inside this user's home instead,
+  which Windows keeps others out of;
 - its first line is the digest of its name and content, so that a file that was truncated, changed
   or renamed by accident is not read.
 
@@ -20,26 +22,43 @@ import hashlib
 import logging
 import os
 import stat
+import sys
 import tempfile
 from functools import cache
 from pathlib import Path
 
 _OTHERS = stat.S_IWGRP | stat.S_IWOTH
 #: Flags with which a link is not followed and a pipe is not waited for.
-_OPEN_FLAGS = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
+if sys.platform == "win32":
+    _OPEN_FLAGS = os.O_RDONLY | os.O_BINARY | os.O_NOINHERIT
+else:
+    _OPEN_FLAGS = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
 
 
 def _distrust(folder: Path) -> str:
     """The reason why files in a folder are not read, to end a sentence; empty if they are."""
-    us = os.geteuid()
-    for ancestor in (folder, *folder.parents):
-        status = ancestor.lstat()
-        if status.st_uid != us and (ancestor == folder or status.st_uid != 0):
-            return f"{ancestor} belongs to another user"
-        sticky = ancestor != folder and status.st_mode & stat.S_ISVTX
-        if status.st_mode & _OTHERS and not sticky:
-            return f"others can write to {ancestor} (chmod go-w mends it)"
-    return ""
+    if sys.platform == "win32":
+        home = Path.home().resolve()
+        return "" if folder.is_relative_to(home) else f"{folder} is not inside {home}"
+    else:
+        us = os.geteuid()
+        for ancestor in (folder, *folder.parents):
+            status = ancestor.lstat()
+            if status.st_uid != us and (ancestor == folder or status.st_uid != 0):
+                return f"{ancestor} belongs to another user"
+            sticky = ancestor != folder and status.st_mode & stat.S_ISVTX
+            if status.st_mode & _OTHERS and not sticky:
+                return f"others can write to {ancestor} (chmod go-w mends it)"
+        return ""
+
+
+def _is_ours(status: os.stat_result) -> bool:
+    """Whether a file is a regular one of this user's, to which nobody else can write."""
+    regular = stat.S_ISREG(status.st_mode)
+    if sys.platform == "win32":
+        return regular
+    else:
+        return regular and status.st_uid == os.geteuid() and not status.st_mode & _OTHERS
 
 
 def read_private(path: Path) -> bytes | None:
@@ -51,8 +70,7 @@ def read_private(path: Path) -> bytes | None:
         handle = os.open(folder / path.name, _OPEN_FLAGS)
         with os.fdopen(handle, "rb") as stream:
             status = os.fstat(handle)
-            plain = stat.S_ISREG(status.st_mode) and not status.st_mode & _OTHERS
-            if not plain or status.st_uid != os.geteuid():
+            if not _is_ours(status):
                 return None
             seal, _, content = stream.read().partition(b"\n")
     except (OSError, ValueError):

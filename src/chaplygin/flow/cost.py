@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 import shutil
 import time
 from dataclasses import dataclass, field
@@ -75,7 +74,9 @@ def require_room(size: float, folder: Path | None, what: str) -> None:
         With both sizes.
     """
     if folder is None:
-        room, place = float(os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")), "memory"
+        import psutil
+
+        room, place = float(psutil.virtual_memory().total), "memory"
     else:
         there = next((p for p in (folder, *folder.absolute().parents) if p.is_dir()), Path("/"))
         usage = shutil.disk_usage(there)

@@ -30,12 +30,13 @@ def chunk_path(folder: Path, name: str, block: int, dimensions: int) -> Path:
 def write_chunk_table(folder: Path, block: int, chunks: Sequence[Path]) -> None:
     """Write sizes and times of change of the chunks of a block to the disk."""
     row = np.array([_status(chunk) for chunk in chunks], dtype="<i8").tobytes()
-    handle = os.open(folder / CHUNK_TABLE, os.O_WRONLY | os.O_CREAT, 0o666)
-    try:
-        os.pwrite(handle, row, block * len(row))
-        os.fsync(handle)
-    finally:
-        os.close(handle)
+    table = folder / CHUNK_TABLE
+    table.touch()
+    with table.open("r+b") as stream:
+        stream.seek(block * len(row))
+        stream.write(row)
+        stream.flush()
+        os.fsync(stream.fileno())
 
 
 def _chunk_table(folder: Path, blocks: int, variables: int) -> IntArray:
@@ -59,11 +60,9 @@ def _status(chunk: Path) -> tuple[int, int]:
 
 def flush(chunk: Path) -> None:
     """Wait until a file is on the disk itself, so that no mark gets there before it."""
-    handle = os.open(chunk, os.O_RDONLY)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)
+    # Windows flushes only what it may write to
+    with chunk.open("r+b") as stream:
+        os.fsync(stream.fileno())
 
 
 def _is_complete(folder: Path, array: ZarrArray, block: int, status: tuple[int, ...]) -> bool:
