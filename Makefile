@@ -8,11 +8,11 @@ SOURCES := pyproject.toml constraints.txt scripts/setup.sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help demo test slow check lint types format web pictures bench clean
+.PHONY: help demo test slow check lint types format site web pictures bench clean
 
 # A virtual environment knows its own address: in a folder that was moved or copied it is made anew.
 ifneq ($(shell cat $(VENV)/address 2>/dev/null),$(CURDIR))
-.PHONY: $(VENV)/core $(VENV)/dev
+.PHONY: $(VENV)/core $(VENV)/dev $(VENV)/site
 endif
 
 help: ## show this list
@@ -45,6 +45,10 @@ format: $(VENV)/dev ## put the code in its format and mend what can be mended
 	@$(BIN)/python -m ruff check --fix-only .
 	@$(BIN)/python -m ruff format .
 
+site: $(VENV)/site ## build the site into build/site, and check its links
+	@$(BIN)/python website/build.py
+	@echo "Open build/site/index.html in a browser."
+
 web: ## check and build the front end of the laboratory; needs Node
 	@sh scripts/front_end.sh
 
@@ -64,5 +68,5 @@ clean: ## remove all that make has made: .venv/, demo/, caches
 	@rm -rf $(VENV) demo build dist web/build web/node_modules .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	@find src tests -type d -name __pycache__ -exec rm -rf {} +
 
-$(VENV)/core $(VENV)/dev: $(SOURCES)
+$(VENV)/core $(VENV)/dev $(VENV)/site: $(SOURCES)
 	@sh scripts/setup.sh $(VENV) $(@F)

@@ -1,0 +1,83 @@
+"""Settings of the site, which Sphinx reads; `make site` builds it."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from chaplygin import __version__
+from chaplygin.core.source_digest import package_digest
+
+HOME = Path(__file__).parent
+BUILD = HOME.parent / "build"
+sys.path.insert(0, str(HOME))
+
+project = "chaplygin"
+author = "The chaplygin authors"
+copyright = f"{author}. MIT licence"
+version = release = __version__
+
+extensions = [
+    "myst_nb",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.autosummary",
+    "numpydoc",
+    "sphinx_design",
+    "sphinx_copybutton",
+    "sphinxcontrib.bibtex",
+    "fences",
+    "formulas",
+]
+exclude_patterns = ["src", "tests", "examples", "**/examples"]
+nitpicky = True
+suppress_warnings = ["myst.header"]
+
+# --- pages --------------------------------------------------------------------------------------
+
+myst_enable_extensions = ["attrs_block", "attrs_inline", "colon_fence", "deflist", "dollarmath"]
+myst_heading_anchors = 4
+bibtex_bibfiles = ["references.bib"]
+bibtex_default_style = "unsrt"
+copybutton_exclude = ".linenos, .gp, .go"
+
+# --- cells --------------------------------------------------------------------------------------
+
+# What a page computed is kept for as long as the program is the same.
+nb_execution_mode = "cache"
+nb_execution_cache_path = str(BUILD / "site-cache" / package_digest()[:16])
+nb_execution_timeout = 900
+nb_execution_show_tb = True
+nb_merge_streams = True
+nb_ipywidgets_js = {}
+nb_mime_priority_overrides = [("html", "text/html", 0)]
+
+# --- reference ----------------------------------------------------------------------------------
+
+autosummary_generate = True
+autodoc_typehints = "signature"
+autodoc_member_order = "bysource"
+numpydoc_show_class_members = False
+numpydoc_xref_param_type = False
+
+# --- look ---------------------------------------------------------------------------------------
+
+templates_path = ["templates"]
+html_theme = "pydata_sphinx_theme"
+html_title = "chaplygin"
+html_static_path = ["static"]
+html_css_files = ["site.css"]
+html_copy_source = False
+html_show_sphinx = False
+html_theme_options = {
+    "logo": {"text": "chaplygin"},
+    "header_links_before_dropdown": 8,
+    "navbar_align": "left",
+    "show_prev_next": True,
+    "show_toc_level": 2,
+    "footer_start": ["copyright"],
+    "footer_end": [],
+    "pygments_light_style": "a11y-high-contrast-light",
+    "pygments_dark_style": "a11y-high-contrast-dark",
+}
+html_sidebars = {"index": []}
+html_context = {"default_mode": "auto"}

@@ -1,0 +1,44 @@
+"""Python fences of plain Markdown pages as cells that are run.
+
+The pages stay what any reader of Markdown shows; only the builder of the site sees cells.
+A fence marked ``sh run`` is run by a shell, one marked ``python not-run`` is only shown.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+HEADER = "---\nfile_format: mystnb\nkernelspec: {name: python3}\n---\n"
+SHELL = "%%sh\n"
+
+
+def with_cells(text: str) -> str:
+    """A page of Markdown as a notebook of MyST; one without cells stays as it is."""
+    cells = re.sub(r"^```python$", "```{code-cell} ipython3", text, flags=re.M)
+    cells = re.sub(r"^```sh run\n", f"```{{code-cell}} ipython3\n{SHELL}", cells, flags=re.M)
+    cells = re.sub(r"^```python not-run$", "```python", cells, flags=re.M)
+    # an arrow a line is readable as it is
+    cells = cells.replace("```mermaid\n", "```text\n")
+    return cells if "```{code-cell}" not in cells else HEADER + cells
+
+
+def _read(app: Any, name: str, source: list[str]) -> None:
+    source[0] = with_cells(source[0])
+
+
+def _name_shells(app: Any, tree: Any) -> None:
+    """A cell that a shell runs is shown as lines of a shell."""
+    from docutils import nodes
+
+    for block in tree.findall(nodes.literal_block):
+        if block.astext().startswith(SHELL):
+            text = block.astext().removeprefix(SHELL).lstrip("\n")
+            block.replace_self(nodes.literal_block(text, text, language="sh"))
+
+
+def setup(app: Any) -> dict[str, Any]:
+    """Connect to Sphinx; pages are read anew where the program is another."""
+    app.connect("source-read", _read)
+    app.connect("doctree-read", _name_shells)
+    return {"version": "1", "env_version": 1, "parallel_read_safe": True}
