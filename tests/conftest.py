@@ -7,11 +7,18 @@ from pathlib import Path
 from zlib import crc32
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 # code compiled by tests stays out of the user's own cache
 os.environ.setdefault(
     "CHAPLYGIN_CACHE", str(Path(__file__).parents[1] / ".pytest_cache" / "compiled")
 )
+
+# the same examples every time, on a busy machine too
+settings.register_profile(
+    "tests", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.load_profile("tests")
 
 #: Of the slow tests one in so many is run, unless all are asked for or the mark says how many.
 EVERY = 25

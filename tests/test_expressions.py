@@ -184,7 +184,7 @@ def _formulas() -> st.SearchStrategy[str]:
     return st.recursive(leaves, larger, max_leaves=6)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(_formulas())
 @example("cos(sin(exp(99)))")
 def test_accepted_formulas_are_real_and_exact(text: str) -> None:
@@ -196,7 +196,7 @@ def test_accepted_formulas_are_real_and_exact(text: str) -> None:
     assert value.free_symbols <= {X, Y}
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(st.one_of(st.text(), st.text(alphabet="xyz019.e+-*/(), sincoqrtpi" + string.whitespace)))
 def test_any_text_is_a_formula_or_an_input_error(text: str) -> None:
     try:

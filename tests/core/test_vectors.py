@@ -181,7 +181,7 @@ CASES = st.recursive(st.sampled_from(LEAVES), longer, max_leaves=6)
 
 
 @pytest.mark.slow
-@settings(max_examples=150, deadline=None, derandomize=True)
+@settings(max_examples=150)
 @given(CASES, CASES)
 def test_explicit_agrees_with_matrices(left: Case, right: Case) -> None:
     assert sp.Matrix(to_components(left.formula).xreplace(NUMBERS)) == left.value

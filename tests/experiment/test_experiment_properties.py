@@ -131,7 +131,6 @@ system_tables = st.fixed_dictionaries(
 
 
 @pytest.mark.slow
-@settings(deadline=None)
 @given(st.one_of(rolling_tables, system_tables))
 def test_round_trip(tables: dict[str, Any]) -> None:
     model = SystemExperiment if "system" in tables else RollingExperiment
@@ -151,13 +150,12 @@ def only_input_errors(text: str, *overrides: str) -> None:
         assert loads(experiment.toml()) == experiment
 
 
-@settings(deadline=None)
 @given(st.text())
 def test_any_text_is_refused_politely(text: str) -> None:
     only_input_errors(text)
 
 
-@settings(deadline=None, max_examples=300)
+@settings(max_examples=300)
 @given(
     st.sampled_from([BALL, SYSTEM]),
     st.lists(
@@ -209,7 +207,7 @@ options = st.tuples(places, st.one_of(values, words)).map("=".join)
 
 
 @pytest.mark.slow
-@settings(deadline=None, max_examples=300)
+@settings(max_examples=300)
 @given(st.sampled_from([BALL, SYSTEM]), st.lists(options, min_size=1, max_size=3))
 def test_any_value_is_taken_or_refused_politely(text: str, overrides: list[str]) -> None:
     only_input_errors(text, *overrides)

@@ -179,7 +179,7 @@ BALL = body("chaplygin-ball")
 STATES = starts("chaplygin-ball", 40, seed=1)
 MASSES = np.random.default_rng(2).uniform(0.5, 2, 40)
 COMPANY = st.lists(st.integers(0, 39), min_size=1, max_size=150)
-DRAWN = settings(max_examples=15, deadline=None, derandomize=True)
+DRAWN = settings(max_examples=15)
 
 
 @pytest.fixture(scope="module")

@@ -158,7 +158,7 @@ def test_relations_are_held() -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=6, deadline=None, derandomize=True)
+@settings(max_examples=6)
 @given(
     chosen=st.lists(st.integers(0, 29), min_size=1, max_size=130),
     threads=st.sampled_from([1, 2, 5]),

@@ -66,7 +66,7 @@ def test_small_formulas_are_tidied() -> None:
 
 @pytest.mark.slow
 @given(st.integers(0, 10**6), st.integers(2, 5))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 def test_linear_equations_are_solved(seed: int, size: int) -> None:
     import random
 

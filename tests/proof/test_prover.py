@@ -233,14 +233,14 @@ COMBINATIONS = st.lists(
 
 
 @pytest.mark.slow
-@settings(max_examples=25, deadline=None, derandomize=True)
+@settings(max_examples=25)
 @given(COMBINATIONS)
 def test_combinations_of_integrals_are_integrals(formula):
     assert prove(TOP, Integral("law", formula)).decision == "proven"
 
 
 @pytest.mark.slow
-@settings(max_examples=40, deadline=None, derandomize=True)
+@settings(max_examples=40)
 @given(COMBINATIONS, MONOMIALS, NUMBERS)
 def test_one_term_more_is_refuted(formula, powers, factor):
     """No product of powers of the variables is an integral of the top."""
@@ -250,7 +250,7 @@ def test_one_term_more_is_refuted(formula, powers, factor):
 
 
 @pytest.mark.slow
-@settings(max_examples=25, deadline=None, derandomize=True)
+@settings(max_examples=25)
 @given(COMBINATIONS, MONOMIALS)
 def test_what_vanishes_with_a_level_holds_on_it_alone(formula, powers):
     term = sp.Mul(*(s**n for s, n in zip(TOP.symbols, powers, strict=True)))

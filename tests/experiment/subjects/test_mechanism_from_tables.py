@@ -309,7 +309,7 @@ PIECES = re.compile(r"[\w.]+|[^\s\w]")
 
 
 @pytest.mark.slow
-@settings(max_examples=120, deadline=None, derandomize=True)
+@settings(max_examples=120)
 @given(
     st.sampled_from([SLEIGH, SUSLOV, VOLTERRA, TURNTABLE, PENDULUM]),
     st.lists(st.tuples(st.integers(0, 500), st.sampled_from(WORDS)), min_size=1, max_size=2),

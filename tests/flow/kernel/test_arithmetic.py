@@ -29,7 +29,7 @@ def words(kind: Any, rows: Sequence[Sequence[float]]) -> np.ndarray:
     return made
 
 
-@settings(deadline=None, max_examples=60, derandomize=True)
+@settings(max_examples=60)
 @given(a=NUMBERS, b=NUMBERS)
 def test_sums_of_doubles_without_error(a: float, b: float) -> None:
     """Sum and rest are the sum exactly; the rest is no more than half a unit."""

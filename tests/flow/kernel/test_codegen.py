@@ -67,7 +67,7 @@ def _evaluated(arithmetic: Any, terms: Sequence[Term], point: Sequence[float]) -
 
 @pytest.mark.slow
 @ARITHMETICS
-@settings(max_examples=25, deadline=None, derandomize=True)
+@settings(max_examples=25)
 @given(formulas=FORMULAS, point=POINTS)
 def test_formulas_are_right_to_rounding(
     arithmetic: Any, formulas: list[sp.Expr], point: list[float]

@@ -127,7 +127,7 @@ EDGE = System(
 )
 
 
-@settings(max_examples=20, deadline=None, derandomize=True)
+@settings(max_examples=20)
 @given(chosen=FATES)
 def test_failing_lanes_do_not_disturb_their_neighbours(chosen: list[int]) -> None:
     """Guards, logarithms of nothing, not-a-number, in any company: the same bits."""

@@ -27,7 +27,7 @@ def _ball() -> tuple[TangentSpace, np.ndarray]:
     return TangentSpace(system, conditions, (system.rates,), np.eye(1)), states
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(st.integers(1, 5), st.floats(-12, 12), st.integers(0, 10**6))
 def test_frames_are_orthonormal_to_rounding(count: int, power: float, seed: int) -> None:
     vectors = np.random.default_rng(seed).standard_normal((3, count, 6))

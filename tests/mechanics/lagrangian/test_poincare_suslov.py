@@ -257,7 +257,7 @@ def test_momenta_of_cyclic_velocities() -> None:
 
 @pytest.mark.slow
 @given(seed=st.integers(0, 10**6))
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 def test_any_quadratic_lagrangian_with_any_linear_constraint_keeps_its_energy(seed: int) -> None:
     import random
 

@@ -35,7 +35,7 @@ def formula(a: Fraction, b: Fraction, c: Fraction) -> sp.Expr:
 
 
 @pytest.mark.slow
-@settings(deadline=None, max_examples=25)
+@settings(max_examples=25)
 @given(NUMBERS, NUMBERS, NUMBERS, NUMBERS, NUMBERS, NUMBERS)
 def test_fractions_are_those_of_sympy(
     a: Fraction, b: Fraction, c: Fraction, d: Fraction, e: Fraction, f: Fraction

@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 
 import reference
 from chaplygin.errors import InputError
@@ -81,7 +81,6 @@ positive = st.floats(0.01, 10.0)
 
 
 @given(st.tuples(positive, positive, positive), st.tuples(*[st.floats(-1.0, 1.0)] * 4))
-@settings(deadline=None)
 def test_turned_tensor_of_a_body_is_accepted(masses, attitude):
     """Any distribution of mass obeys the triangle inequality, in any axes, within rounding."""
     squares = np.array(masses)

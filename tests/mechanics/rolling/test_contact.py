@@ -37,7 +37,7 @@ X, Y, Z = XYZ
 
 every_contact = pytest.mark.parametrize(("shape", "surface"), COMBINATIONS)
 random_states = given(omega=coordinates, gamma=directions, zeta=directions)
-few = settings(max_examples=20, deadline=None)
+few = settings(max_examples=20)
 
 
 def close(found, expected, size=0.0):
@@ -179,7 +179,7 @@ def test_contact_point_wanders_with_the_slip(shape, surface):
 @pytest.mark.parametrize("contact_model", ["marble", "rubber"])
 @pytest.mark.parametrize("shape", [name for name in SHAPES if name != "hollow ball"])
 @given(omega=coordinates, gamma=directions)
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 def test_large_sphere_is_a_plane(shape, contact_model, omega, gamma):
     assume(standing(shape, gamma))
     plane, sphere = (portrait(shape, name, contact_model) for name in ("plane", "outside"))

@@ -126,7 +126,7 @@ def test_torus_that_comes_to_lie_on_a_dome_ends_there():
 @pytest.mark.parametrize("contact", reference.CONTACTS)
 @pytest.mark.parametrize(("shape", "surface"), bodies.COMBINATIONS)
 @given(omega=coordinates, gamma=directions, zeta=directions)
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 def test_energy_and_relations_are_kept(shape, surface, contact, omega, gamma, zeta):
     one = portrait(shape, surface, contact)
     assume(shape not in FLAT_SHAPES or np.hypot(gamma[0], gamma[1]) > 0.1)
@@ -187,7 +187,7 @@ def test_motion_does_not_depend_on_body_axes(name, surface, contact):
     one, other = turned_pair(*AXES_TURNS[name], surface, contact)
 
     @given(omega=coordinates, gamma=directions, zeta=directions)
-    @settings(max_examples=15, deadline=None, database=None)
+    @settings(max_examples=15, database=None)
     def compare(omega, gamma, zeta):
         if contact == "rubber":
             omega = omega - (omega @ gamma) * gamma
@@ -206,7 +206,7 @@ def test_motion_does_not_depend_on_body_axes(name, surface, contact):
 @pytest.mark.parametrize("contact", reference.CONTACTS)
 @pytest.mark.parametrize("surface", SURFACES)
 @given(omega=coordinates, gamma=directions, zeta=directions)
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 def test_rotors_at_rest_are_none(surface, contact, omega, gamma, zeta):
     if (surface, contact) not in RESTING:
         RESTING[surface, contact] = [

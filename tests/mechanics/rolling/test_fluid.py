@@ -161,7 +161,7 @@ NUMBER = st.floats(-1.0, 1.0, allow_nan=False, width=16)
 VECTOR = st.tuples(NUMBER, NUMBER, NUMBER)
 
 
-@settings(max_examples=2, deadline=None)
+@settings(max_examples=2)
 @given(
     inertia=st.tuples(*3 * [st.floats(0.5, 0.9)]),
     axes=st.tuples(*3 * [st.floats(0.1, 0.4)]),
@@ -436,7 +436,7 @@ def test_the_equivalent_body_may_break_the_triangle_inequality():
 
 
 @given(axes=st.tuples(*3 * [st.floats(0.1, 1.0)]), mass=st.floats(0.1, 2.0))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 def test_zhukovskys_inertia(axes, mass):
     """The moments (m/5)(b² − c²)²/(b² + c²)."""
     K = np.array(Cavity(axes, mass).equivalent_inertia.tolist(), dtype=float)

@@ -118,7 +118,7 @@ def test_parameters_replace_the_defaults():
 
 @pytest.mark.slow
 @given(gamma=directions, normal=directions)
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 def test_attitude_carries_the_normal_and_heading_turns_about_it(gamma, normal):
     system = roll(Body(1.0, MOMENTS, Ball(1.0)), Sphere(2.0), "marble", Forces(1.0))
     for heading in (0.0, 1.1):
@@ -165,7 +165,7 @@ def test_contact_on_a_sphere_begins_at_the_normal():
 
 @pytest.mark.slow
 @given(omega=coordinates, gamma=directions)
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 def test_nearest_admissible_omega_is_named_and_accepted(omega, gamma):
     system = roll(Body(1.0, MOMENTS, Ball(1.0)), contact="rubber")
     spin = omega + gamma
@@ -202,7 +202,7 @@ def test_marble_may_spin():
 
 @pytest.mark.slow
 @given(gamma=directions)
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 def test_contact_point_of_an_implicit_body(gamma):
     """The gradient is opposite to gamma, on the surface."""
     system = simple(shape=SHAPES["implicit"])

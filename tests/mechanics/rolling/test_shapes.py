@@ -25,7 +25,7 @@ from mechanics.portrait import Portrait, coordinates, directions
 X, Y, Z = XYZ
 U = GAMMA[2]
 EXPLICIT = [name for name in SHAPES if name != "implicit"]
-few = settings(max_examples=20, deadline=None)
+few = settings(max_examples=20)
 
 
 def compiled(shape):
@@ -223,7 +223,7 @@ def test_twins_move_alike(twins, surface, contact):
     first, second = portraits(twins, surface, contact)
 
     @given(omega=coordinates, gamma=directions, zeta=directions)
-    @settings(max_examples=10, deadline=None, database=None)
+    @settings(max_examples=10, database=None)
     def compare(omega, gamma, zeta):
         assume(np.hypot(gamma[0], gamma[1]) > 0.05)
         if contact == "rubber":
@@ -251,7 +251,7 @@ def test_twins_move_alike(twins, surface, contact):
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 @pytest.mark.parametrize("surface", SURFACES)
 @given(omega=coordinates, gamma=directions, zeta=directions)
-@settings(max_examples=5, deadline=None)
+@settings(max_examples=5)
 def test_torus_without_a_hole_is_a_ball_and_without_a_tube_a_disk(
     surface, contact, omega, gamma, zeta
 ):
@@ -273,7 +273,7 @@ RINGS: dict[tuple[str, str], list[Portrait]] = {}
 
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 @given(omega=coordinates, gamma=directions, zeta=directions)
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 def test_hollow_ball_is_a_ball_of_negative_radius(contact, omega, gamma, zeta):
     if contact == "rubber":
         omega = omega - (omega @ gamma) * gamma

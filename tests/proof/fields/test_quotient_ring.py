@@ -62,7 +62,7 @@ def formulas(draw, depth=4):
 
 @pytest.mark.slow
 @given(formulas(), numbers, numbers, numbers)
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 def test_arithmetic_agrees_with_numbers(formula, x, y, z):
     field = plain()
     symbols = [field.generator(n) for n in "xyz"]
