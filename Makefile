@@ -8,11 +8,11 @@ SOURCES := pyproject.toml constraints.txt scripts/setup.sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help demo test slow check lint types format site web pictures bench clean
+.PHONY: help demo test slow check lint types format site dist web pictures bench clean
 
 # A virtual environment knows its own address: in a folder that was moved or copied it is made anew.
 ifneq ($(shell cat $(VENV)/address 2>/dev/null),$(CURDIR))
-.PHONY: $(VENV)/core $(VENV)/dev $(VENV)/site
+.PHONY: $(VENV)/core $(VENV)/dev $(VENV)/site $(VENV)/release
 endif
 
 help: ## show this list
@@ -49,6 +49,13 @@ site: $(VENV)/site ## build the site into build/site, and check its links
 	@$(BIN)/python website/build.py
 	@echo "Open build/site/index.html in a browser."
 
+dist: $(VENV)/release ## build the wheel and the source archive into dist/, check them, and try the wheel
+	@rm -rf dist
+	@$(BIN)/python -m build --outdir dist . >build.log || { tail -n 20 build.log >&2; exit 1; }
+	@rm -f build.log
+	@$(BIN)/python -m twine check --strict dist/*
+	@sh scripts/try_wheel.sh $(BIN)/python dist/*.whl
+
 web: ## check and build the front end of the laboratory; needs Node
 	@sh scripts/front_end.sh
 
@@ -68,5 +75,5 @@ clean: ## remove all that make has made: .venv/, demo/, caches
 	@rm -rf $(VENV) demo build dist web/build web/node_modules .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	@find src tests -type d -name __pycache__ -exec rm -rf {} +
 
-$(VENV)/core $(VENV)/dev $(VENV)/site: $(SOURCES)
+$(VENV)/core $(VENV)/dev $(VENV)/site $(VENV)/release: $(SOURCES)
 	@sh scripts/setup.sh $(VENV) $(@F)

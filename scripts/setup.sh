@@ -1,7 +1,8 @@
 #!/bin/sh
 # Makes the virtual environment VENV and installs into it what is wanted of the package:
-# `core`, `dev` with the tools for work on it, or `site` with those for its pages as well. Leaves a
-# file of that name in VENV as a mark. Usage, from the root of the project: setup.sh VENV core|dev|site
+# `core`, `dev` with the tools for work on it, `site` with those for its pages as well, or `release`
+# with those for a release. Leaves a file of that name in VENV as a mark.
+# Usage, from the root of the project: setup.sh VENV core|dev|site|release
 set -eu
 venv=$1
 wanted=$2
@@ -87,6 +88,7 @@ fi
 case $wanted in
 core) what="." named="chaplygin" size="0.8 GB" ;;
 dev) what=".[dev]" named="chaplygin and the tools for work on it" size="1.5 GB" ;;
+release) what=".[release]" named="chaplygin and the tools that release it" size="1.1 GB" ;;
 site) what=".[dev,site]" named="chaplygin and the tools for work on it and its site" size="1.6 GB" ;;
 esac
 echo "Installing $named into $venv (Python $(version_of "$python"), $size); this happens once and takes a minute or two."

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import sys
 
@@ -28,6 +29,7 @@ from . import (
     sweep,
 )
 from .common import complain
+from .progress import LOG
 from .words.usage import sentence
 
 __all__ = ["app", "main"]
@@ -39,7 +41,6 @@ app = typer.Typer(
     "slipping nor spinning). The paper is Borisov and Mamaev, 2008 (Regul. Chaotic Dyn. 13, "
     "443–490).",
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
@@ -64,13 +65,27 @@ app.command("audit")(audit.command)
 
 @app.callback(invoke_without_command=True)
 def _options(
+    context: typer.Context,
     version: bool = typer.Option(False, "--version", help="Print the version and exit."),
+    quiet: bool = typer.Option(False, "--quiet", help="Print results and errors alone."),
+    verbose: bool = typer.Option(
+        False, "--verbose", help="Say besides what is compiled and what is read from the cache."
+    ),
 ) -> None:
+    if quiet and verbose:
+        complain("--quiet --verbose: only one of them can hold")
+        raise typer.Exit(2)
+    level = logging.WARNING if quiet else logging.DEBUG if verbose else logging.INFO
+    LOG.handlers[:] = [logging.StreamHandler(sys.stderr)]
+    LOG.setLevel(level)
     if version:
         from .._version import __version__
 
         typer.echo(f"chaplygin {__version__}")
         raise typer.Exit
+    if context.invoked_subcommand is None:
+        complain("a command is missing; chaplygin --help lists them")
+        raise typer.Exit(2)
 
 
 def main() -> None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from .progress import waiting
+from .progress import LOG, waiting
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -62,8 +62,8 @@ def complain(text: str) -> None:
 
 
 def inform(text: str) -> None:
-    """Say something besides the result, on standard error."""
-    typer.echo(text, err=True)
+    """Say something besides the result, on standard error, unless that is not wanted."""
+    LOG.info(text)
 
 
 def console() -> Console:

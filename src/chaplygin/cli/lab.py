@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from ..interruption import CODE, ending
-from .common import Override, inform, study_of
+from .common import Override, study_of
 
 #: Where pages are served unless another port is asked for.
 PORT = 8714
@@ -62,7 +62,8 @@ def command(
         folder = Folder(place, {name: study.complete_toml()})
 
     def announce(address: str) -> None:
-        inform(f"the laboratory is open at\n\n    {address}\n\nfor this machine, until Ctrl-C")
+        text = f"the laboratory is open at\n\n    {address}\n\nfor this machine, until Ctrl-C"
+        typer.echo(text, err=True)
         if show:
             import webbrowser
 

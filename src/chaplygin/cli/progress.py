@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import sys
 import threading
 from collections.abc import Iterator
@@ -12,6 +13,10 @@ if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
 
     from ..report.write import Report
+
+#: What is said besides results: notes and progress (info), where time goes (debug).
+LOG = logging.getLogger("chaplygin")
+LOG.setLevel(logging.INFO)
 
 #: Seconds after which a command begins to say what it is doing, and between two lines of a log.
 PATIENCE, BETWEEN = 0.8, 10.0
@@ -26,6 +31,9 @@ def progress(task: str) -> Iterator[Report]:
     task : str
         What is done, to begin with.
     """
+    if not LOG.isEnabledFor(logging.INFO):
+        yield _Silence()
+        return
     report = _Bar(task) if sys.stderr.isatty() else _Log(task)
     try:
         yield report
@@ -41,6 +49,16 @@ def waiting(task: str) -> Iterator[None]:
         return
     with progress(task):
         yield
+
+
+class _Silence:
+    """No progress."""
+
+    def __call__(self, done: float, /) -> None:
+        pass
+
+    def say(self, what: str) -> None:
+        pass
 
 
 class _Bar:

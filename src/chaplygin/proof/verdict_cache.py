@@ -8,6 +8,7 @@ verdict counts as a proof, so it is only ever read as :mod:`chaplygin.core.priva
 from __future__ import annotations
 
 import json
+import logging
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,8 @@ from ..core.laws import Law
 from ..core.system import Guard, Parameter, System, Theorem
 from ..formulas.digest import digest
 from .verdict import Verdict
+
+_LOG = logging.getLogger(__name__)
 
 FOR_THE_READER = frozenset({"as_printed", "meaning", "misprint", "source", "unit"})
 """Fields of a law on which no proof depends."""
@@ -99,6 +102,8 @@ def _read(name: str) -> Verdict | None:
         content: dict[str, Any] = json.loads(stored)
         for listed in ("conditions", "formulas"):
             content[listed] = tuple(content.get(listed, ()))
-        return Verdict(**content)
+        verdict = Verdict(**content)
+        _LOG.debug("verdict about %s read from %s", verdict.law, _file(name))
+        return verdict
     except (ValueError, TypeError, AttributeError, RecursionError):
         return None

@@ -8,8 +8,10 @@ that cannot be used is no error: the code is compiled again.
 from __future__ import annotations
 
 import contextlib
+import logging
 import pickle
 import platform
+import time
 from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
@@ -19,6 +21,8 @@ from ...core import private_files
 from ...core.cache import entry_name, folder
 
 Entry = TypeVar("Entry")
+
+_LOG = logging.getLogger(__name__)
 
 #: Entries on disk, and in the memory of this process, at most.
 _STORED, _IN_MEMORY = 200, 32
@@ -83,8 +87,12 @@ def remember(name: str, compute: Callable[[], Entry]) -> tuple[Entry, bool]:
     entry = cast("Entry | None", _read(path))
     stored = entry is not None
     if entry is None:
+        began = time.perf_counter()
         entry = compute()
+        _LOG.debug("machine code compiled in %.2f s", time.perf_counter() - began)
         _write(path, entry)
+    else:
+        _LOG.debug("machine code read from %s", path)
     if len(_in_memory) >= _IN_MEMORY:
         del _in_memory[next(iter(_in_memory))]
     _in_memory[path] = entry, _file_version(path)
