@@ -66,16 +66,16 @@ def test_fluids_of_several_cavities():
 @pytest.mark.parametrize("name", ["free-body", "veselova", "suslov", "rubber-chaplygin-ball"])
 def test_a_file_with_several_cavities_is_written_out_in_full(name):
     cavities = """
-[[system.cavity]]
+[[body.cavity]]
 axes = [0.2, 0.3, 0.25]
 mass = 0.4
 turn = [1.0, 0.5, 0.0, 0.2]
 centre = [0.1, 0.0, 0.4]
-[[system.cavity]]
+[[body.cavity]]
 axes = [0.1, 0.1, 0.1]
 mass = 0.0
 centre = [0.0, 0.0, -0.6]
-[[system.cavity]]
+[[body.cavity]]
 axes = [0.3, 0.3, 0.2]
 mass = 0.3
 centre = [0.0, -0.4, -0.2]
@@ -161,7 +161,7 @@ def test_a_mistake_is_one_sentence(case):
     assert str(caught.value) == sentence
 
 
-SYSTEM = 'system = {{name = "{}", cavity = {{axes = [0.5, 0.4, 0.3], mass = 0.7}}}}\n'
+SYSTEM = 'system = {{name = "{}"}}\nbody = {{cavity = {{axes = [0.5, 0.4, 0.3], mass = 0.7}}}}\n'
 
 
 @pytest.mark.slow(every=3)
@@ -180,22 +180,31 @@ def test_a_body_of_the_catalogue_is_filled(name):
 SYSTEM_MISTAKES = {
     "fluid without a cavity": (
         'system = {name = "veselova"}\nstart = {fluid = [1.0, 2.0, 3.0]}\n',
-        "<text>, line 2, start: fluid is given, but there is no cavity; add [system.cavity]",
+        "<text>, line 2, start: fluid is given, but there is no cavity; add [body.cavity]",
     ),
     "another body": (
         SYSTEM.format("suslov-quadratic"),
-        "<text>, line 1, system.cavity: suslov-quadratic cannot hold fluid; a rolling body, "
+        "<text>, line 2, body.cavity: suslov-quadratic cannot hold fluid; a rolling body, "
         "free-body, veselova and suslov can",
     ),
     "no body": (
         SYSTEM.format("chaplygin-sleigh"),
-        "<text>, line 1, system: chaplygin-sleigh cannot hold fluid; a rolling body, free-body, "
+        "<text>, line 2, body: chaplygin-sleigh cannot hold fluid; a rolling body, free-body, "
         "veselova and suslov can",
     ),
     "too large for the ball": (
         SYSTEM.format("chaplygin-ball").replace("0.5", "1.5"),
-        "<text>, line 1, system: the cavity with the semi-axes 1.5, 0.4, 0.3 does not fit into the "
+        "<text>, line 2, body: the cavity with the semi-axes 1.5, 0.4, 0.3 does not fit into the "
         "body; make it smaller, or move its centre",
+    ),
+    "another key of the body": (
+        'system = {name = "veselova"}\nbody = {mass = 2.0}\n',
+        "<text>, line 2, body: mass must be absent, as the table [system] decides the body; beside "
+        "it [body] has cavities alone, and numbers stand in [system.parameters]",
+    ),
+    "a cavity of the system": (
+        'system = {name = "veselova", cavity = {axes = [0.5, 0.4, 0.3], mass = 0.7}}\n',
+        "<text>, line 1, system: a cavity belongs to the body; write [body.cavity]",
     ),
 }
 

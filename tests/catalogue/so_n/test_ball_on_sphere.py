@@ -14,6 +14,7 @@ from scipy.integrate import solve_ivp
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.laws import Measure
 from chaplygin.errors import InputError
+from chaplygin.experiment.dataset import to_dataset
 from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.study import prepare
 from chaplygin.flow.integrator import integrate
@@ -121,6 +122,14 @@ def test_three_dimensions_are_the_balls_of_the_catalogue(name):
         parameters={"a": 2.0, "R": 1.0, "m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1},
     )
     assert ours["gamma"][-1] == pytest.approx(theirs["gamma"][-1], abs=1e-13)
+
+
+@pytest.mark.parametrize("name", [MARBLE, RUBBER])
+def test_a_dataset_has_the_contact_point_by_as_many_coordinates_as_the_space(name):
+    study = prepare(loads(f"[system]\nname = '{name}'\ndimension = 4\n[run]\nuntil = 1.0\n"))
+    contact = to_dataset(study.trajectory())["contact"]
+    assert contact.dims == ("time", "space_axis")
+    assert contact.shape[1] == 4
 
 
 @pytest.mark.parametrize("name", [MARBLE, RUBBER])

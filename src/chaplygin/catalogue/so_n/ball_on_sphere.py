@@ -82,7 +82,9 @@ def _lift(n: int) -> Reconstruction:
             (rows[i] * rows[j].T)[0] - int(i == j) for i in range(n) for j in range(i, n)
         ),
         observables=(
-            Observable("contact", point, "contact point from the sphere's centre", "m", "space"),
+            Observable(
+                "contact", point, "contact point from the sphere's centre", "m", "space_axis"
+            ),
         ),
     )
 

@@ -8,14 +8,21 @@ from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from ...catalogue import CATALOGUE, entry
 from ...catalogue.fixed_point.with_fluid import refusal
+from ...mechanics.rolling.cavity import Cavity
 from .base import ExperimentBase
-from .tables import StateTable, SystemRunTable, SystemStartTable, SystemTable
+from .tables import FilledBodyTable, StateTable, SystemRunTable, SystemStartTable, SystemTable
 
 
 class CatalogueExperiment(ExperimentBase):
     """The part that all systems of the catalogue have in common."""
 
     system: SystemTable = Field(description="a table [system] with a name")
+    body: FilledBodyTable | None = Field(default=None, description="a table with cavity")
+
+    @property
+    def cavities(self) -> tuple[Cavity, ...]:
+        """The cavities of its body, none by default."""
+        return () if self.body is None else self.body.cavities
 
     @model_validator(mode="before")
     @classmethod
@@ -54,9 +61,9 @@ class SystemExperiment(CatalogueExperiment):
     @field_validator("start")
     @classmethod
     def _fluid_in_cavities(cls, start: SystemStartTable, info: ValidationInfo) -> SystemStartTable:
-        system = info.data.get("system")
-        if system is not None:
-            start.require_cavities(system.cavities, "system")
+        if "body" in info.data:
+            body = info.data["body"]
+            start.require_cavities(() if body is None else body.cavities, "body")
         return start
 
 
@@ -72,9 +79,11 @@ class StateExperiment(CatalogueExperiment):
     start: StateTable = Field(default={}, description="a table of named values")
     run: SystemRunTable = Field(default=SystemRunTable(), description="a table")
 
-    @field_validator("system")
+    @field_validator("body")
     @classmethod
-    def _without_fluid(cls, system: SystemTable) -> SystemTable:
-        if system.cavity:
-            raise ValueError(refusal(system.name))
-        return system
+    def _without_fluid(
+        cls, body: FilledBodyTable | None, info: ValidationInfo
+    ) -> FilledBodyTable | None:
+        if body is not None and "system" in info.data:
+            raise ValueError(refusal(info.data["system"].name))
+        return body

@@ -171,7 +171,22 @@ def _setting(value: object) -> Setting:
     return given_rows(value, "a finite number")
 
 
-class SystemTable(CavitiesTable):
+class FilledBodyTable(CavitiesTable):
+    """The body of a system of the catalogue, to which only cavities with fluid can be added."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _cavities_alone(cls, table: object) -> object:
+        others = table.keys() - cls.model_fields.keys() if isinstance(table, dict) else ()
+        if others:
+            raise ValueError(
+                f"{min(others)} must be absent, as the table [system] decides the body; beside it "
+                "[body] has cavities alone, and numbers stand in [system.parameters]"
+            )
+        return table
+
+
+class SystemTable(Table):
     """A system of the catalogue, with parameters that differ from its defaults."""
 
     name: str = Field(description="the name of a system, in quotes", min_length=1)
@@ -185,6 +200,8 @@ class SystemTable(CavitiesTable):
         """The keys of n-dimensional systems are parameters, wherever they stand."""
         if not isinstance(table, dict):
             return table
+        if "cavity" in table:
+            raise ValueError("a cavity belongs to the body; write [body.cavity]")
         keys = [key for key in OF_A_DIMENSION if key in table]
         parameters = table.get("parameters", {})
         if not keys or not isinstance(parameters, dict):

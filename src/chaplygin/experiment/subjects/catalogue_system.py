@@ -104,8 +104,8 @@ def body_of_catalogue(experiment: SystemExperiment) -> BodySubject:
     with experiment.placing_errors("system", "parameters"):
         system = item.system(experiment.system.parameters)
         rolling = item.rolling(experiment.system.parameters)
-    start, cavities = experiment.start, experiment.system.cavities
-    with experiment.placing_errors("system"):
+    start, cavities = experiment.start, experiment.cavities
+    with experiment.placing_errors("body"):
         if rolling is None:
             system = with_fluid(system, cavities)
         elif cavities and isinstance(rolling.body, Body):
