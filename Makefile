@@ -3,6 +3,7 @@
 VENV := .venv
 BIN := $(VENV)/bin
 PYTEST_FLAGS ?= -n 2
+SITE_FLAGS ?=
 SOURCES := pyproject.toml constraints.txt scripts/setup.sh
 
 .DEFAULT_GOAL := help
@@ -45,8 +46,8 @@ format: $(VENV)/dev ## put the code in its format and mend what can be mended
 	@$(BIN)/python -m ruff check --fix-only .
 	@$(BIN)/python -m ruff format .
 
-site: $(VENV)/site ## build the site into build/site, and check its links
-	@$(BIN)/python website/build.py
+site: $(VENV)/site ## build the site into build/site; SITE_FLAGS="--exhibits 12" for a part of its gallery
+	@$(BIN)/python website/build.py $(SITE_FLAGS)
 	@echo "Open build/site/index.html in a browser."
 
 dist: $(VENV)/release ## build the wheel and the source archive into dist/, check them, and try the wheel

@@ -2,47 +2,56 @@
 
 The pages of the repository are laid out in build/site-source as they lie here, so that their
 links hold; generated pages are written beside them; Sphinx makes build/site of it. Any warning
-is an error.
+is an error. `--exhibits 12` builds a gallery of twelve exhibits only, for a quick check.
 """
 
 from __future__ import annotations
 
+import argparse
 import os
-import shutil
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
+from exhibits import exhibits
+from gallery import pages as gallery_pages
 from links import faults
+
+from chaplygin.core.source_digest import package_digest
 
 HOME = Path(__file__).parent
 ROOT = HOME.parent
-SOURCE, SITE = ROOT / "build" / "site-source", ROOT / "build" / "site"
+BUILD = ROOT / "build"
+SOURCE, LIVE, SITE = BUILD / "site-source", BUILD / "site-files" / "live", BUILD / "site"
+#: What was computed, kept for as long as the program is the same.
+STORE = BUILD / "site-cache" / package_digest()[:16]
 #: Pages of the repository that are pages of the site, beside docs/.
 PAGES = ("CONTRIBUTING.md", "CHANGELOG.md", "benchmarks/README.md")
 #: What they link to, and the examples that cells read, which are run in the folder of their page.
-LINKED = ("src", "tests", "examples", "docs/examples", "docs/start/examples")
+LINKED = ("src", "tests", "examples", *(f"docs{at}/examples" for at in ("", "/start", "/course")))
 
 
 def main() -> int:
     """Build and check; 0 where nothing is wrong."""
-    lay_out()
+    options = argparse.ArgumentParser(description="Build the site.")
+    options.add_argument("--exhibits", type=int, help="so many exhibits of the gallery at most")
+    chosen, further = options.parse_known_args()
+    lay_out(chosen.exhibits)
     code = subprocess.call(
         [sys.executable, "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-q",
-         "-c", str(HOME), *sys.argv[1:], str(SOURCE), str(SITE)]
+         "-c", str(HOME), *further, str(SOURCE), str(SITE)]
     )  # fmt: skip
     wrong = faults(SITE)
     print("\n".join(wrong), file=sys.stderr)
     return code or bool(wrong)
 
 
-def lay_out() -> None:
-    """Copy pages to where Sphinx reads them; what is no longer there goes."""
-    wanted = {path.relative_to(HOME / "pages"): path for path in files(HOME / "pages")}
-    wanted |= {path.relative_to(ROOT): path for path in files(ROOT / "docs")}
-    wanted |= {Path(name): ROOT / name for name in PAGES}
-    for place, path in wanted.items():
-        copy(path, SOURCE / place)
+def lay_out(most: int | None) -> None:
+    """Write pages where Sphinx reads them; what is no longer there goes."""
+    wanted = dict(written()) | {Path(place): text.encode() for place, text in generated(most)}
+    for place, content in wanted.items():
+        write(content, SOURCE / place)
     for path in files(SOURCE):
         if path.relative_to(SOURCE) not in wanted:
             path.unlink()
@@ -54,17 +63,32 @@ def lay_out() -> None:
             (SOURCE / name).symlink_to(ROOT / Path(name).name)
 
 
+def written() -> Iterator[tuple[Path, bytes]]:
+    """Pages and pictures that are kept in the repository."""
+    for path in files(HOME / "pages"):
+        yield path.relative_to(HOME / "pages"), path.read_bytes()
+    for path in [*files(ROOT / "docs"), *(ROOT / name for name in PAGES)]:
+        yield path.relative_to(ROOT), path.read_bytes()
+
+
+def generated(most: int | None) -> Iterator[tuple[str, str]]:
+    """Pages that the program writes."""
+    store = STORE / "gallery"
+    found = list(exhibits(store, most, lambda what: print(what, file=sys.stderr)))
+    yield from gallery_pages(found, store, LIVE)
+
+
 def files(folder: Path) -> list[Path]:
     """All files below a folder; links to other folders are not followed."""
     return sorted(Path(at) / name for at, _, names in os.walk(folder) for name in names)
 
 
-def copy(path: Path, place: Path) -> None:
-    """Copy a file unless it is there: one that stays as it was is not read again."""
-    if place.exists() and place.read_bytes() == path.read_bytes():
+def write(content: bytes, place: Path) -> None:
+    """Write a file unless it is there: one that stays as it was is not read again."""
+    if place.exists() and place.read_bytes() == content:
         return
     place.parent.mkdir(parents=True, exist_ok=True)
-    shutil.copyfile(path, place)
+    place.write_bytes(content)
 
 
 if __name__ == "__main__":

@@ -61,11 +61,12 @@ numpydoc_xref_param_type = False
 
 # --- look ---------------------------------------------------------------------------------------
 
-templates_path = ["templates"]
 html_theme = "pydata_sphinx_theme"
 html_title = "chaplygin"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
+html_js_files = [("filter.js", {"defer": "defer"})]
+html_extra_path = [str(BUILD / "site-files")]
 html_copy_source = False
 html_show_sphinx = False
 html_theme_options = {

@@ -1,7 +1,8 @@
 """Python fences of plain Markdown pages as cells that are run.
 
 The pages stay what any reader of Markdown shows; only the builder of the site sees cells.
-A fence marked ``sh run`` is run by a shell, one marked ``python not-run`` is only shown.
+A fence marked ``sh run`` is run by a shell, one marked ``python not-run`` is only shown. The remark
+``<!-- live: NAME -->`` on a line of its own puts the live page of an exhibit of the gallery there.
 """
 
 from __future__ import annotations
@@ -23,8 +24,19 @@ def with_cells(text: str) -> str:
     return cells if "```{code-cell}" not in cells else HEADER + cells
 
 
+def with_live_pages(text: str, up: str) -> str:
+    """A page with the live pages that it asks for; `up` leads from it to the front page."""
+    frame = (
+        "```{raw} html\n"
+        rf'<figure class="live"><iframe src="{up}live/\1.html\2" title="\1, live" loading="lazy">'
+        rf'</iframe><figcaption><a href="{up}live/\1.html\2">In a page of its own</a>'
+        "</figcaption></figure>\n```"
+    )
+    return re.sub(r"^<!-- live: ([\w-]+)(#\S*)? -->$", frame, text, flags=re.M)
+
+
 def _read(app: Any, name: str, source: list[str]) -> None:
-    source[0] = with_cells(source[0])
+    source[0] = with_cells(with_live_pages(source[0], "../" * name.count("/")))
 
 
 def _name_shells(app: Any, tree: Any) -> None:

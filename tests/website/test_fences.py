@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import sys
+from fnmatch import fnmatch
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -44,10 +45,16 @@ def test_fences_of_python_are_cells(website: Any) -> None:
 
 
 def test_every_page_is_in_a_list() -> None:
-    lists = " ".join(p.read_text() for p in (ROOT / "website" / "pages").rglob("*.md"))
+    lists = [p.read_text() for p in (ROOT / "website" / "pages").rglob("*.md")]
+    listed = re.findall(r"^docs/\S+$", "\n".join(lists), re.M)
     for path in (ROOT / "docs").rglob("*.md"):
         name = path.relative_to(ROOT).with_suffix("").as_posix()
-        assert re.search(rf"^(?:.*<)?/?{name}>?$", lists, re.M), f"{name} is in no list"
+        assert any(fnmatch(name, pattern) for pattern in listed), f"{name} is in no list"
+
+
+def test_live_pages_stand_where_they_are_asked_for(website: Any) -> None:
+    text = website("fences").with_live_pages("a\n\n<!-- live: rattleback#t=1 -->\n", "../../")
+    assert '<iframe src="../../live/rattleback.html#t=1" title="rattleback, live"' in text
 
 
 def test_faults_of_pages_are_found(website: Any, tmp_path: Path) -> None:
