@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from typing import Any
 
@@ -63,7 +64,9 @@ def impact(problem: Problem, y: list[float], rtol: float) -> tuple[bool, bool, b
     sign = math.copysign(1.0, spin)
     compressing = True
 
-    def ratio(e: Array | None, state: Array, slide_held: bool, spin_held: bool) -> Array:
+    def ratio(
+        e: Array | None, state: Array, slide_held: bool, spin_held: bool, way: float
+    ) -> Array:
         """Impulses (1, 2, couple) for a unit normal impulse."""
         g = np.zeros(3, dtype=z.dtype)
         if not slide_held:
@@ -71,7 +74,7 @@ def impact(problem: Problem, y: list[float], rtol: float) -> tuple[bool, bool, b
                 g[:2] = -law.mu * e
             g[:2] -= law.slip * state[1:3]
         if not spin_held:
-            g[2] = -law.spin_arm * sign
+            g[2] = -law.spin_arm * way
         rows = ([0, 1] if slide_held else []) + ([2] if spin_held else [])
         if rows:
             rest = mobility[:3, 3] + mobility[:3, :3] @ g
@@ -89,12 +92,30 @@ def impact(problem: Problem, y: list[float], rtol: float) -> tuple[bool, bool, b
             return ((1.0 + e) * done["impulse"] - state[0]).item()
         return (-e * first_normal - state[4]).item()
 
-    def leaving(spin_held: bool) -> Array | None:
+    def after_stop(at_rest: bool, sign: float) -> tuple[bool, Array | None, bool, float]:
+        """Whether sliding is held, else its direction; whether spinning is, else its sign."""
+        spins = [(True, sign), (False, 1.0), (False, -1.0)] if at_rest else [(False, sign)]
+        for slide_held, (spin_held, way) in itertools.product((True, False), spins):
+            e = None if slide_held else leaving(spin_held, way)
+            if e is None and not slide_held:
+                continue
+            g = ratio(e, z * 0.0, slide_held, spin_held, way)
+            grows = float(mobility[2] @ np.array([*g, 1.0]))
+            fits = not slide_held or math.hypot(g[0], g[1]) <= law.mu
+            if spin_held:
+                fits = fits and abs(g[2]) <= law.spin_arm
+            elif at_rest:
+                fits = fits and way * grows > 0.0
+            if fits:
+                return slide_held, e, spin_held, way
+        raise ArithmeticError("no direction of sliding after a stop in an impact")
+
+    def leaving(spin_held: bool, way: float) -> Array | None:
         """Direction in which sliding starts anew after it has stopped."""
 
         def x_of(angle: float) -> tuple[Array, Array]:
             e = np.array([math.cos(angle), math.sin(angle)])
-            g = ratio(e, z * 0.0, False, spin_held)
+            g = ratio(e, z * 0.0, False, spin_held, way)
             return e, mobility[:2, 3] + mobility[:2, :3] @ g
 
         def turning(angle: float) -> float:
@@ -114,6 +135,11 @@ def impact(problem: Problem, y: list[float], rtol: float) -> tuple[bool, bool, b
     fixed: Array | None = None
     if law.mu and math.hypot(z[1], z[2]) < 1e-12:
         state_kind = "stopped"
+    if law.spin_arm and abs(spin) < 1e-12:
+        e = z[1:3] / math.hypot(z[1], z[2]) if state_kind == "sliding" else None
+        couple = ratio(e, z, False, True, sign)[2]
+        held_spin = state_kind == "stopped" or abs(couple) <= law.spin_arm
+        sign = -math.copysign(1.0, couple)
     for _ in range(50):
         if level(z) <= 0.0:
             if compressing:
@@ -123,28 +149,21 @@ def impact(problem: Problem, y: list[float], rtol: float) -> tuple[bool, bool, b
                     continue
             break
         if state_kind == "stopped":
-            g = ratio(None, z, True, held_spin)
-            held_slide = math.hypot(g[0], g[1]) <= law.mu
-            if held_slide:
-                state_kind = "held"
-            else:
-                fixed = leaving(held_spin)
-                if fixed is None:
-                    raise ArithmeticError("no direction of sliding after a stop in an impact")
-                state_kind = "restarted"
+            held_slide, fixed, held_spin, sign = after_stop(held_spin, sign)
+            state_kind = "held" if held_slide else "restarted"
         blown = state_kind == "sliding"
         if blown:
             speed = root((z[1] * z[1] + z[2] * z[2]).item())
             z[9:] = [logarithm(speed), z[1] / speed, z[2] / speed]
 
-        now = (held_slide, held_spin)
+        now = (held_slide, held_spin, sign)
 
         def rate(
             tau: float,
             state: Array,
             blown: bool = blown,
             fixed: Array | None = fixed,
-            now: tuple[bool, bool] = now,
+            now: tuple[bool, bool, float] = now,
         ) -> Array:
             e = state[10:12] / np.sqrt(state[10:12] @ state[10:12]) if blown else fixed
             g = ratio(e, state, *now)
@@ -161,11 +180,15 @@ def impact(problem: Problem, y: list[float], rtol: float) -> tuple[bool, bool, b
             tau: float,
             state: Array,
             blown: bool = blown,
+            now: tuple[bool, bool, float] = now,
             spinning: float = 0.0 if held_spin else sign * law.spin_arm,
         ) -> list[float]:
-            values = [level(state), 1.0, 1.0]
+            values = [level(state), 1.0, 1.0, 1.0]
             if blown:
                 values[1] = float(state[9]) + 45.0
+                if now[1] and law.spin_arm:
+                    e = state[10:12] / np.sqrt(state[10:12] @ state[10:12])
+                    values[3] = law.spin_arm - abs(float(ratio(e, state, *now)[2]))
             if spinning:
                 values[2] = math.copysign(1.0, spinning) * float(state[3])
             return values
@@ -186,13 +209,16 @@ def impact(problem: Problem, y: list[float], rtol: float) -> tuple[bool, bool, b
             z[1:3] = 0.0
             state_kind = "stopped"
         if which == 2:
-            g = ratio(z[10:12] if blown else fixed, z, held_slide, True)
+            g = ratio(z[10:12] if blown else fixed, z, held_slide, True, sign)
             if abs(g[2]) <= law.spin_arm:
                 held_spin = True
             else:
                 sign = -sign
             if state_kind in ("held", "restarted"):
                 state_kind = "stopped" if state_kind == "held" else "sliding"
+        if which == 3:  # friction that turns asks for more than the couple that holds the spin
+            g = ratio(z[10:12], z, held_slide, True, sign)
+            held_spin, sign = False, -math.copysign(1.0, g[2])
     impulse = plus(times(z[6].item(), t1), times(z[7].item(), t2), times(z[0].item(), n))
     y[7:10] = plus(y[7:10], times(1.0 / body.mass, impulse))
     y[10:13] = plus(y[10:13], cross(arm, impulse), times(z[8].item(), n))

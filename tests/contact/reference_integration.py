@@ -13,6 +13,12 @@ from contact.reference_bodies import Array
 
 Watch = Callable[[float, Array], list[float]]
 
+_PARTS = np.arange(1, 8) / 8
+"""Parts of a step at which the watched values are computed."""
+
+_FIRST_PARTS = np.concatenate([10.0 ** np.arange(-5, -1), _PARTS])
+"""Likewise of the first step, at whose start a value may be zero, and again soon after."""
+
 
 class Extrapolation:
     """Integration in the arithmetic of the state, to any precision, with the face of `DOP853`.
@@ -129,13 +135,15 @@ def run(
     """
     solver = integration(rate, start, state, end, rtol, scales, first_step)
     before = np.array(watch(start, state))
+    parts = _FIRST_PARTS
     while solver.status == "running":
         t0, z0 = solver.t, solver.y.copy()
         message = solver.step()
         if solver.status == "failed":
             raise ArithmeticError(f"integration failed at {t0}: {message}")
         dense = solver.dense_output()
-        samples = [t0, *(t0 + (solver.t - t0) * np.array([0.25, 0.5, 0.75])), solver.t]
+        samples = [t0, *(t0 + (solver.t - t0) * parts), solver.t]
+        parts = _PARTS
         values = [before, *(np.array(watch(s, dense(s))) for s in samples[1:-1])]
         values.append(np.array(watch(solver.t, solver.y)))
         table = np.array(values)

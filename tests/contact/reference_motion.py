@@ -321,6 +321,13 @@ class Motion:
         if kinked:
             names.extend(["kink", "kink"])
         kink = self.kink()
+        turns = [False]
+
+        def spin_left(found: Response) -> float:
+            # a spin that begins is zero, but for rounding
+            value = float(mode.sign * found.spin)
+            turns[0] = turns[0] or value > 1e-12
+            return value if turns[0] else 0.0
 
         def rate(t: float, z: Array) -> Array:
             return np.array(problem.rate(z.tolist(), mode))
@@ -334,7 +341,7 @@ class Motion:
             if turning:
                 values.append(float(length(found.turn)) - SMALL)
             if spinning:
-                values.append(mode.sign * found.spin)
+                values.append(spin_left(found))
             values += self.limits(found, mode)
             return values + kink(found) if kinked else values
 

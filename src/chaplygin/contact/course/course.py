@@ -156,6 +156,8 @@ class Course(RollingCourse):
             return
         if choice.holds:
             self._hold(choice)
+            if kind == "spin stop" and self.mode.spinning:
+                kind = "spin reversal"
             if kind:
                 self._record(kind, before, *impacts, unique=choice.unique)
             return

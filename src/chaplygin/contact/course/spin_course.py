@@ -6,9 +6,12 @@ import math
 from abc import ABC, abstractmethod
 from dataclasses import replace
 
+import numpy as np
+
 from ...core.arrays import FloatArray
 from ..friction.modes import Mode
 from ..impact.impact import Impact
+from .compiled import OMEGA, VELOCITY
 from .course_state import CourseState
 from .events import EventKind
 
@@ -60,3 +63,11 @@ class SpinCourse(CourseState, ABC):
         self._spin_sign = -math.copysign(1.0, couple)
         self.mode = replace(self.mode, spinning=True)
         self._record("spin start", before)
+        # it begins like the square of the time, and must not end at once by rounding
+        known = self._known()
+        fastest = max(self._speed / self._length, float(np.abs(self.state[OMEGA]).max()))
+        size = 4 * float(np.finfo(float).eps) * fastest
+        turn = self._spin_sign * size * known.gamma
+        self.state = self.state.copy()
+        self.state[OMEGA] += turn
+        self.state[VELOCITY] -= np.cross(turn, known.r)
