@@ -8,9 +8,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy as sp
 
 import chaplygin as ch
 from chaplygin.analysis.lyapunov.indicators import MaximalExponent, Megno
+from chaplygin.core.vectors import Vector
+from chaplygin.experiment.study import dataset_of
 from chaplygin.flow.batch import batch_integrator
 from chaplygin.flow.kernel.equations import poincare_section
 from chaplygin.flow.trajectory import recorded_values
@@ -307,12 +310,53 @@ def test_indicators_are_those_of_python(name, until, close):
 @pytest.mark.slow
 def test_the_mesh_of_a_body_follows_its_parameters():
     model = model_of("rattleback")
-    mesh, longer = run_engine(model, ("bodyMesh", [{}]), ("bodyMesh", [{"b_1": 0.3}]))
+    first, changed = run_engine(model, ("surfaces", [{}]), ("surfaces", [{"b_1": 0.3}]))
+    mesh = first["body"]
     body = model["scene"]["body"]
     grid = len(body["theta"]) * len(body["phi"])
     points = rows(mesh["positions"], 3)[:grid]
     gamma = -rows(mesh["normals"], 3)[:grid]
     expected = contact_points(study_of("rattleback").rolling.body.shape)(gamma)
     np.testing.assert_allclose(points, expected, atol=1e-7)
-    long = np.ptp(rows(longer["positions"], 3)[:, 0])
+    long = np.ptp(rows(changed["body"]["positions"], 3)[:, 0])
     assert long == pytest.approx(0.6, rel=2e-3)
+
+
+@pytest.mark.slow
+def test_the_ellipsoid_of_inertia_follows_its_parameters():
+    model = model_of("rattleback")
+    changed = {"I_1": 0.0061}
+    (result,) = run_engine(model, ("surfaces", [changed]))
+    moments = {p["name"]: p["value"] for p in model["parameters"]} | changed
+    points = rows(result["inertia"]["positions"], 3)
+    inertia = [moments[f"I_{i}"] for i in (1, 2, 3)]
+    # the caps at both poles are flat
+    on_it = points**2 @ inertia
+    assert np.median(on_it) == pytest.approx(1.0, abs=1e-6)
+    assert on_it.max() < 1.0 + 1e-6
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["marble-ball-on-ellipsoid", "marble-ball-on-paraboloid"])
+def test_what_carries_a_ball_follows_its_parameters(name):
+    """The corners lie one radius from places of the centre, on the surface f = 0 of those."""
+    study = study_of(name)
+    model = live_page_model(study, dataset_of(study, study.trajectory()))
+    size = "a_1" if name.endswith("ellipsoid") else "b"
+    changed = {size: 1.1 * next(p["value"] for p in model["parameters"] if p["name"] == size)}
+    (result,) = run_engine(model, ("surfaces", [changed]))
+    surface = result["ground"]
+    points, normals = (rows(surface[key], 3) for key in ("positions", "normals"))
+    ball, numbers = study.subject.ball, {**study.system.defaults}
+    numbers |= {s: changed[str(s)] for s in numbers if str(s) in changed}
+    b = next(value for s, value in numbers.items() if str(s) == "b")
+    shifted = points + (b * normals if ball.carrier == "centre" else 0.0)
+    f = sp.lambdify(Vector("x").symbols, ball.carrying.subs(numbers), "numpy")
+    assert np.abs(f(*shifted.T)).max() < 1e-5
+
+
+@pytest.mark.slow
+def test_a_ball_follows_its_radius():
+    model = model_of("marble-ball-on-cylinder")
+    (result,) = run_engine(model, ("surfaces", [{"b": 0.2}]))
+    assert np.ptp(rows(result["body"]["positions"], 3)[:, 2]) == pytest.approx(0.4, rel=1e-6)

@@ -1,7 +1,7 @@
 /** The laboratory of one model: what is computed, what is shown, and how both change. */
 
-import { meshOfGrid, type Mesh } from "./engine/body_mesh";
-import { doubles, floats } from "./encoding";
+import { surfacesOf, type Surfaces } from "./engine/surfaces";
+import { doubles } from "./encoding";
 import type { Engine, State, Values } from "./engine/engine";
 import type { PageModel } from "./model";
 import { Cell, latest } from "./page/cell";
@@ -15,7 +15,7 @@ export interface Shown {
   motion: Motion;
   /** The state at its start; null where only the recorded samples are known. */
   state: Float64Array | null;
-  surface: Mesh | null;
+  surfaces: Surfaces;
 }
 
 /** Everything that panels of the page share. */
@@ -63,6 +63,28 @@ export class Lab {
     if (after !== undefined) await this.request(after);
   }
 
+  /** Take other parameters; where they forbid the start, from the nearest one that they admit. */
+  async changeParameters(parameters: Values): Promise<void> {
+    const now = this.wanted.value;
+    const inputs = this.givenNumbers(now);
+    const answer = inputs === null || this.engine === null ? null : await this.engine.startFrom({ parameters, inputs });
+    if (answer === null || !("nearest" in answer) || answer.nearest === undefined) return void this.change({ ...now, parameters }, false);
+    const nearest = [...answer.nearest];
+    const start = { inputs: Object.fromEntries(this.model.start_inputs.map(({ name }, k) => [name, nearest[k] ?? NaN])) };
+    if (await this.change({ ...now, parameters, start }, false)) {
+      this.say("With these parameters there is no motion from the start that was given; the nearest admissible one is taken.");
+    }
+  }
+
+  /** The start inputs of an experiment; null where its state does not tell them. */
+  private givenNumbers({ start }: Experiment): Values | null {
+    if ("inputs" in start) return start.inputs;
+    const { state, start_inputs: inputs } = this.model;
+    const places = inputs.map(({ name }) => state.findIndex((each) => each.name === name));
+    if (places.some((place) => place < 0)) return null;
+    return Object.fromEntries(inputs.map(({ name }, k) => [name, start.state[places[k] ?? 0] ?? NaN]));
+  }
+
   /** Say one sentence. */
   say(sentence: string, refused = false): void {
     this.refused.value = refused;
@@ -95,16 +117,16 @@ export async function computed(model: PageModel, engine: Engine | null, experime
   if (engine === null) {
     if (model.recorded === null) return "This page holds no motion and cannot compute one.";
     if (!same(experiment, opening(model))) return "This page shows a recorded motion and cannot compute another.";
-    return { experiment, motion: recordedMotion(model), state: Float64Array.from(model.start), surface: surfaceOf(model) };
+    return { experiment, motion: recordedMotion(model), state: Float64Array.from(model.start), surfaces: surfacesOf(model) };
   }
   const start = await startState(engine, experiment);
   if ("message" in start) return start.message;
   const { parameters, until } = experiment;
-  const [motion, mesh] = await Promise.all([
+  const [motion, surfaces] = await Promise.all([
     engine.motion({ parameters, start: start.state, times: instants(until, samplesFor(model, until)) }),
-    engine.bodyMesh(parameters),
+    engine.surfaces(parameters),
   ]);
-  return { experiment, motion, state: start.state, surface: mesh ?? surfaceOf(model) };
+  return { experiment, motion, state: start.state, surfaces };
 }
 
 /** The state from which an experiment starts. */
@@ -127,12 +149,6 @@ export function recordedMotion(model: PageModel): Motion {
     Object.entries(recorded.columns).map(([name, values]) => [name, doubles(values)]),
   );
   return { times: doubles(recorded.times), columns, end: recorded.end };
-}
-
-/** The surface of the body for the parameters of the model. */
-export function surfaceOf(model: PageModel): Mesh | null {
-  const body = model.scene.body;
-  return body === null ? null : meshOfGrid(body, floats(body.positions));
 }
 
 /** An experiment with some of its values replaced. */

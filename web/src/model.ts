@@ -224,9 +224,15 @@ export interface WasmTables {
   relation_texts: string[];
   /** What to say of a start that a guard forbids. */
   start_messages: string[];
-  /** r(γ) at a reduced state of which γ alone counts; null where no formula gives it. */
+  /**
+   * At reduced states of which only three numbers count: the point of the body with the outward
+   * normal −γ, and that of its ellipsoid of inertia; null where no formula gives it.
+   */
   contact: ValuesTable | null;
-  /** The place of γ in the reduced state. */
+  inertia: ValuesTable | null;
+  /** At a place in space: f, ∇f, and the distance of f = 0 from the surface that carries a ball. */
+  ground: ValuesTable | null;
+  /** Where these three numbers begin in the reduced state. */
   gamma: number;
   /** Quantities on which sections can be taken. */
   section_quantities: string[];

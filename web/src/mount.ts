@@ -4,7 +4,8 @@ import { bifurcationPanel } from "./bifurcation/bifurcation_panel";
 import { chartPanel } from "./chart/chart_panel";
 import { experimentPanel } from "./controls/experiment_panel";
 import { downloadsPanel } from "./downloads/downloads_panel";
-import { computed, Lab, recordedMotion, surfaceOf, type Shown } from "./lab";
+import { computed, Lab, recordedMotion, type Shown } from "./lab";
+import { surfacesOf } from "./engine/surfaces";
 import { lawReadings, lawsPanel, type LawReading } from "./laws/laws_panel";
 import { element } from "./page/dom";
 import { fromFragment, instants, opening, type Experiment } from "./page/experiment";
@@ -46,7 +47,7 @@ export function mount(target: HTMLElement, source: Source): PageHandle {
   target.append(holder);
   let lab: Lab | null = null;
   const ready = open(source).then((opened) => {
-    lab = opened;
+    ({ lab } = opened);
     build(target, holder, opened, askOf(source));
   });
   ready.catch((why: unknown) => {
@@ -57,8 +58,14 @@ export function mount(target: HTMLElement, source: Source): PageHandle {
   return handle;
 }
 
+/** A laboratory, and what the address says of how it is seen. */
+interface Opened {
+  lab: Lab;
+  choices: Record<string, string>;
+}
+
 /** The laboratory with its first motion: that of the address, or that of the model. */
-async function open(source: Source): Promise<Lab> {
+async function open(source: Source): Promise<Opened> {
   const { model } = source;
   const engine = engineOf(source);
   const asked = engine === null ? null : fromFragment(location.hash, model);
@@ -70,7 +77,7 @@ async function open(source: Source): Promise<Lab> {
   let first: Shown | string;
   if (asked === null && model.recorded !== null) {
     // what the page holds is seen at once
-    first = { experiment: wanted, motion: recordedMotion(model), state: Float64Array.from(model.start), surface: surfaceOf(model) };
+    first = { experiment: wanted, motion: recordedMotion(model), state: Float64Array.from(model.start), surfaces: surfacesOf(model) };
   } else first = await computed(model, engine, wanted);
   if (typeof first === "string") {
     note = first;
@@ -82,10 +89,10 @@ async function open(source: Source): Promise<Lab> {
   if (note !== "") lab.say(note, true);
   const t = Number(asked?.choices["t"]);
   if (Number.isFinite(t)) lab.clock.seek(t);
-  return lab;
+  return { lab, choices: asked?.choices ?? {} };
 }
 
-function build(target: HTMLElement, holder: HTMLElement, lab: Lab, ask: Ask | null): void {
+function build(target: HTMLElement, holder: HTMLElement, { lab, choices }: Opened, ask: Ask | null): void {
   const scene = scenePanel(lab);
   if (scene !== null) target.classList.add("lab-live");
   const full = (): void => {
@@ -103,18 +110,22 @@ function build(target: HTMLElement, holder: HTMLElement, lab: Lab, ask: Ask | nu
   if (section !== null) pictures.push({ name: "section", title: "Section", content: section.element, shown: () => section.shown() });
   const chart = chartPanel(lab, section === null ? null : () => section.setting());
   if (chart !== null) pictures.push({ name: "chart", title: "Chart", content: chart.element, shown: () => chart.shown() });
-  const bifurcation = bifurcationPanel(lab);
+  const bifurcation = bifurcationPanel(lab, ask);
   if (bifurcation !== null) pictures.push({ name: "bifurcation", title: "Bifurcation diagram", content: bifurcation.element, shown: () => bifurcation.shown() });
-  const values: Panel[] = [];
-  const experiment = experimentPanel(lab);
-  if (experiment !== null) values.push({ name: "experiment", title: "Start and parameters", content: experiment });
+  const values: Panel[] = [{ name: "experiment", title: "Start and parameters", content: experimentPanel(lab) }];
   const laws = lawsPanel(lab);
   if (laws !== null) values.push({ name: "laws", title: "Laws", content: laws });
-  const downloads = downloadsPanel({ lab, scene, plots, section, address: permalink(lab) });
+  let picture = "";
+  const address = permalink(lab, holder, () => ({ view: scene?.choice() ?? "", section: section?.choice() ?? "", show: picture }));
+  const downloads = downloadsPanel({ lab, scene, plots, section, address });
   if (ask !== null) values.push({ name: "python", title: "Python", content: pythonPanel(ask, lab) });
   values.push({ name: "downloads", title: "Save", content: downloads }, { name: "keys", title: "Keys", content: help() });
   const view = element("div", { class: "lab-view" }, scene?.element ?? null, transport(lab, full), scene?.switches ?? null, message);
-  holder.append(view, tabs("Values", values).element, tabs("Pictures", pictures).element);
+  const deck = tabs("Pictures", pictures, (name) => (picture = name === pictures[0]?.name ? "" : name));
+  holder.append(view, tabs("Values", values).element, deck.element);
+  if (choices["view"] !== undefined) scene?.restore(choices["view"]);
+  if (choices["section"] !== undefined) section?.restore(choices["section"]);
+  if (choices["show"] !== undefined) deck.select(choices["show"]);
   holder.addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
     event.preventDefault();

@@ -9,7 +9,7 @@ import sympy as sp
 
 from ..core.parameters import ROUNDING, conditions
 from ..core.system import System
-from ..core.vectors import Vector, to_components
+from ..core.vectors import to_components
 from ..errors import InputError
 from ..experiment.study import Study
 from ..experiment.subjects.subject import BodySubject
@@ -18,13 +18,13 @@ from ..flow.kernel.outcomes import STATUS_MESSAGES
 from ..flow.kernel.wasm import march_text, values_text, wasm_module
 from ..formulas.array_evaluation import read_formulas
 from ..formulas.graph import Term
-from ..mechanics.rolling.contact import contact
 from .columns import Column, Scalar, columns_of, scalars_of
 from .page_start import SPINS, start_tables
 from .reduced import page_system, reduced_system
 from .scene_model import Json
 from .section_terms import chosen_section, sectionable, terms_of
 from .start_terms import StartTerms, start_terms
+from .surface_terms import surface_terms
 
 #: Lanes of the loops: WebAssembly has vectors of two doubles.
 LANES = 2
@@ -123,7 +123,7 @@ def page_module(study: Study) -> PageModule:
     tables |= texts.values("whole", _whole_pieces(study, whole), len(whole.symbols))
     tables |= texts.values("reduced", _reduced_pieces(reduced, scalars), len(reduced.symbols))
     tables |= _start(texts, study, system)
-    tables |= _contact_vector(texts, study, reduced)
+    tables |= _surfaces(texts, study, reduced)
     return PageModule(wasm_module(texts.texts, texts.exports), tables)
 
 
@@ -210,13 +210,8 @@ def _start(texts: _Texts, study: Study, system: System) -> dict[str, Json]:
     return {**table, "excess": [SPINS] * len(terms.excess)}
 
 
-def _contact_vector(texts: _Texts, study: Study, reduced: System) -> dict[str, Json]:
-    """r(γ), where γ gives it by a formula."""
-    rolling, gamma = study.rolling, Vector("gamma")
-    if rolling is None or gamma not in reduced.state:
-        return {"contact": None, "gamma": 0}
-    reader, _ = read_formulas(reduced)
-    touch = contact(rolling.equivalent.body.shape, rolling.surface)
-    terms = [reader(part) for part in to_components(touch.r)]
-    table = texts.values("shape", {"contact": terms}, len(reduced.symbols))
-    return {**table, "gamma": reduced.symbols.index(gamma.symbols[0])}
+def _surfaces(texts: _Texts, study: Study, reduced: System) -> dict[str, Json]:
+    """The surfaces that are drawn, where formulas give them."""
+    pieces, place = surface_terms(study, reduced)
+    tables: dict[str, Json] = {"contact": None, "inertia": None, "ground": None, "gamma": place}
+    return tables | texts.values("shape", pieces, len(reduced.symbols)) if pieces else tables

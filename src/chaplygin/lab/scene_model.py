@@ -14,6 +14,7 @@ from ..core.vectors import real_symbol
 from ..experiment.study import Study
 from ..experiment.subjects.contact_subject import ContactSubject
 from ..experiment.subjects.subject import BallSubject
+from ..formulas.array_evaluation import values
 from ..geometry.mesh import DirectionGrid, direction_grid
 from ..geometry.surface import frame_of, ground_of_ball
 from ..mechanics.ball.ball import RollingBall
@@ -70,6 +71,8 @@ def scene_model(study: Study, columns: Sequence[Column], dataset: xr.Dataset | N
         support = {"kind": "point"}
     if grid is not None:
         size = float(np.max(np.ptp(grid.points.reshape(-1, 3), axis=0)))
+    elif subject.plan is not None:
+        size = _size_of_mechanism(study, columns)
     return {
         "body": None if grid is None else _body(grid),
         "inertia_axes": None if axes is None else [float(x) for x in axes],
@@ -84,6 +87,21 @@ def scene_model(study: Study, columns: Sequence[Column], dataset: xr.Dataset | N
         "vectors": list(_vectors(columns)) if grid is not None else [],
         "size": size,
     }
+
+
+def _size_of_mechanism(study: Study, columns: Sequence[Column]) -> float:
+    """The extent of a mechanism at the start; 1 where it is a point."""
+    formulas = [
+        formula
+        for column in columns
+        if column.name.startswith("plan_")
+        # of a heading nothing is long
+        for formula in column.formulas[: 2 if len(column.formulas) == 3 else None]
+    ]
+    whole = study.system.lifted() if study.system.reconstruction else study.system
+    start = np.array([[float(x) for x in study.start]])
+    places = values(whole, formulas, start).reshape(-1, 2)
+    return float(np.max(np.ptp(places, axis=0))) or 1.0
 
 
 def _body(grid: DirectionGrid) -> dict[str, Json]:
@@ -150,12 +168,12 @@ def _inertia(study: Study) -> tuple[FloatArray | None, FloatArray]:
             if any(moment is None for moment in moments):
                 return None, upright
             tensor = np.diag(np.array(moments, dtype=np.float64))
-    values, frame = np.linalg.eigh(tensor)
+    squares, frame = np.linalg.eigh(tensor)
     if np.count_nonzero(tensor - np.diag(np.diag(tensor))) == 0:
-        values, frame = np.diag(tensor), np.eye(3)
+        squares, frame = np.diag(tensor), np.eye(3)
     if np.linalg.det(frame) < 0.0:
         frame[:, 0] *= -1.0
-    axes = 1.0 / np.sqrt(values)
+    axes = 1.0 / np.sqrt(squares)
     return axes / axes.max(), _quaternion(frame)
 
 

@@ -1,5 +1,6 @@
 /** Bifurcation diagram: a click on the values of two integrals shows a motion on that torus. */
 
+import { experimentText } from "../downloads/downloads_panel";
 import type { Lab } from "../lab";
 import type { Bifurcation } from "../model";
 import { element } from "../page/dom";
@@ -8,6 +9,8 @@ import { extent, readable } from "../page/numbers";
 import { palette } from "../page/palette";
 import { unitText } from "../page/units";
 import { Sheet, type Place } from "../sheet/sheet";
+import type { Ask } from "../sources/source";
+import { frequencies, type Frequency } from "./frequencies";
 import type { Frame, Range } from "../sheet/frame";
 
 export interface BifurcationPanel {
@@ -16,10 +19,12 @@ export interface BifurcationPanel {
 }
 
 /** The panel; null where the model has no diagram. */
-export function bifurcationPanel(lab: Lab): BifurcationPanel | null {
+export function bifurcationPanel(lab: Lab, ask: Ask | null): BifurcationPanel | null {
   const { bifurcation } = lab.model;
-  return bifurcation === null ? null : new Panel(lab, bifurcation);
+  return bifurcation === null ? null : new Panel(lab, bifurcation, ask);
 }
+
+const USE = "Over each region the motions fill tori; on the curves lie the special motions. A click shows a motion with these values of the integrals; the ring is where the motion of the scene lies.";
 
 class Panel implements BifurcationPanel {
   readonly element: HTMLElement;
@@ -27,10 +32,17 @@ class Panel implements BifurcationPanel {
   /** The values of both integrals for the motion in the scene. */
   private point: Place | null = null;
   private visible = false;
+  /** The parameters of the curves, as text. */
+  private known = parametersOf({});
+  private stale = false;
+  private running: AbortController | null = null;
+  private readonly note = element("p", { class: "lab-hint" }, USE);
+  private readonly figures = element("div", { class: "lab-answers", role: "status", "aria-live": "polite" });
 
   constructor(
     private readonly lab: Lab,
-    private readonly diagram: Bifurcation,
+    private diagram: Bifurcation,
+    private readonly ask: Ask | null,
   ) {
     this.sheet = new Sheet({
       label: `Bifurcation diagram: ${diagram.x} across, ${diagram.y} up. Arrow keys move a cross, Enter shows a motion with these values.`,
@@ -40,15 +52,61 @@ class Panel implements BifurcationPanel {
       marks: (pen, frame) => this.marks(pen, frame),
       whole: () => this.whole(),
     });
-    this.element = element("div", {}, this.sheet.element, element("p", { class: "lab-hint" }, "Over each region the motions fill tori; on the curves lie the special motions. A click shows a motion with these values of the integrals; its ring is where the motion of the scene lies."));
-    const { x, y } = this.whole();
-    this.sheet.setAxes({ range: x, label: this.label(diagram.x) }, { range: y, label: this.label(diagram.y) });
-    lab.shown.after(() => void this.locate());
+    this.element = element("div", {}, this.sheet.element, this.note, this.figures);
+    this.axes();
+    lab.shown.after(() => void this.follow());
   }
 
   shown(): void {
     this.visible = true;
-    void this.locate();
+    void this.follow();
+  }
+
+  private axes(): void {
+    const { x, y } = this.whole();
+    this.sheet.setAxes({ range: x, label: this.label(this.diagram.x) }, { range: y, label: this.label(this.diagram.y) });
+  }
+
+  /** Mark the motion of the scene; with Python behind the page, its frequencies and the curves of its parameters. */
+  private async follow(): Promise<void> {
+    if (!this.visible) return;
+    await this.locate();
+    const { experiment } = this.lab.shown.value;
+    this.stale = parametersOf(experiment.parameters) !== this.known;
+    this.note.textContent = this.stale
+      ? "These curves belong to the parameters with which the page opened, not to those of the motion in the scene; chaplygin lab draws them anew."
+      : USE;
+    this.sheet.repaint();
+    const { ask, lab } = this;
+    if (ask === null) {
+      this.figures.replaceChildren(element("p", { class: "lab-hint" }, "The frequencies of the closed form are shown in the laboratory: chaplygin lab, or in a notebook."));
+      return;
+    }
+    this.running?.abort();
+    const control = new AbortController();
+    this.running = control;
+    this.figures.replaceChildren(element("p", { class: "lab-hint" }, "asking for the closed form …"));
+    const subject = { what: lab.model.name, experiment: experimentText(lab) };
+    try {
+      if (this.stale) await this.renew(ask, subject, parametersOf(experiment.parameters), control.signal);
+      const found = await frequencies(ask, subject.what, subject.experiment, control.signal);
+      if (control.signal.aborted) return;
+      this.figures.replaceChildren(typeof found === "string" ? element("p", { class: "lab-hint" }, found) : table(found.motion, found.list));
+    } catch (why) {
+      if (!control.signal.aborted) this.figures.replaceChildren(element("p", { class: "lab-hint lab-refused" }, why instanceof Error ? why.message : String(why)));
+    }
+  }
+
+  private async renew(ask: Ask, subject: object, parameters: string, signal: AbortSignal): Promise<void> {
+    await ask({ do: "bifurcation", subject }, (answer) => {
+      const diagram = answer["bifurcation"] as Bifurcation | null | undefined;
+      if (diagram === undefined || diagram === null || signal.aborted) return;
+      this.diagram = diagram;
+      this.known = parameters;
+      this.stale = false;
+      this.note.textContent = USE;
+      this.axes();
+    }, signal);
   }
 
   private label(name: string): string {
@@ -66,7 +124,7 @@ class Panel implements BifurcationPanel {
   private async locate(): Promise<void> {
     const { engine, model } = this.lab;
     const { state, experiment } = this.lab.shown.value;
-    if (!this.visible || engine === null || state === null) return;
+    if (engine === null || state === null) return;
     const values = await engine.quantities(experiment.parameters, state.slice(0, model.reduced), model.reduced);
     const of = (name: string): number => values[model.quantities.findIndex((each) => each.name === name)] ?? NaN;
     this.point = { x: of(this.diagram.x), y: of(this.diagram.y) };
@@ -82,6 +140,7 @@ class Panel implements BifurcationPanel {
     this.diagram.curves.forEach(({ x, y }, k) => {
       pen.strokeStyle = colours.series[k % colours.series.length] ?? colours.ink;
       pen.lineWidth = 1.8;
+      pen.globalAlpha = this.stale ? 0.35 : 1;
       pen.setLineDash([[], [7, 3], [2, 3]][k % 3] ?? []);
       pen.beginPath();
       x.forEach((value, n) => {
@@ -134,4 +193,14 @@ class Panel implements BifurcationPanel {
     await this.lab.change({ ...this.lab.wanted.value, start: { state: Array.from(found.state) } });
     this.lab.clock.seek(0);
   }
+}
+
+function parametersOf(parameters: Readonly<Record<string, number>>): string {
+  return JSON.stringify(Object.entries(parameters).sort(([a], [b]) => (a < b ? -1 : 1)));
+}
+
+function table(motion: string, list: readonly Frequency[]): HTMLElement {
+  const rows = list.map(({ symbol, value, unit, meaning }) =>
+    element("tr", {}, element("th", { scope: "row" }, symbol), element("td", { class: "lab-number" }, `${value} ${unit}`.trim()), element("td", {}, meaning)));
+  return element("div", {}, element("p", {}, `Closed form: ${motion}`), element("table", { class: "lab-table" }, ...rows));
 }

@@ -8,10 +8,12 @@ import { formula } from "../page/mathml";
 import { startInputs } from "./start_inputs";
 import { rangeAround, slider, type Slider } from "./slider";
 
-/** The panel; null where nothing can be changed. */
-export function experimentPanel(lab: Lab): HTMLElement | null {
+/** The panel; where nothing can be changed, one sentence that says why. */
+export function experimentPanel(lab: Lab): HTMLElement {
   const { model } = lab;
-  if (lab.engine === null) return null;
+  if (lab.engine === null) {
+    return element("p", { class: "lab-hint" }, "This page plays the motion that was computed for it: under friction the equations change at events, so there are no sliders here. To change start or parameters, edit the experiment file (among what can be saved) and run it.");
+  }
   const usual = usualValues(model);
   const starts = model.start_inputs.map((input) => {
     const made = slider({ ...input, symbol: symbolOf(input) }, () => lab.mark(), (value) => {
@@ -24,8 +26,7 @@ export function experimentPanel(lab: Lab): HTMLElement | null {
   const parameters = model.parameters.map((each) => {
     const [low, high] = rangeAround(each.value, each.low, each.high);
     const made = slider({ ...each, symbol: symbolOf(each), low, high }, () => lab.mark(), (value) => {
-      const now = lab.wanted.value;
-      void lab.change({ ...now, parameters: changed(now.parameters, each.name, value, each.value) }, false);
+      void lab.changeParameters(changed(lab.wanted.value.parameters, each.name, value, each.value));
     });
     return [each.name, made] as const;
   });

@@ -110,11 +110,10 @@ function addOfScene({ lab }: Downloadable, scene: ScenePanel, name: string, add:
     save(`${name}.mp4`, answer);
     lab.say(`The film lasts ${duration.toFixed(1)} s.`);
   });
-  const { surface } = lab.shown.value;
-  if (surface !== null) {
+  if (lab.shown.value.surfaces.body !== null) {
     add("Body in motion", "for other 3D programs (glTF, GLB)", () => {
-      const { surface: mesh, motion } = lab.shown.value;
-      if (mesh !== null) save(`${name}.glb`, new Blob([glb(lab.model.title, mesh, motion) as Uint8Array<ArrayBuffer>], { type: "model/gltf-binary" }));
+      const { surfaces: { body }, motion } = lab.shown.value;
+      if (body !== null) save(`${name}.glb`, new Blob([glb(lab.model.title, body, motion) as Uint8Array<ArrayBuffer>], { type: "model/gltf-binary" }));
     });
   }
 }

@@ -1,6 +1,6 @@
 /** The engine of a page: what computes motions, whether in the page or elsewhere. */
 
-import type { Mesh } from "./body_mesh.js";
+import type { Surfaces } from "./surfaces.js";
 
 /** Values by name; parameters that are left out keep their defaults. */
 export type Values = Readonly<Record<string, number>>;
@@ -91,5 +91,6 @@ export interface Engine {
   indicators(task: IndicatorsTask): Promise<Float64Array>;
   startFrom(task: StartTask): Promise<State>;
   startOnLevel(task: LevelTask): Promise<State>;
-  bodyMesh(parameters: Values): Promise<Mesh | null>;
+  /** What is drawn of the body and of what carries it, for these parameters. */
+  surfaces(parameters: Values): Promise<Surfaces>;
 }

@@ -1,7 +1,6 @@
 /** The engine that computes in the page, by the module of its model. */
 
 import type { PageModel } from "../model.js";
-import { directions, meshOfGrid, type Mesh } from "./body_mesh.js";
 import type {
   Engine,
   IndicatorTask,
@@ -18,8 +17,11 @@ import type {
 import { indicators } from "./indicator.js";
 import { Module, type Marched } from "./module.js";
 import { startFrom, startOnLevel } from "./start.js";
+import { DrawnSurfaces, type Surfaces } from "./surfaces.js";
 
 export class WasmEngine implements Engine {
+  private drawn: DrawnSurfaces | null = null;
+
   private constructor(
     private readonly model: PageModel,
     private readonly module: Module,
@@ -102,23 +104,9 @@ export class WasmEngine implements Engine {
     return startOnLevel(this.module, task);
   }
 
-  async bodyMesh(parameters: Values): Promise<Mesh | null> {
-    const { body } = this.model.scene;
-    const { contact, gamma: place } = this.module.tables;
-    if (body === null || contact === null) return null;
-    const gamma = directions(body.theta, body.phi);
-    const count = gamma.length / 3;
-    const rows = new Float64Array(count * contact.inputs);
-    for (let i = 0; i < count; i++) {
-      for (let k = 0; k < 3; k++) rows[i * contact.inputs + place + k] = gamma[3 * i + k]!;
-    }
-    const points = this.module.values(contact, rows, this.module.parameters(parameters));
-    const side = body.hollow ? 1 : -1;
-    for (let i = 0; i < count; i++) {
-      const up = side * gamma[3 * i + 2]!;
-      if (Math.abs(up) > 1e-9) points[3 * i + 2]! += body.thickness * Math.sign(up);
-    }
-    return meshOfGrid(body, points);
+  async surfaces(parameters: Values): Promise<Surfaces> {
+    this.drawn ??= new DrawnSurfaces(this.module);
+    return this.drawn.at(parameters);
   }
 
   private end({ outcome, ended }: Marched): Motion["end"] {

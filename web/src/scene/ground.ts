@@ -16,6 +16,7 @@ import {
   Vector3,
   type Side,
 } from "three";
+import type { Triangles } from "../engine/surfaces";
 import type { Palette } from "../page/palette";
 import type { Vector } from "../playback/motion";
 
@@ -99,12 +100,6 @@ export function meshGround(mesh: Triangles, spacing: number, colours: Palette): 
   geometry.setAttribute("normal", new BufferAttribute(mesh.normals, 3));
   geometry.setIndex(new BufferAttribute(mesh.indices, 1));
   return surfaceGround(geometry, false, lineShader.planes(spacing), colours);
-}
-
-export interface Triangles {
-  positions: Float32Array;
-  normals: Float32Array;
-  indices: Uint32Array;
 }
 
 /** The strength of lines on a surface from 0 to 1, in GLSL, at the place `vOwn` with normal `vTurn`. */

@@ -3,7 +3,7 @@
 import type { Motion } from "../playback/motion";
 import type { Surface } from "./body";
 
-export function sameSurface(a: Surface, b: Surface | null): boolean {
+export function sameSurface(a: Pick<Surface, "positions">, b: Pick<Surface, "positions"> | null): boolean {
   return b !== null && a.positions.length === b.positions.length && a.positions.every((place, k) => place === b.positions[k]);
 }
 

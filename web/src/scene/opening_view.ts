@@ -64,7 +64,7 @@ function* rim(radius: number, inside: boolean, opening: number): Generator<numbe
 
 /** Whether a motion leads so far from its start that the reader must follow the body. */
 export function leadsFar(scene: Scene, motion: Motion): boolean {
-  if (scene.support?.kind !== "plane") return false;
+  if (scene.support?.kind !== "plane" && scene.path === null) return false;
   const path = pathOf(scene, motion);
   if (path.length === 0) return false;
   const { low, high } = box(path);

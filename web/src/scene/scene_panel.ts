@@ -20,6 +20,9 @@ export interface ScenePanel {
   switches: HTMLElement;
   /** Draw at the next frame. */
   refresh(): void;
+  /** The view of the reader as text for an address; nothing where it is the usual one. */
+  choice(): string;
+  restore(choice: string): void;
 }
 
 /** The scene of a laboratory; null where the browser cannot draw it or the system has none. */
@@ -54,7 +57,7 @@ export function scenePanel(lab: Lab): ScenePanel | null {
   };
   let stage: Stage;
   try {
-    stage = new Stage(canvas, scene, first.surface, first.motion, shown);
+    stage = new Stage(canvas, scene, first.surfaces, first.motion, shown);
   } catch {
     return null;
   }
@@ -111,8 +114,8 @@ export function scenePanel(lab: Lab): ScenePanel | null {
     stage.draw(lab.clock.time.value);
   }).observe(area);
   lab.clock.time.after(refresh);
-  lab.shown.after(({ motion, surface }) => {
-    stage.setMotion(motion, surface);
+  lab.shown.after(({ motion, surfaces }) => {
+    stage.setMotion(motion, surfaces);
     relabel();
     refresh();
   });
@@ -123,7 +126,12 @@ export function scenePanel(lab: Lab): ScenePanel | null {
   });
   relabel();
   refresh();
-  return { element: area, stage, switches, refresh };
+  const restore = (choice: string): void => {
+    const moved = stage.restoreView(choice);
+    if (moved !== null && moved === shown.follow) switches.querySelector<HTMLButtonElement>('[data-key="f"]')?.click();
+    refresh();
+  };
+  return { element: area, stage, switches, refresh, choice: () => stage.viewChoice, restore };
 }
 
 /** Whether there is anything to draw: a body that turns, a mechanism, a way. */

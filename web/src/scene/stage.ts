@@ -13,22 +13,23 @@ import {
   Vector3,
   WebGLRenderer,
 } from "three";
-import { floats, integers } from "../encoding";
+import type { Surfaces } from "../engine/surfaces";
 import type { Scene } from "../model";
 import { roundNumber } from "../page/numbers";
 import { palette, type Palette } from "../page/palette";
-import { smoothCurve, type TimedCurve } from "../playback/curve";
-import { finiteSamples, pose, row, turned, turnedBack, type Motion, type Pose, type Vector } from "../playback/motion";
+import { pose, row, turned, type Motion, type Pose, type Vector } from "../playback/motion";
 import { Arrow } from "./arrows";
 import { BodyModel, type Surface } from "./body";
+import { box } from "./box";
 import { capOpening } from "./cap";
 import { meshGround, planeGround, sphereGround, type Ground } from "./ground";
 import { largestLength, meshSpacing, sameSurface } from "./measures";
 import { Linkage } from "./linkage";
-import { openingView, planPoints, reachOf } from "./opening_view";
+import { contactCurve, planCurve, traceOnBody } from "./curves";
+import { openingView, reachOf } from "./opening_view";
 import { Ribbon } from "./ribbon";
 import { ellipsoid } from "./ellipsoid";
-import { eye, FIELD, zoomed, type View } from "./view";
+import { eye, FIELD, viewOf, viewText, zoomed, type View } from "./view";
 
 /** What the reader has chosen to see. */
 export interface Shown {
@@ -42,8 +43,6 @@ export interface Shown {
 
 const TRACE_ON_BODY = 6.3;
 const VECTOR_LENGTH = 0.9;
-/** Points with which a curve is drawn, where it has fewer samples. */
-const CURVE_POINTS = 1200;
 
 /** Draws motions of one model. Lengths of the model are divided by its size. */
 export class Stage {
@@ -62,8 +61,11 @@ export class Stage {
   private path: Ribbon | null = null;
   private trace: Ribbon | null = null;
   private arrows = new Map<string, { arrow: Arrow; scale: number }>();
-  private inertia: Mesh | null = null;
+  private inertia: BodyModel | null = null;
   private centreMark: Mesh | null = null;
+  /** The view with which the scene has opened, or was reset to. */
+  private usual: View;
+  private given = false;
   private reach = 4;
   private width = 1;
   private height = 1;
@@ -71,7 +73,7 @@ export class Stage {
   constructor(
     readonly canvas: HTMLCanvasElement,
     private readonly scene: Scene,
-    private surface: Surface | null,
+    private surfaces: Surfaces,
     private motion: Motion,
     public shown: Shown,
   ) {
@@ -83,7 +85,7 @@ export class Stage {
     this.metres.scale.setScalar(1 / this.size);
     this.world.add(this.metres, this.lamp, this.lamp.target);
     this.metres.add(this.bodyFrame);
-    this.view = openingView(scene, motion, this.size);
+    this.view = this.usual = openingView(scene, motion, this.size);
     this.lamp.castShadow = true;
     this.lamp.shadow.mapSize.set(1024, 1024);
     this.lamp.shadow.radius = 5;
@@ -95,21 +97,24 @@ export class Stage {
   }
 
   /** Show another motion of the same model, perhaps of another body. */
-  setMotion(motion: Motion, surface: Surface | null): void {
+  setMotion(motion: Motion, surfaces: Surfaces): void {
     this.motion = motion;
-    const known = this.surface;
-    this.surface = surface;
+    const known = this.surfaces;
+    this.surfaces = surfaces;
     if (this.path === null || (this.trace === null) !== !this.leavesTrace || motion.columns["attitude"] === undefined) return this.build();
     // what a graphics program has been made for stays: making one anew takes longer than the motion
-    if (surface !== null && !sameSurface(surface, known)) this.body?.reshape(surface);
-    const contact = this.curveOf("contact");
-    this.reach = reachOf(this.scene.path !== null ? this.planPath().points : contact.points, this.size);
-    if (this.scene.support?.kind === "sphere") {
+    if (surfaces.body !== null && !sameSurface(surfaces.body, known.body)) this.body?.reshape(surfaces.body);
+    const { inertia } = surfaces;
+    if (inertia !== null && !sameSurface(inertia, known.inertia)) this.inertia?.reshape(this.insideBody(inertia));
+    const contact = contactCurve(this.motion);
+    this.reach = reachOf(this.scene.path !== null ? planCurve(this.scene, this.motion).points : contact.points, this.size);
+    const { ground } = surfaces;
+    if (this.scene.support?.kind === "sphere" || (ground !== null && !sameSurface(ground, known.ground))) {
       if (this.ground !== null) this.metres.remove(this.ground.group);
       this.buildGround(contact.points);
     }
-    this.path.reshape(this.scene.path !== null ? this.planPath() : contact);
-    this.trace?.reshape(this.traceOnBody());
+    this.path.reshape(this.scene.path !== null ? planCurve(this.scene, this.motion) : contact);
+    this.trace?.reshape(traceOnBody(this.motion));
     for (const { name, column } of this.scene.vectors) {
       const drawn = this.arrows.get(name);
       if (drawn !== undefined) drawn.scale = largestLength(motion, column) || drawn.scale;
@@ -134,7 +139,24 @@ export class Stage {
 
   /** The view from which the whole motion is seen best. */
   reset(): void {
-    this.view = openingView(this.scene, this.motion, this.size, this.width / this.height);
+    this.view = this.usual = openingView(this.scene, this.motion, this.size, this.width / this.height);
+  }
+
+  /** The view of the reader as text for an address; nothing where it is the usual one. */
+  get viewChoice(): string {
+    const { view, usual } = this;
+    const places = this.shown.follow ? [] : view.target.map((place, k) => place - (usual.target[k] ?? 0));
+    const changes = [view.azimuth - usual.azimuth, view.elevation - usual.elevation, view.distance - usual.distance, ...places];
+    return changes.every((change) => Math.abs(change) < 1e-6) ? "" : viewText(view, !this.shown.follow);
+  }
+
+  /** See it as a text says; the answer says whether the reader has moved the target. */
+  restoreView(choice: string): boolean | null {
+    const found = viewOf(choice, this.view.target);
+    if (found === null) return null;
+    this.view = found.view;
+    this.given = true;
+    return found.moved;
   }
 
   zoom(factor: number): void {
@@ -157,7 +179,7 @@ export class Stage {
     this.camera.updateProjectionMatrix();
     this.path?.resize(width, height);
     this.trace?.resize(width, height);
-    if (first) this.reset();
+    if (first && !this.given) this.reset();
   }
 
   /** Draw the instant `t`. */
@@ -237,6 +259,7 @@ export class Stage {
 
   private clear(): void {
     this.body?.dispose();
+    this.inertia?.dispose();
     this.path?.dispose();
     this.trace?.dispose();
     for (const { arrow } of this.arrows.values()) arrow.dispose();
@@ -255,16 +278,16 @@ export class Stage {
     const { scene, colours, motion } = this;
     this.world.add(new HemisphereLight(0xffffff, colours.dark ? 0x7d8894 : 0xb9c2cb, 1.5));
     this.buildBody();
-    const contact = this.curveOf("contact");
+    const contact = contactCurve(this.motion);
     this.buildGround(contact.points);
     if (scene.links.length > 0) {
       this.linkage = new Linkage(scene.links, 0.2 * this.size, colours);
       this.metres.add(this.linkage.group);
     }
-    this.path = new Ribbon(scene.path !== null ? this.planPath() : contact, { width: 3, before: 1, after: 0.16, tail: Infinity }, colours.time);
+    this.path = new Ribbon(scene.path !== null ? planCurve(this.scene, this.motion) : contact, { width: 3, before: 1, after: 0.16, tail: Infinity }, colours.time);
     this.metres.add(this.path.mesh);
     if (this.leavesTrace) {
-      this.trace = new Ribbon(this.traceOnBody(), { width: 2.2, before: 1, after: 0, tail: TRACE_ON_BODY * this.size }, colours.time);
+      this.trace = new Ribbon(traceOnBody(this.motion), { width: 2.2, before: 1, after: 0, tail: TRACE_ON_BODY * this.size }, colours.time);
       this.bodyFrame.add(this.trace.mesh);
     }
     for (const [index, vector] of scene.vectors.entries()) {
@@ -281,7 +304,7 @@ export class Stage {
   private buildBody(): void {
     const { scene, colours } = this;
     const axes = scene.inertia_axes;
-    const shaped = this.surface;
+    const { body: shaped, inertia } = this.surfaces;
     const moves = this.motion.columns["attitude"] !== undefined;
     if (!moves) return;
     const unit = axes ? (0.5 * this.size) / Math.max(...axes) : 0;
@@ -293,11 +316,9 @@ export class Stage {
     }
     if (semi && shaped !== null) {
       // as large as fits into the body along its longest axis
-      const small = semi.map((axis) => 0.8 * axis) as Vector;
-      const inner = new BodyModel(ellipsoid(small, scene.inertia_turn), { ...colours, body: ["#efd9a4", "#c77d4f"] });
-      this.inertia = new Mesh();
-      this.inertia.add(inner.group);
-      this.bodyFrame.add(this.inertia);
+      const inner = this.insideBody(inertia ?? ellipsoid(semi, scene.inertia_turn));
+      this.inertia = new BodyModel(inner, { ...colours, body: ["#efd9a4", "#c77d4f"] });
+      this.bodyFrame.add(this.inertia.group);
     }
     this.centreMark = new Mesh(
       new SphereGeometry(0.028 * this.size, 24, 16),
@@ -307,9 +328,16 @@ export class Stage {
     this.bodyFrame.add(this.centreMark);
   }
 
+  /** A surface about the centre of mass, made so large that it fits into the body along its longest axis. */
+  private insideBody(surface: Surface): Surface {
+    const longest = Math.max(...box(surface.positions).high);
+    const scale = (0.4 * this.size) / longest;
+    return { ...surface, positions: surface.positions.map((place) => scale * place) };
+  }
+
   private buildGround(path: Float64Array): void {
     const { scene, colours, size } = this;
-    this.reach = reachOf(scene.path !== null ? this.planPath().points : path, size);
+    this.reach = reachOf(scene.path !== null ? planCurve(this.scene, this.motion).points : path, size);
     const support = scene.support ?? (scene.path === null ? null : { kind: "plane" as const });
     if (support === null || support.kind === "point") return;
     if (support.kind === "plane") this.ground = planeGround(roundNumber(Math.max(0.5, this.reach / 16) * size), colours);
@@ -317,40 +345,15 @@ export class Stage {
       // the radius may be one of the parameters: the contact tells it
       const radius = Math.hypot(path[0] ?? NaN, path[1] ?? NaN, path[2] ?? NaN) || Math.abs(support.radius);
       const room = support.inside ? 0.3 : Math.max(0.12, (0.75 * size) / radius);
-      const around = this.surface?.hollow === true;
+      const around = this.surfaces.body?.hollow === true;
       const opening = around ? Math.PI : capOpening(path, support.inside ? -1 : 1, room, support.inside ? 1.75 : 1.2);
       this.ground = sphereGround(radius, support.inside, opening, colours);
     } else {
-      const positions = floats(support.positions);
-      const mesh = { positions, normals: floats(support.normals), indices: integers(support.indices) };
-      this.ground = meshGround(mesh, meshSpacing(positions), colours);
+      const mesh = this.surfaces.ground;
+      if (mesh === null) return;
+      this.ground = meshGround(mesh, meshSpacing(mesh.positions), colours);
     }
     this.metres.add(this.ground.group);
-  }
-
-  private curveOf(column: string): TimedCurve {
-    const name = this.motion.columns[column] ? column : "centre";
-    const count = finiteSamples(this.motion, name, 3);
-    const parts = Math.max(1, Math.min(6, Math.ceil(CURVE_POINTS / Math.max(1, count))));
-    return smoothCurve(this.motion.times, this.motion.columns[name] ?? new Float64Array(0), count, parts);
-  }
-
-  private planPath(): TimedCurve {
-    const points = planPoints(this.scene, this.motion);
-    return smoothCurve(this.motion.times, points, points.length / 3, 4);
-  }
-
-  private traceOnBody(): TimedCurve {
-    const { motion } = this;
-    const count = Math.min(finiteSamples(motion, "contact", 3), finiteSamples(motion, "attitude", 4));
-    const points = new Float64Array(3 * count);
-    for (let k = 0; k < count; k++) {
-      const t = motion.times[k] ?? 0;
-      const { attitude, centre, contact } = pose(motion, t);
-      const arm = contact.map((place, i) => place - (centre[i] ?? 0)) as Vector;
-      points.set(turnedBack(attitude, arm), 3 * k);
-    }
-    return smoothCurve(motion.times, points, count, Math.max(1, Math.min(6, Math.ceil(CURVE_POINTS / Math.max(1, count)))));
   }
 
   private place(now: Pose): void {
@@ -359,7 +362,7 @@ export class Stage {
     this.bodyFrame.position.set(...now.centre);
     this.bodyFrame.quaternion.set(x, y, z, w);
     if (this.body !== null) this.body.glass = (shown.inertia && this.inertia !== null) || shown.centre;
-    if (this.inertia !== null) this.inertia.visible = shown.inertia;
+    if (this.inertia !== null) this.inertia.group.visible = shown.inertia;
     if (this.centreMark !== null) this.centreMark.visible = shown.centre;
     this.linkage?.at(this.motion, now.t);
     for (const [ribbon, on] of [[this.path, shown.trace], [this.trace, shown.traceOnBody]] as const) {

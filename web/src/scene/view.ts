@@ -10,6 +10,20 @@ export interface View {
   target: Vector;
 }
 
+/** A view as text for an address, with its target where the reader has moved it. */
+export function viewText({ azimuth, elevation, distance, target }: View, moved: boolean): string {
+  return [azimuth, elevation, distance, ...(moved ? target : [])].map((value) => Number(value.toPrecision(5))).join(" ");
+}
+
+/** The view of a text; null where it is none. */
+export function viewOf(text: string, target: Vector): { view: View; moved: boolean } | null {
+  const numbers = text.split(/[ +]/).map(Number);
+  const moved = numbers.length === 6;
+  if (!(moved || numbers.length === 3) || !numbers.every(Number.isFinite) || !((numbers[2] ?? 0) > 0)) return null;
+  const [azimuth = 0, elevation = 0, distance = 1, ...place] = numbers;
+  return { view: { azimuth, elevation, distance, target: moved ? (place as Vector) : target }, moved };
+}
+
 const HIGHEST = Math.PI / 2 - 0.02;
 
 /** Angle between the top and the bottom of the picture. */

@@ -16,6 +16,41 @@ export function paintPoints(pen: CanvasRenderingContext2D, frame: Frame, orbit: 
   }
 }
 
+/** Rings where orbits that are played begin; of the orbit under the pointer, all points. */
+export function paintMarks(pen: CanvasRenderingContext2D, frame: Frame, played: readonly Orbit[], hovered: Orbit | null, ink: string): void {
+  const ring = (orbit: Orbit): void => {
+    if (orbit.x.length === 0) return;
+    pen.beginPath();
+    pen.arc(frame.right(orbit.x[0] ?? NaN), frame.down(orbit.y[0] ?? NaN), 5, 0, 2 * Math.PI);
+    pen.stroke();
+  };
+  pen.strokeStyle = pen.fillStyle = ink;
+  pen.lineWidth = 1.6;
+  played.forEach(ring);
+  if (hovered === null) return;
+  for (let k = 0; k < hovered.x.length; k++) {
+    const [right, down] = [frame.right(hovered.x[k] ?? NaN), frame.down(hovered.y[k] ?? NaN)];
+    if (frame.contains(right, down)) pen.fillRect(right - 1, down - 1, 2, 2);
+  }
+  ring(hovered);
+}
+
+/** The plane with another axis in place of one that is constant along an orbit; itself where none is. */
+export function spreadPlane(model: PageModel, plane: SectionSetting, orbit: Orbit): SectionSetting {
+  const names = model.state.slice(0, model.reduced).map(({ name }) => name);
+  for (const axis of ["x", "y"] as const) {
+    const values = orbit[axis];
+    if (values.length < 3 || varies(values, model.quantities[quantityIndex(model, plane[axis])]?.angle === true)) continue;
+    const other = plane[axis === "x" ? "y" : "x"];
+    const next = names.find((name, k) => {
+      if ([plane.on, other].includes(name) || quantityIndex(model, name) < 0) return false;
+      return varies(Float64Array.from({ length: orbit.rows.length / model.reduced }, (_, n) => orbit.rows[n * model.reduced + k] ?? NaN), false);
+    });
+    if (next !== undefined) return { ...plane, [axis]: next };
+  }
+  return plane;
+}
+
 /** Whether values differ by more than rounding; angles half a turn apart are the same line of a body. */
 export function varies(values: Float64Array, angle: boolean): boolean {
   const [low, high] = extent(angle ? values.map((value) => Math.abs(Math.tan(value / 2))) : values, 0);

@@ -3,14 +3,15 @@
 import type { State } from "../engine/engine";
 import type { Lab } from "../lab";
 import type { Quantity } from "../model";
-import { choice, element, toggle } from "../page/dom";
+import { element } from "../page/dom";
 import { megnoColour, megnoWords } from "../page/indicator";
 import { plain } from "../page/mathml";
 import { extent, readable } from "../page/numbers";
 import { indicatorScale, palette } from "../page/palette";
 import { SpareEngine } from "../sources/workers";
 import { unitText } from "../page/units";
-import { along, letters, paintPoints, passingPlane, same, sentence, varies } from "./points";
+import { along, letters, paintMarks, paintPoints, passingPlane, same, sentence, spreadPlane } from "./points";
+import { sectionTools, settingOf, settingText, type SectionTools } from "./tools";
 import { Sheet, type Place } from "../sheet/sheet";
 import type { Frame, Range } from "../sheet/frame";
 import { crossings, longer, nearest, nearestState, quantityIndex, sectionPieces, type Orbit, type SectionSetting } from "./orbits";
@@ -24,6 +25,9 @@ export interface SectionPanel {
   shown(): void;
   orbits(): readonly Orbit[];
   setting(): SectionSetting;
+  /** The plane, where the reader has chosen it, as text for an address; else nothing. */
+  choice(): string;
+  restore(choice: string): void;
 }
 
 /** The panel; null where there is nothing to compute sections with. */
@@ -45,10 +49,12 @@ class Panel implements SectionPanel {
   /** Time in which a motion has so many points, with much to spare. */
   private longest = Infinity;
   private placed = false;
+  /** Whether the reader has chosen the plane. */
+  private own = false;
   private current = "";
   private hovered: Orbit | null = null;
   private visible = false;
-  private readonly value = element("input", { type: "text", inputmode: "decimal", class: "lab-field", "aria-label": "Value on the section" });
+  private readonly tools: SectionTools;
   private readonly entries = element("div", { class: "lab-orbits", role: "group", "aria-label": "Orbits" });
   private readonly key = element("div", { class: "lab-key", hidden: true });
 
@@ -67,7 +73,16 @@ class Panel implements SectionPanel {
       whole: () => this.whole(),
       keys: { Backspace: () => this.remove(this.list.at(-1)), Delete: () => this.remove(this.list.at(-1)) },
     });
-    this.element = element("div", {}, this.tools(), this.sheet.element, this.key, this.entries);
+    this.tools = sectionTools(lab, chosen, this.points, {
+      change: (part) => this.choose({ ...this.chosen, ...part }),
+      points: (count) => (this.points = count),
+      indicator: (isOn) => this.colourBy(isOn),
+      box: (isOn) => (this.sheet.boxing = isOn),
+      zoom: (factor) => this.sheet.zoom(factor),
+      all: () => this.sheet.showAll(),
+      clear: () => this.clear(),
+    });
+    this.element = element("div", {}, this.tools.element, this.sheet.element, this.key, this.entries);
     lab.shown.after(() => this.follow());
     this.axes({ x: [-1, 1], y: [-1, 1] });
   }
@@ -85,50 +100,22 @@ class Panel implements SectionPanel {
     return this.chosen;
   }
 
-  private tools(): HTMLElement {
-    const { model } = this.lab;
-    const all = model.quantities.map((quantity) => ({ value: quantity.name, text: letters(quantity) }));
-    const names = model.wasm_tables?.section_quantities ?? model.quantities.map(({ name }) => name);
-    const on = all.filter(({ value }) => names.includes(value));
-    const { chosen } = this;
-    const change = (part: Partial<SectionSetting>): void => {
-      this.chosen = { ...this.chosen, ...part };
-      this.clear();
-    };
-    const { value } = this;
-    value.value = String(chosen.value);
-    value.addEventListener("change", () => {
-      const number = Number(value.value.replace("\u2212", "-"));
-      if (Number.isFinite(number)) change({ value: number });
-      else this.lab.say("The value on the section must be a number.", true);
-    });
-    const directions = [
-      { value: "1", text: "rising" },
-      { value: "-1", text: "falling" },
-      { value: "0", text: "both" },
-    ];
-    const counts = [200, 1000, 5000, 20_000].map((count) => ({ value: String(count), text: String(count) }));
-    const button = (words: string, label: string, act: () => void): HTMLButtonElement => {
-      const made = element("button", { type: "button", title: label }, words);
-      made.addEventListener("click", act);
-      return made;
-    };
-    return element(
-      "div",
-      { class: "lab-tools", role: "toolbar", "aria-label": "Section" },
-      choice("on", on, chosen.on, (name) => change({ on: name })),
-      element("label", { class: "lab-choice" }, "=", value),
-      choice("direction", directions, String(chosen.direction), (way) => change({ direction: Number(way) as -1 | 0 | 1 })),
-      choice("across", all, chosen.x, (name) => change({ x: name })),
-      choice("up", all, chosen.y, (name) => change({ y: name })),
-      choice("points", counts, String(this.points), (count) => (this.points = Number(count))),
-      toggle("indicator", "Colour orbits by MEGNO, an indicator of chaos", false, (isOn) => this.colourBy(isOn)),
-      toggle("box", "Drag a box to enlarge it (or Shift and drag)", false, (isOn) => (this.sheet.boxing = isOn)),
-      button("+", "Nearer (+)", () => this.sheet.zoom(1 / 1.5)),
-      button("−", "Farther (−)", () => this.sheet.zoom(1.5)),
-      button("all", "Show all points (0)", () => this.sheet.showAll()),
-      button("clear", "Remove all orbits but that of the scene", () => this.clear()),
-    );
+  choice(): string {
+    return this.own ? settingText(this.chosen) : "";
+  }
+
+  restore(text: string): void {
+    const setting = settingOf(text, this.lab.model);
+    if (setting === null) return;
+    this.placed = true;
+    this.tools.write(setting);
+    this.choose(setting);
+  }
+
+  private choose(setting: SectionSetting): void {
+    this.own = true;
+    this.chosen = setting;
+    this.clear();
   }
 
   private quantity(name: string): Quantity | undefined {
@@ -191,7 +178,7 @@ class Panel implements SectionPanel {
     if (opening) {
       this.chosen = passingPlane(model, this.chosen, column, passes);
       this.axes({ x: [-1, 1], y: [-1, 1] });
-      this.writeSetting();
+      this.tools.write(this.chosen);
     }
     const span = motion.times.at(-1) ?? 1;
     const count = passes(this.chosen.on, this.chosen.value);
@@ -200,34 +187,13 @@ class Panel implements SectionPanel {
     if (orbit !== null && opening) this.spread(orbit);
   }
 
-  /** Show what is chosen in the lists. */
-  private writeSetting(): void {
-    const { on, value, x, y } = this.chosen;
-    this.value.value = String(value);
-    for (const [label, name] of [["on", on], ["across", x], ["up", y]] as const) {
-      const list = this.element.querySelector<HTMLSelectElement>(`select[aria-label="${label}"]`);
-      if (list) list.value = name;
-    }
-  }
-
   /** Choose other quantities than those that a section holds constant, such as the longitude at γ₁ = 0. */
   private spread(orbit: Orbit): void {
-    const { model } = this.lab;
-    for (const axis of ["x", "y"] as const) {
-      const values = orbit[axis];
-      if (values.length < 3 || varies(values, this.quantity(this.chosen[axis])?.angle === true)) continue;
-      const other = this.chosen[axis === "x" ? "y" : "x"];
-      const names = model.state.slice(0, model.reduced).map(({ name }) => name);
-      const next = names.findIndex((name, k) => {
-        if ([this.chosen.on, other].includes(name) || quantityIndex(model, name) < 0) return false;
-        return varies(Float64Array.from({ length: orbit.rows.length / model.reduced }, (_, n) => orbit.rows[n * model.reduced + k] ?? NaN), false);
-      });
-      if (next < 0) continue;
-      this.chosen = { ...this.chosen, [axis]: names[next] ?? this.chosen[axis] };
-      this.writeSetting();
-      this.clear();
-      return;
-    }
+    const plane = spreadPlane(this.lab.model, this.chosen, orbit);
+    if (plane === this.chosen) return;
+    this.chosen = plane;
+    this.tools.write(plane);
+    this.clear();
   }
 
   /** What is still being computed is of no use any more. */
@@ -381,24 +347,9 @@ class Panel implements SectionPanel {
   }
 
   private marks(pen: CanvasRenderingContext2D, frame: Frame): void {
-    const ring = (orbit: Orbit, radius: number): void => {
-      if (orbit.x.length === 0) return;
-      pen.beginPath();
-      pen.arc(frame.right(orbit.x[0] ?? NaN), frame.down(orbit.y[0] ?? NaN), radius, 0, 2 * Math.PI);
-      pen.stroke();
-    };
-    pen.strokeStyle = palette().ink;
-    pen.lineWidth = 1.6;
     const { state } = this.lab.shown.value;
-    for (const orbit of this.list) if (state !== null && same(orbit.start, state)) ring(orbit, 5);
-    if (this.hovered === null) return;
-    pen.fillStyle = palette().ink;
-    const { hovered } = this;
-    for (let k = 0; k < hovered.x.length; k++) {
-      const [right, down] = [frame.right(hovered.x[k] ?? NaN), frame.down(hovered.y[k] ?? NaN)];
-      if (frame.contains(right, down)) pen.fillRect(right - 1, down - 1, 2, 2);
-    }
-    ring(hovered, 5);
+    const played = this.list.filter((orbit) => state !== null && same(orbit.start, state));
+    paintMarks(pen, frame, played, this.hovered, palette().ink);
   }
 
   private writeEntries(): void {

@@ -1,7 +1,7 @@
 /** An engine in a worker: its calls as messages. */
 
 import type { Engine, Motion, SectionPoints, State } from "../engine/engine";
-import type { Mesh } from "../engine/body_mesh";
+import type { Surfaces } from "../engine/surfaces";
 import type { Values } from "../engine/engine";
 
 /** Calls a method there; rejects with one sentence. */
@@ -17,7 +17,7 @@ export function remoteEngine(call: Call): Engine {
     indicators: async (task) => (await call("indicators", task)) as Float64Array,
     startFrom: async (task) => (await call("startFrom", task)) as State,
     startOnLevel: async (task) => (await call("startOnLevel", task)) as State,
-    bodyMesh: async (parameters) => (await call("bodyMesh", parameters)) as Mesh | null,
+    surfaces: async (parameters) => (await call("surfaces", parameters)) as Surfaces,
   };
 }
 
@@ -28,8 +28,8 @@ export function answer(engine: Engine, method: string, argument: unknown): Promi
       const { parameters, rows, dimension } = argument as { parameters: Values; rows: Float64Array; dimension: number };
       return engine.quantities(parameters, rows, dimension);
     }
-    case "bodyMesh":
-      return engine.bodyMesh(argument as Values);
+    case "surfaces":
+      return engine.surfaces(argument as Values);
     case "motion":
     case "section":
     case "indicator":

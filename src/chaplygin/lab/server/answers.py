@@ -12,6 +12,7 @@ from ...errors import InputError, RunError
 from ...experiment.study import Study
 from .requests import (
     MOST_SAMPLES,
+    BifurcationDiagram,
     Chart,
     ClosedForm,
     Computation,
@@ -191,6 +192,15 @@ def _solve(task: Assignment) -> Answer:
     }
 
 
+def _bifurcation(task: Assignment) -> Answer:
+    from ..bifurcation_model import bifurcation_model
+    from ..reduced import reduced_system
+
+    yield {"doing": "computing the diagram"}
+    study = _study(task)
+    yield {"bifurcation": bifurcation_model(study, reduced_system(study))}
+
+
 def _chart(task: Assignment) -> Answer:
     from .charts import tiles
 
@@ -213,6 +223,7 @@ _KINDS: dict[Any, Callable[[Assignment], Answer]] = {
     Proof: _prove,
     Search: _find,
     ClosedForm: _solve,
+    BifurcationDiagram: _bifurcation,
     Chart: _chart,
     PeriodicOrbit: _orbit,
 }

@@ -138,6 +138,12 @@ class ClosedForm(_OfSubject):
     do: Literal["solve"]
 
 
+class BifurcationDiagram(_OfSubject):
+    """The bifurcation diagram of an integrable system."""
+
+    do: Literal["bifurcation"]
+
+
 class Chart(_OfSubject):
     """A number over a plane, kept in a store."""
 
@@ -178,7 +184,15 @@ class Saving(_Checked):
 
 #: What a worker computes.
 Computation: TypeAlias = (
-    Opening | Motion | Proof | Search | ClosedForm | Chart | PeriodicOrbit | Data
+    Opening
+    | Motion
+    | Proof
+    | Search
+    | ClosedForm
+    | BifurcationDiagram
+    | Chart
+    | PeriodicOrbit
+    | Data
 )
 
 Request: TypeAlias = Annotated[Computation | Listing | Saving, Field(discriminator="do")]

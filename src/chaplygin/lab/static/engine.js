@@ -467,6 +467,12 @@ function bytes(text) {
   for (let i = 0; i < raw.length; i++) result[i] = raw.charCodeAt(i);
   return result;
 }
+function floats(text) {
+  return new Float32Array(bytes(text).buffer);
+}
+function integers(text) {
+  return new Uint32Array(bytes(text).buffer);
+}
 async function inflated(text) {
   const stream = new Blob([bytes(text)]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Response(stream).arrayBuffer();
@@ -577,6 +583,89 @@ var Module = class _Module {
   }
 };
 
+// src/engine/surfaces.ts
+var STEPS2 = 8;
+var ROWS = 24;
+var COLUMNS = 48;
+function surfacesOf({ scene }) {
+  return { body: scene.body === null ? null : meshOfGrid(scene.body, floats(scene.body.positions)), inertia: null, ground: groundOf(scene.support) };
+}
+function groundOf(support) {
+  if (support?.kind !== "mesh") return null;
+  return { positions: floats(support.positions), normals: floats(support.normals), indices: integers(support.indices) };
+}
+var DrawnSurfaces = class {
+  constructor(module) {
+    this.module = module;
+    this.first = surfacesOf(module.model);
+  }
+  module;
+  first;
+  at(parameters) {
+    const { module, first } = this;
+    const { contact, inertia, ground } = module.tables;
+    const values = module.parameters(parameters);
+    return {
+      body: contact === null || first.body === null ? first.body : this.body(contact, values),
+      inertia: inertia === null ? null : this.closed(inertia, values),
+      ground: ground === null || first.ground === null ? first.ground : this.ground(ground, first.ground, values)
+    };
+  }
+  body(table, values) {
+    const { body } = this.module.model.scene;
+    if (body === null) return null;
+    const gamma = directions(body.theta, body.phi);
+    const points = this.rows(table, gamma, values);
+    const side = body.hollow ? 1 : -1;
+    for (let i = 0; i < gamma.length; i += 3) {
+      const up = side * gamma[i + 2];
+      if (Math.abs(up) > 1e-9) points[i + 2] += body.thickness * Math.sign(up);
+    }
+    return meshOfGrid(body, points);
+  }
+  closed(table, values) {
+    const theta = Array.from({ length: ROWS }, (_, k) => Math.PI * (k + 0.02) / (ROWS - 0.96));
+    const phi = Array.from({ length: COLUMNS }, (_, k) => 2 * Math.PI * k / COLUMNS);
+    const points = this.rows(table, directions(theta, phi), values);
+    return meshOfGrid({ theta, phi, positions: "", hollow: false, thickness: 0 }, points);
+  }
+  /** The corners of a surface moved onto the one of other parameters. */
+  ground(table, known, values) {
+    const usual = this.module.parameters({});
+    if (values.every((value, k) => value === usual[k])) return known;
+    const places = Float64Array.from(known.positions);
+    const count = places.length / 3;
+    const before = this.rows(table, places, usual);
+    for (let k = 0; k < places.length; k++) places[k] += before[5 * Math.floor(k / 3) + 4] * known.normals[k];
+    const normals = Float32Array.from(known.normals);
+    let f = new Float64Array(0);
+    for (let step = 0; step <= STEPS2; step++) {
+      f = this.rows(table, places, values);
+      for (let n = 0; n < count; n++) {
+        const [value, x, y, z] = [f[5 * n], f[5 * n + 1], f[5 * n + 2], f[5 * n + 3]];
+        const square = x * x + y * y + z * z;
+        if (!(square > 0) || !Number.isFinite(value)) continue;
+        const share = step < STEPS2 ? -value / square : 0;
+        const length = Math.sqrt(square);
+        [x, y, z].forEach((slope, i) => {
+          places[3 * n + i] += share * slope;
+          normals[3 * n + i] = slope / length;
+        });
+      }
+    }
+    const positions = Float32Array.from(places, (place, k) => place - f[5 * Math.floor(k / 3) + 4] * normals[k]);
+    return { positions, normals, indices: known.indices };
+  }
+  /** Results of a table for rows of three numbers. */
+  rows(table, three, values) {
+    const { module } = this;
+    const count = three.length / 3;
+    const rows = new Float64Array(count * table.inputs);
+    for (let i = 0; i < count; i++) rows.set(three.subarray(3 * i, 3 * i + 3), i * table.inputs + module.tables.gamma);
+    return module.values(table, rows, values);
+  }
+};
+
 // src/engine/wasm_engine.ts
 var WasmEngine = class _WasmEngine {
   constructor(model, module) {
@@ -585,6 +674,7 @@ var WasmEngine = class _WasmEngine {
   }
   model;
   module;
+  drawn = null;
   static async create(model) {
     return new _WasmEngine(model, await Module.create(model));
   }
@@ -650,23 +740,9 @@ var WasmEngine = class _WasmEngine {
   async startOnLevel(task) {
     return startOnLevel(this.module, task);
   }
-  async bodyMesh(parameters) {
-    const { body } = this.model.scene;
-    const { contact, gamma: place } = this.module.tables;
-    if (body === null || contact === null) return null;
-    const gamma = directions(body.theta, body.phi);
-    const count = gamma.length / 3;
-    const rows = new Float64Array(count * contact.inputs);
-    for (let i = 0; i < count; i++) {
-      for (let k = 0; k < 3; k++) rows[i * contact.inputs + place + k] = gamma[3 * i + k];
-    }
-    const points = this.module.values(contact, rows, this.module.parameters(parameters));
-    const side = body.hollow ? 1 : -1;
-    for (let i = 0; i < count; i++) {
-      const up = side * gamma[3 * i + 2];
-      if (Math.abs(up) > 1e-9) points[3 * i + 2] += body.thickness * Math.sign(up);
-    }
-    return meshOfGrid(body, points);
+  async surfaces(parameters) {
+    this.drawn ??= new DrawnSurfaces(this.module);
+    return this.drawn.at(parameters);
   }
   end({ outcome, ended }) {
     if (outcome === 0) return null;
