@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,14 +16,13 @@ from chaplygin.experiment.study import dataset_of
 from chaplygin.flow.batch import batch_integrator
 from chaplygin.flow.kernel.equations import poincare_section
 from chaplygin.flow.trajectory import recorded_values
-from chaplygin.lab.page_model import TOLERANCE, live_page_model
+from chaplygin.lab.page_model import live_page_model
 from chaplygin.lab.reduced import page_system, reduced_system
 from chaplygin.mechanics.rolling.gauss_map import contact_points
+from lab.motions import CLOSE, EXAMPLES, motion_in_python, study_of, whole_system
 from lab.node import needs_node, rows, run_engine
 
 pytestmark = needs_node
-
-EXAMPLES = Path(__file__).parents[2] / "examples"
 
 #: Systems of each kind: a body, a ball on a surface, a mechanism, one without motion in space.
 FEW = [
@@ -36,37 +34,10 @@ FEW = [
 
 KINDS = ("megno", "lyapunov")
 
-#: States agree to this share of their size, times what a last digit of the start does.
-CLOSE = 1e-12
-
-
-@cache
-def study_of(name):
-    if name.endswith(".toml"):
-        return ch.prepare(ch.load(EXAMPLES / name))
-    return ch.prepare(ch.loads(f'system = {{name = "{name}"}}'))
-
 
 @cache
 def model_of(name):
     return live_page_model(study_of(name))
-
-
-def whole_system(study):
-    system = page_system(study)
-    return system.lifted() if system.reconstruction else system
-
-
-def motion_in_python(study, times):
-    """The states, and how far a change of the start in its last digit moves them."""
-    backward = study.experiment.run.direction == "backward"
-    start = np.array([float(x) for x in study.start])
-    flow = batch_integrator(whole_system(study), tolerance=TOLERANCE, backward=backward)
-    nudged = replace_relations(flow)
-    starts = np.stack([start, start * (1 + 2.0**-52)])
-    moments = -times if backward else times
-    run = nudged.propagate(starts, moments)
-    return run.states[0], np.abs(run.states[1] - run.states[0]).max(axis=1), run
 
 
 def motion_by_series(study, times):
@@ -79,11 +50,6 @@ def motion_by_series(study, times):
         motion = error.partial
     reached = np.isin(np.abs(np.asarray(motion.times, float)), times)
     return np.asarray(motion.states, dtype=np.float64)[reached]
-
-
-def replace_relations(flow):
-    """The same flow, which asks for no relations: a last digit more or less is on none."""
-    return replace(flow, system=replace(flow.system, relations=()))
 
 
 def assert_same_motion(name, until=20.0):

@@ -92,6 +92,8 @@ export interface SectionChoice {
 /** A curve or region of a bifurcation diagram, in values of two integrals. */
 export interface BifurcationCurve {
   label: string;
+  /** Whether the motions on it are stable. */
+  stable: boolean;
   x: number[];
   y: number[];
 }

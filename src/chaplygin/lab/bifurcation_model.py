@@ -47,6 +47,7 @@ def bifurcation_model(study: Study, system: System) -> Json:
                 curves.append(
                     {
                         "label": f"{boundary.words}: {circles}, {fate}",
+                        "stable": bool(boundary.stable),
                         "x": x.tolist(),
                         "y": (y[:, rank] + slope * x + offset).tolist(),
                     }

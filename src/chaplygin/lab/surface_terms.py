@@ -30,7 +30,7 @@ def surface_terms(study: Study, reduced: System) -> tuple[dict[str, list[Term]],
     pieces : mapping
         ``contact``: the point of the body with the outward normal −γ (body axes); ``inertia``: the
         same of the ellipsoid (x, Ix) = 1; ``ground``, at a place in space: f, ∇f, and how far f = 0
-        lies from the surface that carries a ball, on the ball's side. Only those that formulas give.
+        lies from the surface that carries a ball, on the ball's side. Where formulas give them.
     place : int
         Where γ, or the place, begins in the reduced state.
     """

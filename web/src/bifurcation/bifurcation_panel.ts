@@ -8,6 +8,7 @@ import { plain } from "../page/mathml";
 import { extent, readable } from "../page/numbers";
 import { palette } from "../page/palette";
 import { unitText } from "../page/units";
+import { sentence } from "../section/points";
 import { Sheet, type Place } from "../sheet/sheet";
 import type { Ask } from "../sources/source";
 import { frequencies, type Frequency } from "./frequencies";
@@ -24,7 +25,10 @@ export function bifurcationPanel(lab: Lab, ask: Ask | null): BifurcationPanel | 
   return bifurcation === null ? null : new Panel(lab, bifurcation, ask);
 }
 
-const USE = "Over each region the motions fill tori; on the curves lie the special motions. A click shows a motion with these values of the integrals; the ring is where the motion of the scene lies.";
+const USE = "Over each region the motions fill tori; on the curves lie the special motions: stable on the solid ones, unstable on the broken ones. A click shows a motion with these values of the integrals; the ring is where the motion of the scene lies.";
+
+/** States of the motion in the scene from which another is looked for. */
+const REFERENCES = 12;
 
 class Panel implements BifurcationPanel {
   readonly element: HTMLElement;
@@ -137,11 +141,12 @@ class Panel implements BifurcationPanel {
     pen.beginPath();
     pen.rect(frame.right(frame.x.range[0]), frame.down(frame.y.range[1]), frame.innerWidth, frame.innerHeight);
     pen.clip();
-    this.diagram.curves.forEach(({ x, y }, k) => {
-      pen.strokeStyle = colours.series[k % colours.series.length] ?? colours.ink;
+    const kinds = [...new Set(this.diagram.curves.map(({ label }) => label))];
+    this.diagram.curves.forEach(({ x, y, label, stable }) => {
+      pen.strokeStyle = colours.series[Math.max(0, kinds.indexOf(label)) % colours.series.length] ?? colours.ink;
       pen.lineWidth = 1.8;
       pen.globalAlpha = this.stale ? 0.35 : 1;
-      pen.setLineDash([[], [7, 3], [2, 3]][k % 3] ?? []);
+      pen.setLineDash(stable ? [] : [6, 3.5]);
       pen.beginPath();
       x.forEach((value, n) => {
         const [right, down] = [frame.right(value), frame.down(y[n] ?? NaN)];
@@ -176,22 +181,35 @@ class Panel implements BifurcationPanel {
     return near === null ? where : `${where}: ${(near as { label: string }).label}`;
   }
 
-  /** Show a motion with these values of both integrals, reached from the motion in the scene. */
+  /** Show a motion with these values of both integrals, reached from a state of the motion in the scene. */
   private async start(place: Place): Promise<void> {
-    const { engine, model } = this.lab;
-    const { state, experiment } = this.lab.shown.value;
+    const { engine } = this.lab;
+    const { state, experiment, motion } = this.lab.shown.value;
     if (engine === null || state === null) return this.lab.say("This page shows a recorded motion and cannot compute another.", true);
-    const values = await engine.quantities(experiment.parameters, state.slice(0, model.reduced), model.reduced);
     const { x, y } = this.diagram;
-    // a number of the state that stays as it is: the two integrals are reached by the others
-    const held = model.quantities.findIndex(({ name }) => name !== x && name !== y);
-    const on = model.quantities[held];
-    if (on === undefined) return;
-    const section = { on: on.name, value: values[held] ?? 0, direction: 0 as const, x, y };
-    const found = await engine.startOnLevel({ parameters: experiment.parameters, reference: state, section, x: place.x, y: place.y });
-    if ("message" in found) return this.lab.say(`No motion with these values was found from the one in the scene: ${found.message}.`, true);
-    await this.lab.change({ ...this.lab.wanted.value, start: { state: Array.from(found.state) } });
-    this.lab.clock.seek(0);
+    const { states } = motion;
+    const count = motion.times.length;
+    const references = [state];
+    if (states !== undefined) {
+      const width = states.length / count;
+      for (let k = 1; k < REFERENCES; k++) {
+        const sample = Math.floor((k * count) / REFERENCES);
+        references.push(states.slice(sample * width, (sample + 1) * width));
+      }
+    }
+    let refused = "";
+    for (const reference of references) {
+      const section = { on: null, direction: 0 as const, x, y };
+      const found = await engine.startOnLevel({ parameters: experiment.parameters, reference, section, x: place.x, y: place.y });
+      if ("message" in found) {
+        refused ||= found.message;
+        continue;
+      }
+      await this.lab.change({ ...this.lab.wanted.value, start: { state: Array.from(found.state) } });
+      this.lab.clock.seek(0);
+      return;
+    }
+    this.lab.say(`${sentence(refused)} Where no torus lies over a point of the diagram there is no motion.`, true);
   }
 }
 
@@ -201,6 +219,6 @@ function parametersOf(parameters: Readonly<Record<string, number>>): string {
 
 function table(motion: string, list: readonly Frequency[]): HTMLElement {
   const rows = list.map(({ symbol, value, unit, meaning }) =>
-    element("tr", {}, element("th", { scope: "row" }, symbol), element("td", { class: "lab-number" }, `${value} ${unit}`.trim()), element("td", {}, meaning)));
+    element("tr", {}, element("th", { scope: "row" }, symbol), element("td", { class: "lab-number" }, `${readable(Number(value), 10)} ${unit}`.trim()), element("td", {}, meaning)));
   return element("div", {}, element("p", {}, `Closed form: ${motion}`), element("table", { class: "lab-table" }, ...rows));
 }

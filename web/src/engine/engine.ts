@@ -74,7 +74,8 @@ export interface LevelTask {
   parameters: Values;
   /** A reduced or whole state whose integrals have the values of the level. */
   reference: Numbers;
-  section: { on: string; value?: number; direction: -1 | 0 | 1; x: string; y: string };
+  /** With `on` null, any state with these values of x and y. */
+  section: { on: string | null; value?: number; direction: -1 | 0 | 1; x: string; y: string };
   x: number;
   y: number;
 }

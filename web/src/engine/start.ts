@@ -148,7 +148,7 @@ function keptIntegrals(module: Module, conditions: Float64Array, coordinates: st
   const relations = [...Array(tables.relations).keys()];
   const rows = tables.integrals.map((name, i) => ({ name, row: tables.relations + i }));
   const free = rows.filter(({ name }) => coordinates.includes(name));
-  const spare = size - tables.relations - 3;
+  const spare = size - tables.relations - coordinates.length;
   const kept: number[] = [];
   let basis = orthonormal([...relations, ...free.map(({ row }) => row)].map(slope));
   for (const { row } of rows.filter((each) => !free.includes(each))) {
@@ -166,20 +166,21 @@ export function startOnLevel(module: Module, task: LevelTask): State {
   const values = module.parameters(task.parameters);
   const size = tables.conditions.inputs;
   const names = model.quantities.map((q) => q.name);
-  const places = [section.on, section.x, section.y].map((name) => names.indexOf(name));
-  const missing = [section.on, section.x, section.y].find((_, i) => places[i]! < 0);
+  const chosen = [...(section.on === null ? [] : [section.on]), section.x, section.y];
+  const places = chosen.map((name) => names.indexOf(name));
+  const missing = chosen.find((_, i) => places[i]! < 0);
   if (missing !== undefined) return { message: `${missing}: no quantity of ${model.name}` };
   const before = tables.relations + tables.integrals.length;
   const count = before + names.length;
   const at = (z: Numbers): Float64Array => module.values(tables.conditions, z, values);
   const state = Float64Array.from(Array.from(task.reference).slice(0, size));
   const first = at(state);
-  const kept = keptIntegrals(module, first, [section.x, section.y]);
+  const kept = keptIntegrals(module, first, chosen);
   const conserved = tables.relations + kept.length;
   const rows = [...Array(tables.relations).keys(), ...kept, ...places.map((p) => before + p)];
   const turns = [...Array(conserved).fill(false), ...places.map((p) => model.quantities[p]!.angle)];
   const level = rows.map((row, i) => (i < tables.relations ? 0 : first[row]!));
-  const goal = [...level.slice(0, conserved), section.value ?? 0, task.x, task.y];
+  const goal = [...level.slice(0, conserved), ...(section.on === null ? [] : [section.value ?? 0]), task.x, task.y];
   const scales = scalesOf(module, state);
   /** Newton's method for given values of all conditions; null if it does not lead there. */
   const solve = (from: Float64Array, wanted: readonly number[]): Float64Array | null => {

@@ -243,7 +243,7 @@ function keptIntegrals(module, conditions, coordinates) {
   const relations = [...Array(tables.relations).keys()];
   const rows = tables.integrals.map((name, i) => ({ name, row: tables.relations + i }));
   const free = rows.filter(({ name }) => coordinates.includes(name));
-  const spare = size - tables.relations - 3;
+  const spare = size - tables.relations - coordinates.length;
   const kept = [];
   let basis = orthonormal([...relations, ...free.map(({ row }) => row)].map(slope));
   for (const { row } of rows.filter((each) => !free.includes(each))) {
@@ -259,20 +259,21 @@ function startOnLevel(module, task) {
   const values = module.parameters(task.parameters);
   const size = tables.conditions.inputs;
   const names = model.quantities.map((q) => q.name);
-  const places = [section.on, section.x, section.y].map((name) => names.indexOf(name));
-  const missing = [section.on, section.x, section.y].find((_, i) => places[i] < 0);
+  const chosen = [...section.on === null ? [] : [section.on], section.x, section.y];
+  const places = chosen.map((name) => names.indexOf(name));
+  const missing = chosen.find((_, i) => places[i] < 0);
   if (missing !== void 0) return { message: `${missing}: no quantity of ${model.name}` };
   const before = tables.relations + tables.integrals.length;
   const count = before + names.length;
   const at = (z) => module.values(tables.conditions, z, values);
   const state = Float64Array.from(Array.from(task.reference).slice(0, size));
   const first = at(state);
-  const kept = keptIntegrals(module, first, [section.x, section.y]);
+  const kept = keptIntegrals(module, first, chosen);
   const conserved = tables.relations + kept.length;
   const rows = [...Array(tables.relations).keys(), ...kept, ...places.map((p) => before + p)];
   const turns = [...Array(conserved).fill(false), ...places.map((p) => model.quantities[p].angle)];
   const level = rows.map((row, i) => i < tables.relations ? 0 : first[row]);
-  const goal = [...level.slice(0, conserved), section.value ?? 0, task.x, task.y];
+  const goal = [...level.slice(0, conserved), ...section.on === null ? [] : [section.value ?? 0], task.x, task.y];
   const scales = scalesOf(module, state);
   const solve = (from, wanted) => {
     const z = Float64Array.from(from);
