@@ -214,4 +214,6 @@ def _surfaces(texts: _Texts, study: Study, reduced: System) -> dict[str, Json]:
     """The surfaces that are drawn, where formulas give them."""
     pieces, place = surface_terms(study, reduced)
     tables: dict[str, Json] = {"contact": None, "inertia": None, "ground": None, "gamma": place}
-    return tables | texts.values("shape", pieces, len(reduced.symbols)) if pieces else tables
+    if pieces:
+        tables.update(texts.values("shape", pieces, len(reduced.symbols)))
+    return tables
