@@ -1,11 +1,12 @@
-"""Euler's disk: how fast it comes to its end under two kinds of friction.
+"""Euler's disk: how fast it comes to its end under friction and drag of the air.
 
 The disk of eulers_disk.toml whirls with its centre of mass at rest: with the angle α between its
 face and the table the contact runs round at Ω, Ω² = 4g/(a sin α), and E = (3/2) m g a sin α.
 Friction of the contact that wanders over the edge takes μ_c N a Ω of it, resistance to rolling
-δ N |ω|, so that at small angles
+δ N |ω|, the air under the disk πηga²/tan²α, so that at small angles
 
-    α = (2 μ_c √(g/a) (t₁ − t))^(2/3),     √α = (2δ/3a) √(g/a) (t₁ − t).
+    α = (2 μ_c √(g/a) (t₁ − t))^(2/3),     √α = (2δ/3a) √(g/a) (t₁ − t),
+    α³ = (2πηa/m) (t₁ − t).
 
 Run with::
 
@@ -23,8 +24,9 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.optimize import curve_fit
 
-from chaplygin import load, prepare
+from chaplygin import Body, load, prepare
 from chaplygin.contact import (
+    AirFilm,
     ContourResistance,
     Coulomb,
     FrictionalContact,
@@ -36,8 +38,8 @@ from chaplygin.contact import (
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
 
 FILE = Path(__file__).with_name("eulers_disk.toml")
-#: μ_c as in the file, and δ (m).
-CONTOUR, ROLLING = 2e-4, 2.2e-4
+#: μ_c as in the file, δ (m), and η of air (Pa s).
+CONTOUR, ROLLING, AIR = 2e-4, 2.2e-4, 1.8e-5
 #: Angles (rad) between which exponents are measured.
 RANGE = (0.002, 0.05)
 #: The motions are followed to about this share of the first angle.
@@ -81,7 +83,7 @@ def decay(
     disk = FrictionalContact(body, laws=(Coulomb(grip), law), field=field)
     start = subject.start_values
     first = np.arctan2(start["gamma"][0], start["gamma"][2])
-    theory = ending(law, first, body.shape.radius, field.gravity)
+    theory = ending(law, first, body, field.gravity)
     times = theory * (1 - np.linspace(1, LEAST ** (0.5 / power), samples) ** 2)
     state = start_in_contact(disk, start["omega"], start["gamma"])
     motion = contact_motion(disk, state, times)
@@ -101,19 +103,24 @@ def decay(
     return Decay(words, motion.times, angles, theory, exponent, end, float(ratio.max()))
 
 
-def ending(law: FrictionLaw, first: float, a: float, gravity: float) -> float:
+def ending(law: FrictionLaw, first: float, body: Body, gravity: float) -> float:
     """When a disk ends that starts at an angle, by the formula for small angles (s)."""
+    a = body.shape.radius
     rate = np.sqrt(gravity / a)
+    if isinstance(law, AirFilm):
+        return float(body.mass * first**3 / (2 * np.pi * AIR * a))
     if isinstance(law, RollingResistance):
         return float(3 * a * np.sqrt(first) / (2 * ROLLING * rate))
     return float(first**1.5 / (2 * CONTOUR * rate))
 
 
 def decays() -> list[Decay]:
-    """The disk under both laws."""
+    """The disk under each of the laws."""
+    radius = prepare(load(FILE)).subject.contact.body.shape.radius
     return [
         decay("wandering of the contact", ContourResistance(CONTOUR), 2 / 3),
         decay("resistance to rolling", RollingResistance(ROLLING), 2.0),
+        decay("film of air", AirFilm(AIR, radius), 1 / 3),
     ]
 
 
@@ -121,9 +128,9 @@ def figure(found: list[Decay]) -> Figure:
     """The angle against time, and against the time that is left."""
     drawing, (left, right) = plt.subplots(1, 2, figsize=(WIDTH, 2.8), layout="constrained")
     for run, colour in zip(found, SERIES, strict=False):
-        left.plot(run.times, run.angles, color=colour, label=run.words)
+        left.plot(run.times / run.end, run.angles, color=colour, label=run.words)
         right.loglog(run.end - run.times, run.angles, color=colour)
-        near = (run.end - run.times < 1) & (run.angles > RANGE[0])
+        near = (run.end - run.times < run.end / 5) & (run.angles > RANGE[0])
         place = np.flatnonzero(near)[len(np.flatnonzero(near)) // 2]
         right.annotate(
             f"{run.exponent:.3f}",
@@ -132,7 +139,7 @@ def figure(found: list[Decay]) -> Figure:
             textcoords="offset points",
             color=colour,
         )
-    left.set(xlabel="time (s)", ylabel=r"angle $\alpha$ (rad)", ylim=(0, None))
+    left.set(xlabel=r"time over $t_1$", ylabel=r"angle $\alpha$ (rad)", ylim=(0, None))
     left.legend(fontsize=8)
     right.set(xlabel="time to the end (s)", ylabel=r"angle $\alpha$ (rad)")
     return drawing

@@ -323,16 +323,23 @@ def test_the_start_of_eulers_disk_is_a_steady_motion(examples: dict[str, ModuleT
 
 
 @pytest.mark.slow(every=3)
-@pytest.mark.parametrize(("index", "exponent", "end"), [(0, 2 / 3, "4.90472"), (1, 2.0, "5.00156")])
+@pytest.mark.parametrize(
+    ("index", "exponent", "end"),
+    [(0, 2 / 3, "4.90472"), (1, 2.0, "5.00156"), (2, 1 / 3, "104.84489")],
+)
 def test_exponents_of_eulers_disk(
     examples: dict[str, ModuleType], index: int, exponent: float, end: str
 ) -> None:
     example = examples["eulers_disk"]
-    laws = (example.ContourResistance(example.CONTOUR), example.RollingResistance(example.ROLLING))
+    laws = (
+        example.ContourResistance(example.CONTOUR),
+        example.RollingResistance(example.ROLLING),
+        example.AirFilm(example.AIR, 0.0375),
+    )
     found = example.decay("", laws[index], exponent, samples=800)
     assert found.exponent == pytest.approx(exponent, rel=4e-3)
-    assert found.end == pytest.approx(found.theory, rel=2e-3)
-    assert found.end == pytest.approx(float(said(end)), abs=2e-4)
+    assert found.end == pytest.approx(found.theory, rel=2e-3 if index < 2 else 6e-3)
+    assert found.end == pytest.approx(float(said(end)), rel=4e-5)
 
 
 # --- a planted mistake ---------------------------------------------------------------------------

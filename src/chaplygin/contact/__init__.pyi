@@ -2,6 +2,7 @@ from .course.compiled import CompiledContact as CompiledContact
 from .course.events import ContactEvent as ContactEvent
 from .course.rules import Rules as Rules
 from .equations.situation import FrictionalContact as FrictionalContact
+from .friction.air_film import AirFilm as AirFilm
 from .friction.dry_friction import (
     ContensouErismann as ContensouErismann,
     Coulomb as Coulomb,

@@ -10,6 +10,7 @@ import sympy as sp
 
 import chaplygin as ch
 from chaplygin.contact import (
+    AirFilm,
     ContensouErismann,
     ContourResistance,
     Coulomb,
@@ -42,6 +43,7 @@ LAWS = (
     RollingResistance(0.01),
     ViscousRolling(0.01),
     ContourResistance(0.01),
+    AirFilm(1.8e-5, 0.04),
 )
 EACH = pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
 

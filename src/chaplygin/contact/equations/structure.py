@@ -11,6 +11,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces
 from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Torus
 from ...mechanics.rolling.surfaces import Plane, Sphere
+from ..friction.air_film import AirFilm
 from ..friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
 from ..friction.rolling_friction import ContourResistance, RollingResistance, ViscousRolling
 from ..friction.viscous_friction import NormalViscous, Viscous
@@ -35,6 +36,7 @@ _BY_PARAMETERS = (
     RollingResistance,
     ViscousRolling,
     ContourResistance,
+    AirFilm,
 )
 
 

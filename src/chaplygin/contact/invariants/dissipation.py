@@ -26,6 +26,7 @@ from ...core.vectors import (
     zero,
 )
 from ...errors import InputError
+from ..friction.air_film import AirFilm, film
 from ..friction.contensou import couple_share, force_share
 from ..friction.dry_friction import (
     ContensouErismann,
@@ -88,8 +89,8 @@ class Dissipation:
 NOT_NEGATIVE: frozenset[sp.Expr] = frozenset(
     {
         mu, nu, patch, viscous, spin_viscous, spin_couple_arm, rolling_arm, rolling_viscous,
-        contour_arm, N, slip_speed, rolling_speed, wandering_speed, spin_speed, F_share, M_share,
-        slip_speed**2, spin**2, rolling_speed**2,
+        contour_arm, film, N, slip_speed, rolling_speed, wandering_speed, spin_speed, F_share,
+        M_share, slip_speed**2, spin**2, rolling_speed**2,
     }
 )  # fmt: skip
 
@@ -134,6 +135,8 @@ def dissipation(law: FrictionLaw) -> Dissipation:
             products = ((rolling_viscous, N, rolling_speed**2),)
         case ContourResistance():
             products = ((contour_arm, N, wandering_speed),)
+        case AirFilm():
+            products = ((film, rolling_speed**2),)
         case _:
             raise InputError(f"law {law.name!r}: the power that it takes is not known")
     return Dissipation(products)

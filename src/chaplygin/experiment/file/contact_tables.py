@@ -71,6 +71,8 @@ class FrictionTable(Table):
     """The couple against rolling is this (m s) times normal force and angular velocity."""
     contour: Coefficient | None = Field(default=None, description=COEFFICIENT)
     """Power lost by the wandering contact point: this times normal force and its speed."""
+    air: Coefficient | None = Field(default=None, description=COEFFICIENT)
+    """Viscosity (Pa s) of the air in the wedge between a disk and the plane."""
     restitution: Annotated[Number, Field(ge=0, le=1)] = Field(
         default=0.0, description="a number from 0 to 1"
     )

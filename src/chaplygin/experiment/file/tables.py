@@ -116,6 +116,7 @@ FRICTION_KEYS = (
     "rolling",
     "rolling_viscous",
     "contour",
+    "air",
     "restitution",
     "impact_law",
     "on_paradox",

@@ -37,6 +37,7 @@ _UNITS = {
     "spin_viscous": "kg m^2/s",
     "rolling": "m",
     "rolling_viscous": "m s",
+    "air": "Pa s",
     "gravity": "m/s^2",
     "omega": "rad/s",
     "position": "m",

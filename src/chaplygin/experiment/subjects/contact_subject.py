@@ -15,6 +15,7 @@ from ...contact.course.compiled import OMEGA, VELOCITY, CompiledContact
 from ...contact.course.rules import Rules
 from ...contact.equations.equations_of_motion import equations_of_motion
 from ...contact.equations.situation import FrictionalContact
+from ...contact.friction.air_film import AirFilm
 from ...contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
 from ...contact.friction.friction_law import FrictionLaw
 from ...contact.friction.modes import Mode
@@ -29,12 +30,14 @@ from ...contact.starts import SLACK, clearance, start_in_contact, start_in_space
 from ...core.arrays import FloatArray
 from ...core.system import System
 from ...errors import InputError
+from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.gauss_map import centre_outside
+from ...mechanics.rolling.shapes import Disk
 from ...mechanics.rolling.surfaces import Plane, Sphere
 from ...printing.numerals import number
 from ..contact.dataset import work_meanings
 from ..contact.trajectory import ContactTrajectory, contact_trajectory
-from ..file.contact_tables import FrictionTable
+from ..file.contact_tables import FrictionSurfaceTable, FrictionTable
 from ..file.rolling_model import FrictionExperiment
 from ..file.shape_tables import shape_name
 from ..file.tables import CommonRunTable
@@ -246,7 +249,7 @@ def contact_and_rules(experiment: FrictionExperiment) -> tuple[FrictionalContact
     )
     field = forces_of(experiment)
     with experiment.placing_errors("contact"):
-        contact = FrictionalContact(body, surface, _laws(experiment.contact), field)
+        contact = FrictionalContact(body, surface, _laws(experiment.contact, body, table), field)
         rules = Rules(
             experiment.contact.restitution,
             experiment.contact.impact_law,
@@ -275,7 +278,9 @@ def start_of(contact: FrictionalContact, values: Mapping[str, Any]) -> FloatArra
     return start_in_contact(contact, **values)
 
 
-def _laws(table: FrictionTable) -> tuple[FrictionLaw, ...]:
+def _laws(
+    table: FrictionTable, body: Body, surface: FrictionSurfaceTable
+) -> tuple[FrictionLaw, ...]:
     """The laws of a table; coefficients of zero make none."""
     laws: list[FrictionLaw] = []
     if table.patch is not None and table.mu is not None:
@@ -298,4 +303,11 @@ def _laws(table: FrictionTable) -> tuple[FrictionLaw, ...]:
         laws.append(ViscousRolling(table.rolling_viscous))
     if table.contour:
         laws.append(ContourResistance(table.contour))
+    if table.air:
+        if not isinstance(body.shape, Disk) or surface.kind != "plane":
+            raise InputError(
+                "air: the drag of the air is that of the wedge between a disk and a plane; leave "
+                "it out for other bodies and supports"
+            )
+        laws.append(AirFilm(table.air, body.shape.radius))
     return tuple(laws)
