@@ -20,6 +20,7 @@ from chaplygin.contact import (
     RollingResistance,
     Rules,
     contact_motion,
+    start_in_contact,
     start_in_space,
 )
 from contact.situations import CASES, rules, situation, start
@@ -370,3 +371,27 @@ def test_a_dynamic_jam_ends_in_finite_time() -> None:
     assert np.linalg.norm(again.events[0].impulse) > 0
     energies = [motion.observables()["energy"][0], again.observables()["energy"][-1]]
     assert energies[1] < energies[0]
+
+
+def test_an_impact_without_collision_gives_back_what_it_stored() -> None:
+    """A spheroid slides against the way in which it leans, and bounces from the paradox."""
+    body = ch.Body(1.0, (0.208, 0.208, 0.016), ch.Ellipsoid((0.2, 0.2, 1.0)))
+    contact = CompiledContact(FrictionalContact(body, laws=(Coulomb(1.9),), field=GRAVITY))
+    lean = 1.1621
+    slip = (0.0, math.sin(lean), -math.cos(lean))
+    state = start_in_contact(
+        contact.situation, (0, 0, 0), (0.0, math.cos(lean), math.sin(lean)), slip
+    )
+    given, impulses = (0.0, 0.5), []
+    for part in given:
+        chosen = Rules(part, "poisson", on_paradox="impact")
+        motion = contact_motion(contact, state, [0.0, 1e-4], chosen)
+        event = motion.events[0]
+        assert event.kind == "impact without collision"
+        assert event.mode == ("flight" if part else "rolling")
+        impulses.append(float(event.impulse @ event.after[13:16]))
+        balance = motion.observables()["energy"] + motion.states[:, 16:].sum(axis=1)
+        assert np.ptp(balance) < 1e-14 * balance[0]
+    assert impulses[0] == pytest.approx(0.291526, abs=2e-5)
+    assert impulses[1] == pytest.approx(1.5 * impulses[0], rel=1e-12)
+    assert motion.observables()["gap"][-1] > 1e-6

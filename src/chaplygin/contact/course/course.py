@@ -272,12 +272,16 @@ class Course(RollingCourse):
             # a grazing contact
             self._stay("landing", before)
             return
-        result = self._collide()
+        self._rebound("landing", before, self._collide())
+
+    def _rebound(self, kind: EventKind, before: FloatArray, result: Impact) -> None:
+        """Fly on or stay after an impact."""
+        known = self._known()
         rebound = float(known.mobility.gamma @ result.contact_velocity)
         if rebound > self._last_rebound():
             self.mode = FLIGHT
             self._rise()
-            self._record("landing", before, result)
+            self._record(kind, before, result)
             return
         if rebound > 0:
             impulse, couple = zeno_closure(
@@ -290,7 +294,7 @@ class Course(RollingCourse):
                 order=self._dry.order,
             )
             self._push(impulse, couple)
-        self._stay("landing", before, result)
+        self._stay(kind, before, result)
 
     def _stay(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
         """Go on in contact without normal velocity."""
@@ -390,4 +394,4 @@ class Course(RollingCourse):
         result = self._collide()
         if result.normal_impulse <= 0:
             raise EndError("paradox", _PARADOX)
-        self._stay("impact without collision", before, result)
+        self._rebound("impact without collision", before, result)
