@@ -45,7 +45,7 @@ def measure(name: str, until: float) -> list[dict[str, object]]:
                 "until": until,
                 "manner": manner,
                 "error": error,
-                "drift": max(drift(long.recorded[f"law_{law.name}"]) for law in system.laws),
+                "drift": max(drift(long.records[f"law_{law.name}"]) for law in system.laws),
                 "corrections": long.statistics.corrections,
                 "steps": long.statistics.steps,
                 "seconds": long.statistics.seconds,

@@ -50,11 +50,11 @@ def taken_further(
     Of one that ended at a singularity the last sample does not count: there the terms of an
     integral are so large that rounding is all that is left of their sum.
     """
-    stopped = [h.guard.message for h in motion.events if h.stopped]
+    stopped = [h.guard.message for h in motion.events if h.is_terminal]
     end = stopped[0] if stopped else failure
     first, drift = dict(found["first"]), dict(found["drift"])
     for law in motion.system.integrals:
-        values = np.asarray(motion.recorded[f"law_{law.name}"], dtype=float)
+        values = np.asarray(motion.records[f"law_{law.name}"], dtype=float)
         first.setdefault(law.name, float(values[0]))
         good = values[:-1] if end and len(values) > 1 else values
         change = float(np.max(np.abs(good - first[law.name])))

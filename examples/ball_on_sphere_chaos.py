@@ -90,7 +90,7 @@ def starts(count: int) -> Any:
     normals = dice.normal(size=(count, 3))
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     guess = np.concatenate([dice.normal(size=(count, 3)), normals], axis=1)
-    states, met = project_to_level(ON_LEVEL, guess, LEVEL, moved=[True] * 3 + [False] * 3)
+    states, met = project_to_level(ON_LEVEL, guess, LEVEL, movable=[True] * 3 + [False] * 3)
     return states[met]
 
 
@@ -126,8 +126,8 @@ def exponents(row: Row, until: float) -> Spectrum:
 def table_row(row: Row, spectrum: Spectrum) -> str:
     """A line of the table."""
     values = ", ".join(f"{e.value:+.5f} ± {e.error:.5f}" for e in spectrum.exponents)
-    forced = ", ".join(item.name for item, _ in spectrum.removed if item.kind != "relation")
-    word = "no chaos seen" if spectrum.settled else "not settled"
+    forced = ", ".join(item.name for item, _ in spectrum.trivial if item.kind != "relation")
+    word = "no chaos seen" if spectrum.halves_agree else "not settled"
     return (
         f"{row.ratio:6g}  {100 * row.share:5.1f} %  {row.highest:7.2f}  {values:40s}  "
         f"{'chaotic' if spectrum.chaotic else word}; forced to zero: {forced}"
@@ -163,7 +163,7 @@ def section_starts(count: int) -> Any:
     width = np.sqrt(1 - height**2)
     normals = np.stack([width * np.cos(turn), width * np.sin(turn), height], axis=1)
     guess = np.concatenate([np.tile([2.0, 0.3, 0.0], (count, 1)), normals], axis=1)
-    states, met = project_to_level(ON_LEVEL, guess, LEVEL, moved=[True, True] + [False] * 4)
+    states, met = project_to_level(ON_LEVEL, guess, LEVEL, movable=[True, True] + [False] * 4)
     return states[met]
 
 

@@ -35,7 +35,7 @@ def directions(axes: tuple[float, float, float]) -> np.ndarray:
     """N/|N| in space axes along the motion, (n, 3), for a cavity with these semi-axes."""
     options = [f"body.cavity.axes={list(axes)}", f"run.until={UNTIL}", "run.samples=4801"]
     run = prepare(load(EXAMPLES / "ball_with_fluid.toml", options)).trajectory()
-    turn = Rotation.from_quat(run.recorded["attitude"], scalar_first=True)
+    turn = Rotation.from_quat(run.records["attitude"], scalar_first=True)
     circulation = np.array(run["N"])
     directed: np.ndarray = turn.apply(circulation / np.linalg.norm(circulation, axis=1)[:, None])
     return directed

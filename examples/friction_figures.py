@@ -41,8 +41,8 @@ def motion(name: str, *overrides: str) -> ContactTrajectory:
 
 def in_space(run: ContactTrajectory, name: str) -> np.ndarray:
     """A recorded vector (n, 3) in space axes."""
-    turn = Rotation.from_quat(run.recorded["attitude"], scalar_first=True)
-    turned: np.ndarray = turn.apply(run.recorded[name])
+    turn = Rotation.from_quat(run.records["attitude"], scalar_first=True)
+    turned: np.ndarray = turn.apply(run.records[name])
     return turned
 
 
@@ -63,9 +63,9 @@ def parabola_error(run: ContactTrajectory) -> float:
     mu = next(law.static_mu for law in run.contact.laws)
     sliding = run.times < run.changes[0].time
     times = run.times[sliding, None]
-    slip, velocity = in_space(run, "slip")[0], run.recorded["velocity"][0]
+    slip, velocity = in_space(run, "slip")[0], run.records["velocity"][0]
     e = slip / np.linalg.norm(slip)
-    centre = run.recorded["centre"]
+    centre = run.records["centre"]
     path = centre[0] + velocity * times - 0.5 * mu * GRAVITY * e * times**2
     return float(np.linalg.norm(path - centre[sliding], axis=1).max())
 
@@ -73,9 +73,9 @@ def parabola_error(run: ContactTrajectory) -> float:
 def billiard_ball() -> Picture:
     """The path of the centre: a parabola, then a straight line."""
     run = motion("billiard_ball")
-    stick, slip = run.changes[0].time, float(np.linalg.norm(run.recorded["slip"][0]))
+    stick, slip = run.changes[0].time, float(np.linalg.norm(run.records["slip"][0]))
     closed = 2 * slip / (7 * 0.2 * GRAVITY)
-    centre = run.recorded["centre"]
+    centre = run.records["centre"]
     sliding = run.times <= stick
     drawing, axes = plt.subplots(figsize=(WIDTH, 2.4), layout="constrained")
     axes.plot(*centre[sliding, :2].T, color=SERIES[1], label="slides, on a parabola")
@@ -102,21 +102,21 @@ def dry_rattleback() -> Picture:
     )
     for axes in (top, low):
         shade(axes, run)
-    top.plot(rough.times, rough.recorded["spin"], color=QUIET, label="without slip")
+    top.plot(rough.times, rough.records["spin"], color=QUIET, label="without slip")
     top.plot(
-        run.times, run.recorded["spin"], color=SERIES[0], label=r"$\mu = 0.3$; grey where it rolls"
+        run.times, run.records["spin"], color=SERIES[0], label=r"$\mu = 0.3$; grey where it rolls"
     )
     top.set_ylabel("spin (rad/s)")
     top.legend()
-    low.plot(run.times, np.linalg.norm(run.recorded["slip"], axis=1), color=SERIES[1])
+    low.plot(run.times, np.linalg.norm(run.records["slip"], axis=1), color=SERIES[1])
     low.set(xlabel="time (s)", ylabel="slip (m/s)")
     early = [event for event in run.changes if event.time <= 0.5]
-    force = np.linalg.norm(rough.recorded["friction_force"], axis=1)
-    needed = force / rough.recorded["normal_force"]
+    force = np.linalg.norm(rough.records["friction_force"], axis=1)
+    needed = force / rough.records["normal_force"]
     lines = [
         f"{len(early)} changes in 0.5 s, first {early[0].time:.9f} s, last {early[-1].time:.9f} s",
         f"{len(run.changes)} changes in {run.times[-1]:g} s; energy balance to {run.drift:.1e}",
-        f"largest slip {np.linalg.norm(run.recorded['slip'], axis=1).max():.4f} m/s",
+        f"largest slip {np.linalg.norm(run.records['slip'], axis=1).max():.4f} m/s",
         f"without slip friction is at most {needed.max():.4f} times the normal force",
     ]
     return drawing, lines
@@ -128,9 +128,9 @@ def rising_egg() -> Picture:
     drawing, (top, low) = plt.subplots(
         2, 1, figsize=(WIDTH, 3.4), layout="constrained", sharex=True
     )
-    top.plot(run.times, run.recorded["gamma"][:, 2], color=SERIES[0])
+    top.plot(run.times, run.records["gamma"][:, 2], color=SERIES[0])
     top.set_ylabel(r"height of the axis $\gamma_3$")
-    gap = 1e6 * np.maximum(run.recorded["gap"], 0)
+    gap = 1e6 * np.maximum(run.records["gap"], 0)
     low.plot(run.times, gap, color=SERIES[1])
     low.set(xlabel="time (s)", ylabel="gap (µm)")
     flights = [
@@ -150,7 +150,7 @@ def rising_egg() -> Picture:
         share = spin / 150
         other = motion(
             "rising_egg",
-            f"start.velocity={(share * run.recorded['velocity'][0]).tolist()}",
+            f"start.velocity={(share * run.records['velocity'][0]).tolist()}",
             f"start.omega={(share * first[10:13]).tolist()}",
             "run.until=2.0",
             "run.samples=101",
@@ -176,11 +176,11 @@ def superball() -> Picture:
     drawing, (left, right) = plt.subplots(
         1, 2, figsize=(WIDTH, 2.7), layout="constrained", width_ratios=(1.5, 1)
     )
-    centre = run.recorded["centre"]
+    centre = run.records["centre"]
     left.plot(centre[:, 0], centre[:, 2], color=SERIES[0])
     left.plot(centre[0, 0], centre[0, 2], "o", color=INK)
     left.set(xlabel="x (m)", ylabel="z (m)", ylim=(0, None))
-    right.plot(run.times, run.recorded["velocity"][:, 2], color=SERIES[0])
+    right.plot(run.times, run.records["velocity"][:, 2], color=SERIES[0])
     right.set(xlabel="time (s)", ylabel="vertical velocity (m/s)")
     lines = [
         f"first landing {first.time:.12f} s, √(2h/g) = {math.sqrt(2 * drop / GRAVITY):.12f} s",
@@ -204,8 +204,8 @@ def bouncing_pebble() -> Picture:
     lines = []
     for law, colour in zip(("stronge", "poisson", "newton"), SERIES, strict=False):
         run = motion("bouncing_pebble", f"contact.impact_law={law}")
-        top.plot(run.times, run.recorded["centre"][:, 2], color=colour, label=law.capitalize())
-        low.plot(run.times, 1e3 * run.recorded["energy"], color=colour)
+        top.plot(run.times, run.records["centre"][:, 2], color=colour, label=law.capitalize())
+        low.plot(run.times, 1e3 * run.records["energy"], color=colour)
         landings = [event for event in run.changes if event.kind == "landing"]
         stay = next((event for event in landings if event.mode != "flight"), None)
         second = f"second landing {landings[1].time:.9f} s"
@@ -225,7 +225,7 @@ def bouncing_pebble() -> Picture:
 
 def final_exponent(run: ContactTrajectory) -> float:
     """λ of |u| ∝ (t₁ − t)^λ before sliding and spinning end together at t₁."""
-    slip = np.linalg.norm(run.recorded["slip"], axis=1)
+    slip = np.linalg.norm(run.records["slip"], axis=1)
     there = (slip > 1e-11) & (slip < 1e-7)
     left = run.changes[0].time - run.times[there]
     return float(np.polyfit(np.log(left), np.log(slip[there]), 1)[0])
@@ -235,8 +235,8 @@ def contensou_ball() -> Picture:
     """Slip and spin of a ball as they end together."""
     run = motion("contensou_ball", "run.samples=20001")
     end, patch = run.changes[0].time, 0.06
-    slip = np.linalg.norm(run.recorded["slip"], axis=1)
-    spin = patch * np.abs(run.recorded["spin"])
+    slip = np.linalg.norm(run.records["slip"], axis=1)
+    spin = patch * np.abs(run.records["spin"])
     left_time = end - run.times
     drawing, (left, right) = plt.subplots(1, 2, figsize=(WIDTH, 2.7), layout="constrained")
     for values, colour, words in ((slip, SERIES[0], "slip"), (spin, SERIES[1], r"$a\Omega$")):
@@ -268,10 +268,10 @@ def ball_on_a_dome() -> Picture:
     for mu, colour in zip((0.1, 0.2, 0.4, 1.0), SERIES, strict=False):
         run = motion("ball_on_a_dome", f"contact.mu={mu}", "run.samples=2001")
         slips, leaves = (e for e in run.changes if e.kind in ("slip", "lift-off"))
-        places = np.degrees(np.arctan2(run.recorded["centre"][:, 0], run.recorded["centre"][:, 2]))
+        places = np.degrees(np.arctan2(run.records["centre"][:, 0], run.records["centre"][:, 2]))
         there = run.times <= leaves.time
-        left.plot(places[there], run.recorded["normal_force"][there], color=colour)
-        slip = np.linalg.norm(run.recorded["slip"], axis=1)
+        left.plot(places[there], run.records["normal_force"][there], color=colour)
+        slip = np.linalg.norm(run.records["slip"], axis=1)
         right.plot(places[there], slip[there], color=colour, label=rf"$\mu = {mu}$")
         lines.append(
             f"μ = {mu}: slides from {angle_on_dome(slips.before):.4f}°, "
@@ -287,7 +287,7 @@ def ball_on_a_dome() -> Picture:
 def circling_rate(run: ContactTrajectory) -> float:
     """Rate (rad/s) at which the velocity of a ball that rolls turns round."""
     rolling = run.modes == MODE_NAMES.index("rolling")
-    velocity = run.recorded["velocity"][rolling]
+    velocity = run.records["velocity"][rolling]
     angle = np.unwrap(np.arctan2(velocity[:, 1], velocity[:, 0]))
     return float((angle[-1] - angle[0]) / np.ptp(run.times[rolling]))
 
@@ -295,7 +295,7 @@ def circling_rate(run: ContactTrajectory) -> float:
 def ball_on_a_turntable() -> Picture:
     """The path of a ball on a turning table."""
     run = motion("ball_on_a_turntable")
-    centre, stick = run.recorded["centre"], run.changes[0].time
+    centre, stick = run.records["centre"], run.changes[0].time
     sliding = run.times <= stick
     drawing, axes = plt.subplots(figsize=(0.6 * WIDTH, 3.4), layout="constrained")
     axes.plot(*centre[~sliding, :2].T, color=SERIES[0], label="rolls")
@@ -305,8 +305,8 @@ def ball_on_a_turntable() -> Picture:
     axes.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
     axes.legend(loc="upper right")
     ratio = circling_rate(run) / 3.0
-    held = np.linalg.norm(run.recorded["friction_force"][~sliding], axis=1)
-    speed = np.linalg.norm(run.recorded["velocity"][~sliding], axis=1)
+    held = np.linalg.norm(run.records["friction_force"][~sliding], axis=1)
+    speed = np.linalg.norm(run.records["velocity"][~sliding], axis=1)
     return drawing, [
         f"rolls from t = {stick:.9f} s",
         f"then circles at {ratio:.12f} of the table's rate, 2/7 = {2 / 7:.12f}",
@@ -317,7 +317,7 @@ def ball_on_a_turntable() -> Picture:
 def ball_in_a_turning_bowl() -> Picture:
     """The height of a ball in a turning bowl, and its path from above."""
     run = motion("ball_in_a_turning_bowl")
-    centre = run.recorded["centre"]
+    centre = run.records["centre"]
     drawing, (left, right) = plt.subplots(
         1, 2, figsize=(WIDTH, 2.9), layout="constrained", width_ratios=(1.5, 1)
     )
@@ -392,7 +392,7 @@ def painleve() -> Picture:
     right.plot(impulses, normal, color=SERIES[0], label="upwards")
     right.set(xlabel="impulse of the normal force (N s)", ylabel="velocity of the contact (m/s)")
     right.legend()
-    slip = run.recorded["slip"]
+    slip = run.records["slip"]
     before, after = event.before, event.after
     turn = Rotation.from_quat(after[:4], scalar_first=True)
     impulse = turn.apply(event.impulse)

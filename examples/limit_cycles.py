@@ -333,7 +333,7 @@ def _tell(title: str, orbit: Orbit) -> None:
     print(f"{title}:")
     print(f"  period {orbit.duration:.12f} s, closes to {orbit.gap:.0e}, {orbit.kind},")
     print(f"  multiplier {value:.13f} ± {error:.0e}; 1 − multiplier = {1 - value:.2e}")
-    print(f"  multipliers forced to be one by: {', '.join(orbit.multipliers.forced)}")
+    print(f"  multipliers forced to be one by: {', '.join(orbit.multipliers.trivial)}")
 
 
 def main(arguments: Sequence[str] | None = None) -> None:

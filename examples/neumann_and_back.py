@@ -166,7 +166,7 @@ def report(case: Case) -> None:
     values, _ = image(case)
     print("  target:", ", ".join(f"{name} = {number(x):.12g}" for name, x in values.items()))
     with ctx.workdps(25):
-        turns = carried.prepared.torus.turns
+        turns = carried.separated_motion.torus.turns
         print(f"  rotation number {(turns[0] / turns[1]).str(20, radius=False)}\n")
 
 

@@ -136,7 +136,7 @@ def measure(count: int = PHASES) -> Story:
     values = {p.symbol: BALL[str(p.symbol)] for p in separable.system.parameters}
     solution = solve_on_torus(separable, values, start(root))
     with ctx.workdps(DIGITS):
-        turns = solution.prepared.torus.turns
+        turns = solution.separated_motion.torus.turns
         # after an even number of turns around each oval the signs of γ are back as well
         common = 2 * TURNS[0] / abs(turns[0])
         orbits = tuple(_orbit(solution, arb(i) / count, common) for i in range(count))
@@ -146,7 +146,7 @@ def measure(count: int = PHASES) -> Story:
 
 def _orbit(solution: GenusTwo, phase: Any, common: Any) -> Orbit:
     """∫ dt along one orbit, by the trapezoidal rule, and its beginning."""
-    motion = solution.prepared
+    motion = solution.separated_motion
     torus = motion.torus
     origin = [torus.v_0[0] + phase, torus.v_0[1]]
     system = motion.separable.system

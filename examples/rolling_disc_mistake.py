@@ -283,7 +283,7 @@ def figure(true: Trajectory, false: Trajectory) -> Figure:
 def verdict_text(verdict: Verdict, fails: str = "is off by") -> str:
     """A verdict; of a refutation, the point."""
     if verdict.witness is None:
-        return f"{verdict.decision} ({verdict.shown or verdict.reason})"
+        return f"{verdict.decision} ({verdict.finding or verdict.reason})"
     point = ", ".join(f"{name} = {value}" for name, value in verdict.witness["point"].items())
     return f"refuted; {verdict.law} {fails} {verdict.witness['residual']} at\n    {point}"
 

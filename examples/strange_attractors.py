@@ -219,7 +219,7 @@ def summary(attractor: Attractor) -> str:
     lines += [
         f"  sum = {result.total.value:.3f} ± {result.total.error:.3f} /s, "
         f"mean divergence {divergence.value:.3f} /s",
-        f"  removed: {', '.join(item.name for item, _ in result.removed)}",
+        f"  removed: {', '.join(item.name for item, _ in result.trivial)}",
     ]
     lines += [f"  {text}" for text in remarks(result, attractor.reversors)]
     return "\n".join(lines)

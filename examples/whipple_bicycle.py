@@ -360,12 +360,12 @@ def report(folder: Path) -> None:
     print(f"\nThe weave dies out above {weave:.12f} m/s,")
     print(f"the capsize grows above {capsize:.12f} m/s: between the two the bicycle rights itself.")
     run = pushed_motion()
-    energy = run.recorded["law_energy"]
-    lean = np.degrees(run.recorded["lean"])
+    energy = run.records["law_energy"]
+    lean = np.degrees(run.records["lean"])
     print(
         f"\nHit from the side at 4.6 m/s it leans by {max(abs(lean)):.1f}° and after "
         f"{float(run.times[-1]):g} s by {abs(lean[-1]):.2f}°; its speed has become "
-        f"{run.recorded['speed'][-1]:.4f} m/s, its energy has changed by "
+        f"{run.records['speed'][-1]:.4f} m/s, its energy has changed by "
         f"{max(abs(energy / energy[0] - 1)):.0e} of its value."
     )
     speeds = np.linspace(0.0, 10.0, 201)

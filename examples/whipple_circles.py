@@ -58,7 +58,9 @@ def circles(angles: Sequence[float] = ANGLES) -> list[Circle]:
     family = []
     for angle in angles:
         guess["delta"] = math.radians(angle)
-        state = relative_equilibrium(model(), guess, VALUES, held=["delta"], digits=DIGITS)
+        state = relative_equilibrium(
+            model(), guess, VALUES, fixed_variables=["delta"], digits=DIGITS
+        )
         guess = {str(name): float(x) for name, x in state.items()}
         turning = math.hypot(*(guess[f"omega_{i}"] for i in (1, 2, 3)))
         speed = -float(VALUES["R_R"]) * guess["Omega_R"]

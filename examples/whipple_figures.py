@@ -45,12 +45,12 @@ def column(run: Trajectory, name: str) -> np.ndarray:
 def run_figure(run: Trajectory) -> Figure:
     """Lean, steering angle, speed and path of a run, and how well it keeps its energy."""
     figure, axes = plt.subplots(4, 1, figsize=(WIDTH, 6.4), layout="constrained")
-    energy = run.recorded["law_energy"]
-    axes[0].plot(run.times, np.degrees(run.recorded["lean"]), color=SERIES[0], label="lean")
+    energy = run.records["law_energy"]
+    axes[0].plot(run.times, np.degrees(run.records["lean"]), color=SERIES[0], label="lean")
     axes[0].plot(run.times, np.degrees(column(run, "delta")), color=SERIES[1], label="steer")
     axes[0].set_ylabel("degrees")
     axes[0].legend(loc="upper right")
-    axes[1].plot(run.times, run.recorded["speed"], color=SERIES[2])
+    axes[1].plot(run.times, run.records["speed"], color=SERIES[2])
     axes[1].set_ylabel("speed (m/s)")
     axes[2].plot(run.times, energy / energy[0] - 1, color=SERIES[5])
     axes[2].set(ylabel="energy, change", xlabel="time (s)")

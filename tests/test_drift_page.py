@@ -44,4 +44,4 @@ def test_short_runs_drift_no_more(name: str) -> None:
         study.system_on_level, study.start, np.linspace(0, 300.0, 31), on_liftoff="warn"
     )
     for law in found.system.integrals:
-        assert drift(found.recorded[f"law_{law.name}"]) < 10 * max(ROWS[name][1], 1e-15)
+        assert drift(found.records[f"law_{law.name}"]) < 10 * max(ROWS[name][1], 1e-15)

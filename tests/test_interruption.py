@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from chaplygin.interruption import ending, watched
+from chaplygin.interruption import ending, interruptible
 
 #: Ctrl-C may be ignored where tests are run in the background, and would be in the program too.
 HEARING = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
@@ -82,7 +82,7 @@ def test_each_command_says_it_where_ctrl_c_is_ignored(
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
         for words in ("a third is kept", "a half is kept"):
-            with pytest.raises(KeyboardInterrupt), watched(), ending(words):
+            with pytest.raises(KeyboardInterrupt), interruptible(), ending(words):
                 raise KeyboardInterrupt
             assert capsys.readouterr().err == f"interrupted: {words}\n"
     finally:

@@ -96,7 +96,7 @@ def test_a_result_fits_a_screen(name: str) -> None:
 
 def test_integrals_drift_by_what_was_recorded() -> None:
     motion = ch.integrate(*ball(), np.linspace(0.0, 1.0, 11))
-    energy = motion.recorded["law_energy"]
+    energy = motion.records["law_energy"]
     assert f"drift of energy    {np.max(np.abs(energy - energy[0])):.1e}" in repr(motion)
 
 

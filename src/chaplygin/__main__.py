@@ -6,13 +6,13 @@ import os
 import signal
 import threading
 
-from .interruption import CODE, GRACE, watched
+from .interruption import CODE, GRACE, interruptible
 
 
 def main() -> None:
     """Run the command line; see :func:`chaplygin.cli.main`."""
     try:
-        with watched():
+        with interruptible():
             from .cli import main as command
 
             command()

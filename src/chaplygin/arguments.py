@@ -175,7 +175,7 @@ Parameters: TypeAlias = Annotated[
 ]
 Numbers: TypeAlias = Annotated[Any, _Kind("a sequence of numbers", _are_numbers)]
 #: One number; in quotes it keeps digits that a float has not.
-Written: TypeAlias = Annotated[Any, _Kind("a number", _is_written)]
+NumberOrText: TypeAlias = Annotated[Any, _Kind("a number", _is_written)]
 Formula: TypeAlias = Annotated[Any, _Kind("a SymPy expression", _is_formula)]
 #: One formula, or several in a matrix or in nested sequences.
 Formulas: TypeAlias = Annotated[
@@ -198,7 +198,7 @@ Setting: TypeAlias = Annotated[
     ),
 ]
 #: Named quantities with their formulas, as a mapping or as pairs.
-Declared: TypeAlias = Annotated[
+NamedFormulas: TypeAlias = Annotated[
     Any,
     _Kind("a mapping of symbols to SymPy expressions, or a sequence of such pairs", _is_declared),
 ]
@@ -371,12 +371,12 @@ def _checking(
     signature, known = inspect.signature(function), cache(kinds)
 
     @wraps(function)
-    def called(*arguments: Any, **named: Any) -> Any:
+    def wrapper(*arguments: Any, **keywords: Any) -> Any:
         try:
-            bound = signature.bind(*arguments, **named).arguments
+            bound = signature.bind(*arguments, **keywords).arguments
         except TypeError:
             # Python's own sentence names the function
-            return function(*arguments, **named)
+            return function(*arguments, **keywords)
         for argument, value in bound.items():
             if (kind := known().get(argument)) is None:
                 continue
@@ -392,6 +392,6 @@ def _checking(
                     raise InputError(
                         f"{name}: {place} must be {kind.words}, not {_short_text(item)}"
                     )
-        return function(*arguments, **named)
+        return function(*arguments, **keywords)
 
-    return called
+    return wrapper

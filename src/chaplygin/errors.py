@@ -20,7 +20,7 @@ def readable(text: str) -> str:
     line that is too long the middle is left out, so that what it begins and ends with stays.
     """
     escaped = "".join(c if c.isprintable() or c == "\n" else _escape(c) for c in text)
-    lines = [_cut(line) for line in escaped.split("\n")]
+    lines = [_abbreviation(line) for line in escaped.split("\n")]
     ends = list(itertools.accumulate(len(line) + 1 for line in lines))
     if ends[-1] <= LONGEST:
         return "\n".join(lines)
@@ -32,12 +32,12 @@ def _escape(character: str) -> str:
     return character.encode("unicode_escape").decode("ascii")
 
 
-def _cut(line: str) -> str:
+def _abbreviation(line: str) -> str:
     half = LONGEST_LINE // 2 - 5
     return line if len(line) <= LONGEST_LINE else f"{line[:half]} [...] {line[-half:]}"
 
 
-def nearest(name: str, known: Iterable[str]) -> str:
+def nearest(name: str, names: Iterable[str]) -> str:
     """End a sentence about an unknown name: the likeliest intention, and all that is allowed.
 
     Parameters
@@ -47,7 +47,7 @@ def nearest(name: str, known: Iterable[str]) -> str:
     known
         The names that would have been accepted.
     """
-    allowed = list(known)
+    allowed = list(names)
     same = [word for word in allowed if word.casefold() == name.casefold()]
     close = same or difflib.get_close_matches(name, allowed, n=1)
     guess = f", did you mean '{close[0]}'?" if close else ";"

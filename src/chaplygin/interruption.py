@@ -44,8 +44,8 @@ class _State:
     """The message due, whether it was printed, and whether Python can act."""
 
     endings: list[_Ending]
-    said: bool = False
-    reached: bool = False
+    was_announced: bool = False
+    was_interrupted: bool = False
 
     @property
     def ending(self) -> _Ending:
@@ -53,7 +53,7 @@ class _State:
 
     @property
     def saves(self) -> bool:
-        return self.ending.patient or bool(self.reached and self.ending.saving)
+        return self.ending.patient or bool(self.was_interrupted and self.ending.saving)
 
 
 _NOTHING = _Ending(lambda: NOTHING)
@@ -65,8 +65,8 @@ def say(words: str = "") -> None:
 
     The latter are said once.
     """
-    if words or not _STATE.said:
-        _STATE.said = True
+    if words or not _STATE.was_announced:
+        _STATE.was_announced = True
         # a progress bar leaves its line, and hides the cursor
         bar = "\r\x1b[K\x1b[?25h" if sys.stderr.isatty() else ""
         sys.stderr.write(f"{bar}interrupted: {words or _STATE.ending.words()}\n")
@@ -107,8 +107,8 @@ def concluding(saving: str) -> Iterator[None]:
 
 
 @contextmanager
-def _during(chosen: _Ending) -> Iterator[None]:
-    _STATE.endings.append(chosen)
+def _during(block_ending: _Ending) -> Iterator[None]:
+    _STATE.endings.append(block_ending)
     try:
         yield
     finally:
@@ -116,7 +116,7 @@ def _during(chosen: _Ending) -> Iterator[None]:
 
 
 @contextmanager
-def watched() -> Iterator[None]:
+def interruptible() -> Iterator[None]:
     """End the program as said above if it is interrupted in this block, whatever it is doing.
 
     Nothing is changed in a thread that is not the main one, and where Ctrl-C is dealt with already.
@@ -124,7 +124,7 @@ def watched() -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    _STATE.said = _STATE.reached = False
+    _STATE.was_announced = _STATE.was_interrupted = False
     if signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
         yield
         return
@@ -144,7 +144,7 @@ def watched() -> Iterator[None]:
         raise
     except Exception:
         # compiled libraries turn what is raised in a function they call into an error of theirs
-        if _STATE.reached:
+        if _STATE.was_interrupted:
             _conclude()
         raise
     finally:
@@ -155,7 +155,7 @@ def watched() -> Iterator[None]:
 
 
 def _act(number: int, frame: FrameType | None) -> None:
-    _STATE.reached = True
+    _STATE.was_interrupted = True
     raise KeyboardInterrupt
 
 

@@ -95,13 +95,13 @@ def test_a_case_of_several_laws_holds_when_all_hold():
     assert joined(given) is given
 
 
-PARTLY = Verdict("part", "proven where", shown="a part", conditions=("x > 0",))
+PARTLY = Verdict("part", "proven where", finding="a part", conditions=("x > 0",))
 OPEN = Verdict("open", "undecided", reason="too large")
 
 
 def partly_proven():
     """A claim that is proven where x > 0, and one put right by what is not decided."""
-    refuted = Verdict("wrong", "refuted", shown="a point")
+    refuted = Verdict("wrong", "refuted", finding="a point")
     claim = Claim("(1)", "$x$", lambda: PARTLY, note="read $x$ so")
     wrong = Claim("(2)", "$x$", lambda: refuted, lambda: OPEN, "$x = 1$", "x")
     return Judgement(1, claim, PARTLY, None, 0.1), Judgement(1, wrong, refuted, OPEN, 0.1)

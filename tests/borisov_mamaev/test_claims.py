@@ -71,7 +71,7 @@ def check_verdict(verdict: Verdict) -> None:
     if verdict.decision == "undecided":
         assert verdict.reason
     else:
-        assert verdict.shown and not verdict.reason
+        assert verdict.finding and not verdict.reason
     assert bool(verdict.conditions) == (verdict.decision == "proven where")
 
 

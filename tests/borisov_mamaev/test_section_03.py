@@ -73,8 +73,8 @@ def test_a_rest_point_without_divergence_decides_nothing():
 
 
 def test_contrary():
-    assert contrary(Verdict("law", "proven", shown="why")).decision == "refuted"
-    assert contrary(Verdict("law", "proven", shown="why")).witness == {"shown": "why"}
+    assert contrary(Verdict("law", "proven", finding="why")).decision == "refuted"
+    assert contrary(Verdict("law", "proven", finding="why")).witness == {"shown": "why"}
     assert contrary(Verdict("law", "refuted")).decision == "proven"
     assert contrary(Verdict("law", "undecided", reason="why")).reason == "why"
 

@@ -87,7 +87,7 @@ def trajectory(name):
 
 def test_a_solid_ball_in_a_pipe_oscillates_at_the_root_of_two_sevenths():
     found = trajectory("marble-ball-on-cylinder")
-    centre, times = found.recorded["centre"], np.asarray(found.times)
+    centre, times = found.records["centre"], np.asarray(found.times)
     turn = np.unwrap(np.arctan2(centre[:, 1], centre[:, 0]))[-1] / times[-1]
     rate = abs(turn) * np.sqrt(2 / 7)
     height = centre[:, 2]
@@ -100,7 +100,7 @@ def test_a_rubber_ball_in_a_pipe_falls():
     ball, times = replace(pipe, contact="rubber"), np.linspace(0.0, 2.0, 21)
     system = ball.system()
     start = ball_state(ball, system, (2.0, 0.0, 0.0), (0.0, 0.0, -16.0))
-    centre = integrate(system, start, times).recorded["centre"]
+    centre = integrate(system, start, times).records["centre"]
     np.testing.assert_allclose(centre[:, 2], -9.81 / 1.4 * times**2 / 2, atol=1e-12)
 
 
@@ -109,11 +109,11 @@ def test_a_rubber_ball_in_a_pipe_falls():
 def test_the_ball_stays_in_touch_and_on_its_surface(name):
     found = trajectory(name)
     assert not found.events
-    gap = found.recorded["centre"] - found.recorded["contact"]
+    gap = found.records["centre"] - found.recorded["contact"]
     radius = CATALOGUE[name].defaults["b"]
     np.testing.assert_allclose(np.linalg.norm(gap, axis=1), radius, rtol=1e-12)
-    turned = np.cross(found.recorded["omega"], gap)
-    np.testing.assert_allclose(turned, found.recorded["velocity"], atol=1e-10)
+    turned = np.cross(found.records["omega"], gap)
+    np.testing.assert_allclose(turned, found.records["velocity"], atol=1e-10)
 
 
 FOUND = {

@@ -34,7 +34,7 @@ def drifts(motion: Trajectory) -> dict[str, float]:
     """
     found = {}
     for law in motion.system.integrals:
-        values = motion.recorded[f"law_{law.name}"]
+        values = motion.records[f"law_{law.name}"]
         terms = sp.Add.make_args(sp.expand_mul(to_components(law.value)))
         at_start = numeric(motion.system, terms)(np.asarray(motion.states[0], dtype=float))
         size = max(float(np.abs(at_start).sum()), abs(float(values[0])))

@@ -16,7 +16,7 @@ def test_a_law_is_proven(claimed):
     verdict = prove(claimed.system, claimed.law)
     assert verdict.decision == "proven", verdict.reason or verdict.witness
     assert verdict.law == claimed.law.name
-    assert verdict.shown and not verdict.reason and verdict.witness is None
+    assert verdict.finding and not verdict.reason and verdict.witness is None
 
 
 @pytest.mark.slow

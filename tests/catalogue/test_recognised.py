@@ -157,7 +157,7 @@ def test_laws_of_an_experiment(name):
     motion = integrate(made.system, made.start, times, on_liftoff="warn")
     assert motion.times[-1] == 20.0
     for law in made.system.integrals:
-        assert drift(motion.recorded[f"law_{law.name}"]) < 1e-13, law.name
+        assert drift(motion.records[f"law_{law.name}"]) < 1e-13, law.name
 
 
 @pytest.mark.slow

@@ -39,7 +39,7 @@ def test_trailers_take_longer_words_where_they_are_folded(count, angles, expecte
     point = {real_symbol(name): value for name, value in angles.items()}
     found = nonholonomy_at(trailers.train(count), point)
     assert found.growth == expected
-    assert found.settled
+    assert found.is_final
     assert len(expected) <= (3, 5, 8)[count - 1]
 
 

@@ -37,7 +37,7 @@ def separation() -> Separation:
 def certificate():
     verdict = prove_with_certificate(oscillators(), separation())
     assert verdict.decision == "proven"
-    assert verdict.uncertified == ""
+    assert verdict.no_certificate == ""
     return verdict.certificate
 
 

@@ -129,8 +129,8 @@ def test_the_audit_speaks_unicode_on_a_terminal_and_latex_to_programs(ask, monke
 
 def test_the_audit_tells_what_is_proven_in_part(ask, monkeypatch):
     judged = import_module("chaplygin.borisov_mamaev.audit")
-    part = Verdict("part", "proven where", shown="a part", conditions=("x > 0", "not y = 0"))
-    refuted = Verdict("wrong", "refuted", shown="a point")
+    part = Verdict("part", "proven where", finding="a part", conditions=("x > 0", "not y = 0"))
+    refuted = Verdict("wrong", "refuted", finding="a point")
     unknown = Verdict("open", "undecided", reason="20 million terms remained")
     claims = (
         Claim("(1)", "as printed", lambda: part),

@@ -174,7 +174,7 @@ def test_a_ball_that_never_slips_rolls_with_the_law_of_marble(loaded: CompiledCo
     rolling = ch.roll(body, field=ch.Forces(gravity=3.0))
     marble = ch.integrate(rolling, ch.initial_state(rolling, omega, (0.0, 0.0, 1.0)), [0.0, 1.0])
     values = motion.observables()
-    np.testing.assert_allclose(motion.end_state[10:13], marble.recorded["omega"][-1], atol=1e-12)
+    np.testing.assert_allclose(motion.end_state[10:13], marble.records["omega"][-1], atol=1e-12)
     np.testing.assert_allclose(values["gamma"][-1], marble.states[-1, 3:6], atol=1e-12)
     assert not motion.events
     with pytest.raises(ch.InputError, match="mu = inf the contact cannot slip"):

@@ -90,13 +90,13 @@ def test_radau_integrates_polynomials_of_high_degree() -> None:
 
 @pytest.mark.parametrize("robot", [ball(2, "rubber"), shell()], ids=["rubber", "pendulum"])
 def test_the_tangents_of_the_collocation_are_exact(robot: SphericalRobot) -> None:
-    system = driftless_system(robot) if robot.balanced else controlled_system(robot)
+    system = driftless_system(robot) if robot.is_balanced else controlled_system(robot)
     n, m = len(system.state), len(system.inputs)
     problem = Transcription(Rates(system), EIGHT, [4, 5], 3, 3, {4: 0.0, 5: 0.0})
     rng = np.random.default_rng(1)
     state = np.zeros(n)
     state[0] = 1.0
-    unknowns = problem.packed(state, np.tile(state, (9, 1)), np.zeros((9, m)))
+    unknowns = problem.unknowns_of(state, np.tile(state, (9, 1)), np.zeros((9, m)))
     unknowns = unknowns + 0.1 * rng.normal(size=len(unknowns))
     direction, h = rng.normal(size=len(unknowns)), 1e-5
     ahead, behind = (problem.residuals(unknowns + s * h * direction) for s in (1, -1))

@@ -24,7 +24,7 @@ from chaplygin.proof.verdict import Verdict
 from mutations import damaged, within
 
 CONTENT = b"some content"
-PROVEN = Verdict("energy", "proven", shown="zero", effort=3)
+PROVEN = Verdict("energy", "proven", finding="zero", effort=3)
 
 
 @pytest.fixture(autouse=True)

@@ -89,8 +89,8 @@ def test_needed_steps_are_those_that_are_used_in_order() -> None:
 
 def test_needed_stops_at_what_is_given() -> None:
     system = top()
-    assert system.required_definitions(system.rates, given=omega.symbols) == ()
-    assert [str(x) for x, _ in system.required_definitions([s], given=omega.symbols)] == ["s"]
+    assert system.required_definitions(system.rates, inputs=omega.symbols) == ()
+    assert [str(x) for x, _ in system.required_definitions([s], inputs=omega.symbols)] == ["s"]
 
 
 def test_vector_formulas_may_be_asked_for() -> None:

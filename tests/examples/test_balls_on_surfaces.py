@@ -18,15 +18,15 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 def test_an_example_runs_to_its_end(name):
     found = prepare(load(EXAMPLES / f"{name}.toml")).trajectory()
     assert not found.events
-    assert drift(found.recorded["law_energy"]) < 1e-14
+    assert drift(found.records["law_energy"]) < 1e-14
 
 
 def test_the_ball_in_the_pipe_comes_up_again():
     found = prepare(load(EXAMPLES / "ball_in_a_pipe.toml")).trajectory(pieces=20)
-    height, times = found.recorded["centre"][:, 2], np.asarray(found.times)
+    height, times = found.records["centre"][:, 2], np.asarray(found.times)
     inner = (height[1:-1] > height[:-2]) & (height[1:-1] > height[2:])
     tops = times[1:-1][inner]
-    centre = found.recorded["centre"]
+    centre = found.records["centre"]
     turns = np.unwrap(np.arctan2(centre[:, 1], centre[:, 0])) / (2 * np.pi)
     per_oscillation = np.diff(np.interp(tops, times, turns))
     np.testing.assert_allclose(np.abs(per_oscillation), np.sqrt(3.5), atol=5e-3)

@@ -196,7 +196,7 @@ def motion(examples: dict[str, ModuleType], name: str, *overrides: str) -> Conta
 @pytest.mark.slow(every=3)
 def test_the_billiard_ball(examples: dict[str, ModuleType]) -> None:
     run = motion(examples, "billiard_ball", "run.samples=101")
-    slip = np.linalg.norm(run.recorded["slip"][0])
+    slip = np.linalg.norm(run.records["slip"][0])
     assert run.changes[0].time == pytest.approx(2 * slip / (7 * 0.2 * 9.81), rel=1e-13)
     assert f"{run.changes[0].time:.13f}" == said("0.3380547514217")
     assert examples["friction_figures"].parabola_error(run) < 1e-14
@@ -216,7 +216,7 @@ def test_the_dry_rattleback(examples: dict[str, ModuleType]) -> None:
 def test_samples_where_sliding_begins_have_observables(examples: dict[str, ModuleType]) -> None:
     """A sample within the first moments of a slip, whose equations have a further variable."""
     run = motion(examples, "dry_rattleback", "run.until=0.007", "run.samples=36")
-    slip = np.linalg.norm(run.recorded["slip"], axis=1)
+    slip = np.linalg.norm(run.records["slip"], axis=1)
     just = (run.times > run.changes[0].time) & (run.times < run.changes[0].time + 5e-4)
     assert just.any()
     assert (slip[just] > 0).all()
@@ -238,7 +238,7 @@ def test_the_superball_comes_back(examples: dict[str, ModuleType]) -> None:
     end = math.sqrt(2 * 0.775 / 9.81) * 19
     rest = next(e for e in run.changes if e.mode != "flight")
     assert rest.time == pytest.approx(end, abs=1e-6)
-    assert run.recorded["velocity"][-1] == pytest.approx([-7.5 / 7, 0.0, 0.0], abs=1e-12)
+    assert run.records["velocity"][-1] == pytest.approx([-7.5 / 7, 0.0, 0.0], abs=1e-12)
 
 
 @pytest.mark.slow(every=3)
@@ -307,7 +307,7 @@ def test_the_impact_without_collision(examples: dict[str, ModuleType]) -> None:
     assert float(np.linalg.norm(event.impulse)) == pytest.approx(
         math.hypot(float(said("0.293518")), 0.291539), abs=1e-6
     )
-    assert run.recorded["energy"][0] + event.after[16] == pytest.approx(
+    assert run.records["energy"][0] + event.after[16] == pytest.approx(
         0.5 + 9.81 * math.sqrt(math.sin(1.1621) ** 2 + 0.04 * math.cos(1.1621) ** 2), rel=1e-12
     )
 

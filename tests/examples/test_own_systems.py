@@ -55,7 +55,7 @@ def test_every_example_runs_and_its_laws_are_proven(path: Path) -> None:
     assert made.system.title != "Untitled system"
     trajectory = made.trajectory()
     for law in trajectory.system.integrals:
-        assert drift(trajectory.recorded[f"law_{law.name}"]) < 1e-11
+        assert drift(trajectory.records[f"law_{law.name}"]) < 1e-11
     dataset = dataset_of(made, trajectory)
     assert all({"units", "long_name", "source"} <= set(v.attrs) for v in dataset.data_vars.values())
     again = prepare(load(dataset.attrs["experiment"]))

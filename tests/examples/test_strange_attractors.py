@@ -35,7 +35,7 @@ def test_a_rattleback_is_attracted(found):
     assert stone.chaotic
     assert stone.total.value < -stone.total.error
     assert 3 < stone.dimension[0] < 4
-    assert [item.name for item, _ in stone.removed] == ["γ² = 1", "energy", "flow"]
+    assert [item.name for item, _ in stone.trivial] == ["γ² = 1", "energy", "flow"]
 
 
 @pytest.mark.slow

@@ -69,16 +69,16 @@ def test_json(bicycle: ModuleType, capsys: pytest.CaptureFixture[str], monkeypat
 @pytest.mark.slow
 def test_a_stable_bicycle_rights_itself_and_keeps_its_energy(bicycle: ModuleType):
     run = bicycle.pushed_motion(seconds=4.0)
-    energy = run.recorded["law_energy"]
+    energy = run.records["law_energy"]
     assert max(abs(energy / energy[0] - 1)) < 1e-13
-    assert max(abs(np.degrees(run.recorded["lean"]))) > 6
-    assert abs(np.degrees(run.recorded["lean"][-1])) < 1.5
+    assert max(abs(np.degrees(run.records["lean"]))) > 6
+    assert abs(np.degrees(run.records["lean"][-1])) < 1.5
 
 
 @pytest.mark.slow
 def test_a_push_to_the_right_turns_it_to_the_right(bicycle: ModuleType):
     run = bicycle.pushed_motion(seconds=1.0)
-    assert run.recorded["lean"][20] > 0
+    assert run.records["lean"][20] > 0
     names = [str(symbol) for symbol in run.system.symbols]
     path = dict(zip(names, run.states.T, strict=True))
     assert path["delta"][40] > 0

@@ -43,7 +43,9 @@ def test_circles_begin_at_the_critical_speed(example: ModuleType):
 def test_a_circle_stays_one_in_the_nonlinear_equations(example: ModuleType):
     bicycle = replace(example.model(), reconstruction=None)
     guess = example.beginning(0.02)
-    state = relative_equilibrium(bicycle, guess, example.VALUES, held=["delta"], digits=15)
+    state = relative_equilibrium(
+        bicycle, guess, example.VALUES, fixed_variables=["delta"], digits=15
+    )
     start = [float(state[symbol]) for symbol in bicycle.symbols]
     run = integrate(bicycle, start, np.linspace(0.0, 3.0, 7))
     assert np.abs(run.states - run.states[0]).max() < 1e-11

@@ -96,10 +96,10 @@ def spinning() -> tuple[Study, Solution]:
 def test_what_is_recorded_is_what_a_run_records() -> None:
     study, solution = spinning()
     run, found = study.trajectory(), closed_form_trajectory(study, solution, study.times)
-    assert list(found.recorded) == list(run.recorded)
-    for name, values in run.recorded.items():
-        assert found.recorded[name].shape == values.shape
-        assert np.abs(found.recorded[name] - values).max() < 1e-12
+    assert list(found.records) == list(run.records)
+    for name, values in run.records.items():
+        assert found.records[name].shape == values.shape
+        assert np.abs(found.records[name] - values).max() < 1e-12
     made = dataset(study, found, solution)
     assert set(made.data_vars) == set(dataset(study, run, solution).data_vars)
     assert "M_3 = 2.31" in made.attrs["start"]

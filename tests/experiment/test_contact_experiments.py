@@ -334,7 +334,7 @@ samples = 41
 @pytest.mark.slow
 def test_no_bounce_is_missed() -> None:
     motion = ch.prepare(ch.loads(BOUNCES, "f.toml")).trajectory()
-    assert motion.recorded["gap"].min() > -1e-12
+    assert motion.records["gap"].min() > -1e-12
     assert len(motion.changes) > 15
 
 

@@ -292,7 +292,7 @@ def test_an_interrupted_motion_is_kept() -> None:
     assert 10 < len(part.times) < 300
     assert stop.value.time == part.times[-1]
     assert np.array_equal(part.states, whole.states[: len(part.times)])
-    assert np.array_equal(part.recorded["energy"], whole.recorded["energy"][: len(part.times)])
+    assert np.array_equal(part.records["energy"], whole.records["energy"][: len(part.times)])
 
 
 def test_a_body_that_touches_with_its_centre_of_mass() -> None:

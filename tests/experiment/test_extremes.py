@@ -181,8 +181,8 @@ def test_an_answer_or_one_sentence(name: str, capfd: pytest.CaptureFixture[str])
         check_message(str(error))
         # at a pole the last sample has terms in its energy so large that rounding is all of it
         found, good = error.partial, slice(max(1, len(error.partial.times) - 1))
-    for values in (found.states, *found.recorded.values()):
+    for values in (found.states, *found.records.values()):
         assert np.isfinite(np.asarray(values, dtype=float)).all()
     for law in found.system.integrals:
-        assert drift(found.recorded[f"law_{law.name}"][good]) < 1e-11, law.name
+        assert drift(found.records[f"law_{law.name}"][good]) < 1e-11, law.name
     assert capfd.readouterr() == ("", "")

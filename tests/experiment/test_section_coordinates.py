@@ -43,7 +43,7 @@ def test_three_where_a_level_has_no_further_integral():
 def test_angles_are_those_whose_whole_turns_count_for_nothing():
     system = prepare(loads(PENDULUM)).system
     assert [str(s) for s in system.symbols if is_angle(system, s)] == ["phi"]
-    names, quantities, _ = coordinates_of(system, "", passed="s")
+    names, quantities, _ = coordinates_of(system, "", condition="s")
     assert names == ("phi_in_turn", "p")
     (angle,) = quantities
     assert (angle.label, angle.unit) == ("phi", "rad")

@@ -276,8 +276,8 @@ def test_finer_samples_do_not_disturb_the_given_ones():
     thin = fine.subsample(3)
     assert thin.times.tolist() == plain.times.tolist()
     assert thin.states.tolist() == plain.states.tolist()
-    for name, values in plain.recorded.items():
-        assert thin.recorded[name].tolist() == values.tolist()
+    for name, values in plain.records.items():
+        assert thin.records[name].tolist() == values.tolist()
 
 
 def test_a_dense_trajectory_on_request():

@@ -43,7 +43,7 @@ def miss(made: GenusTwo, times: Sequence[float]) -> Any:
     """The greatest difference from a 34-digit integration, at each time but the first."""
     system = made.separable.system
     with mpmath.workdps(40):
-        reduced = [mpmath.mpf(x.mid().str(40, radius=False)) for x in made.prepared.state]
+        reduced = [mpmath.mpf(x.mid().str(40, radius=False)) for x in made.separated_motion.state]
         start = [*reduced, *made.start[len(reduced) :]]
         motion = integrate(
             system, start, [0.0, *times], parameters=made.parameters, precision="quad"

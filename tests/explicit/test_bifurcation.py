@@ -13,11 +13,11 @@ import sympy as sp
 from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
 from chaplygin.explicit.bifurcation import Diagram, bifurcation_diagram, locate
-from chaplygin.explicit.bifurcation.families import PLANES, SEPARATED, plane_named
+from chaplygin.explicit.bifurcation.families import PLANES, SEPARATIONS, plane_named
 from chaplygin.explicit.separations.chaplygin_ball_area_constant import chaplygin_area
 from chaplygin.explicit.separations.veselova import veselova
 
-NAMES = (*SEPARATED, *PLANES)
+NAMES = (*SEPARATIONS, *PLANES)
 #: Moments in another order than the usual, and a parameter that some systems have.
 MOMENTS = {"I_1": "2.1", "I_2": "1", "I_3": "1.5"}
 h, F, f, g = (real_symbol(name) for name in "hFfg")

@@ -122,7 +122,7 @@ def integrated(
 ) -> Sequence[Any]:
     """The state with 34 digits, from the same start."""
     with mpmath.workdps(40):
-        start = [mpmath.mpf(x.str(40, radius=False)) for x in solution.prepared.state]
+        start = [mpmath.mpf(x.str(40, radius=False)) for x in solution.separated_motion.state]
         parameters = {symbol: float(value) for symbol, value in values.items()}
         run = integrate(solution.system, start, [0, until], parameters=parameters, precision="quad")
         return list(run.states[-1])

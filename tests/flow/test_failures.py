@@ -66,7 +66,7 @@ def test_a_guard_that_vanishes_at_the_singularity_is_what_happened():
     motion = integrate(ended, [1], [0.0, 0.75, 2.0])
     (message,) = motion.events
     assert message.guard.message == "x has come to zero"
-    assert message.stopped
+    assert message.is_terminal
     assert message.time == motion.times[-1] == pytest.approx(1.0, abs=1e-10)
 
 
@@ -97,7 +97,7 @@ def test_the_time_limit(ball):
     assert 0 < error.time < 1e7
     assert error.partial.statistics.seconds < 5
     assert error.partial.statistics.steps > 0
-    energy = error.partial.recorded["law_energy"]
+    energy = error.partial.records["law_energy"]
     assert abs(energy[-1] - energy[0]) < 1e-13 * energy[0]
 
 

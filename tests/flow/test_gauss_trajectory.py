@@ -32,11 +32,11 @@ def test_what_is_recorded_is_what_taylor_series_give(name: str) -> None:
     taylor = integrate(system, start, times)
     gauss = integrate(system, start, times, method="gauss")
     assert gauss.system == taylor.system
-    assert list(gauss.recorded) == list(taylor.recorded)
+    assert list(gauss.records) == list(taylor.records)
     assert np.abs(gauss.states - taylor.states).max() < 1e-12
-    for quantity, values in taylor.recorded.items():
-        assert gauss.recorded[quantity].shape == values.shape
-        assert np.abs(gauss.recorded[quantity] - values).max() < 1e-10 * (1 + np.abs(values).max())
+    for quantity, values in taylor.records.items():
+        assert gauss.records[quantity].shape == values.shape
+        assert np.abs(gauss.records[quantity] - values).max() < 1e-10 * (1 + np.abs(values).max())
 
 
 @pytest.mark.slow

@@ -73,7 +73,7 @@ def test_a_disk_let_go_falls_flat_on_time(sense):
     motion = integrate(DISK, start, sense * np.linspace(0.0, 5.0, 51))
     (message,) = motion.events
     assert message.guard.name == "flat"
-    assert message.stopped
+    assert message.is_terminal
     assert message.time == motion.times[-1]
     assert sense * message.time == pytest.approx(time_of_fall(), abs=1e-11)
     assert np.hypot(*motion["gamma"][-1, :2]) == pytest.approx(1e-6, rel=1e-6)
@@ -142,7 +142,7 @@ def test_a_homogeneous_ball_leaves_the_dome_at_the_textbook_angle():
     motion = integrate(SMOOTH, on_the_dome(SMOOTH), np.linspace(0.0, 10.0, 101), dense=True)
     (message,) = motion.events
     assert message.guard.name == "contact"
-    assert message.stopped
+    assert message.is_terminal
     assert message.time == motion.times[-1]
     cosine = motion["contact"][-1, 2] / DOME
     assert cosine == pytest.approx(10 / 17 * np.cos(TILT), abs=1e-12)
@@ -185,7 +185,7 @@ def test_lift_off_stops_or_warns():
     stop, warn = (integrate(ROUGH, start, times, on_liftoff=wish) for wish in ("stop", "warn"))
     (stopped,), (warned,) = stop.events, warn.events
     assert stopped.time == warned.time == stop.times[-1] < 3.0
-    assert stopped.stopped and not warned.stopped
+    assert stopped.is_terminal and not warned.is_terminal
     assert str(stopped).endswith("the normal force changes sign; the run ends there")
     assert str(warned).endswith("the normal force changes sign; the run continues")
     assert warn.times.tolist() == times.tolist()
@@ -201,7 +201,7 @@ def test_a_body_that_is_not_pressed_at_the_start():
     )
     assert stop.times.tolist() == [0.0]
     assert stop.events[0].time == warn.events[0].time == 0.0
-    assert stop.events[0].stopped and not warn.events[0].stopped
+    assert stop.events[0].is_terminal and not warn.events[0].is_terminal
     assert warn.times.tolist() == [0.0, 0.1, 0.2]
     assert warn["normal_force"][0] < 0
 
@@ -224,7 +224,7 @@ def test_every_loss_of_contact_is_noted_and_no_return(until):
 def test_a_guard_costs_no_accuracy():
     start = initial_state(LOADED, (8.0, 6.0, 1.0), (0.36, -0.48, 0.8))
     motion = integrate(LOADED, start, np.linspace(0.0, 6.0, 61), on_liftoff="warn")
-    energy = motion.recorded["law_energy"]
+    energy = motion.records["law_energy"]
     assert np.abs(energy - energy[0]).max() < 1e-14 * energy[0]
 
 
@@ -262,14 +262,14 @@ def test_an_implicit_body_rolls_on_to_its_waist(surface, contact, sense):
     assert str(message).endswith(
         "the contact leaves the convex part of the body; the run ends there"
     )
-    assert message.stopped
+    assert message.is_terminal
     assert motion.times[-1] == message.time
     assert motion.dense.span[1] == message.time
     # the curvature is a root of the time that is left, where the equations are singular
     slack = 1e-6 if surface == Plane() else 1e-12
     assert total_curvature(motion["r"][-1]) == pytest.approx(0.0, abs=slack)
     assert total_curvature(motion["r"][0]) > 0.1
-    energy = motion.recorded["law_energy"]
+    energy = motion.records["law_energy"]
     assert np.abs(energy[:-1] - energy[0]).max() < 1e-13 * energy[0]
 
 

@@ -64,9 +64,9 @@ def test_double_agrees_with_thirty_digits(name, until):
     assert quad.states.dtype == hy.real128
     assert far(double.states, quad.states) < 1e-12
     for law in system.integrals:
-        values = quad.recorded[f"law_{law.name}"]
+        values = quad.records[f"law_{law.name}"]
         assert drift(values) < 1e-30
-        assert float(values[0]) == pytest.approx(double.recorded[f"law_{law.name}"][0], rel=1e-14)
+        assert float(values[0]) == pytest.approx(double.records[f"law_{law.name}"][0], rel=1e-14)
 
 
 def test_thirty_digits_are_right():
@@ -296,7 +296,7 @@ def test_parameters_at_run_time_are_those_of_another_system():
     one = integrate(entry.system(), start, [0.0, 10.0], parameters=given)
     two = integrate(other, start, [0.0, 10.0])
     assert one.states.tolist() == two.states.tolist()
-    assert one.recorded["law_energy"].tolist() == two.recorded["law_energy"].tolist()
+    assert one.records["law_energy"].tolist() == two.records["law_energy"].tolist()
     assert one.parameters == two.parameters
 
 
@@ -371,8 +371,8 @@ def test_integrals_are_kept_at_a_coarse_tolerance():
         for keep in (False, True)
     )
     for law in system.laws:
-        assert drift(free.recorded[f"law_{law.name}"]) > 1e-8
-        assert drift(kept.recorded[f"law_{law.name}"]) < 5e-15
+        assert drift(free.records[f"law_{law.name}"]) > 1e-8
+        assert drift(kept.records[f"law_{law.name}"]) < 5e-15
     gamma = kept["gamma"]
     assert np.abs((gamma**2).sum(axis=1) - 1).max() < 5e-15
     best = integrate(system, start, [0.0, 10.0])
@@ -461,7 +461,7 @@ def test_a_system_without_anything_recorded():
     (u,) = vectors("u")
     bare = System(name="bare", title="Bare", field={u: -u})
     motion = integrate(bare, [1, 2, 3], [0.0, 1.0])
-    assert motion.recorded == {}
+    assert motion.records == {}
     assert motion["u"][-1] == pytest.approx(np.exp(-1) * np.array([1, 2, 3]), rel=1e-15)
 
 

@@ -27,7 +27,7 @@ def test_what_is_held_stays() -> None:
     unit = STATES.copy()
     unit[:, 3:] /= np.linalg.norm(unit[:, 3:], axis=1, keepdims=True)
     level = Formulas(BALL, (ENERGY, MOMENTUM))
-    states, met = project_to_level(level, unit, [0.6, 3.0], moved=[True] * 3 + [False] * 3)
+    states, met = project_to_level(level, unit, [0.6, 3.0], movable=[True] * 3 + [False] * 3)
     assert met.all()
     assert np.array_equal(states[:, 3:], unit[:, 3:])
     assert np.abs(level(states) - [0.6, 3.0]).max() < 2e-15
@@ -53,5 +53,5 @@ def test_what_cannot_be_met_is_told_and_disturbs_nobody() -> None:
 
 
 def test_with_nothing_to_move() -> None:
-    _, met = project_to_level(LEVEL, STATES, moved=[False] * 6)
+    _, met = project_to_level(LEVEL, STATES, movable=[False] * 6)
     assert not met.any()

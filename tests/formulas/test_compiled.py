@@ -24,7 +24,7 @@ POINTS = np.random.default_rng(2).uniform(-2, 2, (2, 30))
 
 def test_values() -> None:
     sheet = SystemFormulas(SYSTEM)
-    found = CompiledTerms([sheet.read(f) for f in FORMULAS])(POINTS, np.array([1.7]))
+    found = CompiledTerms([sheet.term_of(f) for f in FORMULAS])(POINTS, np.array([1.7]))
     for row, formula in zip(found, FORMULAS, strict=True):
         wanted = sp.lambdify((x, y, a), formula)(*POINTS, 1.7)
         assert np.allclose(row, wanted, rtol=1e-14)
@@ -32,7 +32,7 @@ def test_values() -> None:
 
 def test_slopes() -> None:
     sheet = SystemFormulas(SYSTEM)
-    slopes = sheet.slopes([sheet.read(FORMULAS[0])])[0]
+    slopes = sheet.slopes([sheet.term_of(FORMULAS[0])])[0]
     found = CompiledTerms(slopes)(POINTS, np.array([1.7]))
     for row, symbol in zip(found, (x, y), strict=True):
         wanted = sp.lambdify((x, y, a), FORMULAS[0].diff(symbol))(*POINTS, 1.7)
@@ -43,5 +43,5 @@ def test_slopes() -> None:
 def test_no_real_value() -> None:
     sheet = SystemFormulas(SYSTEM)
     assert np.isnan(
-        CompiledTerms([sheet.read(sp.sqrt(x))])(np.array([[-1.0], [0.0]]), np.ones(1))
+        CompiledTerms([sheet.term_of(sp.sqrt(x))])(np.array([[-1.0], [0.0]]), np.ones(1))
     ).all()

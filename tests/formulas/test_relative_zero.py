@@ -12,7 +12,7 @@ from flint import arb
 from chaplygin.core.vectors import dot, to_components, vectors
 from chaplygin.formulas.relative_zero import (
     RESOLUTION,
-    ROUNDED,
+    ROUNDING,
     SizedNumber,
     state_sizes,
     values_with_sizes,
@@ -37,15 +37,15 @@ def test_a_sum_is_judged_beside_its_terms(size: Fraction) -> None:
     assert exact.value == 0
     assert exact.vanishes()
     rounded = level((4 * size, -3 * size * (1 + Fraction(1, 10**15)), 5 * size), normal)
-    assert rounded.vanishes(ROUNDED)
+    assert rounded.vanishes(ROUNDING)
     assert not rounded.vanishes(RESOLUTION)
-    assert not level((4 * size, -2 * size, 5 * size), normal).vanishes(ROUNDED)
+    assert not level((4 * size, -2 * size, 5 * size), normal).vanishes(ROUNDING)
 
 
 def test_a_component_is_as_large_as_its_vector() -> None:
     # what is left of M₁ is the rounding of M₂
     left = level((Fraction(1, 10**17), Fraction(1), Fraction(0)), (Fraction(1), *[Fraction(0)] * 2))
-    assert left.vanishes(ROUNDED)
+    assert left.vanishes(ROUNDING)
     assert left.share < 1e-16
 
 
@@ -89,6 +89,6 @@ def test_balls() -> None:
     for size in (arb("1e-30"), arb(1), arb("1e30")):
         assert vanishes(size * arb("1e-41"), size)
         assert not vanishes(size * arb("1e-39"), size)
-        assert vanishes(size * arb("1e-13"), size, ROUNDED)
+        assert vanishes(size * arb("1e-13"), size, ROUNDING)
     assert vanishes(arb(0), arb(0))
     assert not vanishes(arb("nan"), arb(1))

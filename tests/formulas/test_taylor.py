@@ -90,7 +90,7 @@ def test_derivatives_of_functions(function, slope):
     numbers = Modular()
     space = ConfigurationSpace((x, y), (), (), (function, slope))
     found = random_point(space, numbers, random.Random(5)).germs(space, 4)
-    left, right = found.series(function).derivative(0), found.series(slope).cut(3)
+    left, right = found.series(function).derivative(0), found.series(slope).truncation(3)
     assert (left - right).is_zero
     assert not left.is_zero
 

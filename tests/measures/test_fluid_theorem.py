@@ -33,7 +33,7 @@ def test_the_lemma_is_proven_for_all_tensors():
     """By a symbolic computation, not at points."""
     verdict = lemma()
     assert verdict.decision == "proven"
-    assert "residual" in verdict.shown
+    assert "residual" in verdict.finding
 
 
 @pytest.mark.parametrize(

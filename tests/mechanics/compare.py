@@ -203,7 +203,7 @@ def heading(gamma: np.ndarray, normal: np.ndarray, attitude: np.ndarray) -> floa
 
 def told_by_package(trajectory: Trajectory) -> dict[str, np.ndarray]:
     """Everything recorded along a trajectory, and its state."""
-    told = {name: np.asarray(values, float) for name, values in trajectory.recorded.items()}
+    told = {name: np.asarray(values, float) for name, values in trajectory.records.items()}
     told |= {str(name): np.asarray(trajectory[str(name)]) for name in trajectory.system.state}
     told["energy"] = told.pop("law_energy")
     return told
@@ -265,7 +265,7 @@ def evaluate(
     system: System, formulas: Sequence[Any], values: Mapping[sp.Symbol, float]
 ) -> np.ndarray:
     """Scalar formulas of a system at known symbols."""
-    steps = list(system.required_definitions(formulas, given=values))
+    steps = list(system.required_definitions(formulas, inputs=values))
     function = sp.lambdify(list(values), list(formulas), "math", cse=lambda e: (steps, e))
     return np.array(function(*values.values()), dtype=float)
 

@@ -52,7 +52,7 @@ class Portrait:
 
     def _compile(self, symbols: Sequence[sp.Symbol], formulas: list[sp.Expr]) -> Any:
         names = [*self.system.defaults, *symbols]
-        steps = list(self.system.required_definitions(formulas, given=names))
+        steps = list(self.system.required_definitions(formulas, inputs=names))
         return sp.lambdify(names, formulas, "numpy", cse=lambda e: (steps, e))
 
     def _constants(self, parameters: Mapping[str, float]) -> list[float]:

@@ -175,7 +175,7 @@ def test_right_laws_are_proven(name):
     verdict = prove(TOP, RIGHT[name])
     assert verdict.decision == "proven", verdict
     assert verdict
-    assert verdict.shown and verdict.terms >= 0 and verdict.witness is None
+    assert verdict.finding and verdict.terms >= 0 and verdict.witness is None
 
 
 @pytest.mark.parametrize("name", WRONG)

@@ -45,7 +45,7 @@ def test_a_stored_trajectory_is_the_same_to_the_last_digit(tmp_path: Path, preci
     assert stored.states.dtype == whole.states.dtype
     assert np.array_equal(stored.times, whole.times)
     assert np.array_equal(stored.states, whole.states)
-    assert stored.recorded.keys() == whole.recorded.keys() == {"law_energy"}
+    assert stored.records.keys() == whole.records.keys() == {"law_energy"}
     assert np.array_equal(stored["law_energy"], whole["law_energy"])
     assert (stored.system, stored.parameters) == (whole.system, whole.parameters)
     assert (stored.events, stored.statistics) == (whole.events, whole.statistics)

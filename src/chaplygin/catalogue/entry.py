@@ -183,7 +183,7 @@ class Family(Protocol):
     def upright(self) -> bool:
         """Whether γ is the last row of the attitude."""
 
-    def entry(self, given: Settings | None = None) -> Entry:
+    def entry(self, parameters: Settings | None = None) -> Entry:
         """The entry of the dimension and with the numbers that settings give."""
 
     def admissible(self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]) -> list[list[Any]]:
@@ -200,8 +200,8 @@ def lookup(catalogue: Mapping[str, Entry], name: str) -> Entry:
     return catalogue[name]
 
 
-def _nearest(name: str, known: Iterable[str]) -> str:
-    close = difflib.get_close_matches(name, list(known), n=1)
+def _nearest(name: str, names: Iterable[str]) -> str:
+    close = difflib.get_close_matches(name, list(names), n=1)
     return f" (did you mean {close[0]!r}?)" if close else ""
 
 

@@ -92,7 +92,7 @@ class _Proofs:
         self, data: Mapping[str, object], claim: Claim, conditions: Sequence[Condition]
     ) -> None:
         self.data, self.claim, self.conditions = data, claim, conditions
-        self.stated = field(data, "claim", "the certificate")
+        self.claim_data = field(data, "claim", "the certificate")
         self.proofs = [
             mapping(proof, f"proof {i}")
             for i, proof in enumerate(as_list(field(data, "proofs", "the certificate"), "proofs"))
@@ -117,7 +117,7 @@ class _Proofs:
     def _claim(self, proof: Mapping[str, object], what: str) -> tuple[Claim, set[str]]:
         """The claim that a proof is one of, and what it says of the claim of the user."""
         if not proof.get("substitution"):
-            if "claim" in proof and proof["claim"] != self.stated:
+            if "claim" in proof and proof["claim"] != self.claim_data:
                 raise CheckError(f"{what} is one of another claim")
             return self.claim, {LAW}
         stated = read_claim(field(proof, "claim", what), f"the claim of {what}")
@@ -148,7 +148,9 @@ class _Proofs:
 
     def _generators_of(self, number: int) -> str:
         proof = self.proofs[number]
-        claim = proof.get("claim", self.stated) if proof.get("substitution") else self.stated
+        claim = (
+            proof.get("claim", self.claim_data) if proof.get("substitution") else self.claim_data
+        )
         return json.dumps([claim, proof.get("substitution", []), proof.get("zeros", [])])
 
     def _check_cover(self, data: Mapping[str, object]) -> None:

@@ -24,7 +24,7 @@ from .claim.jets import ball
 from .claim.json_data import as_list, field, integer, mapping, only, rational, text
 from .claim.polynomials import Poly, Ring
 from .claim.quotients import quotient
-from .claim.residuals import each_residual, rank_at_least, ranked, residuals
+from .claim.residuals import each_residual, is_on_rank, rank_at_least, residuals
 from .claim.unspecified_functions import Functions
 from .identities.proof import Condition
 
@@ -88,7 +88,7 @@ def check_sample(claim: Claim, data: object, conditions: Sequence[Condition]) ->
             if not (value > 0 if condition.positive else value != 0):
                 raise CheckError(f"the sample does not satisfy {condition.text}")
         residuals(claim, point.evaluate)
-        if ranked(claim) and not rank_at_least(claim, point.evaluate):
+        if is_on_rank(claim) and not rank_at_least(claim, point.evaluate):
             raise CheckError("at the sample the rank is not as the law says")
 
 

@@ -8,7 +8,7 @@ import sys
 
 import typer
 
-from ..interruption import watched
+from ..interruption import interruptible
 from . import (
     animate,
     audit,
@@ -95,7 +95,7 @@ def main() -> None:
     """
     from ..errors import InputError, RunError
 
-    with watched():
+    with interruptible():
         try:
             try:
                 # a command itself ends with None, an early end with its code

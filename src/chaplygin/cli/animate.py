@@ -84,7 +84,7 @@ def command(
     inform(f"written to {output}")
 
 
-def _sampled(study: Study, steps: int) -> Study:
+def _with_frames(study: Study, steps: int) -> Study:
     """The study with a sample for each frame."""
     from dataclasses import replace
 
@@ -101,17 +101,17 @@ def _film(
     from ..report.film.frames import frames
 
     pieces = -(-SMOOTH // steps)
-    trajectory = _sampled(study, steps).trajectory(report, pieces)
+    trajectory = _with_frames(study, steps).trajectory(report, pieces)
     drawn = None if study.subject.plan is None else plan_motion(study.subject.plan, trajectory)
     count, pictures = frames(study.subject, dataset_of(study, trajectory), drawn, pieces, size)
     report.say(f"drawing {count} frames")
 
-    def counted() -> Iterator[Picture]:
+    def counting() -> Iterator[Picture]:
         for number, picture in enumerate(pictures, 1):
             yield picture
             report(number / count)
 
-    write_film(counted(), output, rate, size)
+    write_film(counting(), output, rate, size)
 
 
 def _model(study: Study, steps: int, output: Path) -> None:
@@ -130,5 +130,5 @@ def _model(study: Study, steps: int, output: Path) -> None:
         outline = scene_of(contact).outline
     else:
         raise InputError(f"{study.system.title} has no body that could be a model in space")
-    sampled = _sampled(study, steps)
+    sampled = _with_frames(study, steps)
     write_gltf(dataset_of(sampled, sampled.trajectory()), outline, output)

@@ -9,7 +9,7 @@ import typer
 
 from ..interruption import CODE, concluding, say
 from .common import Force, Json, console, inform, print_json
-from .output_destination import STANDARD_OUTPUT, beside, check_output, name_of, written
+from .output_destination import STANDARD_OUTPUT, beside, check_output, name_of, output_file
 from .progress import progress, waiting
 
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ def command(
             else:
                 _print(judgements)
         if output is not None:
-            with written(output) as place:
+            with output_file(output) as place:
                 place.write_text(page(judgements, section), encoding="utf-8")
             inform(f"page: {name_of(output)}")
     if left:

@@ -68,7 +68,7 @@ def command(
     picture = output.with_suffix(".png") if figure is None else figure
     check_store(output)
     check_figure("--figure", picture)
-    check_picture(output, picture, force, named=figure is not None)
+    check_picture(output, picture, force, by_user=figure is not None)
     client, chosen = check_workers(workers), device_of(device)
     formulas = dict(_assignment(item) for item in let or ())
     study = study_of(what, overrides)
@@ -86,7 +86,7 @@ def command(
         vertical,
         until=until,
         formulas=formulas,
-        held=hold or (),
+        fixed=hold or (),
         device=chosen,
     )
     vacate(output, force)

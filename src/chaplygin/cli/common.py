@@ -52,7 +52,7 @@ Precision = Annotated[
 
 
 #: Columns of a table that nothing cuts.
-UNLIMITED = 10_000
+NO_LIMIT = 10_000
 
 
 def complain(text: str) -> None:
@@ -71,7 +71,7 @@ def console() -> Console:
     from rich.console import Console
 
     limited = sys.stdout.isatty() or "COLUMNS" in os.environ
-    return Console(width=None if limited else UNLIMITED, highlight=False)
+    return Console(width=None if limited else NO_LIMIT, highlight=False)
 
 
 def print_json(value: object) -> None:

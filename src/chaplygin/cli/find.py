@@ -212,7 +212,7 @@ def _result_lines(finding: SearchResult) -> list[str]:
     if law is None or verdict is None:
         return [f"  only observed, modulo a prime: {finding.remark}"]
     status = (
-        verdict.stated
+        verdict.statement
         if verdict.decision in ("proven", "proven where")
         else f"only observed, {verdict.words}"
     )
@@ -253,7 +253,7 @@ def _as_text(kind: str, question: Question, results: list[SearchResult], complet
 
 
 def _as_json(
-    kind: str, question: Question, results: list[SearchResult], complete: bool, elapsed: float
+    kind: str, question: Question, results: list[SearchResult], complete: bool, seconds: float
 ) -> dict[str, object]:
     from ..printing.formula import latex, text
 
@@ -268,7 +268,7 @@ def _as_json(
         "factors": [text(f) for f in _factors(kind, question)],
         "on": [_equation(f) for f in question.stage.on],
         "complete": complete,
-        "seconds": round(elapsed, 3),
+        "seconds": round(seconds, 3),
         "found": [_finding_json(finding, text, latex) for finding in results],
     }
 

@@ -106,7 +106,7 @@ def command(
         raise typer.Exit(CODE)
 
 
-def _print(spectrum: Spectrum, turned: Any) -> None:
+def _print(spectrum: Spectrum, reversors: Any) -> None:
     from rich import box
     from rich.markup import escape
     from rich.table import Table
@@ -136,14 +136,14 @@ def _print(spectrum: Spectrum, turned: Any) -> None:
     zeros.add_column("exponent", justify="right", no_wrap=True)
     zeros.add_column("measured", justify="right", no_wrap=True)
     zeros.add_column("")
-    for forced, rate in spectrum.removed:
+    for forced, rate in spectrum.trivial:
         shown = ("", "") if rate is None else ("0", f"{rate:.1e}" if rate else "0")
         kind = "" if forced.name == forced.kind else f"{forced.kind}: "
         zeros.add_row(escape(forced.name), *shown, f"{kind}{forced.reason}")
     terminal = console()
     typer.echo()
     terminal.print(table)
-    if spectrum.removed:
+    if spectrum.trivial:
         typer.echo()
         terminal.print(zeros)
     typer.echo()
@@ -151,14 +151,14 @@ def _print(spectrum: Spectrum, turned: Any) -> None:
         typer.echo(
             f"No further exponent is made trivial by {', '.join(spectrum.dependent)} at this start."
         )
-    for text in remarks(spectrum, turned):
+    for text in remarks(spectrum, reversors):
         first = text[0].upper() if text[0].isascii() else text[0]
         typer.echo(f"{first}{text[1:]}.")
 
 
 def word_of_sum(total: Average) -> str:
     """The meaning of the sum of the exponents."""
-    if not total.settled:
+    if not total.halves_agree:
         return "not converged"
     if total.zero:
         return "phase volume preserved within the error"

@@ -158,7 +158,7 @@ def _record(study: Study, orbit: Orbit, branch: Branch | None) -> dict[str, obje
         "branch": None
         if branch is None
         else {
-            "varied": branch.varied,
+            "varied": branch.parameter,
             "reason": branch.reason,
             "orbits": [orbit_facts(item) for item in branch.orbits],
             "events": [
@@ -183,13 +183,13 @@ def _print(study: Study, orbit: Orbit, branch: Branch | None) -> None:
             f" {'+' if value.imag > 0 else '−'} {abs(value.imag):.9g} i" if value.imag else ""
         )
         typer.echo(f"  multiplier  {value.real:.9g}{imaginary} ± {error:.0e}")
-    typer.echo(f"  trivial multipliers (equal to 1): {', '.join(multipliers.forced)}")
+    typer.echo(f"  trivial multipliers (equal to 1): {', '.join(multipliers.trivial)}")
     if branch is None:
         return
     places = branch.places
     typer.echo(
-        f"\ncontinued through {len(branch.orbits)} orbits, {branch.varied} from {places[0]:.9g} to "
-        f"{places[-1]:.9g}: {branch.reason}"
+        f"\ncontinued through {len(branch.orbits)} orbits, {branch.parameter} "
+        f"from {places[0]:.9g} to {places[-1]:.9g}: {branch.reason}"
     )
     for event in branch.events:
-        typer.echo(f"  {event.kind} at {branch.varied} = {event.place:.12g}")
+        typer.echo(f"  {event.kind} at {branch.parameter} = {event.place:.12g}")

@@ -101,7 +101,7 @@ def beside(output: Path | None) -> AbstractContextManager[object]:
 
 
 @contextmanager
-def written(output: Path) -> Iterator[Path]:
+def output_file(output: Path) -> Iterator[Path]:
     """A temporary path, whose content becomes the output when all has gone well."""
     from tempfile import TemporaryDirectory
 

@@ -66,7 +66,7 @@ class _Bar:
 
     def __init__(self, task: str) -> None:
         self._task = task
-        self._done: float | None = None
+        self._share: float | None = None
         self._bar: Progress | None = None
         self._number: TaskID | None = None
         self._lock = threading.Lock()
@@ -104,19 +104,19 @@ class _Bar:
 
     def _tell(self) -> None:
         if self._bar is not None and self._number is not None:
-            total = None if self._done is None else 1.0
+            total = None if self._share is None else 1.0
             self._bar.update(
-                self._number, description=self._task, completed=self._done or 0.0, total=total
+                self._number, description=self._task, completed=self._share or 0.0, total=total
             )
 
-    def __call__(self, done: float, /) -> None:
+    def __call__(self, share: float, /) -> None:
         with self._lock:
-            self._done = done
+            self._share = share
             self._tell()
 
     def say(self, what: str) -> None:
         with self._lock:
-            self._task, self._done = what, None
+            self._task, self._share = what, None
             self._tell()
 
     def stop(self) -> None:
@@ -132,8 +132,8 @@ class _Log:
     def __init__(self, task: str) -> None:
         self._task = task
         self._over = threading.Event()
-        self._done: float | None = None
-        self._told = ""
+        self._share: float | None = None
+        self._last_line = ""
         threading.Thread(target=self._write, daemon=True).start()
 
     def _write(self) -> None:
@@ -141,17 +141,17 @@ class _Log:
         pause = PATIENCE
         while not self._over.wait(pause):
             pause = BETWEEN
-            line = self._task if self._done is None else f"{self._task}: {self._done:.0%}"
-            if line != self._told:
-                self._told = line
+            line = self._task if self._share is None else f"{self._task}: {self._share:.0%}"
+            if line != self._last_line:
+                self._last_line = line
                 sys.stderr.write(f"{line} …\n")
                 sys.stderr.flush()
 
-    def __call__(self, done: float, /) -> None:
-        self._done = done
+    def __call__(self, share: float, /) -> None:
+        self._share = share
 
     def say(self, what: str) -> None:
-        self._task, self._done = what, None
+        self._task, self._share = what, None
 
     def stop(self) -> None:
         self._over.set()

@@ -20,7 +20,7 @@ from .common import (
     print_json,
     study_of,
 )
-from .output_destination import beside, check_output, name_of, written
+from .output_destination import beside, check_output, name_of, output_file
 from .progress import progress
 
 if TYPE_CHECKING:
@@ -153,7 +153,7 @@ def _record(attempt: _Attempt, effort: int) -> dict[str, object]:
         "system": system.name,
         "law": law.name,
         "level": condition_text(law, system, latex),
-        "shown": verdict.shown,
+        "shown": verdict.finding,
         "reason": verdict.reason,
         "terms": verdict.terms,
     }
@@ -177,7 +177,7 @@ def coloured_decision(decision: str) -> str:
     return f"[{COLOURS[decision]}]{decision}[/]"
 
 
-def _print(done: list[_Attempt]) -> None:
+def _print(attempts: list[_Attempt]) -> None:
     from rich import box
     from rich.markup import escape
     from rich.table import Table
@@ -194,7 +194,7 @@ def _print(done: list[_Attempt]) -> None:
     table.add_column("Terms", justify="right")
     table.add_column("Time", justify="right", no_wrap=True)
     previous = None
-    for system, law, verdict, printed in done:
+    for system, law, verdict, printed in attempts:
         if previous is not None and system.title != previous:
             table.add_section()
             table.add_row("", f"[italic]{escape(system.title)}[/]")
@@ -213,9 +213,9 @@ def _print(done: list[_Attempt]) -> None:
                 "", escape(f"as printed: {law.misprint}"), "", coloured_decision(printed.decision)
             )
     shown.print(table)
-    if len(done) > 1:
-        shown.print(f"\n{_count_text([attempt.verdict for attempt in done])}")
-    for _, law, verdict, _ in done:
+    if len(attempts) > 1:
+        shown.print(f"\n{_count_text([attempt.verdict for attempt in attempts])}")
+    for _, law, verdict, _ in attempts:
         if verdict.witness is not None:
             point = ", ".join(f"{n} = {v}" for n, v in verdict.witness["point"].items())
             shown.print(
@@ -224,7 +224,7 @@ def _print(done: list[_Attempt]) -> None:
                 markup=False,
             )
         elif verdict.conditions:
-            shown.print(f"\n{law.name}: {verdict.stated}", markup=False)
+            shown.print(f"\n{law.name}: {verdict.statement}", markup=False)
         elif verdict.reason:
             shown.print(f"\n{law.name}: {verdict.reason}", markup=False)
 
@@ -240,10 +240,10 @@ def _write(path: Path, verdicts: list[Verdict]) -> None:
     import json
 
     certificates = [verdict.certificate for verdict in verdicts if verdict.certificate is not None]
-    with written(path) as place:
+    with output_file(path) as place:
         place.write_text(json.dumps(certificates, ensure_ascii=False), encoding="utf-8")
     inform(f"certificates of {len(certificates)} of {len(verdicts)} laws: {name_of(path)}")
     for verdict in verdicts:
         if verdict.certificate is None:
-            why = verdict.uncertified or "it is undecided"
+            why = verdict.no_certificate or "it is undecided"
             inform(f"no certificate of {verdict.law}: {why}")

@@ -125,7 +125,7 @@ def command(
         typer.echo("\n" + textwrap.fill(words, 100))
     if form == "text" and place is not None:
         typer.echo(f"\n{place}")
-        if any("effort" in entry.why for entry in place.uncounted):
+        if any("effort" in entry.why for entry in place.ignored_laws):
             typer.echo(f"\nMore effort may decide the undecided laws: chaplygin prove {what}")
 
 

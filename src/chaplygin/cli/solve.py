@@ -157,15 +157,15 @@ def _moments_shown(moments: list[Fraction]) -> list[Fraction]:
     return [moments[round(last * i / (FEW - 1))] for i in range(FEW)]
 
 
-def _blocks(shown: Sequence[Fraction], rows: Sequence[Row], width: int) -> Iterator[range]:
+def _blocks(moments: Sequence[Fraction], rows: Sequence[Row], width: int) -> Iterator[range]:
     """The times in blocks that fit a terminal."""
     head = sum(max(len(row[column]) for row in rows) + 2 for column in (0, 1))
     cells = [len(text) for _, _, values in rows for text in values]
-    heads = [len(f"t = {_plain(time)}") for time in shown]
+    heads = [len(f"t = {_plain(time)}") for time in moments]
     each = max(cells + heads, default=1) + 2
     count = max(1, (width - head) // each)
-    for first in range(0, len(shown), count):
-        yield range(first, min(first + count, len(shown)))
+    for first in range(0, len(moments), count):
+        yield range(first, min(first + count, len(moments)))
 
 
 def _plain(time: Fraction) -> str:

@@ -111,15 +111,15 @@ def vacate(output: Path, force: bool) -> None:
         shutil.rmtree(output)
 
 
-def check_picture(output: Path, picture: Path, force: bool, named: bool = False) -> None:
+def check_picture(output: Path, picture: Path, force: bool, by_user: bool = False) -> None:
     """See that the picture of a store may be written.
 
-    That which belongs to a store is drawn again with it, but one that the user has `named` is only
+    That which belongs to a store is drawn again with it, but one that is named `by_user` is only
     replaced with `force`.
     """
     from ..experiment.files import check_target
 
-    check_target(picture, force or (output.exists() and not named))
+    check_target(picture, force or (output.exists() and not by_user))
 
 
 def check_workers(workers: str | None) -> str | int | None:
@@ -160,10 +160,10 @@ def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
 
     share = 0.0
 
-    def update(done: float) -> None:
+    def update(fraction: float) -> None:
         nonlocal share
-        share = done
-        report(done)
+        share = fraction
+        report(fraction)
 
     def words() -> str:
         if not share:

@@ -54,7 +54,7 @@ def command(
     client = check_workers(workers)
     picture = output.with_suffix(".png") if figure is None else figure
     check_figure("--figure", picture)
-    check_picture(output, picture, force, named=figure is not None)
+    check_picture(output, picture, force, by_user=figure is not None)
     values = [values_of(text) for text in over]
     study = study_of(what, overrides)
     from dataclasses import replace
@@ -135,12 +135,12 @@ def values_of(text: str) -> tuple[str, list[float]]:
         ) from None
 
 
-def _require_drawable(label: str, symbols: list[str], recorded: list[Any]) -> None:
+def _require_drawable(label: str, symbols: list[str], records: list[Any]) -> None:
     """Refuse a picture of what is not recorded."""
     from ..errors import InputError
 
-    names = [*symbols, *recorded]
-    if label not in names and label.rpartition("_")[0] not in recorded:
+    names = [*symbols, *records]
+    if label not in names and label.rpartition("_")[0] not in records:
         raise InputError(
             f"--draw {label}: it must be one of {', '.join(names)}, or be recorded (--record)"
         )

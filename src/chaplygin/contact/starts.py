@@ -152,7 +152,7 @@ def start_in_contact(
     if abs(across) > SLACK * math.hypot(*way):
         raise InputError(
             f"slip: (slip, gamma) = {across:.6g}, and a body in contact slips along the support "
-            f"alone; the nearest admissible slip is {_shown(tangential)}"
+            f"alone; the nearest admissible slip is {_vector_text(tangential)}"
         )
     if contact.never_slips and np.any(tangential):
         raise InputError("slip: with mu = inf the contact cannot slip; it must be zero")
@@ -331,5 +331,5 @@ def _direction(values: Sequence[float], name: str) -> FloatArray:
     return unit
 
 
-def _shown(vector: FloatArray) -> str:
+def _vector_text(vector: FloatArray) -> str:
     return f"[{', '.join(repr(float(x)) for x in vector)}]"

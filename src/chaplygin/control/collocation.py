@@ -82,11 +82,11 @@ class Transcription:
     def _target(self) -> FloatArray:
         return self.path.places(self.times)
 
-    def packed(self, start: FloatArray, states: FloatArray, inputs: FloatArray) -> FloatArray:
+    def unknowns_of(self, start: FloatArray, states: FloatArray, inputs: FloatArray) -> FloatArray:
         """Unknowns in a row, of a start (n,), states (k, n) and inputs (k, m) at the nodes."""
         return np.concatenate([start, np.hstack([states, inputs]).ravel()])
 
-    def parted(self, unknowns: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def start_and_nodes(self, unknowns: FloatArray) -> tuple[FloatArray, FloatArray]:
         """The start (n,), and states with inputs at the nodes (k, n + m)."""
         n = self.rates.size
         return unknowns[:n], unknowns[n:].reshape(-1, self.width)
@@ -95,7 +95,7 @@ class Transcription:
         """What vanishes: conditions at the start, defects of the motion, distances to the path."""
         _, a = radau(self.stages)
         n, s, e = self.rates.size, self.stages, self.intervals
-        start, points = self.parted(unknowns)
+        start, points = self.start_and_nodes(unknowns)
         states = points[:, :n].reshape(e, s, n)
         before = np.concatenate([start[None], states[:-1, -1]])
         rates = self.rates.rates(points).reshape(e, s, n)
@@ -105,7 +105,7 @@ class Transcription:
         free = self._conditions(start)
         return np.concatenate([given, free, defects.ravel(), off.ravel()])
 
-    def _padded(self, start: FloatArray) -> FloatArray:
+    def _start_row(self, start: FloatArray) -> FloatArray:
         return np.append(start, np.zeros(self.rates.inputs))[None]
 
     @cached_property
@@ -119,18 +119,18 @@ class Transcription:
         ]
 
     def _conditions(self, start: FloatArray) -> FloatArray:
-        return self.rates.conditions(self._padded(start))[0, self._open]
+        return self.rates.conditions(self._start_row(start))[0, self._open]
 
     def jacobian(self, unknowns: FloatArray) -> csr_matrix:
         """The derivatives of the residuals."""
         _, a = radau(self.stages)
         n, s, e, w = self.rates.size, self.stages, self.intervals, self.width
-        start, points = self.parted(unknowns)
+        start, points = self.start_and_nodes(unknowns)
         slopes = self.rates.slopes(points).reshape(e, s, n, w)
         blocks = -self.step * np.einsum("ij,ejnk->einjk", a, slopes)
         stage, entry = np.arange(s), np.arange(n)
         blocks[:, stage[:, None], entry, stage[:, None], entry] += 1.0
-        normals = self.rates.normals(self._padded(start))[0, self._open, :n]
+        normals = self.rates.normals(self._start_row(start))[0, self._open, :n]
         rows, columns = self._places
         values = np.concatenate(
             [

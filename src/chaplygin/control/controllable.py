@@ -121,7 +121,7 @@ def controllability(robot: SphericalRobot) -> Controllability:
     >>> verdict.decision, verdict.growth, verdict.exceptional, verdict.growth_there
     ('controllable', (2, 3, 5), (gamma_3,), ((2, 3, 4, 5),))
     """
-    fields = control_fields(_balanced(robot))
+    fields = control_fields(_require_balanced(robot))
     growth = _growth(fields, GENERIC)
     if growth[-1] < DIMENSION:
         # one field commutes with itself; more of them never stayed below five
@@ -130,7 +130,7 @@ def controllability(robot: SphericalRobot) -> Controllability:
     search = _Search(fields, len(growth))
     exceptional = search.exceptional()
     planes = [_normal(form) for form in exceptional if form.total_degree() == 1]
-    count = search.covered(planes)
+    count = search.cover_size(planes)
     if count and search.steps <= len(growth):
         exceptional = []  # where one determinant vanishes another one of the same length does not
     there = tuple(_growth_on(fields, form) for form in exceptional)
@@ -179,11 +179,11 @@ def growth_vector(robot: SphericalRobot, vertical: Sequence[float]) -> tuple[int
     if len(numbers) != 3 or not any(numbers):
         raise InputError(f"vertical {tuple(vertical)}: it must be three numbers, not all zero")
     x, y, z = (fmpq(int(n.p), int(n.q)) for n in numbers)
-    return _growth(control_fields(_balanced(robot)), (x, y, z))
+    return _growth(control_fields(_require_balanced(robot)), (x, y, z))
 
 
-def _balanced(robot: SphericalRobot) -> SphericalRobot:
-    if not robot.balanced:
+def _require_balanced(robot: SphericalRobot) -> SphericalRobot:
+    if not robot.is_balanced:
         raise InputError(
             "spherical robot: growth vectors are those of a balanced ball with rotors; with a "
             "moving mass, or a centre of mass beside the geometric centre, the motion from rest "
@@ -286,7 +286,7 @@ class _Search:
         five = self._most_independent(where.middle, cuts // LONGER_AFTER)
         return five if vanishes_nowhere(self._determinant(five), where) else None
 
-    def covered(self, planes: Sequence[tuple[fmpq, fmpq, fmpq]]) -> int:
+    def cover_size(self, planes: Sequence[tuple[fmpq, fmpq, fmpq]]) -> int:
         """The number of rectangles that cover all verticals, each with a determinant of one sign.
 
         Zero if none were found, or there is a vertical at which the fields do not span everything.
@@ -296,7 +296,7 @@ class _Search:
         count = 0
         while pending:
             where, cuts = pending.pop()
-            places = [where.middle, *(_projected(where.middle, plane) for plane in planes)]
+            places = [where.middle, *(_projection(where.middle, plane) for plane in planes)]
             # commutators are made longer until five are independent at each of these
             fives = [self._five_at(place) for place in places if any(place)]
             if None in fives:
@@ -317,7 +317,7 @@ def _growth_on(fields: ControlFields, form: fmpq_mpoly) -> tuple[int, ...]:
     if form.total_degree() > 1:
         return ()
     normal = _normal(form)
-    x, y, z = _projected((fmpq(7), fmpq(-5), fmpq(3)), normal)
+    x, y, z = _projection((fmpq(7), fmpq(-5), fmpq(3)), normal)
     return _growth(fields, (x, y, z))
 
 
@@ -331,7 +331,7 @@ def _normal(form: fmpq_mpoly) -> tuple[fmpq, fmpq, fmpq]:
     )
 
 
-def _projected(
+def _projection(
     point: tuple[fmpq, fmpq, fmpq], normal: tuple[fmpq, fmpq, fmpq]
 ) -> tuple[fmpq, fmpq, fmpq]:
     """The nearest point of the plane with a normal."""

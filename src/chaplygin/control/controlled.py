@@ -8,7 +8,7 @@ from functools import cached_property
 
 import sympy as sp
 
-from ..arguments import Declared
+from ..arguments import NamedFormulas
 from ..core.named_formulas import as_pairs
 from ..core.system import Parameter, System, flat_pairs
 from ..errors import InputError
@@ -37,9 +37,9 @@ class ControlledSystem:
     """
 
     name: str
-    field: Declared
+    field: NamedFormulas
     inputs: tuple[sp.Symbol, ...]
-    definitions: Declared
+    definitions: NamedFormulas
     parameters: tuple[Parameter, ...]
     relations: tuple[sp.Expr, ...]
     output: tuple[sp.Symbol, sp.Symbol]
@@ -70,7 +70,7 @@ def input_formulas(
     name: str,
     inputs: Sequence[sp.Symbol],
     state: Sequence[sp.Symbol],
-    given: Mapping[str, str | sp.Expr],
+    texts: Mapping[str, str | sp.Expr],
 ) -> dict[sp.Symbol, sp.Expr]:
     """Formulas of inputs by symbol, read and checked.
 
@@ -79,7 +79,7 @@ def input_formulas(
     name : str
         Of the system, for messages.
     inputs, state : sequence of Symbol
-    given : mapping of str to formula
+    texts : mapping of str to formula
         One for each input, in the time t and the state.
 
     Raises
@@ -88,15 +88,15 @@ def input_formulas(
         If an input is missing or unknown, or a formula cannot be read.
     """
     names = [str(u) for u in inputs]
-    if set(given) != set(names):
+    if set(texts) != set(names):
         raise InputError(
             f"{name}: the inputs are {', '.join(names)}, one formula for each; given are "
-            f"{', '.join(sorted(map(str, given))) or 'none'}"
+            f"{', '.join(sorted(map(str, texts))) or 'none'}"
         )
     known = {str(s): s for s in (TIME, *state)}
     formulas = {}
     for symbol in inputs:
-        text = given[str(symbol)]
+        text = texts[str(symbol)]
         formula = (
             parse(text, known, f"input {symbol}")
             if isinstance(text, str)

@@ -124,7 +124,7 @@ def driftless_system(robot: SphericalRobot) -> ControlledSystem:
     >>> len(driftless_system(robot).state)
     6
     """
-    if not robot.balanced:
+    if not robot.is_balanced:
         raise InputError(
             "spherical robot: with a moving mass, or a centre of mass beside the geometric centre, "
             "its momentum about the contact does not stay zero; use controlled_system"
@@ -173,7 +173,7 @@ def driven_system(robot: SphericalRobot, inputs: Mapping[str, str | sp.Expr]) ->
     formulas = input_formulas("driven-ball", parts.inputs, state, inputs)
     timed = any(formula.has(TIME) for formula in formulas.values())
     laws: tuple[Integral, ...] = ()
-    if robot.balanced:
+    if robot.is_balanced:
         laws = (Integral("momentum", norm_squared(M)),)
         if not rubber:
             laws += (Integral("area", dot(M, gamma)),)
@@ -301,7 +301,7 @@ def _parameters(robot: SphericalRobot, inertia: Diagonal | Symmetric) -> tuple[P
     ]
     if robot.moving_mass is not None:
         parameters.append(Parameter(mu, "moving mass", robot.moving_mass.mass, "kg", (mu > 0,)))
-    if not robot.balanced:
+    if not robot.is_balanced:
         parameters.append(Parameter(g, "acceleration of gravity", robot.gravity, "m/s^2"))
     return tuple(parameters)
 

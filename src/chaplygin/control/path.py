@@ -20,7 +20,7 @@ from ..parsing.exact_decimals import exact_number
 
 SAMPLES = 721
 """Instants at which a path is examined."""
-CLOSED = 1e-9
+CLOSURE = 1e-9
 """Gap of a closed path at most, in diameters."""
 
 
@@ -77,7 +77,7 @@ class PlanePath:
         if not self.diameter > 0:
             raise InputError("path: it is a single point; a path must lead somewhere")
         gap = float(np.linalg.norm(np.diff(self.places([0.0, self.period]), axis=0)))
-        if gap > CLOSED * self.diameter:
+        if gap > CLOSURE * self.diameter:
             raise InputError(
                 f"path: it is not closed; its ends, at t = 0 and t = {self.period:g}, are {gap:g} "
                 "apart"
@@ -181,7 +181,7 @@ def path_through(points: Sequence[Sequence[float]], period: float) -> PlanePath:
     if not np.isfinite(table).all():
         raise InputError("path: all points must be finite numbers")
     gap = float(np.linalg.norm(table[-1] - table[0]))
-    if gap > CLOSED * float(np.ptp(table, axis=0).max()):
+    if gap > CLOSURE * float(np.ptp(table, axis=0).max()):
         raise InputError(
             f"path: it is not closed; the last point is {gap:g} away from the first, and must be "
             "the first again"

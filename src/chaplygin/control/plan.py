@@ -160,7 +160,7 @@ def distances(path: PlanePath, times: FloatArray, motion: FloatArray) -> FloatAr
     return result
 
 
-def integrated(
+def inputs_motion(
     plan: Transcription, start: FloatArray, inputs: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Times and states of the motion with given inputs, by DOP853, interval by interval.

@@ -21,7 +21,7 @@ from .controlled import ControlledSystem
 from .equations import controlled_system, driftless_system
 from .guess import hanging, least_inputs, unit_quaternion
 from .path import PlanePath
-from .plan import MotionPlan, distances, integrated
+from .plan import MotionPlan, distances, inputs_motion
 from .rates import Rates
 from .robot import SphericalRobot
 
@@ -90,14 +90,14 @@ def motion_along(
     """
     began = clock.perf_counter()
     _check(robot, intervals, stages, iterations)
-    system = driftless_system(robot) if robot.balanced else controlled_system(robot)
+    system = driftless_system(robot) if robot.is_balanced else controlled_system(robot)
     quaternion = unit_quaternion((1.0, 0.0, 0.0, 0.0) if attitude is None else attitude)
     problem = _transcription(
         system, path, intervals, stages, None if attitude is None else quaternion
     )
     if robot.moving_mass is not None:
         begin, states, inputs = hanging(robot, robot.moving_mass, problem, quaternion)
-        guess, spent = problem.packed(begin, states, inputs), 0
+        guess, spent = problem.unknowns_of(begin, states, inputs), 0
     else:
         guess, spent = _guess_with_rotors(problem, quaternion, attitude is None, iterations)
     unknowns, more = _least_effort(problem, guess, iterations)
@@ -163,7 +163,9 @@ def motion_without_spin(
     problem = _transcription(system, path, intervals, stages, quaternion)
     start = np.concatenate([quaternion, path.places([0.0])[0]])
     states, inputs, _ = least_inputs(problem, start, spin=0.0, tolerance=EXACT)
-    return _checked_plan(robot, system, problem, problem.packed(start, states, inputs), 0, began)
+    return _checked_plan(
+        robot, system, problem, problem.unknowns_of(start, states, inputs), 0, began
+    )
 
 
 def _checked_plan(
@@ -175,9 +177,9 @@ def _checked_plan(
     began: float,
 ) -> MotionPlan:
     """A plan with its motion integrated anew."""
-    start, points = problem.parted(unknowns)
+    start, points = problem.start_and_nodes(unknowns)
     inputs = points[:, problem.rates.size :]
-    times, motion = integrated(problem, start, inputs)
+    times, motion = inputs_motion(problem, start, inputs)
     return MotionPlan(
         robot,
         problem.path,
@@ -203,7 +205,7 @@ def _check(robot: SphericalRobot, intervals: int, stages: int, iterations: int) 
             "spherical robot: it has one input; to lead the contact along a path in the plane two "
             "are needed at least"
         )
-    if not robot.balanced and robot.moving_mass is None:
+    if not robot.is_balanced and robot.moving_mass is None:
         raise InputError(
             "spherical robot: paths are planned for a balanced ball with rotors, or one with a "
             "moving mass; its centre of mass lies beside the geometric centre"
@@ -243,12 +245,12 @@ def _guess_with_rotors(
     from a small one.
     """
 
-    def followed(task: Transcription) -> tuple[FloatArray, float]:
+    def least_inputs_of(task: Transcription) -> tuple[FloatArray, float]:
         start = np.concatenate([attitude, task.path.places([0.0])[0]])
         states, inputs, reached = least_inputs(task, start)
-        return task.packed(start, states, inputs), reached
+        return task.unknowns_of(start, states, inputs), reached
 
-    guess, reached = followed(problem)
+    guess, reached = least_inputs_of(problem)
     period = problem.path.period
     if reached >= period:
         return guess, 0
@@ -261,11 +263,11 @@ def _guess_with_rotors(
     size, spent = 1.0, 0
     while reached < period and size > SMALLEST:
         size /= 2
-        guess, reached = followed(_scaled(problem, size))
+        guess, reached = least_inputs_of(_with_scale(problem, size))
     step = size
     while size < 1 and step > SMALLEST:
         larger = min(1.0, size + step)
-        task = _scaled(problem, larger)
+        task = _with_scale(problem, larger)
         trial, count = _least_effort(task, guess, iterations)
         spent += count
         if np.abs(task.residuals(trial)).max() < FEASIBLE * max(1.0, task.path.diameter):
@@ -275,7 +277,7 @@ def _guess_with_rotors(
     return guess, spent
 
 
-def _scaled(problem: Transcription, size: float) -> Transcription:
+def _with_scale(problem: Transcription, size: float) -> Transcription:
     """The same with a path reduced towards its start."""
     path = problem.path
     factor = sp.Float(size)
@@ -288,7 +290,7 @@ def _scaled(problem: Transcription, size: float) -> Transcription:
 
 
 def _effort(problem: Transcription, unknowns: FloatArray) -> float:
-    _, points = problem.parted(unknowns)
+    _, points = problem.start_and_nodes(unknowns)
     squares = np.sum(points[:, problem.rates.size :] ** 2, axis=1)
     return float(0.5 * problem.weights @ squares / problem.path.period)
 

@@ -26,10 +26,10 @@ class Rates:
         self.size, self.inputs = len(system.state), len(system.inputs)
         self._parameters = np.array([p.default for p in whole.parameters], dtype=float)
         formulas = SystemFormulas(whole)
-        terms = [formulas.read(rate) for rate in whole.rates[: self.size]]
+        terms = [formulas.term_of(rate) for rate in whole.rates[: self.size]]
         self._rates = CompiledTerms(terms)
         self._slopes, self._at = _entries(formulas, terms)
-        conditions = [formulas.read(relation) for relation in whole.relations]
+        conditions = [formulas.term_of(relation) for relation in whole.relations]
         self.relations = len(conditions)
         self._conditions = CompiledTerms(conditions)
         self._normals, self._normals_at = _entries(formulas, conditions)
@@ -40,7 +40,7 @@ class Rates:
 
     def slopes(self, points: FloatArray) -> FloatArray:
         """The derivatives of f, (k, n, n + m)."""
-        return self._filled(self._slopes, self._at, self.size, points)
+        return self._dense(self._slopes, self._at, self.size, points)
 
     def conditions(self, points: FloatArray) -> FloatArray:
         """The relations (k, r), which vanish on the state space."""
@@ -48,9 +48,9 @@ class Rates:
 
     def normals(self, points: FloatArray) -> FloatArray:
         """The derivatives of the relations, (k, r, n + m)."""
-        return self._filled(self._normals, self._normals_at, self.relations, points)
+        return self._dense(self._normals, self._normals_at, self.relations, points)
 
-    def _filled(
+    def _dense(
         self, code: CompiledTerms, at: tuple[list[int], list[int]], rows: int, points: FloatArray
     ) -> FloatArray:
         result = np.zeros((len(points), rows, points.shape[1]))

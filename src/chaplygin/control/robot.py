@@ -249,6 +249,6 @@ class SphericalRobot:
         return sp.Matrix(3, len(self.rotors), lambda i, a: self.rotors[a].momentum[i])
 
     @property
-    def balanced(self) -> bool:
+    def is_balanced(self) -> bool:
         """Whether the centre of mass is the geometric centre, whatever the controls do."""
         return self.moving_mass is None and not any(self.centre)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..arguments import Declared, arguments_checked
+from ..arguments import NamedFormulas, arguments_checked
 from ..errors import InputError
 from .laws import Law
 from .named_formulas import Pairs, repeated_name, scalar_names
@@ -60,9 +60,9 @@ class Isomorphism(Law):
     """
 
     target: System
-    map: Declared
+    map: NamedFormulas
     time: sp.Expr = sp.S.One
-    constants: Declared = ()
+    constants: NamedFormulas = ()
     meaning: str = ""
     onto: tuple[sp.Expr, ...] = ()
 
@@ -73,10 +73,10 @@ class Isomorphism(Law):
         self._must_be_among("constants", self.constants, parameters, "parameter")
 
     def _must_be_among(
-        self, part: str, pairs: Pairs, known: Iterable[sp.Symbol], kind: str
+        self, part: str, pairs: Pairs, symbols: Iterable[sp.Symbol], kind: str
     ) -> None:
         named = scalar_names(pairs)
-        if strange := sorted(map(str, set(named) - set(known))):
+        if strange := sorted(map(str, set(named) - set(symbols))):
             raise InputError(
                 f"the law {self.name!r}: its {part} names {', '.join(strange)}, which is no {kind} "
                 f"of {self.target.name}"

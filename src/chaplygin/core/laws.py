@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy as sp
 
-from ..arguments import Declared, Formula, Formulas, arguments_checked
+from ..arguments import Formula, Formulas, NamedFormulas, arguments_checked
 from ..errors import InputError
 from .named_formulas import Pairs, repeated_name, scalar_names, with_formulas
 from .overview import WithShortRepr
@@ -139,7 +139,7 @@ class Measure(Law):
     'proven'
     """
 
-    density: Declared
+    density: NamedFormulas
     meaning: str = ""
 
     @property
@@ -170,7 +170,7 @@ class Symmetry(Law):
     'proven'
     """
 
-    field: Declared
+    field: NamedFormulas
     meaning: str = ""
 
 
@@ -311,7 +311,7 @@ class Reduction(Law):
     'proven'
     """
 
-    quantities: Declared
+    quantities: NamedFormulas
     equations: tuple[sp.Expr, ...]
     meaning: str = ""
 
@@ -381,7 +381,7 @@ class Identity(Law):
 
     value: Formulas
     meaning: str = ""
-    quantities: Declared = ()
+    quantities: NamedFormulas = ()
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -81,7 +81,7 @@ class WithOverview(ABC):
         return self.overview().html()
 
 
-class _Shortened(reprlib.Repr):
+class _ShortRepr(reprlib.Repr):
     """Representations that leave out the middle of what is long, and the numbers of arrays."""
 
     def __init__(self) -> None:
@@ -93,7 +93,7 @@ class _Shortened(reprlib.Repr):
         return f"array{array.shape}"
 
 
-_SHORTENED = _Shortened()
+_SHORT_REPR = _ShortRepr()
 
 
 class WithShortRepr:
@@ -110,4 +110,4 @@ def _fields(value: DataclassInstance) -> Iterator[str]:
     for item in fields(value):
         content = getattr(value, item.name)
         if item.repr and content is not item.default:
-            yield f"{item.name}={' '.join(_SHORTENED.repr(content).split())}"
+            yield f"{item.name}={' '.join(_SHORT_REPR.repr(content).split())}"

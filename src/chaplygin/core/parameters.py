@@ -29,18 +29,18 @@ ROUNDING = 1e-12
 # --- names -----------------------------------------------------------------------------------
 
 
-def require_parameters(owner: str, known: Iterable[object], names: Iterable[object]) -> None:
+def require_parameters(owner: str, parameters: Iterable[object], names: Iterable[object]) -> None:
     """Raise InputError if a name, or symbol, is none of the parameters of the owner.
 
     Parameters
     ----------
     owner : str
         Name of the system, for the message.
-    known : iterable of Symbol or str
+    parameters : iterable of Symbol or str
         Its parameters.
     names : iterable of Symbol or str
     """
-    allowed = list(map(str, known))
+    allowed = list(map(str, parameters))
     for name in names:
         if str(name) not in allowed:
             raise InputError(f"{owner}: no parameter {name}; it has {', '.join(allowed) or 'none'}")

@@ -34,18 +34,18 @@ def finite_numbers(name: str, values: object, count: int, which: str = "") -> li
     InputError
         If they are not so many finite numbers.
     """
-    listed = _listed(values)
+    listed = _parts_of(values)
     if len(listed) != count or any(_is_listed(x) or not mpmath.isfinite(x) for x in listed):
         raise InputError(f"{name}: must be {count} finite numbers{which}")
     return [mpmath.mpf(repr(float(x))) for x in listed]
 
 
-def rotation_near(given: object, n: int) -> Matrix:
+def rotation_near(approximation: object, n: int) -> Matrix:
     """The matrix of SO(n) next to one that misses it by rounding.
 
     Parameters
     ----------
-    given : object
+    approximation : object
         n rows of n numbers, or n² numbers row by row.
     n : int
 
@@ -59,10 +59,10 @@ def rotation_near(given: object, n: int) -> Matrix:
     >>> [[float(x) for x in row] for row in rotation_near([[0, -1], [1, 0]], 2)]
     [[0.0, -1.0], [1.0, 0.0]]
     """
-    rows = _listed(given)
+    rows = _parts_of(approximation)
     if len(rows) == n * n and not any(map(_is_listed, rows)):
         rows = [rows[i * n : (i + 1) * n] for i in range(n)]
-    if len(rows) != n or any(len(_listed(row)) != n for row in rows):
+    if len(rows) != n or any(len(_parts_of(row)) != n for row in rows):
         raise InputError(f"attitude: must be {n} rows of {n} finite numbers")
     with mpmath.workdps(_DIGITS):
         matrix = mpmath.matrix([finite_numbers("attitude", row, n) for row in rows])
@@ -100,7 +100,7 @@ def _is_listed(value: object) -> bool:
     return hasattr(value, "__len__") and not isinstance(value, str)
 
 
-def _listed(value: object) -> list[Any]:
+def _parts_of(value: object) -> list[Any]:
     """The parts of a sequence or an array; none of anything else."""
     return list(value) if _is_listed(value) and isinstance(value, Iterable) else []
 

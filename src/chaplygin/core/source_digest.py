@@ -27,17 +27,17 @@ def module_digests(home: Path) -> dict[str, str]:
     }
 
 
-def text_digest(modules: Mapping[str, str], omitted: tuple[str, ...] = ()) -> str:
+def text_digest(modules: Mapping[str, str], omitted_folders: tuple[str, ...] = ()) -> str:
     """A digest of the modules of a package, by name and content.
 
     Parameters
     ----------
     modules : mapping of str to str
         Their digests by path; see :func:`module_digests`.
-    omitted : tuple of str
+    omitted_folders : tuple of str
         Folders that are left out.
     """
-    lines = (f"{n} {d}\n" for n, d in modules.items() if n.split("/")[0] not in omitted)
+    lines = (f"{n} {d}\n" for n, d in modules.items() if n.split("/")[0] not in omitted_folders)
     return hashlib.sha256("".join(lines).encode()).hexdigest()
 
 

@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
-from ..arguments import Declared, Formula, arguments_checked
+from ..arguments import Formula, NamedFormulas, arguments_checked
 from ..errors import InputError
 from .display import Displayed
 from .laws import Integral, Law
@@ -127,7 +127,7 @@ class Reconstruction:
     places and directions in space.
     """
 
-    field: Declared
+    field: NamedFormulas
     relations: tuple[sp.Expr, ...]
     observables: tuple[Observable, ...]
 
@@ -159,15 +159,15 @@ def flat_pairs(pairs: Pairs) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
     return tuple(scalars)
 
 
-def unknown_names(formula: sp.Expr, known: Collection[sp.Symbol]) -> str:
+def unknown_names(formula: sp.Expr, scope: Collection[sp.Symbol]) -> str:
     """The symbols of a formula that are not known, as text; empty if there are none.
 
     A symbol with the name of a known one but other assumptions is reported with both.
     """
-    missing = formula.free_symbols - set(known)
+    missing = formula.free_symbols - set(scope)
     if not missing:
         return ""
-    symbols = {str(s): s for s in known}
+    symbols = {str(s): s for s in scope}
     names = []
     for symbol in sorted(missing, key=str):
         like = symbols.get(str(symbol))
@@ -238,9 +238,9 @@ class System(Displayed):
 
     name: str
     title: str
-    field: Declared
+    field: NamedFormulas
     parameters: tuple[Parameter, ...] = ()
-    definitions: Declared = ()
+    definitions: NamedFormulas = ()
     relations: tuple[sp.Expr, ...] = ()
     laws: tuple[Law, ...] = ()
     observables: tuple[Observable, ...] = ()
@@ -248,8 +248,8 @@ class System(Displayed):
     reconstruction: Reconstruction | None = None
     source: str = ""
     summary: str = ""
-    start: Declared = ()
-    printed_definitions: Declared = ()
+    start: NamedFormulas = ()
+    printed_definitions: NamedFormulas = ()
     theorems: tuple[Theorem, ...] = ()
 
     def __post_init__(self) -> None:
@@ -292,15 +292,15 @@ class System(Displayed):
 
     @arguments_checked
     def required_definitions(
-        self, formulas: Iterable[Formula], given: Iterable[sp.Symbol] = ()
+        self, formulas: Iterable[Formula], inputs: Iterable[sp.Symbol] = ()
     ) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
-        """The steps on which `formulas` depend, in order; `given` symbols are known."""
-        wanted = {s for formula in formulas for s in _symbols_of(formula)} - set(given)
+        """The steps on which `formulas` depend, in order; `inputs` symbols are known."""
+        wanted = {s for formula in formulas for s in _symbols_of(formula)} - set(inputs)
         chosen = []
         for symbol, value in reversed(self.scalar_definitions):
             if symbol in wanted:
                 chosen.append((symbol, value))
-                wanted |= value.free_symbols - set(given)
+                wanted |= value.free_symbols - set(inputs)
         return tuple(reversed(chosen))
 
     @arguments_checked
@@ -358,8 +358,8 @@ class System(Displayed):
         for relation in self.relations:
             self._require(to_components(relation), known, f"the relation {relation}")
 
-    def _require(self, value: sp.Expr, known: set[sp.Symbol], where: str) -> None:
-        missing = unknown_names(value, known)
+    def _require(self, value: sp.Expr, symbols: set[sp.Symbol], where: str) -> None:
+        missing = unknown_names(value, symbols)
         if missing:
             raise InputError(
                 f"{self.name}: {where} uses {missing}, which is neither a state variable, an "

@@ -36,13 +36,13 @@ zero: MatrixExpr = ZeroMatrix(3, 1)
 identity: MatrixExpr = Identity(3)
 
 
-def by_name(formula: sp.Basic | float, known: Iterable[sp.Symbol]) -> sp.Expr:
+def by_name(formula: sp.Basic | float, symbols: Iterable[sp.Symbol]) -> sp.Expr:
     """The formula with the known symbols in place of others of the same name.
 
     ``Symbol("gamma_3")`` and ``Symbol("gamma_3", real=True)`` differ for SymPy, but mean the same
     in a formula that a user writes.
     """
-    named = {symbol.name: symbol for symbol in known}
+    named = {symbol.name: symbol for symbol in symbols}
     written = sp.sympify(formula)
     return written.xreplace({s: named[s.name] for s in written.free_symbols if s.name in named})
 

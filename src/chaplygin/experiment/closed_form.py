@@ -229,11 +229,9 @@ def typeset_value(value: str) -> str:
     return unit(typographic_signs(value))
 
 
-def _symbol(written: str) -> str:
+def _symbol(text: str) -> str:
     """A symbol as a formula; what is no name, such as V_1/V_2, as words."""
-    return (
-        Markup(mathml(latex(real_symbol(written)))) if written.isidentifier() else letters(written)
-    )
+    return Markup(mathml(latex(real_symbol(text)))) if text.isidentifier() else letters(text)
 
 
 def letters(words: str) -> str:

@@ -80,14 +80,14 @@ def to_dataset(
     system = trajectory.system
     variables: dict[str, Variable] = {}
     for name in map(str, system.state):
-        if name != _PLACE and name not in trajectory.recorded:
+        if name != _PLACE and name not in trajectory.records:
             _add_state(variables, trajectory, name, (meanings or {}).get(name))
     for item in system.observables:
-        values = trajectory.recorded[item.name]
+        values = trajectory.records[item.name]
         _add(variables, item.name, values, item.frame, item.meaning, item.unit, item.source)
     for law in system.integrals:
         label = f"law_{law.name}"
-        _add(variables, label, trajectory.recorded[label], "", law.meaning, law.unit, law.source)
+        _add(variables, label, trajectory.records[label], "", law.meaning, law.unit, law.source)
     for part in ("", "_low"):
         if f"law_energy{part}" in variables:
             variables[f"energy{part}"] = variables[f"law_energy{part}"]
@@ -249,7 +249,7 @@ try:
 except Exception:
     sys.exit(3)
 """
-_DAMAGED = 3
+_DAMAGE_CODE = 3
 
 #: Seconds after which HDF5 is taken to go round in circles; it needs a hundredth of one.
 _PATIENCE = 20.0
@@ -273,7 +273,7 @@ def _require_readable(path: Path) -> None:
             f"{path}: not a readable NetCDF file: HDF5 came to no end of it in {_PATIENCE:g} s"
         ) from None
     # a signal ends it where HDF5 breaks down
-    if looked.returncode == _DAMAGED or looked.returncode < 0:
+    if looked.returncode == _DAMAGE_CODE or looked.returncode < 0:
         raise InputError(f"{path}: not a readable NetCDF file")
 
 

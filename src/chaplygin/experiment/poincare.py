@@ -230,7 +230,7 @@ def coordinates_of(
     system: System,
     text: str,
     variables: Mapping[str, tuple[str, str]] | None = None,
-    passed: str = "",
+    condition: str = "",
 ) -> tuple[tuple[str, ...], tuple[Quantity, ...], ReducedCoordinates | None]:
     """The coordinates in which a section is drawn, and those to be recorded.
 
@@ -245,7 +245,7 @@ def coordinates_of(
         Variables that are angles are taken up to whole turns.
     variables : mapping of str to (str, str), optional
         Meaning and unit of variables of the state.
-    passed : str
+    condition : str
         The quantity whose value the section holds.
 
     Raises
@@ -253,7 +253,7 @@ def coordinates_of(
     InputError
         If there are not two or three, or one of them cannot be read.
     """
-    text = text.strip() or usual(system, passed)
+    text = text.strip() or usual(system, condition)
     name, colon, listed = text.partition(":")
     if colon:
         reduced = ReducedCoordinates(

@@ -31,7 +31,7 @@ def chart_of(
     *,
     until: float | None = None,
     formulas: Mapping[str, str] | None = None,
-    held: Collection[str] = (),
+    fixed: Collection[str] = (),
     device: Device = "cpu",
 ) -> Scan:
     """A number of the motions of a plane through the start of an experiment.
@@ -54,7 +54,7 @@ def chart_of(
     InputError
         If the number, an axis or a formula cannot be used.
     """
-    plane = plane_of(study, x, y, formulas=formulas, held=held)
+    plane = plane_of(study, x, y, formulas=formulas, fixed=fixed)
     span = study.until if until is None else until
     point = [float(value) for value in study.start[: len(plane.system.symbols)]]
     batch_integrator(plane.system, backward=span < 0).require_reach(point, span)
@@ -70,7 +70,7 @@ def plane_of(
     y: Axis,
     *,
     formulas: Mapping[str, str] | None = None,
-    held: Collection[str] = (),
+    fixed: Collection[str] = (),
 ) -> ScanGrid:
     """A plane through the start of an experiment, with meaning and unit of its axes."""
     system = without_reconstruction(study)
@@ -81,7 +81,9 @@ def plane_of(
         return replace(item, meaning=words, unit=unit)
 
     start = _start(study, system)
-    return scan_grid(system, with_meaning(x), with_meaning(y), start, formulas=formulas, held=held)
+    return scan_grid(
+        system, with_meaning(x), with_meaning(y), start, formulas=formulas, fixed=fixed
+    )
 
 
 def _start(study: Study, system: System) -> dict[str, float | Sequence[float]]:

@@ -13,11 +13,11 @@ from ..flow.sections.poincare_dataset import Quantity
 from ..formulas.array_evaluation import values
 
 #: States at which it is tried whether a variable is an angle.
-_TRIED = 5
+_TRIALS = 5
 _ROUNDING = 1e-9
 
 
-def usual(system: System, passed: str = "") -> str:
+def usual(system: System, condition: str = "") -> str:
     """Two or three coordinates as ``--coordinates`` takes them.
 
     Andoyer's variables l and L/G of a momentum beside γ; else the cylinder of γ's longitude and the
@@ -27,23 +27,27 @@ def usual(system: System, passed: str = "") -> str:
     Parameters
     ----------
     system : System
-    passed : str
+    condition : str
         The quantity whose value the section holds: it is no coordinate.
     """
     conditions = len(system.relations) + sum(not law.on for law in system.integrals)
     spatial = len(system.symbols) - conditions - 1 > 2
     if _has_andoyer(system):
-        first = "l, g" if passed.endswith("_3") and not passed.startswith(("g", "G")) else "l, L/G"
+        first = (
+            "l, g"
+            if condition.endswith("_3") and not condition.startswith(("g", "G"))
+            else "l, L/G"
+        )
         return f"andoyer-ratio: {first}{', H' if spatial else ''}"
     vectors = [name for name in system.state if isinstance(name, Vector)]
     gamma = next((v for v in vectors if v.name in ("gamma", "Gamma") and len(v.symbols) == 3), None)
     others = [str(v.symbols[2]) for v in vectors if v is not gamma and len(v.symbols) == 3]
     if gamma is not None and others:
         one, two, three = gamma.symbols
-        heights = [name for name in (*others, str(three)) if name != passed]
+        heights = [name for name in (*others, str(three)) if name != condition]
         listed = [f"phi = atan2({two}, {one})", *heights]
         return ", ".join(listed[: 3 if spatial else 2])
-    listed = [str(symbol) for symbol in system.symbols if str(symbol) != passed]
+    listed = [str(symbol) for symbol in system.symbols if str(symbol) != condition]
     return ", ".join(listed[: 3 if spatial else 2])
 
 
@@ -59,7 +63,7 @@ def is_angle(system: System, symbol: sp.Symbol) -> bool:
     """Whether a variable enters the equations of motion as an angle alone."""
     rates = [entry for _, rate in system.field for entry in _entries(rate)]
     place = system.symbols.index(symbol)
-    states = np.random.default_rng(0).uniform(0.2, 1.1, (_TRIED, len(system.symbols)))
+    states = np.random.default_rng(0).uniform(0.2, 1.1, (_TRIALS, len(system.symbols)))
 
     def shifted_by(by: float) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
         there = states.copy()

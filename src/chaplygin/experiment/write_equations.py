@@ -12,7 +12,7 @@ from ..core.system import System
 from ..core.vectors import Vector, to_components
 from ..errors import InputError
 from ..mechanics.lagrangian.plan import Plan
-from ..parsing import FUNCTIONS, Formula, Named
+from ..parsing import FUNCTIONS, Formula, NamedQuantity
 from ..parsing.exact_decimals import exactly
 from .file.toml import Tables
 
@@ -88,7 +88,7 @@ def _laws(system: System) -> Tables:
     return {"integrals": integrals, "measures": measures, "symmetries": symmetries}
 
 
-def _declaration(name: Named) -> str:
+def _declaration(name: NamedQuantity) -> str:
     return f"{name}[{len(name.symbols)}]" if isinstance(name, Vector) else str(name)
 
 

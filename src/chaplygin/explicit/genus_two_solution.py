@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sp
 from flint import arb, ctx
 
-from ..arguments import Numbers, Written, arguments_checked
+from ..arguments import NumberOrText, Numbers, arguments_checked
 from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
@@ -40,34 +40,36 @@ class GenusTwo(Solution):
     """
 
     system: System
-    parameters: Mapping[sp.Symbol, Written]
-    start: tuple[Written, ...]
-    prepared: SeparatedMotion
+    parameters: Mapping[sp.Symbol, NumberOrText]
+    start: tuple[NumberOrText, ...]
+    separated_motion: SeparatedMotion
 
     @property
     def separable(self) -> SeparatedSystem:
         """The formulas."""
-        return self.prepared.separable
+        return self.separated_motion.separable
 
     @cached_property
     def clock(self) -> TimeMap:
         """t as a function of τ and back."""
-        return clock_of(self.prepared, BITS)
+        return clock_of(self.separated_motion, BITS)
 
     @cached_property
     def lift(self) -> Lift | None:
         """The motion in space."""
-        return lift(self.prepared, self.clock, self.start[len(self.separable.system.symbols) :])
+        return lift(
+            self.separated_motion, self.clock, self.start[len(self.separable.system.symbols) :]
+        )
 
     @cached_property
     def _state(self) -> Callable[..., FloatArray]:
-        return on_arrays(self.prepared, self.separable.system.symbols)
+        return on_arrays(self.separated_motion, self.separable.system.symbols)
 
     @arguments_checked
     def states(self, times: Numbers) -> FloatArray:
         """Lifted states (n, size) at `times` (n,), in double precision."""
         moment = self.clock.torus_point(np.asarray(times, dtype=float))
-        reduced = self._state(*self.prepared.torus.values(moment.v))
+        reduced = self._state(*self.separated_motion.torus.values(moment.v))
         if self.lift is None:
             return reduced.T
         return np.concatenate([reduced, self.lift.in_space(moment)]).T
@@ -75,7 +77,7 @@ class GenusTwo(Solution):
     @property
     def pace(self) -> float:
         """The rate at which the phases grow with time, in turns."""
-        V_1, V_2 = (abs(number(x)) for x in self.prepared.torus.V)
+        V_1, V_2 = (abs(number(x)) for x in self.separated_motion.torus.V)
         return (V_1 + V_2) / number(self.clock.mean)
 
     @property
@@ -99,7 +101,7 @@ class GenusTwo(Solution):
         )
 
     @arguments_checked
-    def rigorous(self, time: Written, digits: int = 30) -> tuple[arb, ...]:
+    def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
         """The lifted state at one time as balls."""
         from .rigorous import rigorous_state
 
@@ -115,7 +117,7 @@ class GenusTwo(Solution):
 
 
 def _form(solution: GenusTwo) -> ClosedForm:
-    motion, separable = solution.prepared, solution.separable
+    motion, separable = solution.separated_motion, solution.separable
     torus = motion.torus
     turns = torus.turns
     y, z, kappa = sp.symbols("y z kappa")
@@ -187,7 +189,9 @@ def _meaning_and_unit(motion: SeparatedMotion, value: arb) -> tuple[str, str]:
 
 
 def solve_on_torus(
-    separable: SeparatedSystem, values: Mapping[sp.Symbol, Written], start: Sequence[Written]
+    separable: SeparatedSystem,
+    values: Mapping[sp.Symbol, NumberOrText],
+    start: Sequence[NumberOrText],
 ) -> GenusTwo:
     """Solve one motion of a separable system.
 

@@ -15,7 +15,7 @@ import numpy as np
 import sympy as sp
 from numpy.polynomial import chebyshev
 
-from ..arguments import Numbers, Written
+from ..arguments import NumberOrText, Numbers
 from ..core.arrays import FloatArray
 from ..core.isomorphism import Isomorphism
 from ..core.system import System, flat_pairs
@@ -51,7 +51,7 @@ class IsomorphismMap:
 
     system: System
     law: Isomorphism
-    values: Mapping[sp.Symbol, Written]
+    values: Mapping[sp.Symbol, NumberOrText]
 
     def _arrays(
         self, names: Sequence[sp.Symbol], formulas: Sequence[sp.Expr]
@@ -107,9 +107,9 @@ class IsomorphismMap:
         return self.preimage(motion(moments))
 
 
-def _moments(rate: RateAlongMotion, wanted: Numbers) -> FloatArray:
+def _moments(rate: RateAlongMotion, values: Numbers) -> FloatArray:
     """The s ≥ 0 at which ∫₀ˢ rate ds has the wanted values, none negative."""
-    goals = np.atleast_1d(np.asarray(wanted, dtype=float))
+    goals = np.atleast_1d(np.asarray(values, dtype=float))
     if np.any(goals < 0):
         raise InputError("times: a motion is carried forward from time 0; none may be negative")
     moments = np.zeros_like(goals)

@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sp
 from flint import acb_mat, arb, arb_mat, ctx
 
-from ..arguments import Numbers, Written, arguments_checked
+from ..arguments import NumberOrText, Numbers, arguments_checked
 from ..core.arrays import FloatArray
 from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric, Vector
@@ -41,7 +41,7 @@ class PrincipalAxesSolution(Solution):
     """
 
     system: System
-    parameters: Mapping[sp.Symbol, Written]
+    parameters: Mapping[sp.Symbol, NumberOrText]
     inner: Solution
     matrix: arb_mat
 
@@ -67,7 +67,7 @@ class PrincipalAxesSolution(Solution):
         return self.inner.states(times) @ turn.T
 
     @arguments_checked
-    def rigorous(self, time: Written, digits: int = 30) -> tuple[arb, ...]:
+    def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
         """The lifted state at one time as balls that contain the exact one."""
         with ctx.workdps(digits + 30):
             column = arb_mat([[x] for x in self.inner.rigorous(time, digits)])

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from ..arguments import Written
+from ..arguments import NumberOrText
 from ..catalogue import CATALOGUE
 from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric
@@ -21,7 +21,7 @@ from ..mechanics.rolling.surfaces import Plane, Sphere, Surface
 MODELS: tuple[ContactModel, ContactModel] = ("marble", "rubber")
 
 
-def rolling_of(system: System, values: Mapping[sp.Symbol, Written]) -> Rolling | None:
+def rolling_of(system: System, values: Mapping[sp.Symbol, NumberOrText]) -> Rolling | None:
     """The rolling body of which a system holds the equations, with its numbers.
 
     Bodies of the catalogue and balls with any inertia tensor are tried; the equations that they

@@ -19,14 +19,14 @@ from typing import TypeAlias
 import sympy as sp
 from flint import arb, ctx, fmpq
 
-from ..arguments import Written
+from ..arguments import NumberOrText
 from ..catalogue import entry
 from ..catalogue.entry import bruns_factor
 from ..core.isomorphism import Isomorphism
 from ..core.system import System, flat_pairs
 from ..core.vectors import real_symbol, to_components
 from ..formulas.balls import ball, ball_values, exact
-from ..formulas.relative_zero import RESOLUTION, ROUNDED
+from ..formulas.relative_zero import RESOLUTION, ROUNDING
 from ..mechanics.rolling.equations import Rolling
 from ..mechanics.rolling.fluid import fluids_of
 from .base.no_closed_form import Condition, degenerate, refusal
@@ -177,7 +177,7 @@ def find_match(problem: Problem) -> Match | None:
                 match = _match_with_defects(problem, known, formulas, RESOLUTION)
                 if not match.level:
                     return match
-                near = _match_with_defects(problem, known, formulas, ROUNDED)
+                near = _match_with_defects(problem, known, formulas, ROUNDING)
                 rounded = rounded or (None if near.level else near)
                 missed = missed or near
                 break
@@ -185,11 +185,11 @@ def find_match(problem: Problem) -> Match | None:
 
 
 def _match_with_defects(
-    problem: Problem, known: SeparatedSystem, formulas: Formulas, part: fmpq
+    problem: Problem, separation: SeparatedSystem, formulas: Formulas, part: fmpq
 ) -> Match:
     """The known system in the symbols of the problem, with the level conditions that fail."""
-    own = in_symbols_of(known, problem.system, formulas)
-    names = translation(known.system, problem.system, formulas)
+    own = in_symbols_of(separation, problem.system, formulas)
+    names = translation(separation.system, problem.system, formulas)
     numbers = {s: sp.Rational(str(exact(x))) for s, x in problem.parameters.items()}
     state = set(problem.system.symbols)
     # what the known system has as a relation may be a condition on the start in the problem's
@@ -198,9 +198,9 @@ def _match_with_defects(
         for relation in problem.system.relations
         for sign in (1, -1)
     }
-    relations = [(r, to_components(r).xreplace(names)) for r in known.system.relations]
+    relations = [(r, to_components(r).xreplace(names)) for r in separation.system.relations]
     conditions = [
-        *zip(known.level, own.level, strict=True),
+        *zip(separation.level, own.level, strict=True),
         *(pair for pair in relations if sp.expand(pair[1]) not in own_relations),
     ]
     missed, moving = [], []
@@ -212,7 +212,7 @@ def _match_with_defects(
             holds = sp.sympify(formula).xreplace(numbers) == 0
         if not holds:
             missed.append(Condition(text, formula))
-    return Match(known, replace(own, level=tuple(moving)), tuple(missed))
+    return Match(separation, replace(own, level=tuple(moving)), tuple(missed))
 
 
 def _parameter_identifications(problem: Problem, target: System) -> Iterator[Formulas]:
@@ -280,7 +280,7 @@ def _solve_separable(problem: Problem) -> Solution | None:
 
 
 def _axisymmetric(
-    problem: Problem, match: Match, values: Mapping[sp.Symbol, Written]
+    problem: Problem, match: Match, values: Mapping[sp.Symbol, NumberOrText]
 ) -> Solution | None:
     """Bodies with two equal moments, and those that turn uniformly."""
     from .degenerate.exact_start import PRECISION

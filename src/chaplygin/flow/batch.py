@@ -247,7 +247,7 @@ class BatchIntegrator:
         allowed = MOST_STEPS if most is None else most
         given = BatchInput(rows, constants, moments, samples, self.tolerance, allowed)
         found = self.loop.run(given, threads)
-        ends = (found.outcome, self._with_sign(found.ended), found.steps)
+        ends = (found.outcome, self._with_sign(found.end_times), found.steps)
         return found.states, found.times, found.counts, ends
 
 

@@ -14,7 +14,7 @@ from .kernel.outcomes import STEPS
 #: A computation that would take longer is refused: seconds in a year.
 YEAR = 365.25 * 86400.0
 #: Seconds after which the pace is known.
-_KNOWN = 0.5
+_WARM_UP = 0.5
 #: Steps that a motion may take, and steps by which the length of a motion is estimated.
 MOST_STEPS, FEW_STEPS = 100_000_000, 2_000
 _UNITS = ("bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB", "ZiB", "YiB")
@@ -47,7 +47,7 @@ class Pace:
             With the estimate.
         """
         elapsed = time.perf_counter() - self.began
-        if elapsed < _KNOWN or elapsed <= YEAR * fraction:
+        if elapsed < _WARM_UP or elapsed <= YEAR * fraction:
             return
         years = f"{elapsed / fraction / YEAR:.1g}" if fraction else "endless"
         raise TooMuchError(
@@ -88,7 +88,7 @@ def require_room(size: float, folder: Path | None, what: str) -> None:
         )
 
 
-def require_steps(until: float, outcome: int, ended: float, steps: int) -> None:
+def require_steps(until: float, outcome: int, end_time: float, steps: int) -> None:
     """Refuse a time that needs more steps than are allowed, by the first few of them.
 
     Parameters
@@ -105,7 +105,7 @@ def require_steps(until: float, outcome: int, ended: float, steps: int) -> None:
     """
     if outcome != STEPS:
         return
-    needed = steps * abs(until) / abs(float(ended)) if ended else math.inf
+    needed = steps * abs(until) / abs(float(end_time)) if end_time else math.inf
     if needed > MOST_STEPS:
         raise TooMuchError(
             f"to follow a motion for {until:g} s would take about {needed:.1g} steps, and it is "

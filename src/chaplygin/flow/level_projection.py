@@ -18,7 +18,7 @@ from ..formulas.array_formulas import Formulas
 #: Steps of Newton's method, at most.
 STEPS = 60
 #: A level is met when it is missed by no more than this, relative to the size of its value.
-MET = 1e-12
+LEVEL_TOLERANCE = 1e-12
 #: Below this, relative to the largest, a singular value counts as zero: redundant conditions.
 REDUNDANT = 1e-9
 
@@ -28,7 +28,7 @@ def project_to_level(
     states: FloatArray,
     targets: npt.ArrayLike = 0.0,
     parameters: Parameters = None,
-    moved: Sequence[bool] | BoolArray | None = None,
+    movable: Sequence[bool] | BoolArray | None = None,
 ) -> tuple[FloatArray, BoolArray]:
     """States moved along the shortest way until formulas have given values.
 
@@ -41,7 +41,7 @@ def project_to_level(
         The values wanted.
     parameters : mapping of Symbol or name to number or (n,) array, optional
         Values that replace the defaults.
-    moved : (size,) array of bool, optional
+    movable : (size,) array of bool, optional
         Which state variables may be moved; all of them if left out.
 
     Returns
@@ -52,7 +52,7 @@ def project_to_level(
         Whether the values are met there.
     """
     moving = np.array(states, dtype=np.float64)
-    free = np.flatnonzero(np.ones(moving.shape[1], bool) if moved is None else moved)
+    free = np.flatnonzero(np.ones(moving.shape[1], bool) if movable is None else movable)
     values = np.broadcast_to(
         np.asarray(targets, dtype=np.float64), (len(moving), len(formulas.formulas))
     )
@@ -68,7 +68,7 @@ def project_to_level(
         best[pending[better]] = moving[pending[better]]
         missed[pending[better]] = size[better]
         # a state on its level is polished until nothing is gained any more
-        going = np.isfinite(size) & (size > 0.0) & (better | (size > MET))
+        going = np.isfinite(size) & (size > 0.0) & (better | (size > LEVEL_TOLERANCE))
         pending, defects = pending[going], defects[going]
         if not len(pending) or not len(free):
             break
@@ -79,12 +79,12 @@ def project_to_level(
         pending, defects = pending[usable], defects[usable]
         inverse = np.linalg.pinv(slopes[usable], rcond=REDUNDANT)
         moving[np.ix_(pending, free)] -= (inverse @ defects[:, :, None])[:, :, 0]
-    return best, missed <= MET
+    return best, missed <= LEVEL_TOLERANCE
 
 
 def select_parameters(
-    parameters: Parameters, chosen: npt.NDArray[np.integer] | BoolArray
+    parameters: Parameters, selection: npt.NDArray[np.integer] | BoolArray
 ) -> dict[sp.Symbol | str, ParameterValue]:
     """The parameters of some of the motions: arrays are indexed, numbers stay."""
     arrays = {name: np.asarray(value) for name, value in (parameters or {}).items()}
-    return {name: value[chosen] if value.ndim else value[()] for name, value in arrays.items()}
+    return {name: value[selection] if value.ndim else value[()] for name, value in arrays.items()}

@@ -34,7 +34,7 @@ from .validation import extremes_in_words
 LEFT_ALONE = {"double": 1e-15, "quad": 1e-32}
 
 #: A guard has vanished at a singularity when this little is left of its first value.
-VANISHED = 1e-5
+VANISHING = 1e-5
 
 
 # outcomes of a heyoka step: failures are below these, events above
@@ -96,8 +96,8 @@ class TaylorRun:
         self.left_alone = LEFT_ALONE[precision]
         self.projectors: tuple[Projector, ...] = ()
         self.quadratures = _quadratures(system)
-        self.carried = np.array([kind(0)] * len(self.quadratures), dtype=kind)
-        self.remainder = self.carried.copy()
+        self.sums = np.array([kind(0)] * len(self.quadratures), dtype=kind)
+        self.remainder = self.sums.copy()
         self.first_guards: WorkingArray = np.empty(0)
         self.good: tuple[WorkingNumber, WorkingArray] = (kind(0), np.empty(0))
 
@@ -161,8 +161,8 @@ class TaylorRun:
         names = [str(s) for s in (*self.system.symbols, *self.values)]
         numbers = [float(x) for x in (*state, *self.parameters)]
 
-        def finite(changed: Sequence[float]) -> bool:
-            array = np.array([self.kind(x) for x in changed], dtype=self.kind)
+        def finite(values: Sequence[float]) -> bool:
+            array = np.array([self.kind(x) for x in values], dtype=self.kind)
             return possible(array[: len(state)], array[len(state) :])
 
         return extremes_in_words(names, numbers, finite)
@@ -240,7 +240,7 @@ class TaylorRun:
             now = stepper.time
             if dense:
                 series = np.array(stepper.tc)
-                series[self.quadratures, 0] += self.carried
+                series[self.quadratures, 0] += self.sums
                 log.dense.append((before, now, series))
             while index < len(moments) and (
                 moments[index] <= now if forward else moments[index] >= now
@@ -294,7 +294,7 @@ class TaylorRun:
         now, state = self.good
         guards = zip(self.system.guards, self.first_guards, self._guards(state), strict=True)
         for guard, first, value in guards:
-            if not guard.lift_off and float(value) < VANISHED * float(first):
+            if not guard.lift_off and float(value) < VANISHING * float(first):
                 self.keep_last(log)
                 log.events.append(Event(float(now), guard, True))
                 return
@@ -309,7 +309,7 @@ class TaylorRun:
     def _with_quadratures(self, state: WorkingArray) -> WorkingArray:
         """A copy of a state of the integrator together with its quadratures."""
         complete = np.array(state)
-        complete[self.quadratures] += self.carried
+        complete[self.quadratures] += self.sums
         return complete
 
     def _record(self, log: RunLog, moment: WorkingNumber, state: WorkingArray) -> None:
@@ -328,9 +328,9 @@ class TaylorRun:
         """
         if self.quadratures:
             gain = self.stepper.state[self.quadratures] + self.remainder
-            total = self.carried + gain
-            self.remainder = gain - (total - self.carried)
-            self.carried = total
+            total = self.sums + gain
+            self.remainder = gain - (total - self.sums)
+            self.sums = total
             self.stepper.state[self.quadratures] = self.kind(0)
 
     def finish(self, log: RunLog, statistics: Statistics) -> Trajectory:

@@ -49,10 +49,10 @@ class Event:
 
     time: float
     guard: Guard
-    stopped: bool
+    is_terminal: bool
 
     def __str__(self) -> str:
-        end = "the run ends there" if self.stopped else "the run continues"
+        end = "the run ends there" if self.is_terminal else "the run continues"
         return f"t = {self.time:.17g}: {self.guard.message}; {end}"
 
 
@@ -127,7 +127,7 @@ class Trajectory(WithOverview):
         In s.
     states : array (n, size)
         In the flat order of ``system.symbols``; 34-digit numbers at precision "quad".
-    recorded : mapping of str to array
+    records : mapping of str to array
         Observables by name, (n,) or (n, components), and ``law_<name>`` for every integral.
     events : tuple of Event
         Guards passed on the way, in order.
@@ -148,15 +148,15 @@ class Trajectory(WithOverview):
     parameters: Mapping[sp.Symbol, WorkingNumber]
     times: WorkingArray
     states: WorkingArray
-    recorded: Mapping[str, WorkingArray]
+    records: Mapping[str, WorkingArray]
     events: tuple[Event, ...]
     statistics: Statistics
     dense: DenseOutput | None = None
 
     def __getitem__(self, name: str) -> WorkingArray:
         """A state variable or an observable by name."""
-        if name in self.recorded:
-            return self.recorded[name]
+        if name in self.records:
+            return self.records[name]
         return by_name(self.system, self.states, name)
 
     def overview(self) -> Overview:
@@ -168,7 +168,7 @@ class Trajectory(WithOverview):
             f"{self.system.title}: t = {first:.9g} to {last:.9g}, {len(self.times):,} samples",
             (
                 ("state", ", ".join(map(str, self.system.state))),
-                ("recorded", ", ".join(name for name in self.recorded if name[:4] != "law_")),
+                ("recorded", ", ".join(name for name in self.records if name[:4] != "law_")),
                 *((f"drift of {law.name}", self._drift(law.name)) for law in self._integrals()),
                 *(("event", str(event)) for event in self.events),
                 ("steps", cost),
@@ -177,10 +177,10 @@ class Trajectory(WithOverview):
         )
 
     def _integrals(self) -> list[Integral]:
-        return [law for law in self.system.integrals if f"law_{law.name}" in self.recorded]
+        return [law for law in self.system.integrals if f"law_{law.name}" in self.records]
 
     def _drift(self, name: str) -> str:
-        values = self.recorded[f"law_{name}"]
+        values = self.records[f"law_{name}"]
         return f"{float(max(abs(value - values[0]) for value in values)):.1e}"
 
     @arguments_checked
@@ -193,7 +193,7 @@ class Trajectory(WithOverview):
             self,
             times=self.times[indices],
             states=self.states[indices],
-            recorded={name: values[indices] for name, values in self.recorded.items()},
+            records={name: values[indices] for name, values in self.records.items()},
         )
 
 

@@ -57,7 +57,7 @@ class SystemFormulas:
     Attributes
     ----------
     graph : Graph
-    read : Reader
+    term_of : Reader
         From a formula to its term.
     state : tuple of Term
         The state variables in flat order.
@@ -65,7 +65,7 @@ class SystemFormulas:
 
     def __init__(self, system: System) -> None:
         self.graph = Graph()
-        self.read = Reader(system, self.graph)
+        self.term_of = Reader(system, self.graph)
         self.state = tuple(self.graph.state(i) for i in range(len(system.symbols)))
 
     def slopes(self, terms: Sequence[Term]) -> list[list[Term]]:

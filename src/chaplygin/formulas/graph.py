@@ -262,11 +262,11 @@ class Graph:
 
 
 def topological_order(
-    terms: Iterable[Term], wanted: Callable[[Term], bool] = lambda _: True
+    terms: Iterable[Term], is_needed: Callable[[Term], bool] = lambda _: True
 ) -> list[Term]:
     """All terms on which some depend, and these, operands first.
 
-    A term that is not `wanted` is left out, with those on which only it depends; each is asked
+    A term that is not `is_needed` is left out, with those on which only it depends; each is asked
     about once.
     """
     seen: set[int] = set()
@@ -279,7 +279,7 @@ def topological_order(
                 order.append(node)
             elif id(node) not in seen:
                 seen.add(id(node))
-                if wanted(node):
+                if is_needed(node):
                     pending.append((node, True))
                     pending.extend((a, False) for a in reversed(node.operands))
     return order

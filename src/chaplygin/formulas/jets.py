@@ -93,11 +93,11 @@ class Evaluator(Evaluation[Jet]):
         The jet of a generator (state, parameters); None for any other symbol.
     steps : mapping of Symbol to formula
         Definitions, evaluated when first needed.
-    exchanged : sequence of GeneratorSwap
+    swaps : sequence of GeneratorSwap
         Definitions that are generators in place of a parameter.
     zeros : collection of formulas
         Values of unspecified functions that the conditions say are zero.
-    inverted : sequence of Inversion
+    inversions : sequence of Inversion
         Inverses of tensors that are generators in place of the tensors.
     moving : bool
         Whether the seeds carry time derivatives, so that `Rate` can be evaluated.
@@ -108,22 +108,22 @@ class Evaluator(Evaluation[Jet]):
         field: Any,
         seed: Callable[[sp.Symbol], Jet | None],
         steps: Mapping[sp.Symbol, sp.Expr],
-        exchanged: Sequence[GeneratorSwap] = (),
+        swaps: Sequence[GeneratorSwap] = (),
         zeros: Collection[sp.Expr] = (),
-        inverted: Sequence[Inversion] = (),
+        inversions: Sequence[Inversion] = (),
         moving: bool = False,
     ) -> None:
         super().__init__({})
         self.field = field
         self.steps = dict(steps)
-        self.exchanged = tuple(exchanged)
+        self.swaps = tuple(swaps)
         self.zeros = tuple(zeros)
-        self.inverted = tuple(inverted)
+        self.inversions = tuple(inversions)
         self.moving = moving
-        self._inverse = {s: (i, n) for i in inverted for n, s in enumerate(i.name)}
-        self._inverted = {s: (i, n) for i in inverted for n, s in enumerate(i.of)}
-        self._by_name = {e.name: e for e in exchanged}
-        self._by_parameter = {e.parameter: e for e in exchanged}
+        self._inverse = {s: (i, n) for i in inversions for n, s in enumerate(i.name)}
+        self._inversions = {s: (i, n) for i in inversions for n, s in enumerate(i.of)}
+        self._by_name = {e.name: e for e in swaps}
+        self._by_parameter = {e.parameter: e for e in swaps}
         self.seed = seed
 
     def with_steps(self, steps: Mapping[sp.Symbol, sp.Expr]) -> Evaluator:
@@ -132,9 +132,9 @@ class Evaluator(Evaluation[Jet]):
             self.field,
             self.seed,
             {**self.steps, **steps},
-            self.exchanged,
+            self.swaps,
             self.zeros,
-            self.inverted,
+            self.inversions,
             self.moving,
         )
 
@@ -156,8 +156,8 @@ class Evaluator(Evaluation[Jet]):
     def _symbol(self, symbol: sp.Symbol) -> Jet:
         if symbol in self._inverse:
             return self._of_inverse(*self._inverse[symbol])
-        if symbol in self._inverted:
-            return self._of_inverted(*self._inverted[symbol])
+        if symbol in self._inversions:
+            return self._of_inverted(*self._inversions[symbol])
         if symbol in self._by_name:
             remainder = self(self._by_name[symbol].rest)
             return Jet(self.field.generator(str(symbol)), remainder.slopes)

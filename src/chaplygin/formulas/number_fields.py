@@ -128,7 +128,7 @@ class Balls:
     def __init__(self, values: Mapping[str, Element]) -> None:
         self.values = {name: arb(value) for name, value in values.items()}
         self.one, self.zero = arb(1), arb(0)
-        self._seen: list[tuple[tuple[str, tuple[int, ...]], tuple[arb, ...], arb]] = []
+        self._values: list[tuple[tuple[str, tuple[int, ...]], tuple[arb, ...], arb]] = []
 
     def rational(self, value: sp.Rational) -> arb:
         """A rational number."""
@@ -187,12 +187,12 @@ class Balls:
     ) -> arb:
         """A value of an unspecified function, or of one of its partial derivatives."""
         key = (function, tuple(orders))
-        for other, points, value in self._seen:
+        for other, points, value in self._values:
             if other == key and self.same(points, arguments):
                 return value
         number = _arbitrary_number(f"{key}{[a.str(12, radius=False) for a in arguments]}")
-        self._seen.append((key, tuple(arguments), arb(number.p) / arb(number.q)))
-        return self._seen[-1][2]
+        self._values.append((key, tuple(arguments), arb(number.p) / arb(number.q)))
+        return self._values[-1][2]
 
     def same(self, first: Sequence[arb], second: Sequence[arb]) -> bool:
         """Whether a function may be given one value at two places.

@@ -28,9 +28,9 @@ from .multiprecision import mpmath_function
 #: A number below this, relative to its size, is zero: starts are read to fifty digits.
 RESOLUTION = fmpq(1, 10**40)
 #: The rounding of doubles leaves at most this of a sum that is zero, relative to its size.
-ROUNDED = fmpq(1, 10**12)
+ROUNDING = fmpq(1, 10**12)
 #: A start that misses the constraints by less, relative to the sizes, is moved onto them.
-GIVEN = fmpq(1, 10**9)
+START_TOLERANCE = fmpq(1, 10**9)
 
 #: Digits of what is not rational.
 _DIGITS = 60
@@ -111,7 +111,7 @@ def state_sizes(
 
 def values_with_sizes(
     formulas: Sequence[sp.Expr],
-    known: Mapping[sp.Symbol, SizedNumber],
+    values: Mapping[sp.Symbol, SizedNumber],
     steps: Iterable[tuple[sp.Symbol, sp.Expr]] = (),
 ) -> list[SizedNumber]:
     """Scalar formulas with their sizes.
@@ -119,7 +119,7 @@ def values_with_sizes(
     Parameters
     ----------
     formulas : sequence of sympy.Expr
-    known : mapping of Symbol to Sized
+    values : mapping of Symbol to Sized
     steps : pairs of Symbol and formula, optional
         Intermediate quantities, in order.
 
@@ -131,7 +131,7 @@ def values_with_sizes(
         If a symbol has none.
     """
     with mpmath.workdps(_DIGITS):
-        sizes = _Sizes(known)
+        sizes = _Sizes(values)
         sizes.define(steps)
         return [sizes(sp.sympify(formula)) for formula in formulas]
 

@@ -53,21 +53,21 @@ class Tape:
     ----------
     steps : iterable of (Symbol, Expr)
         The definitions to begin with.
-    taken : iterable of Symbol
+    reserved_names : iterable of Symbol
         Names that are not to be given again.
     """
 
-    def __init__(self, steps: Iterable[Step], taken: Iterable[sp.Symbol]) -> None:
+    def __init__(self, steps: Iterable[Step], reserved_names: Iterable[sp.Symbol]) -> None:
         self._values = dict(steps)
-        self._given = frozenset(self._values)
+        self._input_symbols = frozenset(self._values)
         self._names = {value: symbol for symbol, value in self._values.items()}
-        self._taken = {str(s) for s in taken} | {str(s) for s in self._values}
+        self._reserved_names = {str(s) for s in reserved_names} | {str(s) for s in self._values}
         self._memo: dict[tuple[Derivation, sp.Symbol], sp.Expr] = {}
 
     def define(self, symbol: sp.Symbol, value: sp.Expr) -> None:
         """Add a definition under a name of the caller's."""
         self._values[symbol] = value
-        self._taken.add(str(symbol))
+        self._reserved_names.add(str(symbol))
 
     def value(self, symbol: sp.Symbol) -> sp.Expr:
         """The value of a name."""
@@ -76,7 +76,7 @@ class Tape:
     def fresh(self, label: str) -> sp.Symbol:
         """A name that nothing bears yet: `label` if it is free and ends in a digit."""
         symbol = real_symbol(self._free(label))
-        self._taken.add(str(symbol))
+        self._reserved_names.add(str(symbol))
         return symbol
 
     def name(self, value: sp.Expr, label: str = "z") -> sp.Expr:
@@ -90,10 +90,10 @@ class Tape:
         return self._names[value]
 
     def _free(self, label: str) -> str:
-        if label[-1].isdigit() and label not in self._taken:
+        if label[-1].isdigit() and label not in self._reserved_names:
             return label
         stem = label.rstrip("0123456789_")
-        return next(f"{stem}_{n}" for n in count(1) if f"{stem}_{n}" not in self._taken)
+        return next(f"{stem}_{n}" for n in count(1) if f"{stem}_{n}" not in self._reserved_names)
 
     def along(self, derivation: Derivation, value: sp.Expr) -> sp.Expr:
         """A derivation applied to a formula."""
@@ -126,7 +126,7 @@ class Tape:
             inner = {
                 s: self._values[s]
                 for s in written.free_symbols
-                if s in self._values and s not in self._given and s not in hold
+                if s in self._values and s not in self._input_symbols and s not in hold
             }
             if not inner:
                 break
@@ -137,10 +137,10 @@ class Tape:
         limit = max(SMALL // 2, sp.count_ops(value))
         return shortened if sp.count_ops(shortened) <= limit else value
 
-    def steps(self, wanted: Iterable[sp.Expr]) -> tuple[Step, ...]:
+    def steps(self, formulas: Iterable[sp.Expr]) -> tuple[Step, ...]:
         """The definitions on which formulas depend, in an order in which each can be computed."""
         graph: dict[sp.Symbol, set[sp.Symbol]] = {}
-        waiting = [s for value in wanted for s in value.free_symbols]
+        waiting = [s for value in formulas for s in value.free_symbols]
         while waiting:
             symbol = waiting.pop()
             if symbol in graph or symbol not in self._values:

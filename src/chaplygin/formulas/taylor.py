@@ -279,7 +279,7 @@ class Series:
         whole = factor if self.numbers.exact else int(factor)
         return self._with_parts([part * whole for part in self.parts])
 
-    def cut(self, order: int) -> Series:
+    def truncation(self, order: int) -> Series:
         """The series truncated at a lower order."""
         return self._with_parts(self.parts[: order + 1])
 
@@ -334,18 +334,18 @@ class Series:
 
     def exponential(self, value: Number) -> Series:
         """The exponential, by its value at the origin."""
-        series = self._like(value).cut(0)
+        series = self._like(value).truncation(0)
         for k in range(1, self.order + 1):
             slope = self._with_parts([*series.parts, self.ring.constant(0)])
-            series = self.cut(k).primitive(value, slope)
+            series = self.truncation(k).primitive(value, slope)
         return series
 
     def circle(self, sine: Number, cosine: Number) -> tuple[Series, Series]:
         """Sine and cosine, by their values at the origin."""
         zero = self.ring.constant(0)
-        s, c = self._like(sine).cut(0), self._like(cosine).cut(0)
+        s, c = self._like(sine).truncation(0), self._like(cosine).truncation(0)
         for k in range(1, self.order + 1):
-            here = self.cut(k)
+            here = self.truncation(k)
             turned = -self._with_parts([*s.parts, zero])
             s, c = (
                 here.primitive(sine, self._with_parts([*c.parts, zero])),

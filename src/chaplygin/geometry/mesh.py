@@ -43,9 +43,9 @@ class Facets:
         """Count the polygons."""
         return len(self.polygons)
 
-    def select(self, chosen: BoolArray) -> Facets:
-        """The polygons marked true in `chosen` (m,)."""
-        return Facets(self.polygons[chosen], self.normals[chosen], self.tones[chosen])
+    def select(self, mask: BoolArray) -> Facets:
+        """The polygons marked true in `mask` (m,)."""
+        return Facets(self.polygons[mask], self.normals[mask], self.tones[mask])
 
     def faces_reader(self, view: View) -> BoolArray:
         """Whether each polygon shows its outer side in `view`, as a (m,) array."""

@@ -24,7 +24,7 @@ def integers(numbers: npt.ArrayLike) -> str:
     return _text(numbers, "<u4")
 
 
-def deflated(code: bytes) -> str:
+def deflate(code: bytes) -> str:
     """Base64 of deflated bytes (zlib)."""
     return b64encode(compress(code, 9)).decode()
 

@@ -21,7 +21,7 @@ from ..printing.mathml import mathml
 from ..printing.system import law_latex
 from ..proof.verdict import Verdict
 from .columns import Column, Scalar, columns_of, scalars_of, symbol_mathml
-from .encoding import deflated, doubles
+from .encoding import deflate, doubles
 from .page_module import page_module
 from .page_start import start_inputs
 from .reduced import reduced_system
@@ -106,7 +106,7 @@ def page_model(
         "guards": [{"message": guard.message} for guard in reduced.guards],
         "bifurcation": None,
         "scene": scene_model(study, columns, dataset),
-        "recorded": None if dataset is None else recorded(study, columns, dataset),
+        "recorded": None if dataset is None else motion_record(study, columns, dataset),
         "wasm": None,
         "wasm_tables": None,
     }
@@ -132,7 +132,7 @@ def live_page_model(
     """
     module = page_module(study)
     computing: dict[str, Json] = {
-        "wasm": deflated(module.code),
+        "wasm": deflate(module.code),
         "wasm_tables": module.tables,
     }
     return page_model(study, dataset, verdicts) | computing
@@ -218,7 +218,7 @@ def _laws(study: Study, verdicts: Mapping[str, Verdict]) -> list[Json]:
             "unit": str(getattr(law, "unit", "")) or "1",
             "column": f"law_{law.name}" if law.name in observed else None,
             "mathml": mathml(law_latex(law, study.system)),
-            "verdict": verdicts[law.name].stated if law.name in verdicts else "not tried",
+            "verdict": verdicts[law.name].statement if law.name in verdicts else "not tried",
             "source": law.source,
             "text": verdicts[law.name].words if law.name in verdicts else "",
         }
@@ -263,7 +263,7 @@ def columns_of_dataset(dataset: xr.Dataset) -> tuple[Column, ...]:
     return tuple(columns)
 
 
-def recorded(study: Study, columns: Sequence[Column], dataset: xr.Dataset) -> dict[str, Json]:
+def motion_record(study: Study, columns: Sequence[Column], dataset: xr.Dataset) -> dict[str, Json]:
     """A motion as it stands in a page; of a long one, samples evenly spread."""
     size = dataset.sizes["time"]
     chosen = np.unique(np.linspace(0, size - 1, min(size, MOST_SAMPLES)).round().astype(int))
@@ -273,7 +273,7 @@ def recorded(study: Study, columns: Sequence[Column], dataset: xr.Dataset) -> di
         if column.name in part:
             numbers = np.asarray(part[column.name].transpose("time", ...).to_numpy(), np.float64)
         else:
-            numbers = _evaluated(study, column, part)
+            numbers = _column_from_state(study, column, part)
         written[column.name] = doubles(numbers)
     complete = bool(dataset.attrs.get("complete", 1))
     events = str(dataset.attrs.get("events", "")).splitlines()
@@ -284,7 +284,7 @@ def recorded(study: Study, columns: Sequence[Column], dataset: xr.Dataset) -> di
     return {"times": doubles(part["time"].to_numpy()), "columns": written, "end": end}
 
 
-def _evaluated(study: Study, column: Column, dataset: xr.Dataset) -> FloatArray:
+def _column_from_state(study: Study, column: Column, dataset: xr.Dataset) -> FloatArray:
     """A column that datasets do not have, from the state that they do."""
     whole = study.system.lifted() if study.system.reconstruction else study.system
     parts = []

@@ -69,5 +69,5 @@ def _rises(column: FloatArray) -> int:
     return int(np.count_nonzero((column[:-1] < 0.0) & (column[1:] >= 0.0)))
 
 
-def _rank(name: str, preferred: Sequence[str]) -> int:
-    return preferred.index(name) if name in preferred else len(preferred)
+def _rank(name: str, order: Sequence[str]) -> int:
+    return order.index(name) if name in order else len(order)

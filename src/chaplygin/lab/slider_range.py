@@ -27,12 +27,12 @@ def parameter_range(parameter: Parameter, system: System) -> tuple[float, float]
         if sp.sympify(condition).free_symbols == {parameter.symbol}
     ]
 
-    def allowed(x: float) -> bool:
+    def is_admissible(x: float) -> bool:
         return all(bool(satisfies(condition, {parameter.symbol: x})) for condition in own)
 
-    if value > 0.0 and not allowed(-value):
+    if value > 0.0 and not is_admissible(-value):
         low = round_number(value / (2.0 * _FACTOR))
-    while not allowed(high) and high > value:
+    while not is_admissible(high) and high > value:
         high = value + (high - value) / 2.0 if high - value > 1e-6 * abs(value) else value
     return low, high
 

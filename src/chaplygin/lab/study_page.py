@@ -30,7 +30,7 @@ def study_model(
     verdicts : mapping of str to Verdict, optional
         On the laws, by name.
     """
-    shown = thinned(dataset)
+    shown = sample_for_page(dataset)
     try:
         model = live_page_model(study, shown, verdicts)
     except InputError:
@@ -39,7 +39,7 @@ def study_model(
     return {**model, "recorded": None, "bifurcation": diagram}
 
 
-def opened(study: Study, subject: Mapping[str, Json]) -> dict[str, Json]:
+def laboratory_model(study: Study, subject: Mapping[str, Json]) -> dict[str, Json]:
     """The model of a page of a running laboratory.
 
     Parameters
@@ -65,7 +65,7 @@ def opened(study: Study, subject: Mapping[str, Json]) -> dict[str, Json]:
     return {**model, "lab": dict(subject)}
 
 
-def thinned(dataset: xr.Dataset) -> xr.Dataset:
+def sample_for_page(dataset: xr.Dataset) -> xr.Dataset:
     """A motion with as many samples as a page is to have, its ends among them."""
     count = dataset.sizes["time"]
     if count <= MOST_SAMPLES:

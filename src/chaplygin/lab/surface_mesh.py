@@ -57,8 +57,8 @@ def surface_mesh(ground: SurfaceGround, box: Box, cells: int = _CELLS) -> Surfac
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
     with np.errstate(all="ignore"):
         heights = ground.height(points.reshape(-1, 3)).reshape(points.shape[:3])
-    corners = np.stack([_shifted(heights, c) for c in _CORNERS])
-    places = np.stack([_shifted(points, c) for c in _CORNERS])
+    corners = np.stack([_corner_values(heights, c) for c in _CORNERS])
+    places = np.stack([_corner_values(points, c) for c in _CORNERS])
     inside = corners > 0.0
     crossed = np.isfinite(corners).all(axis=0) & (inside.any(axis=0) & ~inside.all(axis=0))
     total = np.zeros((*crossed.shape, 3))
@@ -81,7 +81,7 @@ def surface_mesh(ground: SurfaceGround, box: Box, cells: int = _CELLS) -> Surfac
     return SurfaceMesh(vertices, normals, _triangles(heights > 0.0, names))
 
 
-def _shifted(array: FloatArray, corner: IntArray) -> FloatArray:
+def _corner_values(array: FloatArray, corner: IntArray) -> FloatArray:
     """The values of a grid at one corner of every cell."""
     part = tuple(slice(c, n - 1 + c) for c, n in zip(corner, array.shape[:3], strict=True))
     return array[part]

@@ -24,12 +24,12 @@ from .rolling_bodies import decide_body
 
 
 @singledispatch
-def measure_exists(given: object, name: str = "", *, effort: int = EFFORT) -> Existence:
+def measure_exists(source: object, name: str = "", *, effort: int = EFFORT) -> Existence:
     """Decide whether an invariant measure exists whose density depends on the configuration alone.
 
     Parameters
     ----------
-    given : Rolling or Mechanism
+    source : Rolling or Mechanism
         A body that rolls on a plane or a sphere, with its numbers; or a mechanism whose
         constraints are linear and homogeneous in the velocities, and do not depend on the time.
     name : str
@@ -58,16 +58,16 @@ def measure_exists(given: object, name: str = "", *, effort: int = EFFORT) -> Ex
     density: √(1 + y²)
     """
     raise InputError(
-        f"measure_exists: {type(given).__name__} is neither a Rolling nor a Mechanism; the "
+        f"measure_exists: {type(source).__name__} is neither a Rolling nor a Mechanism; the "
         "question needs to know the constraints and the kinetic energy"
     )
 
 
 @measure_exists.register
-def _(given: Rolling, name: str = "rolling-body", *, effort: int = EFFORT) -> Existence:
-    return decide_body(given, name, effort)
+def _(source: Rolling, name: str = "rolling-body", *, effort: int = EFFORT) -> Existence:
+    return decide_body(source, name, effort)
 
 
 @measure_exists.register
-def _(given: Mechanism, name: str = "", *, effort: int = EFFORT) -> Existence:
-    return decide_mechanism(given, name or given.name, effort)
+def _(source: Mechanism, name: str = "", *, effort: int = EFFORT) -> Existence:
+    return decide_mechanism(source, name or source.name, effort)

@@ -84,7 +84,7 @@ def lift(restriction: Restriction) -> LiftedFields:
     height = real_symbol(next(n for n in _heights() if n not in names))
     constants = tuple((p.symbol, p.default) for p in mechanism.parameters)
 
-    def spanned(
+    def span_of(
         own: list[dict[sp.Symbol, sp.Expr]], coordinates: tuple[sp.Symbol, ...]
     ) -> Distribution:
         return Distribution(
@@ -101,7 +101,7 @@ def lift(restriction: Restriction) -> LiftedFields:
         {**field, height: share} if share != 0 else field
         for field, share in zip(fields, theta, strict=True)
     ]
-    low, high = spanned(fields, q), spanned(raised, (*q, height))
+    low, high = span_of(fields, q), span_of(raised, (*q, height))
     return LiftedFields(tuple(theta), steps, height, low, high, mechanism.parameters)
 
 

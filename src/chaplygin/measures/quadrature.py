@@ -18,7 +18,7 @@ PIECES = 8
 
 
 def numerical_functions(
-    system: System, wanted: Sequence[sp.Symbol], formulas: Sequence[sp.Expr] = ()
+    system: System, symbols: Sequence[sp.Symbol], formulas: Sequence[sp.Expr] = ()
 ) -> Callable[[np.ndarray], np.ndarray]:
     """Definitions and further formulas as functions of the state, at the defaults."""
     numbers = {p.symbol: p.default for p in system.parameters}
@@ -38,7 +38,7 @@ def numerical_functions(
                 last.append(results)
             else:
                 named[symbol] = results
-        values = [*(named[s] for s in wanted), *last]
+        values = [*(named[s] for s in symbols), *last]
         return np.array([np.broadcast_to(v, state.shape[1:]) for v in values])
 
     return values

@@ -14,20 +14,20 @@ from collections.abc import Collection, Iterable, Mapping
 import sympy
 
 from ..errors import nearest
-from .grammar import CONSTANTS, FUNCTIONS, MAX_LENGTH, PRODUCTS, RESERVED
+from .grammar import CONSTANTS, FUNCTIONS, MAX_LENGTH, PRODUCTS, RESERVED_WORDS
 from .paper_notation import code_spelling
 from .scalar import Scalars
 from .syntax import Source, syntax_tree
-from .vector import Formula, Named, Vectors
+from .vector import Formula, NamedQuantity, Vectors
 
 __all__ = [
     "CONSTANTS",
     "FUNCTIONS",
     "MAX_LENGTH",
     "PRODUCTS",
-    "RESERVED",
+    "RESERVED_WORDS",
     "Formula",
-    "Named",
+    "NamedQuantity",
     "nearest",
     "parse",
     "parse_formula",
@@ -58,16 +58,16 @@ def parse(text: str, names: Mapping[str, sympy.Symbol], where: str = "") -> symp
         (``1/0``, ``sqrt(-1)``) or is absurdly large. The message is one sentence, followed by
         the formula and a caret under the offending character.
     """
-    source = Source(code_spelling(text), where, _in_order(names, RESERVED))
+    source = Source(code_spelling(text), where, _in_order(names, RESERVED_WORDS))
     return Scalars(source, {**CONSTANTS, **names}).read(syntax_tree(source), 0)
 
 
-def _in_order(names: Iterable[str], reserved: Collection[str]) -> Collection[str]:
+def _in_order(names: Iterable[str], reserved_words: Collection[str]) -> Collection[str]:
     """Names first as they come, then functions and constants."""
-    return dict.fromkeys([*names, *sorted(reserved)])
+    return dict.fromkeys([*names, *sorted(reserved_words)])
 
 
-def parse_formula(text: str, names: Mapping[str, Named], where: str = "") -> Formula:
+def parse_formula(text: str, names: Mapping[str, NamedQuantity], where: str = "") -> Formula:
     """Read a formula in which vectors may occur.
 
     Parameters
@@ -91,10 +91,10 @@ def parse_formula(text: str, names: Mapping[str, Named], where: str = "") -> For
         As for `parse`, and where numbers and vectors are mixed up.
     """
     scalars = {str(s): s for name in names.values() for s in _components(name)}
-    words = _in_order([*names, *scalars], RESERVED | PRODUCTS)
+    words = _in_order([*names, *scalars], RESERVED_WORDS | PRODUCTS)
     source = Source(code_spelling(text), where, words, brackets=True)
     return Vectors(source, {**CONSTANTS, **scalars}, names).read(syntax_tree(source), 0)
 
 
-def _components(named: Named) -> tuple[sympy.Symbol, ...]:
-    return (named,) if isinstance(named, sympy.Symbol) else tuple(named.symbols)
+def _components(quantity: NamedQuantity) -> tuple[sympy.Symbol, ...]:
+    return (quantity,) if isinstance(quantity, sympy.Symbol) else tuple(quantity.symbols)

@@ -29,7 +29,7 @@ FUNCTIONS: Mapping[str, Callable[..., sympy.Expr]] = MappingProxyType(
 CONSTANTS: Mapping[str, sympy.Expr] = MappingProxyType({"pi": sympy.pi})
 """Names that mean a number in every formula."""
 
-RESERVED = frozenset(FUNCTIONS) | frozenset(CONSTANTS)
+RESERVED_WORDS = frozenset(FUNCTIONS) | frozenset(CONSTANTS)
 """Names that no symbol of a formula can bear."""
 
 PRODUCTS = frozenset({"dot", "cross"})

@@ -20,7 +20,7 @@ _TOKEN = re.compile(
     re.ASCII,
 )
 _HINTS = MappingProxyType({"^": "a power is written **", "=": "write a formula, not an equation"})
-_MEANT = MappingProxyType(
+_CORRECTIONS = MappingProxyType(
     {
         **dict.fromkeys(("E", "e"), "; Euler's number is written exp(1)"),
         **dict.fromkeys(("Pi", "PI", "π"), "; the half turn is written pi"),
@@ -130,7 +130,7 @@ def _check_words(source: Source, tokens: Sequence[_Token]) -> None:
             message = "an operator is missing here; multiplication is written *"
             raise source.error(message, token.position)
         if token.kind == "name" and token.word not in source.words:
-            known = _MEANT.get(token.word) or nearest(token.word, source.words)
+            known = _CORRECTIONS.get(token.word) or nearest(token.word, source.words)
             raise source.error(f"unknown name '{token.word}'{known}", token.position)
         if token.kind == "number" and len(token.word) > MAX_DIGITS:
             raise source.error(f"this number has more than {MAX_DIGITS} digits", token.position)

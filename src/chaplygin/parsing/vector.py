@@ -21,7 +21,7 @@ from .grammar import MAX_DEPTH
 from .scalar import Scalars
 from .syntax import TOO_DEEP, Source, chain
 
-Named: TypeAlias = sympy.Symbol | Vector | Diagonal
+NamedQuantity: TypeAlias = sympy.Symbol | Vector | Diagonal
 Formula: TypeAlias = sympy.Expr | MatrixExpr
 
 _SPACE = 3
@@ -43,7 +43,7 @@ class Vectors:
 
     source: Source
     symbols: Mapping[str, sympy.Expr]
-    names: Mapping[str, Named]
+    names: Mapping[str, NamedQuantity]
 
     @cached_property
     def scalars(self) -> Scalars:

@@ -211,9 +211,9 @@ _FUNCTIONS = _words(
 _PYTHON = _words("t x p jax math numpy arcsin arccos arctan arctan2 e E", *keyword.kwlist)
 
 
-def _identifiers(system: System, reserved: Iterable[str]) -> dict[sp.Symbol, sp.Symbol]:
+def _identifiers(system: System, reserved_words: Iterable[str]) -> dict[sp.Symbol, sp.Symbol]:
     """Identifiers of the symbols; those that clash get a trailing underscore."""
-    reserved = _FUNCTIONS.union(reserved)
+    reserved_words = _FUNCTIONS.union(reserved_words)
     ours = [
         *system.symbols,
         *(p.symbol for p in system.parameters),
@@ -223,7 +223,7 @@ def _identifiers(system: System, reserved: Iterable[str]) -> dict[sp.Symbol, sp.
     names = {}
     for symbol in ours:
         name = str(symbol)
-        while name in reserved or (name != str(symbol) and name in spelt):
+        while name in reserved_words or (name != str(symbol) and name in spelt):
             name += "_"
         names[symbol] = sp.Symbol(name, real=True)
     return names
@@ -253,16 +253,16 @@ _WIDTH = 96
 class _Language(ABC):
     """The rules by which a function is written in a language."""
 
-    reserved: frozenset[str]
+    reserved_words: frozenset[str]
     comment: str
 
     def render(self, system: System) -> str:
         """The whole text."""
         identifier = re.sub(r"\W", "_", system.name, flags=re.ASCII)
         identifier = f"f_{identifier}" if identifier[:1].isdigit() else identifier
-        if identifier in self.reserved:
+        if identifier in self.reserved_words:
             identifier += "_"
-        names = _identifiers(system, {*self.reserved, identifier})
+        names = _identifiers(system, {*self.reserved_words, identifier})
         steps, rates = _assignments(system, names)
         used = _used_symbols(steps, rates)
         parameters = [p.symbol for p in system.parameters]
@@ -332,7 +332,7 @@ def _c_power(base: str, exponent: str) -> str:
 
 class _C(_Language):
     comment = "//"
-    reserved = _words(
+    reserved_words = _words(
         "t x p dx auto break case char const continue default do double else enum extern float",
         "for goto if inline int long register restrict return short signed sizeof static struct",
         "switch typedef union unsigned void volatile while",
@@ -367,7 +367,7 @@ class _C(_Language):
 
 class _Julia(_Language):
     comment = "#"
-    reserved = _words(
+    reserved_words = _words(
         "t x p dx baremodule begin break catch const continue do else elseif end export false",
         "finally for function global if import in isa let local macro module quote return struct",
         "true try using where while",

@@ -74,7 +74,7 @@ def latex(formula: Formula) -> str:
 
 def rate(name: sp.Basic, notation: Notation) -> str:
     """The time derivative of a named vector or scalar: ``γ̇``."""
-    letter = letter_of(str(name)).dotted()
+    letter = letter_of(str(name)).rate()
     return notation.letter(letter, bold=not isinstance(name, sp.Symbol)).text
 
 
@@ -262,7 +262,7 @@ class _Writer:
         if isinstance(inner, sp.Symbol) and times <= 2:
             letter = letter_of(str(inner))
             for _ in range(times):
-                letter = letter.dotted()
+                letter = letter.rate()
             return self.notation.letter(letter, bold=False)
         below = self.notation.power(Fragment("dt"), str(times)).text if times > 1 else "dt"
         above = self.notation.power(Fragment("d"), str(times)).text if times > 1 else "d"

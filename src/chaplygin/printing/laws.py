@@ -169,12 +169,12 @@ def equation_sides(law: Law, system: System, notation: Notation) -> list[Side]:
     return []
 
 
-def _identity(vanishing: sp.Basic, named: bool, write: Callable[[sp.Basic], str]) -> Side:
+def _identity(vanishing: sp.Basic, has_names: bool, write: Callable[[sp.Basic], str]) -> Side:
     """0 = a, or with derivatives on the left, as in equations of motion: q̇ = f(q)."""
     scalar_part = not isinstance(sp.sympify(vanishing), sp.MatrixBase | sp.MatrixExpr)
-    if scalar_part and (named or sp.sympify(vanishing).has(Rate)):
+    if scalar_part and (has_names or sp.sympify(vanishing).has(Rate)):
         left, right = _with_derivatives_left(vanishing)
-        if named or right != 0:
+        if has_names or right != 0:
             return write(left), right
     return "0", vanishing
 
@@ -235,8 +235,8 @@ def _isomorphism(law: Isomorphism, system: System, notation: Notation) -> list[S
     return lines
 
 
-def _primed_text(name: Name, needed: bool, write: Callable[[sp.Basic], str]) -> str:
-    return write(_primed_symbol(name) if needed else name)
+def _primed_text(name: Name, with_prime: bool, write: Callable[[sp.Basic], str]) -> str:
+    return write(_primed_symbol(name) if with_prime else name)
 
 
 def _primed_symbol(name: Name) -> Name:

@@ -61,12 +61,12 @@ _SIGN = 1.2
 _SCRIPT = 0.7
 
 
-def width_of(written: str) -> float:
+def width_of(text: str) -> float:
     """About how wide a ``<math>`` element is, in em of its own font.
 
     Counted by letters: fractions are as wide as their wider half, scripts stand beside their base.
     """
-    return _width(ElementTree.fromstring(written))
+    return _width(ElementTree.fromstring(text))
 
 
 def _width(node: ElementTree.Element) -> float:

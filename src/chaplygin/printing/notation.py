@@ -111,8 +111,8 @@ class Notation(ABC):
         """A formula that no rule covers, as SymPy prints it."""
 
 
-_RAISED = str.maketrans("0123456789-−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻")
-_LOWERED = {
+_SUPERSCRIPTS = str.maketrans("0123456789-−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻")
+_SUBSCRIPTS = {
     **dict(zip("0123456789", "₀₁₂₃₄₅₆₇₈₉", strict=True)),
     **dict(zip("aehijklmnoprstuv", "ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥ", strict=True)),
     ",": ",",
@@ -160,8 +160,8 @@ class _Unicode(Notation):
             power = {1: "", 2: "²", 3: "³"}.get(order, f"^{order}")
             head = f"d{power}({base})/dt{power}"
         sub = ",".join(GREEK.get(part, part) for part in letter.subscript.split(","))
-        if all(character in _LOWERED for character in sub):
-            sub = "".join(_LOWERED[character] for character in sub)
+        if all(character in _SUBSCRIPTS for character in sub):
+            sub = "".join(_SUBSCRIPTS[character] for character in sub)
         else:
             sub = f"_{sub}"
         return Fragment(head + "′″‴"[letter.primes - 1 : letter.primes] + sub)
@@ -199,7 +199,7 @@ class _Unicode(Notation):
     def power(self, base: Fragment, exponent: str) -> Fragment:
         head = self.guard(base, Precedence.ATOM)
         if re.fullmatch(r"−?\d+", exponent):
-            return Fragment(head + exponent.translate(_RAISED), Precedence.POWER)
+            return Fragment(head + exponent.translate(_SUPERSCRIPTS), Precedence.POWER)
         simple = re.fullmatch(r"\w", exponent)
         return Fragment(
             f"{head}^{exponent if simple else self.brackets(exponent)}", Precedence.POWER
@@ -209,7 +209,7 @@ class _Unicode(Notation):
         return Fragment(f"√{self.guard(inner, Precedence.ATOM)}", Precedence.POWER)
 
     def call(self, function: str, arguments: Sequence[str], exponent: int = 1) -> Fragment:
-        raised = "" if exponent == 1 else str(exponent).translate(_RAISED)
+        raised = "" if exponent == 1 else str(exponent).translate(_SUPERSCRIPTS)
         return Fragment(f"{function}{raised}({', '.join(arguments)})", Precedence.POWER)
 
     def transpose(self, base: Fragment) -> Fragment:
@@ -224,7 +224,7 @@ class _Unicode(Notation):
         )
 
     def partial(self, name: str, order: int, above: bool = False) -> str:
-        raised = "" if order == 1 else str(order).translate(_RAISED)
+        raised = "" if order == 1 else str(order).translate(_SUPERSCRIPTS)
         return f"∂{raised}{name}" if above else f"∂{name}{raised}"
 
     def matrix(self, rows: Sequence[Sequence[str]]) -> Fragment:

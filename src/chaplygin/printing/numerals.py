@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 MINUS = "\N{MINUS SIGN}"
-RAISED = str.maketrans("0123456789-" + MINUS, "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻")
+SUPERSCRIPTS = str.maketrans("0123456789-" + MINUS, "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻")
 
 #: A hyphen that stands for a sign: before a number, or between spaces.
 _SIGN = re.compile(r"(?<![\w)\]-])-(?=[\d.(]|[∞π√])|(?<= )-(?= )")
@@ -22,13 +22,15 @@ def typographic_signs(text: str) -> str:
     """Words with numbers in them, their signs and powers of ten as in print."""
 
     def power(match: re.Match[str]) -> str:
-        exponent = str(int(match[2])).translate(RAISED)
+        exponent = str(int(match[2])).translate(SUPERSCRIPTS)
         return f"{match[1]} × 10{exponent}"
 
     return _SIGN.sub(MINUS, _POWER.sub(power, text))
 
 
-def unit(written: str) -> str:
+def unit(text: str) -> str:
     """A unit with raised exponents: ``kg² m⁴`` for ``kg^2 m^4`` or ``kg**2*m**4``."""
-    raised = re.sub(r"(?:\^|\*\*)\{?(-?\d+)\}?", lambda match: match[1].translate(RAISED), written)
+    raised = re.sub(
+        r"(?:\^|\*\*)\{?(-?\d+)\}?", lambda match: match[1].translate(SUPERSCRIPTS), text
+    )
     return raised.replace("*", " ")

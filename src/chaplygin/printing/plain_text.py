@@ -51,8 +51,8 @@ _ACCENTS = {
     "overline": "\N{COMBINING MACRON}",
 }
 _SCRIPT = {"B": "ℬ", "E": "ℰ", "F": "ℱ", "H": "ℋ", "I": "ℐ", "L": "ℒ", "M": "ℳ", "R": "ℛ"}
-_RAISED = dict(zip("0123456789+−=()ijknmT′*", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ⁱʲᵏⁿᵐᵀ′*", strict=True))
-_LOWERED = dict(
+_SUPERSCRIPTS = dict(zip("0123456789+−=()ijknmT′*", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ⁱʲᵏⁿᵐᵀ′*", strict=True))
+_SUBSCRIPTS = dict(
     zip("0123456789+−=()aehijklmnoprstuvx,", "₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ,", strict=True)
 )
 _HALVES = {("1", "2"): "½", ("1", "3"): "⅓", ("2", "3"): "⅔", ("1", "4"): "¼", ("3", "4"): "¾"}
@@ -163,7 +163,7 @@ class _Reader:
         if name in _ACCENTS:
             return [_accented_letter(_line(self._argument()), name)]
         if name in ("mathcal", "mathbb"):
-            return [_Part("".join(map(_drawn[name], _line(self._argument()))))]
+            return [_Part("".join(map(_ALPHABETS[name], _line(self._argument()))))]
         if name in _FONTS:
             inner = self._argument()
             word = _line(inner)
@@ -210,7 +210,7 @@ def _double(letter: str) -> str:
     return {"R": "ℝ", "Z": "ℤ", "C": "ℂ"}.get(letter, letter)
 
 
-_drawn = {"mathcal": _script, "mathbb": _double}
+_ALPHABETS = {"mathcal": _script, "mathbb": _double}
 
 
 def _accented_letter(letter: str, accent: str) -> _Part:
@@ -224,42 +224,42 @@ def _accented_letter(letter: str, accent: str) -> _Part:
     return _Part(f"({letter}){_ACCENTS[accent]}")
 
 
-def _small(place: str, written: str) -> str:
+def _small(place: str, text: str) -> str:
     """An index or exponent: in small characters, or after its sign."""
-    table = _LOWERED if place == "_" else _RAISED
-    packed = written.replace(" ", "")
+    table = _SUBSCRIPTS if place == "_" else _SUPERSCRIPTS
+    packed = text.replace(" ", "")
     if all(character in table for character in packed):
         return "".join(table[character] for character in packed)
-    return place + (written if len(written) == 1 else f"({written})")
+    return place + (text if len(text) == 1 else f"({text})")
 
 
-def _loose(written: str) -> bool:
+def _loose(text: str) -> bool:
     """Whether a formula needs brackets as a factor: a sign or space outside."""
     depth = 0
-    for character in written:
+    for character in text:
         depth += (character in "([{") - (character in ")]}")
         if depth == 0 and character in " +−=/×⊗·∧":
             return True
     return False
 
 
-def _in_brackets(written: str) -> str:
+def _in_brackets(text: str) -> str:
     """The text in brackets, unless it is a letter, in brackets already, or f(…)."""
-    if re.fullmatch(r"\w?\(.*\)", written) and _one_pair(written[written.index("(") :]):
-        return written
-    base = re.sub(r"[₀-₉ₐ-ₜᵢᵣᵤᵥⱼ⁰¹²³⁴-⁹⁻′]", "", unicodedata.normalize("NFC", written))
+    if re.fullmatch(r"\w?\(.*\)", text) and _one_pair(text[text.index("(") :]):
+        return text
+    base = re.sub(r"[₀-₉ₐ-ₜᵢᵣᵤᵥⱼ⁰¹²³⁴-⁹⁻′]", "", unicodedata.normalize("NFC", text))
     if len([c for c in base if not unicodedata.combining(c)]) <= 1 or base.isdigit():
-        return written
-    return f"({written})"
+        return text
+    return f"({text})"
 
 
-def _one_pair(written: str) -> bool:
+def _one_pair(text: str) -> bool:
     """Whether the first bracket closes at the end."""
     depth = 0
-    for index, character in enumerate(written):
+    for index, character in enumerate(text):
         depth += (character == "(") - (character == ")")
         if depth == 0:
-            return index == len(written) - 1
+            return index == len(text) - 1
     return False
 
 

@@ -23,7 +23,7 @@ Side: TypeAlias = tuple[str, sp.Basic | str]
 _TENSORS = {UNICODE: ("εᵢⱼₖ", "δᵢⱼ"), LATEX: (r"\varepsilon_{ijk}", r"\delta_{ij}")}
 
 #: Entries of a bracket with more operations than this are not expanded to compare them.
-_EXPANDED = 400
+_MOST_OPERATIONS = 400
 
 
 def curly_brackets(inner: str, notation: Notation) -> str:
@@ -136,7 +136,7 @@ def _entries(one: Name, other: Name, block: sp.MatrixBase, notation: Notation) -
 def _vanishes(formula: sp.Expr) -> bool:
     if formula == 0:
         return True
-    return bool(sp.count_ops(formula) < _EXPANDED and sp.expand(formula) == 0)
+    return bool(sp.count_ops(formula) < _MOST_OPERATIONS and sp.expand(formula) == 0)
 
 
 def _skew(block: sp.MatrixBase) -> bool:
@@ -152,9 +152,9 @@ def _combination(triple: tuple[sp.Expr, ...], system: System) -> Callable[[str],
         if all(_vanishes(x - y) for x, y in zip(triple, values, strict=True)):
 
             def component(
-                index: str, chosen: tuple[tuple[sp.Expr, Vector], ...] = choice
+                index: str, combination: tuple[tuple[sp.Expr, Vector], ...] = choice
             ) -> sp.Expr:
-                return sp.Add(*(c * real_symbol(f"{v}_{index}") for c, v in chosen))
+                return sp.Add(*(c * real_symbol(f"{v}_{index}") for c, v in combination))
 
             return component
     return None

@@ -43,7 +43,7 @@ class SymbolName:
     primes: int = 0
     subscript: str = ""
 
-    def dotted(self) -> SymbolName:
+    def rate(self) -> SymbolName:
         """The name of the rate of this quantity."""
         accents = (*self.accents, "dot")
         if accents[-2:] == ("dot", "dot"):

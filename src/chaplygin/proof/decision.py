@@ -58,7 +58,7 @@ class _Part:
 
     Attributes
     ----------
-    chosen : tuple of sympy.Expr
+    defining_factors : tuple of sympy.Expr
         What sets the part apart from the others.
     trial : Trial, optional
         A point where the law fails.
@@ -73,7 +73,7 @@ class _Part:
         The same as the check of certificates found it.
     """
 
-    chosen: tuple[sp.Expr, ...]
+    defining_factors: tuple[sp.Expr, ...]
     proof: Proof = NOTHING
     trial: Trial | None = None
     point: dict[str, str] | None = None
@@ -84,19 +84,19 @@ class _Part:
     @property
     def where(self) -> str:
         """The part, as equations."""
-        return " and ".join(f"{text(c)} = 0" for c in self.chosen)
+        return " and ".join(f"{text(c)} = 0" for c in self.defining_factors)
 
     @property
     def elsewhere(self) -> str:
         """All but the part."""
-        if len(self.chosen) == 1:
-            return f"{text(self.chosen[0])} ≠ 0"
+        if len(self.defining_factors) == 1:
+            return f"{text(self.defining_factors[0])} ≠ 0"
         return f"not ({self.where})"
 
     @property
     def formula(self) -> str:
         """The complement as a formula of Python, if it is one."""
-        return f"{self.chosen[0]} != 0" if len(self.chosen) == 1 else ""
+        return f"{self.defining_factors[0]} != 0" if len(self.defining_factors) == 1 else ""
 
 
 def verdict_of(system: System, law: Law, budget: Budget) -> Verdict:
@@ -123,7 +123,7 @@ def verdict_of(system: System, law: Law, budget: Budget) -> Verdict:
     open_parts = [part for part in parts if part.proof.failure]
     proven = [part for part in parts if part.proof.residuals and not part.proof.failure]
     nowhere = all(part.proof.failure == NOWHERE for part in open_parts)
-    if not nowhere and (not proven or any(not part.chosen for part in open_parts)):
+    if not nowhere and (not proven or any(not part.defining_factors for part in open_parts)):
         return Verdict(law.name, "undecided", reason=open_parts[0].proof.failure)
     if not proven:
         raise InputError(
@@ -139,7 +139,7 @@ def verdict_of(system: System, law: Law, budget: Budget) -> Verdict:
     return Verdict(
         law.name,
         "proven where" if conditions else "proven",
-        shown=_words(law, count, len(proven)) + "".join({p.remark: 0 for p in proven}),
+        finding=_words(law, count, len(proven)) + "".join({p.remark: 0 for p in proven}),
         conditions=tuple(conditions),
         formulas=tuple(conditions.values()),
     )
@@ -181,25 +181,27 @@ class _Checker:
         return point is not None
 
 
-def _of_alternative(alternative: Alternative, budget: Budget, checked: _Checker) -> Iterator[_Part]:
+def _of_alternative(alternative: Alternative, budget: Budget, checker: _Checker) -> Iterator[_Part]:
     """The law on the components of one alternative of its level."""
     try:
         claims = polynomial_problems(alternative.system, alternative.law)
     except OutOfReachError as reason:
-        yield _Part(alternative.chosen, Proof(0, failure=str(reason)))
+        yield _Part(alternative.defining_factors, Proof(0, failure=str(reason)))
         return
     for claim in claims:
         levels = LevelSet(claim.system, claim.law.on).components
         for level in levels:
-            part = _on(level, claim, budget, checked)
-            yield replace(part, chosen=(*alternative.chosen, *level.chosen))
-            if part.trial is not None or (part.proof.failure and not level.chosen):
+            part = _on(level, claim, budget, checker)
+            yield replace(
+                part, defining_factors=(*alternative.defining_factors, *level.defining_factors)
+            )
+            if part.trial is not None or (part.proof.failure and not level.defining_factors):
                 return
-        for excluded in claim.excluded:
-            yield _Part((*alternative.chosen, excluded), Proof(0, failure="not decided"))
+        for excluded in claim.excluded_zeros:
+            yield _Part((*alternative.defining_factors, excluded), Proof(0, failure="not decided"))
 
 
-def _on(level: LevelSet, claim: Claim, budget: Budget, checked: _Checker) -> _Part:
+def _on(level: LevelSet, claim: Claim, budget: Budget, checker: _Checker) -> _Part:
     """The law on one component."""
     # motions may leave a part on which an initial vanishes for the rest of the component
     points = replace(level, inner=True) if level.parent else level
@@ -210,7 +212,7 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checked: _Checker) -> _Pa
     attained = level.parent is not None
     for trial in trials(law, points):
         if trial.witness is not None:
-            refuted = checked.refutation(claim, points, trial)
+            refuted = checker.refutation(claim, points, trial)
             if refuted is not None:
                 return refuted
             continue
@@ -223,7 +225,7 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checked: _Checker) -> _Pa
     if first is None:
         last = backwards(law, points)
         if last is not None and last.witness is not None:
-            refuted = checked.refutation(claim, points, last)
+            refuted = checker.refutation(claim, points, last)
             if refuted is not None:
                 return refuted
         if isinstance(law, Measure) and positives(law, level):
@@ -234,7 +236,7 @@ def _on(level: LevelSet, claim: Claim, budget: Budget, checked: _Checker) -> _Pa
         return _Part((), trial=failed, point=points.point_shown(first.field))
     if outcome.failure or outcome.conditions:
         for trial in trials(law, points, FURTHER):
-            refuted = trial.witness and checked.refutation(claim, points, trial)
+            refuted = trial.witness and checker.refutation(claim, points, trial)
             if refuted:
                 return refuted
     return _Part((), outcome, needs=_needs(law, level), remark=_remark(law, level, first))
@@ -284,25 +286,25 @@ def _of_density(law: Measure, level: LevelSet) -> str:
     )
 
 
-def _refutation(law: Law, failed: _Part, parts: list[_Part]) -> Verdict:
-    assert failed.trial is not None and failed.trial.witness is not None
-    what, residual = failed.trial.witness
-    place = f"a point where {failed.where}" if failed.chosen else "a point"
+def _refutation(law: Law, failed_part: _Part, parts: list[_Part]) -> Verdict:
+    assert failed_part.trial is not None and failed_part.trial.witness is not None
+    what, residual = failed_part.trial.witness
+    place = f"a point where {failed_part.where}" if failed_part.defining_factors else "a point"
     holds = [
         part.where
         for part in parts
-        if part.chosen
+        if part.defining_factors
         and part.proof.residuals
         and not part.proof.failure
         and not part.proof.conditions
     ]
     besides = f"; it holds where {', and where '.join(dict.fromkeys(holds))}" if holds else ""
-    witness = {"point": failed.point, "what": what, "residual": str(residual)}
+    witness = {"point": failed_part.point, "what": what, "residual": str(residual)}
     return Verdict(
         law.name,
         "refuted",
-        shown=f"{what} fails at {place}{besides}",
-        witness=witness | (vars(failed.witness) if failed.witness is not None else {}),
+        finding=f"{what} fails at {place}{besides}",
+        witness=witness | (vars(failed_part.witness) if failed_part.witness is not None else {}),
     )
 
 

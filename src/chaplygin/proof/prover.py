@@ -106,7 +106,7 @@ def _by_theorem(system: System, law: Law, theorem: Theorem, budget: Budget) -> V
     if any(not part for part in parts):
         return verdict_of(system, law, budget)
     count = f"{len(parts)} identities are" if len(parts) > 1 else "1 identity is"
-    return Verdict(law.name, "proven", shown=f"{theorem.words}; {count} certified")
+    return Verdict(law.name, "proven", finding=f"{theorem.words}; {count} certified")
 
 
 def _check_defaults(system: System) -> None:

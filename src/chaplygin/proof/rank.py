@@ -208,11 +208,9 @@ def _(law: Separation, level: LevelSet, field: Field) -> tuple[str, str] | None:
     return _lacking("the number of independent quantities", found, len(quantities), field)
 
 
-def _lacking(what: str, attained: int, wanted: int, field: Field) -> tuple[str, str] | None:
-    if attained >= wanted:
+def _lacking(what: str, rank: int, least: int, field: Field) -> tuple[str, str] | None:
+    if rank >= least:
         return None
     if not field.exact:
-        raise OutOfReachError(
-            f"{what} is at least {attained}, but {wanted} is not certain with balls"
-        )
-    return what, f"{attained} instead of {wanted}"
+        raise OutOfReachError(f"{what} is at least {rank}, but {least} is not certain with balls")
+    return what, f"{rank} instead of {least}"

@@ -65,7 +65,7 @@ class _Run:
 
 
 def proof(
-    law: Law, level: LevelSet, sample: Mapping[str, float] | None, budget: Budget, attained: bool
+    law: Law, level: LevelSet, sample: Mapping[str, float] | None, budget: Budget, is_attained: bool
 ) -> Proof:
     """The residuals of a law on a component of its level, over fractions.
 
@@ -73,13 +73,13 @@ def proof(
     ----------
     sample : mapping of str to float, optional
         A point of the component, whose signs are tried first.
-    attained : bool
+    is_attained : bool
         Whether the law is known to have the rank it claims.
     """
     first = _run(FunctionField, law, level, sample, budget, {})
     if first.failure:
         return Proof(first.residuals, failure=first.failure)
-    if not (attained or first.void):
+    if not (is_attained or first.void):
         try:
             lack = rank_defect(law, level, first.field)
         except (OutOfReachError, NeedMoreGeneratorsError) as reason:

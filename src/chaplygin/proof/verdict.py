@@ -10,7 +10,7 @@ from ..core.overview import Overview, WithOverview
 Decision = Literal["proven", "proven where", "refuted", "undecided"]
 
 
-UNTRIED = "not tried"
+NOT_TRIED = "not tried"
 """The beginning of the reason of a verdict for which no work was allowed."""
 
 
@@ -32,7 +32,7 @@ class Verdict(WithOverview):
     formulas : tuple of str
         The conditions in the words of Python, such as ``"x > 0"`` or ``"y != 0"``; an empty text
         for one that says more than a formula does.
-    shown : str
+    finding : str
         What was shown, in a few words.
     reason : str
         Why it is undecided; empty otherwise.
@@ -48,7 +48,7 @@ class Verdict(WithOverview):
         (``"place"``), the number of the residual (``"index"``) and its ``"value"``.
     certificate : mapping, optional
         What another program needs in order to check the verdict.
-    uncertified : str
+    no_certificate : str
         Why there is no certificate, where one was asked for.
 
     Examples
@@ -62,7 +62,7 @@ class Verdict(WithOverview):
 
     law: str
     decision: Decision
-    shown: str = ""
+    finding: str = ""
     reason: str = ""
     conditions: tuple[str, ...] = ()
     formulas: tuple[str, ...] = ()
@@ -71,37 +71,37 @@ class Verdict(WithOverview):
     effort: int = 0
     witness: dict[str, Any] | None = None
     certificate: dict[str, Any] | None = None
-    uncertified: str = ""
+    no_certificate: str = ""
 
     @property
-    def untried(self) -> bool:
+    def is_untried(self) -> bool:
         """Whether it is undecided because nothing was tried."""
-        return self.reason.startswith(UNTRIED)
+        return self.reason.startswith(NOT_TRIED)
 
     @property
-    def stated(self) -> str:
+    def statement(self) -> str:
         """The decision, with the conditions under which it holds."""
-        if self.untried:
-            return UNTRIED
+        if self.is_untried:
+            return NOT_TRIED
         return " ".join((self.decision, ", ".join(self.conditions))).rstrip()
 
     @property
     def words(self) -> str:
         """The decision, with its conditions and with the reason for leaving it open."""
-        if self.untried:
+        if self.is_untried:
             return self.reason
-        return f"{self.stated}: {self.reason}" if self.reason else self.stated
+        return f"{self.statement}: {self.reason}" if self.reason else self.statement
 
     def overview(self) -> Overview:
         """Law and decision, what was shown or why not, and what it cost."""
         point = (self.witness or {}).get("point", {})
         return Overview(
-            f"{self.law}: {self.stated}",
+            f"{self.law}: {self.statement}",
             (
-                ("shown", self.shown),
+                ("shown", self.finding),
                 ("reason", self.reason),
                 ("refuted at", ", ".join(f"{name} = {value}" for name, value in point.items())),
-                ("no certificate", self.uncertified),
+                ("no certificate", self.no_certificate),
                 ("effort", f"{self.effort:,} term operations, {self.seconds:.3g} s"),
             ),
         )

@@ -96,7 +96,7 @@ class ContactSection:
     events : list of EventRow
     more : int
         Events that are not among the rows.
-    struck, twisted : bool
+    has_impulse, has_couple : bool
         Whether any of the rows has an impulse, and one of the couple.
     energy : list of EnergyRow
         The last one is the total.
@@ -111,8 +111,8 @@ class ContactSection:
     summary: str
     events: list[EventRow]
     more: int
-    struck: bool
-    twisted: bool
+    has_impulse: bool
+    has_couple: bool
     energy: list[EnergyRow]
     drift: str
     reason: str
@@ -139,8 +139,8 @@ def contact_section(
         summary=_summary(trajectory),
         events=rows,
         more=len(trajectory.changes) - len(rows),
-        struck=any(row.normal for row in rows),
-        twisted=any(row.couple for row in rows),
+        has_impulse=any(row.normal for row in rows),
+        has_couple=any(row.couple for row in rows),
         energy=[
             *(EnergyRow(p.words, _energy(p.values[0]), _energy(p.values[-1])) for p in parts),
             EnergyRow("together", _energy(total[0]), _energy(total[-1])),
@@ -250,11 +250,11 @@ def law_row(law: FrictionLaw) -> LawRow:
     return LawRow(words, "; ".join(coefficients))
 
 
-def _unit(written: str) -> str:
+def _unit(text: str) -> str:
     """A unit as in print; that of a power with a fraction in words."""
-    if "^" in written and "." in written:
-        return written.replace("^", " to the power ")
-    return "" if written in ("1", "unknown") else unit(written)
+    if "^" in text and "." in text:
+        return text.replace("^", " to the power ")
+    return "" if text in ("1", "unknown") else unit(text)
 
 
 def _impacts(trajectory: ContactTrajectory) -> str:

@@ -181,9 +181,9 @@ def render(
                 "formula": Markup(displayed_formula(latex(law.value))),
                 "source": law.source,
                 "verdict": verdicts[law.name],
-                "value": number(float(trajectory.recorded[f"law_{law.name}"][0]), 12),
+                "value": number(float(trajectory.records[f"law_{law.name}"][0]), 12),
                 "unit": unit(law.unit),
-                "drift": number(drift(trajectory.recorded[f"law_{law.name}"]), 2),
+                "drift": number(drift(trajectory.records[f"law_{law.name}"]), 2),
             }
             for law in (() if contact else system.integrals)
         ],
@@ -201,7 +201,7 @@ def render(
         undecided=[
             (name, typographic_signs(verdict.reason))
             for name, verdict in verdicts.items()
-            if verdict.reason and not verdict.untried
+            if verdict.reason and not verdict.is_untried
         ],
         events=[] if contact else [typographic_signs(str(e)) for e in trajectory.events],
         remarks=[typographic_signs(remark) for remark in study.remarks],

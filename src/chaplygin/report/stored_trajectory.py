@@ -52,7 +52,7 @@ def store_trajectory(path: Path, key: str | None, trajectory: Trajectory) -> Non
     trajectory : Trajectory
     """
     named = {"times": trajectory.times, "states": trajectory.states}
-    named |= {f"recorded {name}": values for name, values in trajectory.recorded.items()}
+    named |= {f"recorded {name}": values for name, values in trajectory.records.items()}
     arrays = {name: np.asarray(values) for name, values in named.items()}
     if key is None or any(array.dtype.hasobject for array in arrays.values()):
         return
@@ -60,7 +60,7 @@ def store_trajectory(path: Path, key: str | None, trajectory: Trajectory) -> Non
     facts = {
         "key": key,
         "statistics": asdict(trajectory.statistics),
-        "events": [(e.time, guards.index(e.guard), e.stopped) for e in trajectory.events],
+        "events": [(e.time, guards.index(e.guard), e.is_terminal) for e in trajectory.events],
         "shapes": {name: array.shape for name, array in arrays.items()},
     }
     # as bytes, since NumPy's own format does not know numbers of 34 digits

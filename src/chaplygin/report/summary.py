@@ -28,10 +28,10 @@ def summary(trajectory: Trajectory) -> dict[str, Any]:
             str(s): _plain(x) for s, x in zip(system.symbols, trajectory.states[-1], strict=True)
         },
         "drift": {
-            law.name: drift(trajectory.recorded[f"law_{law.name}"]) for law in system.integrals
+            law.name: drift(trajectory.records[f"law_{law.name}"]) for law in system.integrals
         },
         "events": [
-            {"time": h.time, "what": h.guard.message, "stopped": h.stopped}
+            {"time": h.time, "what": h.guard.message, "stopped": h.is_terminal}
             for h in trajectory.events
         ],
         "steps": statistics.steps,

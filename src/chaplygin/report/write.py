@@ -29,7 +29,7 @@ SMOOTH = 3000
 class Report(Protocol):
     """To be told what is being done, and how much of it is."""
 
-    def __call__(self, done: float, /) -> None:
+    def __call__(self, share: float, /) -> None:
         """Say how much is done, from 0 to 1."""
 
     def say(self, what: str) -> None:

@@ -40,12 +40,12 @@ def _places(vocabulary: VectorInvariants) -> set[sp.Symbol]:
 
 
 def _distinct(
-    vocabulary: VectorInvariants, candidates: Iterable[sp.Expr], allowed: set[sp.Symbol]
+    vocabulary: VectorInvariants, candidates: Iterable[sp.Expr], symbols: set[sp.Symbol]
 ) -> Iterator[sp.Expr]:
     """Formulas that vary, use allowed symbols alone, and are not proportional."""
     space = vocabulary.space
     sample = space.sample(_POINTS, 7, common=True)
-    others = [i for i, s in enumerate(space.system.symbols) if s not in allowed]
+    others = [i for i, s in enumerate(space.system.symbols) if s not in symbols]
     seen: list[Integers] = []
     for formula in candidates:
         jet = sample(formula)

@@ -63,20 +63,20 @@ def _scalars(system: System) -> dict[str, sp.Symbol]:
 
 
 def _operand(
-    words: Iterable[str], named: Mapping[str, Vector | Diagonal | Symmetric], where: str
+    words: Iterable[str], quantities: Mapping[str, Vector | Diagonal | Symmetric], where: str
 ) -> sp.MatrixExpr:
     """Tensors applied to a vector, such as ``J gamma``."""
     *tensors, last = words
     for word in (*tensors, last):
-        if word not in named:
-            raise InputError(f"no vector or tensor {word!r}{nearest(word, named)}", where)
-    result = named[last]
+        if word not in quantities:
+            raise InputError(f"no vector or tensor {word!r}{nearest(word, quantities)}", where)
+    result = quantities[last]
     if not isinstance(result, Vector):
         raise InputError(f"{last} is a tensor, not a vector: write ({last} u, v)", where)
     for word in reversed(tensors):
-        if isinstance(named[word], Vector):
+        if isinstance(quantities[word], Vector):
             raise InputError(f"{word} is a vector; only tensors multiply a vector", where)
-        result = named[word] * result
+        result = quantities[word] * result
     return result
 
 

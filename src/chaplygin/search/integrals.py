@@ -118,7 +118,7 @@ class _Search:
         self.sample = self.space.sample(self.points, _SEED, common=True)
         self.tables: dict[Ansatz, Table] = {}
         self.independent_monomials: dict[tuple[Ansatz, int], list[int]] = {}
-        self.known = _KnownIntegrals()
+        self.known_integrals = _KnownIntegrals()
         self.formulas: list[sp.Expr] = []
         self.weights: dict[sp.Symbol, Weight] = weights(self.space)
         self.vocabulary = VectorInvariants(self.space, question.ansatz, self.weights)
@@ -148,7 +148,7 @@ class _Search:
             yield self._finding(law, shell.degree)
         left = self._fresh(candidates, shell.degree)
         if left:
-            self.known.values += [(shell.degree, candidates[i]) for i in left]
+            self.known_integrals.values += [(shell.degree, candidates[i]) for i in left]
             yield SearchResult(
                 "integral",
                 None,
@@ -176,7 +176,7 @@ class _Search:
         )
 
     def _products(self, degree: int) -> Integers:
-        return self.known.products(degree, self.question.ansatz.gamma_degree, self.points)
+        return self.known_integrals.products(degree, self.question.ansatz.gamma_degree, self.points)
 
     def _fresh(self, functions: Integers, degree: int) -> list[int]:
         """Which functions do not depend linearly on products of known integrals."""
@@ -259,7 +259,7 @@ class _Search:
         waiting = [(law, self.sample(law).value) for law in laws]
         while fresh := self._fresh(np.array([value for _, value in waiting]), degree):
             (law, value), *waiting = (waiting[i] for i in fresh)
-            self.known.values.append((degree, value))
+            self.known_integrals.values.append((degree, value))
             if self._independent(law):
                 self.formulas.append(law)
                 yield law

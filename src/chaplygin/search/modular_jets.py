@@ -96,7 +96,7 @@ class Jet:
         slope = (self.slope * other.value % prime() + other.slope * self.value) % prime()
         return Jet(self.value * other.value % prime(), slope)
 
-    def chained(self, value: Integers, derivative: Integers) -> Jet:
+    def compose(self, value: Integers, derivative: Integers) -> Jet:
         """f(self), given f and f′ at the values."""
         return Jet(value, self.slope * derivative % prime())
 
@@ -142,12 +142,12 @@ class Evaluator(Evaluation[Jet]):
 
     def __init__(
         self,
-        known: Mapping[sp.Symbol, Jet],
+        jets: Mapping[sp.Symbol, Jet],
         points: int,
         directions: int,
         definitions: Mapping[sp.Symbol, sp.Expr],
     ) -> None:
-        super().__init__(known, definitions)
+        super().__init__(jets, definitions)
         self._points = points
         self._directions = directions
         self.good: Truths = np.ones(points, dtype=bool)
@@ -199,7 +199,7 @@ class Evaluator(Evaluation[Jet]):
             case sp.exp():
                 inner = self(formula.args[0])
                 value = power(inner.value, _WILD)
-                return inner.chained(value, value)
+                return inner.compose(value, value)
             case sp.log():
                 return self._logarithm(formula.args[0])
             case sp.sin() | sp.cos():
@@ -222,7 +222,7 @@ class Evaluator(Evaluation[Jet]):
             self.good &= jet.value != 0
             # even, as a factor is known up to its sign alone
             value = power(jet.value * jet.value % prime(), _WILD)
-            total = total + self(exponent) * jet.chained(value, inverse(jet.value))
+            total = total + self(exponent) * jet.compose(value, inverse(jet.value))
         return total
 
     def _circular(self, formula: sp.Expr) -> Jet:
@@ -237,8 +237,8 @@ class Evaluator(Evaluation[Jet]):
         below = inverse((1 + square) % prime())
         sine, cosine = 2 * half * below % prime(), (1 - square) * below % prime()
         if isinstance(formula, sp.sin):
-            return angle.chained(sine, cosine)
-        return angle.chained(cosine, -sine % prime())
+            return angle.compose(sine, cosine)
+        return angle.compose(cosine, -sine % prime())
 
     def _symbolic_power(self, base: sp.Expr, exponent: sp.Expr) -> Jet:
         """Powers with exponents such as 2 − 1/k: wild functions of base and exponent."""
@@ -251,21 +251,21 @@ class Evaluator(Evaluation[Jet]):
             inner, theta = self(base), self(letters / number.q)
             wild = power((inner.value + theta.value) % prime(), _WILD)
             slope = theta.value * wild % prime() * inverse(inner.value) % prime()
-            product = product * self._integer_power(inner.chained(wild, slope), int(number.p))
+            product = product * self._integer_power(inner.compose(wild, slope), int(number.p))
         return product
 
     def _integer_power(self, base: Jet, exponent: int) -> Jet:
         if exponent < 0:
             return self._integer_power(self._reciprocal(base), -exponent)
         below = power(base.value, max(exponent - 1, 0))
-        return base.chained(below * base.value % prime(), below * exponent % prime())
+        return base.compose(below * base.value % prime(), below * exponent % prime())
 
     def _reciprocal(self, jet: Jet) -> Jet:
         self.good &= jet.value != 0
         value = inverse(jet.value)
-        return jet.chained(value, (prime() - value) * value % prime())
+        return jet.compose(value, (prime() - value) * value % prime())
 
     def _root(self, jet: Jet) -> Jet:
         root, exists = square_root(jet.value)
         self.good &= exists & (root != 0)
-        return jet.chained(root, inverse(2 * root % prime()))
+        return jet.compose(root, inverse(2 * root % prime()))

@@ -249,30 +249,32 @@ class SearchSpace:
         return solution, good & exists & (square != 0), suits
 
     def _order(
-        self, relations: tuple[sp.Expr, ...], done: tuple[tuple[sp.Expr, sp.Symbol], ...]
+        self,
+        relations: tuple[sp.Expr, ...],
+        solved_relations: tuple[tuple[sp.Expr, sp.Symbol], ...],
     ) -> tuple[tuple[sp.Expr, sp.Symbol], ...] | None:
         if not relations:
-            return done
-        rng = np.random.default_rng(len(done))
+            return solved_relations
+        rng = np.random.default_rng(len(solved_relations))
         symbols = (*self.free, *self.system.symbols)
         drawn = {s: rng.integers(1, prime(), _PROBE) for s in symbols}
-        values = self._with_relations(drawn, done)
-        settled = {s for relation, variable in done for s in self._depends(relation)}
+        values = self._with_relations(drawn, solved_relations)
+        settled = {s for relation, variable in solved_relations for s in self._depends(relation)}
         for relation in relations:
             others = tuple(r for r in relations if r is not relation)
             for variable in self._candidates(relation, settled):
                 if self._roots(relation, variable, values)[2]:
-                    order = self._order(others, (*done, (relation, variable)))
+                    order = self._order(others, (*solved_relations, (relation, variable)))
                     if order is not None:
                         return order
             value, _ = self._value(relation, values)
             if not value.any():
-                return self._order(others, done)
+                return self._order(others, solved_relations)
         return None
 
-    def _candidates(self, relation: sp.Expr, settled: set[sp.Symbol]) -> Iterator[sp.Symbol]:
+    def _candidates(self, relation: sp.Expr, bound: set[sp.Symbol]) -> Iterator[sp.Symbol]:
         reached = self._depends(relation)
-        return (s for s in reversed(self.system.symbols) if s in reached and s not in settled)
+        return (s for s in reversed(self.system.symbols) if s in reached and s not in bound)
 
     def _depends(self, relation: sp.Expr) -> set[sp.Symbol]:
         steps = self.system.required_definitions([relation])

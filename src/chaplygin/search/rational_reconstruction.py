@@ -60,9 +60,9 @@ class Scalars:
         """A measure of how complicated each looks."""
         return tuple(1 + int(sp.count_ops(formula)) for formula in self.formulas)
 
-    def effort(self, chosen: Sequence[int]) -> int:
+    def effort(self, indices: Sequence[int]) -> int:
         """A measure of how complicated a product of some of them looks."""
-        return sum(1 + self.efforts[i] for i in chosen)
+        return sum(1 + self.efforts[i] for i in indices)
 
 
 @dataclass(frozen=True)
@@ -161,17 +161,17 @@ def reconstructed_laws(
     return sorted((s for s in solved if s is not None), key=lambda solution: solution.effort)
 
 
-def _kernels(scheme: Plan, drawn: Draw) -> Iterator[_Kernel]:
+def _kernels(scheme: Plan, sample: Draw) -> Iterator[_Kernel]:
     """Laws among the sums of products, each block by itself."""
     for block in scheme.blocks:
         few = len(block) + _SPARE
         columns, rows = [], []
         for index, chosen in block:
-            factor = np.ones_like(drawn.value[0, 0, :few])
+            factor = np.ones_like(sample.value[0, 0, :few])
             for scalar in chosen:
-                factor = factor * drawn.numbers[scalar, :few] % prime()
-            columns.append((drawn.value[index, :, :few] * factor % prime()).ravel())
-            rows.append((drawn.condition[index, :, :few] * factor % prime()).ravel())
+                factor = factor * sample.numbers[scalar, :few] % prime()
+            columns.append((sample.value[index, :, :few] * factor % prime()).ravel())
+            rows.append((sample.condition[index, :, :few] * factor % prime()).ravel())
         independent = independent_columns(np.array(columns).T)
         for vector in nullspace(np.array(rows)[independent].T):
             yield _Kernel(tuple(block[i] for i in independent), tuple(map(int, vector)))

@@ -57,13 +57,13 @@ class _Search:
         factors += [self.sample(f).value for f in formulas]
         factors += [a * b % prime() for i, a in enumerate(factors[1:]) for b in factors[i + 1 :]]
         self.factors = factors
-        self.spanned: list[Integers] = []
+        self.span_rows: list[Integers] = []
         self._span(np.array(self.sample.field))
         self.count = 0
 
     def _span(self, field: Integers) -> None:
         """Take note of a symmetry, by its components at the points, shape (n, N)."""
-        self.spanned += [(field * factor % prime()).ravel() for factor in self.factors]
+        self.span_rows += [(field * factor % prime()).ravel() for factor in self.factors]
 
     def findings(self, progress: Progress) -> Iterator[SearchResult]:
         """All symmetries of the ansatz, the simplest first."""
@@ -89,8 +89,8 @@ class _Search:
             self._span(field.reshape(len(self.symbols), -1))
 
     def _fresh(self, field: Integers) -> bool:
-        stacked = np.array([*self.spanned, field]).T
-        return independent_columns(stacked)[-1] == len(self.spanned)
+        stacked = np.array([*self.span_rows, field]).T
+        return independent_columns(stacked)[-1] == len(self.span_rows)
 
     def _over_parameters(self, vector: Integers, exponents: Sequence[Exponents]) -> SearchResult:
         """The field as a formula: on the monomials that occur, with unknown coefficients."""

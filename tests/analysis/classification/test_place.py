@@ -131,11 +131,11 @@ def test_what_is_undecided_or_unknown_does_not_count() -> None:
     standing = found(entry("chaplygin-ball").system(), momentum=late)
     assert standing.count == 2
     assert kinds(standing) == ["conformally hamiltonian"]
-    assert [(u.law, u.why) for u in standing.uncounted] == [
+    assert [(u.law, u.why) for u in standing.ignored_laws] == [
         ("momentum", "undecided: not proven within 1 s")
     ]
     assert "momentum: undecided" in str(standing)
-    assert classify(entry("rattleback").system(), {}).uncounted[0].why == "without a verdict"
+    assert classify(entry("rattleback").system(), {}).ignored_laws[0].why == "without a verdict"
 
 
 @pytest.mark.slow
@@ -143,8 +143,8 @@ def test_what_is_refuted_does_not_count() -> None:
     ball = entry("chaplygin-ball").system()
     standing = found(ball.with_laws(Integral("wrong", ball.symbols[0])))
     assert standing.count == 3
-    assert [u.law for u in standing.uncounted] == ["wrong"]
-    assert standing.uncounted[0].why.startswith("refuted")
+    assert [u.law for u in standing.ignored_laws] == ["wrong"]
+    assert standing.ignored_laws[0].why.startswith("refuted")
 
 
 @pytest.mark.slow
@@ -315,7 +315,7 @@ def test_a_fast_answer_says_what_it_leaves_out(
     monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path))
     system = entry("chaplygin-ball").system()
     patience = ProofBudget(EFFORT, 1)
-    patience.spent = 1
+    patience.effort_used = 1
     verdicts = patience.verdicts(system)
     assert {v.decision for v in verdicts.values()} == {"undecided"}
     assert all("was spent" in v.reason for v in verdicts.values())
@@ -333,7 +333,7 @@ def test_what_is_proven_where_a_condition_holds_does_not_count() -> None:
     standing = found(system, **{name: partly})
     words = "proven where gamma_3 > 0, not omega_1 = 0"
     assert name not in {density.law.law for density in standing.measures}
-    assert IgnoredLaw(name, words) in standing.uncounted
+    assert IgnoredLaw(name, words) in standing.ignored_laws
 
 
 def test_a_measure_left_open_is_named_where_it_would_decide() -> None:

@@ -35,7 +35,7 @@ def _start(name: str) -> tuple[System, list[float]]:
 
 
 def _removed(found: Spectrum) -> list[str]:
-    return [item.name for item, _ in found.removed]
+    return [item.name for item, _ in found.trivial]
 
 
 # --- known exponents -------------------------------------------------------------------------
@@ -47,7 +47,7 @@ def test_lorenz(butterfly: Spectrum) -> None:
     assert first.error < 0.03
     assert abs(first.value - 0.9056) < first.error
     assert abs(second.value + 14.5723) < second.error
-    assert butterfly.chaotic and butterfly.settled
+    assert butterfly.chaotic and butterfly.halves_agree
     assert _removed(butterfly) == ["flow"]
 
 
@@ -88,7 +88,7 @@ def test_hyperbolic_linear_system() -> None:
 def test_integrable_systems_have_only_zeros(name: str) -> None:
     system, start = _start(name)
     found = lyapunov_spectrum(system, start, until=500.0, intervals=200)
-    assert found.settled
+    assert found.halves_agree
     assert all(item.zero for item in found.exponents)
     assert all(item.error < 0.05 for item in found.exponents)
     assert "flow" in _removed(found)
@@ -151,7 +151,7 @@ def test_exponents_and_divergence_agree_to_rounding(name: str) -> None:
 def test_forced_zeros_are_named() -> None:
     system, start = _start("chaplygin-ball")
     made = trivial_directions(system, start)
-    assert [item.name for item in made.removed] == [
+    assert [item.name for item in made.trivial] == [
         "γ² = 1",
         "energy",
         "area",
@@ -159,8 +159,8 @@ def test_forced_zeros_are_named() -> None:
         "flow",
     ]
     assert made.space.dimension == 1
-    assert made.removed[0].exponent is None
-    assert made.removed[1].exponent == 0.0
+    assert made.trivial[0].exponent is None
+    assert made.trivial[1].exponent == 0.0
 
 
 def test_dependent_integrals_force_nothing() -> None:
@@ -181,7 +181,7 @@ def test_levels_of_integrals_are_respected() -> None:
         {x: -y * (1 + x), y: x * (1 + x)},
         laws=(Integral("somewhere", x - y, on=(x**2 + y**2 - 1,)),),
     )
-    assert [item.name for item in trivial_directions(system, [1.0, 0.5]).removed] == ["flow"]
+    assert [item.name for item in trivial_directions(system, [1.0, 0.5]).trivial] == ["flow"]
 
 
 def test_a_motion_at_rest_has_no_direction() -> None:
@@ -190,7 +190,7 @@ def test_a_motion_at_rest_has_no_direction() -> None:
 
 def test_symmetries_are_removed() -> None:
     system, start = _start("heavy-disk")
-    assert "rotation" in [item.name for item in trivial_directions(system, start).removed]
+    assert "rotation" in [item.name for item in trivial_directions(system, start).trivial]
 
 
 def test_combinations_of_symmetries_within_a_level() -> None:
@@ -217,7 +217,7 @@ def test_combinations_of_symmetries_within_a_level() -> None:
 def test_a_short_motion_is_said_not_to_have_settled() -> None:
     # the first part of the motion leaves a saddle, the rest falls onto a cycle
     found = lyapunov_spectrum(carousel(), [1e-30, 0.0, 0.0], until=110.0)
-    assert not found.settled
+    assert not found.halves_agree
     assert any("has not converged" in text for text in remarks(found))
 
 

@@ -73,7 +73,7 @@ def test_a_limit_cycle_is_followed_in_a_parameter():
     last = branch.orbits[-1]
     assert branch.reason == "kappa_3 reached 0.12"
     assert last.kind == "attracting"
-    assert last.multipliers.forced == ("flow", "energy", "quadratic", "kappa_3")
+    assert last.multipliers.trivial == ("flow", "energy", "quadratic", "kappa_3")
     direct = ReturnMap(
         PoincareMap(ball, poincare_section(ball, "gamma_1"), {"kappa_3": 0.12}, 1e-15)
     )

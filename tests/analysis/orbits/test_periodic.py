@@ -23,7 +23,7 @@ def test_fixed_point_of_the_henon_map():
     assert orbit.points[0] == pytest.approx([x, 0.3 * x, 1.4], abs=1e-15)
     assert sorted(orbit.multipliers.values.real) == pytest.approx(sorted(roots), abs=1e-14)
     assert orbit.kind == "saddle"
-    assert orbit.multipliers.forced == ("a",)
+    assert orbit.multipliers.trivial == ("a",)
 
 
 def test_orbit_of_two_points_of_the_henon_map():
@@ -54,7 +54,7 @@ def test_family_is_reached_where_it_is_next():
     orbit = find_periodic(TWIST, np.array([0.3, 2.1]), 3)
     assert orbit.points[:, 1] == pytest.approx([2 * np.pi / 3] * 3, abs=1e-15)
     assert orbit.kind == "neutral"
-    assert orbit.multipliers.forced == ("p",)
+    assert orbit.multipliers.trivial == ("p",)
 
 
 @pytest.mark.parametrize(
@@ -86,7 +86,7 @@ def test_closed_orbit_of_a_ball_on_a_sphere():
     start = np.array([0.0, 0.0, 0.5, -1.0, 0.0, 0.0, 1.0])
     orbit = find_periodic(made, start, hold=("energy", "k"))
     assert orbit.duration == pytest.approx(4 * np.pi, abs=1e-11)
-    assert set(orbit.multipliers.forced) == {"flow", "energy", "k"}
+    assert set(orbit.multipliers.trivial) == {"flow", "energy", "k"}
     assert np.prod(orbit.multipliers.values).real == pytest.approx(1, abs=1e-10)
     assert orbit.multipliers.errors.max() < 1e-6
 
@@ -125,4 +125,4 @@ def test_orbits_are_the_same_in_all_units(scale):
     assert scaled.values["quadratic"] == pytest.approx(0.95 * scale**2, rel=1e-11)
     assert scaled.duration == pytest.approx(plain.duration, rel=1e-10)
     assert scaled.multipliers.values == pytest.approx(plain.multipliers.values, rel=1e-7)
-    assert scaled.multipliers.forced == plain.multipliers.forced
+    assert scaled.multipliers.trivial == plain.multipliers.trivial

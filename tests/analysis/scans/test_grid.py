@@ -129,7 +129,7 @@ def test_cells_of_bodies_that_cannot_be_say_so() -> None:
 def test_what_is_held_is_not_moved() -> None:
     x, y = axis("energy=0.6:0.8:3"), axis("k=0:1:3")
     free = scan_grid(BALL, x, y, {**START, "n": (0.0, 0.6, 0.8)}).cells(0, 3).starts
-    held = scan_grid(BALL, x, y, {**START, "n": (0.0, 0.6, 0.8)}, held=["M_1", "n"]).cells(0, 3)
+    held = scan_grid(BALL, x, y, {**START, "n": (0.0, 0.6, 0.8)}, fixed=["M_1", "n"]).cells(0, 3)
     assert np.ptp(free[:, 0]) > 1e-3
     assert np.array_equal(held.starts[:, [0, 3, 4, 5]], np.tile([1.0, 0.0, 0.6, 0.8], (9, 1)))
 

@@ -38,7 +38,7 @@ def section(
 ) -> StateCoordinates:
     """(l, L/G) on the section g = π/2 of a level."""
     made = chart(BALL, "andoyer-ratio", parameters=parameters)
-    return made.fixed({"g": PI / 2, "H": area}).without_coordinate("G", "energy", energy)
+    return made.with_fixed({"g": PI / 2, "H": area}).without_coordinate("G", "energy", energy)
 
 
 def test_a_section_of_a_level() -> None:
@@ -77,7 +77,7 @@ def test_points_without_a_state() -> None:
 def test_branches_on_a_torus() -> None:
     made = (
         chart(VESELOVA, "directions")
-        .fixed({"energy": 1.0})
+        .with_fixed({"energy": 1.0})
         .without_coordinate("psi", "momentum", 2.6)
     )
     assert made.names == ("theta", "phi")
@@ -98,7 +98,7 @@ def test_branches_on_a_torus() -> None:
 
 
 def test_energy_and_angle_at_a_place() -> None:
-    made = chart(BALL, "directions", {"area": 0.3}).fixed({"theta": 1.0, "phi": 0.5})
+    made = chart(BALL, "directions", {"area": 0.3}).with_fixed({"theta": 1.0, "phi": 0.5})
     assert made.names == ("psi", "energy")
     points = grid(np.linspace(0, 6, 5), [0.001, 0.5, 2.0])
     many = made.solutions(points)
@@ -123,7 +123,10 @@ def test_a_state_depends_on_its_point_alone() -> None:
         (lambda: chart(BALL, "polar"), f"no coordinates 'polar'; there are {', '.join(CHARTS)}"),
         (lambda: chart(BALL, "andoyer", {"energy": 1.0}), "use .fixed"),
         (lambda: chart(VESELOVA, "andoyer"), "need a momentum and a unit vector"),
-        (lambda: chart(BALL, "andoyer").fixed({"x": 1.0}), "no coordinate 'x' .* L, G, H, l, g"),
+        (
+            lambda: chart(BALL, "andoyer").with_fixed({"x": 1.0}),
+            "no coordinate 'x' .* L, G, H, l, g",
+        ),
         (
             lambda: chart(BALL, "andoyer").without_coordinate("x", "energy", 1.0),
             "no coordinate 'x'",

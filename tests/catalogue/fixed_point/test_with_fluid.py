@@ -55,7 +55,7 @@ def test_the_motion_is_that_of_the_unreduced_equations(name, cavities):
     names = ["fluid"] if len(cavities) == 1 else ["fluid1", "fluid2"]
     fluid = {key: tuple(xi) for key, xi in zip(names, xis, strict=True)}
     run = integrate(filled, {"omega": tuple(omega), "gamma": tuple(GAMMA), **fluid}, [0.0, UNTIL])
-    ours = (run["omega"][-1], run["gamma"][-1], *(run.recorded[key][-1] for key in names))
+    ours = (run["omega"][-1], run["gamma"][-1], *(run.records[key][-1] for key in names))
     for here, there in zip(ours, reference, strict=True):
         assert np.abs(here - there).max() < 1e-10
 

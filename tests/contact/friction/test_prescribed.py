@@ -16,7 +16,7 @@ from chaplygin.contact.friction.prescribed import (
     PrescribedDirection,
     clock,
     duration,
-    prescribed,
+    prescribed_direction,
 )
 from chaplygin.contact.friction.symbols import gamma, slip, spin, spin_sign
 from chaplygin.contact.friction.user_friction import UserFriction
@@ -94,11 +94,11 @@ def test_the_law_in_whose_place_it_stands():
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_law_of_the_user(sign):
     law = UserFriction("mu + slip_speed", couple="spin/(3 + spin)", values={"mu": 0.4})
-    _, p, q = beginning(prescribed(law), 0.4, sign=sign)
+    _, p, q = beginning(prescribed_direction(law), 0.4, sign=sign)
     np.testing.assert_allclose(p, -0.6 * direction_at(0.4), atol=1e-15)
     np.testing.assert_allclose(q, -sign * NORMAL / 7, atol=1e-15)
 
 
 def test_what_stands_in_its_place():
-    assert prescribed(Coulomb(0.3)) == PrescribedDirection()
-    assert prescribed(ContensouErismann(0.3, 0.1), "inner").range == "inner"
+    assert prescribed_direction(Coulomb(0.3)) == PrescribedDirection()
+    assert prescribed_direction(ContensouErismann(0.3, 0.1), "inner").range == "inner"

@@ -76,7 +76,7 @@ def test_every_kind_of_surface_is_read_and_run(surface):
     assert isinstance(experiment, BallExperiment)
     assert loads(experiment.toml()) == experiment
     study = prepare(experiment)
-    centre = study.trajectory().recorded["centre"]
+    centre = study.trajectory().records["centre"]
     assert centre[0, 2] == pytest.approx(height, rel=1e-14)
     assert loads(study.complete_toml()) == experiment
 
@@ -100,7 +100,7 @@ def test_a_potential_acts_on_the_centre():
     text = BALL + '[field]\ngravity = 0.0\npotential = "k*(x**2 + y**2 + z**2)/2"\n'
     text += "parameters = {k = 3.0}\n"
     study = prepare(loads(text))
-    found = study.trajectory().recorded
+    found = study.trajectory().records
     speed = np.sum(found["velocity"] ** 2, axis=1) + 0.1 * np.sum(found["omega"] ** 2, axis=1)
     total = speed / 2 + 1.5 * np.sum(found["centre"] ** 2, axis=1)
     np.testing.assert_allclose(total, total[0], rtol=1e-12)

@@ -116,7 +116,7 @@ def test_a_name_that_stands_for_a_longer_path() -> None:
     short = {"I_1": ("system", "parameters", "I_1"), "I_2": ("system", "parameters", "I_2")}
     made = Source("ball", "", ("I_1=2", "I_2=3"), {"system": {"name": "ball"}}, short)
     assert made.tables() == {"system": {"name": "ball", "parameters": {"I_1": 2, "I_2": 3}}}
-    assert made.given == {"system": {"name": "ball"}}
+    assert made.tables_given == {"system": {"name": "ball"}}
     assert made.where(("system", "parameters", "I_1")) == "--set I_1"
     assert made.where(("system", "parameters")) == "--set I_1 --set I_2"
     assert made.where(("system", "name")) == "ball, system.name"

@@ -13,13 +13,13 @@ from scipy.integrate import solve_ivp
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.vectors import to_components
 from chaplygin.explicit.bifurcation import bifurcation_diagram
-from chaplygin.explicit.bifurcation.families import SEPARATED
+from chaplygin.explicit.bifurcation.families import SEPARATIONS
 from chaplygin.explicit.separations.chaplygin_ball_area_constant import chaplygin_area
 from chaplygin.flow.linearisation.linear_stability import linear_stability
 from explicit.tori_followed import counted
 
 QUICK = ("veselova", "chaplygin-ball", "neumann", "rubber-ball-of-ratio")
-SLOW = tuple(name for name in SEPARATED if name not in QUICK)
+SLOW = tuple(name for name in SEPARATIONS if name not in QUICK)
 
 
 # --- numbers of tori -----------------------------------------------------------------------
@@ -35,14 +35,14 @@ def _agrees(separable, diagram):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", QUICK)
 def test_tori_followed(name):
-    separable = SEPARATED[name]()
+    separable = SEPARATIONS[name]()
     _agrees(separable, bifurcation_diagram(separable))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SLOW)
 def test_more_tori_followed(name):
-    separable = SEPARATED[name]()
+    separable = SEPARATIONS[name]()
     _agrees(separable, bifurcation_diagram(separable))
 
 
@@ -58,7 +58,7 @@ def test_tori_of_the_ball_with_any_area():
 )
 def test_tori_of_other_bodies(name, seed):
     generator = random.Random(f"{name} {seed}")
-    separable = chaplygin_area() if name == "chaplygin-ball-area" else SEPARATED[name]()
+    separable = chaplygin_area() if name == "chaplygin-ball-area" else SEPARATIONS[name]()
     moments = generator.sample(range(100, 200), 3)
     values = {f"I_{i}": Fraction(moment, 100) for i, moment in enumerate(moments, 1)}
     strength = Fraction(generator.choice([-1, 1]) * generator.randint(3, 20), 10)

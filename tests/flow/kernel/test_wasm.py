@@ -11,7 +11,7 @@ import numpy as np
 
 from chaplygin.flow.kernel.arithmetic import WithoutFused
 from chaplygin.flow.kernel.ir_writer import IRWriter
-from chaplygin.flow.kernel.wasm import prefixed, values_text, wasm_module
+from chaplygin.flow.kernel.wasm import values_text, wasm_module, with_prefix
 from chaplygin.formulas.graph import Graph
 from lab.node import NODE, needs_node
 
@@ -82,7 +82,9 @@ def test_formulas_keep_what_rounding_takes_where_it_is_wanted():
     loops, names, _ = values_text("of", {"all": [graph.state(0), graph.state(1)]}, 3)
     start = loops.index("define internal void @of_all(")
     text = (
-        loops[:start] + prefixed("of", w.text(head, "#1")) + loops[loops.index("}\n", start) + 2 :]
+        loops[:start]
+        + with_prefix("of", w.text(head, "#1"))
+        + loops[loops.index("}\n", start) + 2 :]
     )
     random = np.random.default_rng(4)
     factors = random.uniform(1.0, 2.0, (200, 2))

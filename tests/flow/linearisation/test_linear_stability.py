@@ -149,7 +149,9 @@ def test_newton_finds_the_steady_motion_of_a_speed():
         },
         parameters=PENDULUM.parameters,
     )
-    state = relative_equilibrium(cone, {"tilt": 1.0, "rate": 0, "turn": 6}, held=["turn"])
+    state = relative_equilibrium(
+        cone, {"tilt": 1.0, "rate": 0, "turn": 6}, fixed_variables=["turn"]
+    )
     assert float(state[turn]) == 6
     assert float(mpmath.cos(state[tilt])) == pytest.approx(19.62 / 36, rel=1e-15)
     found = linear_stability(cone, state)
@@ -165,7 +167,7 @@ def test_where_nothing_is_steady_newton_says_so():
 
 def test_something_must_be_left_to_be_found():
     with pytest.raises(InputError, match="all state variables are held"):
-        relative_equilibrium(ROUND, {"s": 0, "c": 1, "w": 0}, held=["s", "c", "w"])
+        relative_equilibrium(ROUND, {"s": 0, "c": 1, "w": 0}, fixed_variables=["s", "c", "w"])
     with pytest.raises(InputError, match="digits = 3"):
         relative_equilibrium(ROUND, {"s": 0, "c": 1, "w": 0}, digits=3)
 

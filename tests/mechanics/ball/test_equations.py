@@ -31,7 +31,7 @@ CONTACTS = ("marble", "rubber")
 def motion(ball, place, omega):
     system = ball.system()
     state = ball_state(ball, system, place, omega)
-    return integrate(system, state, TIMES, on_liftoff="warn").recorded
+    return integrate(system, state, TIMES, on_liftoff="warn").records
 
 
 @pytest.mark.slow
@@ -58,7 +58,7 @@ def test_it_moves_as_a_rolling_body_does(contact, radius):
     omega = (1.0, 6.0, 0.0 if contact == "rubber" else 4.0)
     up = (0.0, 0.0, 1.0)
     start = initial_state(rolling, omega, up, normal=up)
-    theirs = integrate(rolling, start, TIMES, on_liftoff="warn").recorded
+    theirs = integrate(rolling, start, TIMES, on_liftoff="warn").records
     side = "inside" if radius is not None and radius < 0 else "outside"
     surface = FlatSurface() if radius is None else SphericalSurface(abs(radius), side=side)
     place = (0.0, 0.0, 0.0 if radius is None else radius)
@@ -117,7 +117,7 @@ def test_gravity_may_point_anywhere():
     """On a plane that stands upright gravity acts along it, and the ball goes down as a disk."""
     fall = on(FlatSurface(axis="x"), carrier="centre", contact="rubber")
     state = ball_state(fall, fall.system(), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
-    found = integrate(fall.system(), state, TIMES, on_liftoff="warn").recorded["centre"]
+    found = integrate(fall.system(), state, TIMES, on_liftoff="warn").records["centre"]
     heavier = 1.0 + 0.036 / 0.3**2
     np.testing.assert_allclose(found[:, 2], -9.81 / heavier * TIMES**2 / 2, atol=1e-12)
     tilted = on(FlatSurface(), direction=(1.0, 0.0, -1.0)).system()

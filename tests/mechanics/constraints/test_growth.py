@@ -33,7 +33,7 @@ def test_growth_of_known_distributions(name):
     found = generic(distribution_spanned_by(name, fields, coordinates))
     assert found.growth == expected
     assert found.dimension == len(coordinates)
-    assert found.settled
+    assert found.is_final
     assert [len(step) for step in found.words] == [
         b - a for a, b in zip((0, *expected), expected, strict=False)
     ]
@@ -66,7 +66,7 @@ def test_a_point_that_no_commutator_leaves_is_not_called_settled():
     fixed = distribution_spanned_by("fixed", [{x: x}, {y: x}], (x, y))
     found = filtration(fixed, {x: 0, y: 0})
     assert found.growth[-1] == 0
-    assert not found.settled
+    assert not found.is_final
 
 
 @pytest.mark.parametrize("seed", range(6))

@@ -75,7 +75,7 @@ def proven_by_the_prover(given: Distribution, function: sp.Expr) -> bool:
     decides.
     """
     if function.has(sp.log, sp.atan):
-        own = given.fixed.fields
+        own = given.with_numbers.fields
         return all(sp.simplify(lie_derivative(field, function)) == 0 for field in own)
     speeds = [real_symbol(f"speed_{i}") for i, _ in enumerate(given.fields)]
     table = {s: sp.Rational(repr(value)) for s, value in given.constants}
@@ -142,7 +142,7 @@ def test_an_integrable_constraint_is_seen_through(name):
     found = nonholonomy(made)
     assert (found.verdict, found.growth, found.proven) == ("holonomic", growth, True)
     assert len(found.integrals) == len(integrals) == found.holonomic
-    own = made.frame.coordinates + ((TIME,) if found.timed else ())
+    own = made.frame.coordinates + ((TIME,) if found.depends_on_time else ())
     point = {k: 1, **{s: sp.Rational(i + 2, 3) for i, s in enumerate(own)}}
     both = [f.formula for f in found.integrals] + integrals
     rank = sp.Matrix([[sp.diff(f, s) for s in own] for f in both]).subs(point).rank(simplify=True)
@@ -317,7 +317,7 @@ def test_a_rubber_ball_on_an_equal_one_is_its_mirror_image():
     mirrored = alpha.symbols[0] - 2 * gamma.symbols[0] * sum(
         a * b for a, b in zip(alpha, gamma, strict=True)
     )
-    assert proven_by_the_prover(distribution(made).fixed, mirrored)
+    assert proven_by_the_prover(distribution(made).with_numbers, mirrored)
     assert "(α, γ)" in str(found)
 
 

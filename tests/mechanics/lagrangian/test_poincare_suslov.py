@@ -136,7 +136,7 @@ def test_the_energy_theorem_says_what_breaks_it() -> None:
         forces={real_symbol("xdot"): -c * real_symbol("xdot")},
         parameters=(Parameter(m, "", 1.0), Parameter(c, "", 0.0)),
     )
-    broken = derive(driven).energy.broken
+    broken = derive(driven).energy.failures
     assert len(broken) == 2
     assert "time enters" in broken[0]
     assert "forces" in broken[1]

@@ -71,7 +71,7 @@ def test_the_model_is_left_as_it_is():
 def test_a_pendulum_runs():
     system = from_sympy(pendulum(), {**NUMBERS, "k": 0.0})
     run = integrate(system, [0.3, 0.0], [0.0, 1.0, 2.0])
-    kinetic = run.recorded["kinetic_energy"]
+    kinetic = run.records["kinetic_energy"]
     height = [float(sp.cos(x)) for x in run.states[:, 0]]
     total = [float(e) - 9.81 * h for e, h in zip(kinetic, height, strict=True)]
     assert total == pytest.approx([total[0]] * 3, rel=1e-14)

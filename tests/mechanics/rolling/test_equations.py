@@ -108,7 +108,7 @@ def test_torus_that_comes_to_lie_on_a_dome_ends_there():
     case, state = begin(drawn, system)
     trajectory = integrate(system, state, TIMES, on_liftoff="warn")
     end = trajectory.events[-1]
-    assert end.stopped
+    assert end.is_terminal
     assert end.guard.name == "flat"
     assert trajectory.times[-1] == end.time < 4.0
     motion = case.run(trajectory.times)

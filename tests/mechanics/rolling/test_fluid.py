@@ -105,7 +105,7 @@ def end_of(rolling: Rolling, until: float = UNTIL) -> dict[str, np.ndarray]:
     fluids = [o.name for o in system.observables if o.name.startswith("fluid")]
     state_names = set(map(str, system.state))
     values = {
-        name: np.array(run[name] if name in state_names else run.recorded[name])[-1]
+        name: np.array(run[name] if name in state_names else run.records[name])[-1]
         for name in ("omega", "gamma", "centre", *fluids)
     }
     return values | {"fluid": np.array([values.pop(name) for name in fluids])}
@@ -224,9 +224,9 @@ def motion(body, contact, fluid, gravity=2.0, until=5.0):
     run = integrate(system, state, [0.0, until / 2, until], on_liftoff="warn")
     names = set(map(str, system.state))
     return {
-        name: np.array(run[name] if name in names else run.recorded[name])
+        name: np.array(run[name] if name in names else run.records[name])
         for name in ("omega", "gamma", "M", "centre", "N", "fluid", "attitude")
-        if name in names | run.recorded.keys()
+        if name in names | run.records.keys()
     }
 
 

@@ -42,7 +42,7 @@ def own_cache(tmp_path_factory):
 def certificate(system: System, law: Law) -> Certificate:
     """A certificate as another program reads it."""
     verdict = prove_with_certificate(system, law)
-    assert verdict.certificate is not None, verdict.uncertified
+    assert verdict.certificate is not None, verdict.no_certificate
     made: Certificate = json.loads(json.dumps(verdict.certificate))
     assert made["verdict"] == verdict.decision
     return made
@@ -66,7 +66,7 @@ def test_a_dimension_has_no_witness(name):
     verdict = prove_with_certificate(TOP, WRONG[name])
     assert verdict.decision == "refuted"
     assert verdict.certificate is None
-    assert "a dimension on the whole level" in verdict.uncertified
+    assert "a dimension on the whole level" in verdict.no_certificate
 
 
 def test_a_separation_has_one():
@@ -74,7 +74,7 @@ def test_a_separation_has_one():
     law = Separation("law", {}, (Rate(x) - a * x, Rate(y) - y))
     verdict = prove_with_certificate(system, law)
     assert verdict.decision == "proven", verdict
-    assert verdict.uncertified == ""
+    assert verdict.no_certificate == ""
     check(verdict.certificate)
 
 
@@ -82,7 +82,7 @@ def test_what_is_undecided_has_no_certificate():
     verdict = prove_with_certificate(TOP, FAR["an absolute value"][0])
     assert verdict.decision == "undecided"
     assert verdict.certificate is None
-    assert verdict.uncertified == ""
+    assert verdict.no_certificate == ""
 
 
 @pytest.mark.slow
@@ -94,7 +94,7 @@ def test_systems_of_the_catalogue(name):
     for law in system.laws:
         verdict = prove_with_certificate(system, law)
         if verdict.decision == "proven":
-            assert verdict.certificate is not None, verdict.uncertified
+            assert verdict.certificate is not None, verdict.no_certificate
 
 
 # --- each means of a proof -----------------------------------------------------------------------

@@ -353,7 +353,7 @@ def test_a_force_that_turns_fast_stays_on_its_circle() -> None:
 def test_the_parts_of_the_energy_add_up() -> None:
     data = billiard()
     kinetic, potential, lost = energy_parts(data, BALL)
-    assert [kinetic.lost, potential.lost, lost.lost] == [False, False, True]
+    assert [kinetic.is_loss, potential.is_loss, lost.is_loss] == [False, False, True]
     assert np.allclose(potential.values, 0.0, atol=1e-15)
     total = kinetic.values + potential.values + lost.values
     assert np.allclose(total, 0.5 * MASS * SLIP @ SLIP)

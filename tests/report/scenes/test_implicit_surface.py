@@ -29,7 +29,7 @@ def test_a_sphere_is_met_twice(shift):
     box = frame_of(path, np.full(3, 0.5), ground)
     assert np.all(box.low < -radius) and np.all(box.high > radius)
     seen = crossings(ground, box, VIEW, 80)
-    met = seen.met
+    met = seen.is_hit
     assert np.array_equal(met[0], met[1]) and not met[2].any()
     np.testing.assert_allclose(np.linalg.norm(seen.points[met], axis=-1), radius, rtol=2e-3)
     np.testing.assert_allclose(seen.normals[met], seen.points[met] / radius, atol=5e-3)
@@ -45,7 +45,7 @@ def test_an_open_surface_is_cut_by_the_box():
     box = frame_of(path, np.array([0.5, 0.5, 0.5]), flat)
     np.testing.assert_allclose(box.low, [-0.5, -0.5, -0.5])
     seen = crossings(flat, box, VIEW, 60)
-    points = seen.points[seen.met]
+    points = seen.points[seen.is_hit]
     np.testing.assert_allclose(points[:, 2], 0.0, atol=1e-9)
     assert points[:, 0].min() >= -0.5 and points[:, 0].max() <= 3.5
 

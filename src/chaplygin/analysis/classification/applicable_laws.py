@@ -26,12 +26,12 @@ class ApplicableLaws:
         Proven, and valid on the whole phase space at the present parameters.
     levels : dict
         Conditions on the state ↦ the laws that are proven under them.
-    uncounted : tuple of IgnoredLaw
+    ignored_laws : tuple of IgnoredLaw
     """
 
     general: tuple[Law, ...]
     levels: dict[tuple[sp.Expr, ...], tuple[Law, ...]]
-    uncounted: tuple[IgnoredLaw, ...]
+    ignored_laws: tuple[IgnoredLaw, ...]
 
 
 def sorted_laws(whole: RankSample, verdicts: Mapping[str, Verdict]) -> ApplicableLaws:

@@ -43,12 +43,12 @@ def classify_laws(
     system: System,
     verdicts: Mapping[str, Verdict],
     patience: ProofBudget,
-    given: Rolling | Mechanism | None,
+    source: Rolling | Mechanism | None,
 ) -> Classification:
     """The place of a system; see :func:`place`."""
     try:
         whole = _without_angles(system)
-        place = _place_with_levels(whole, verdicts, patience, given)
+        place = _place_with_levels(whole, verdicts, patience, source)
     except (OutOfReachError, InputError) as reason:
         return _unknown_place(system, verdicts, str(reason))
     return _in_angles(place, len(whole.symbols) - len(system.symbols))
@@ -119,7 +119,7 @@ def _place_with_levels(
             place = _unknown_place(replace(system, laws=special), verdicts, str(reason))
         levels.append(replace(place, level=words))
     main = _place(whole, laws.general, patience, model, _open_questions(system, verdicts))
-    return replace(main, uncounted=laws.uncounted, levels=tuple(levels))
+    return replace(main, ignored_laws=laws.ignored_laws, levels=tuple(levels))
 
 
 def _open_questions(system: System, verdicts: Mapping[str, Verdict]) -> tuple[str, ...]:
@@ -127,7 +127,7 @@ def _open_questions(system: System, verdicts: Mapping[str, Verdict]) -> tuple[st
     giving = [law for law in system.laws if isinstance(law, Measure | ConformallyHamiltonian)]
     stands = ((law.name, verdicts.get(law.name)) for law in giving)
     return tuple(
-        f"{name} is {verdict.stated}"
+        f"{name} is {verdict.statement}"
         for name, verdict in stands
         if verdict is not None and verdict.decision in ("undecided", "proven where")
     )
@@ -214,7 +214,7 @@ def classify(
     system: System,
     verdicts: Mapping[str, Verdict] | None = None,
     patience: ProofBudget | None = None,
-    given: Rolling | Mechanism | None = None,
+    source: Rolling | Mechanism | None = None,
 ) -> Classification:
     """The place of a system in the hierarchy of dynamics.
 
@@ -228,7 +228,7 @@ def classify(
     patience : ProofBudget, optional
         For the proofs needed besides: that symmetries leave the integrals alone, that integrals
         are in involution, laws of the targets of isomorphisms, laws restricted to a level.
-    given : Rolling or Mechanism, optional
+    source : Rolling or Mechanism, optional
         The mechanical model with its numbers.  If no measure of its equations is proven, it is
         decided whether there is one whose density depends on the configuration alone.
 
@@ -254,9 +254,9 @@ def classify(
     """
     patience = patience or ProofBudget(PATIENCE, ALTOGETHER)
     known = patience.verdicts(system) if verdicts is None else verdicts
-    return classify_laws(system, known, patience, given)
+    return classify_laws(system, known, patience, source)
 
 
-def classify_quickly(system: System, given: Rolling | Mechanism | None = None) -> Classification:
+def classify_quickly(system: System, source: Rolling | Mechanism | None = None) -> Classification:
     """The classification of a system with little effort, in a few seconds."""
-    return classify(system, given=given)
+    return classify(system, source=source)

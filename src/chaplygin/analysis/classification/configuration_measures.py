@@ -42,33 +42,35 @@ class MeasureFacts:
     open: str = ""
 
 
-def configuration_measure(given: Rolling | Mechanism | None, patience: ProofBudget) -> MeasureFacts:
+def configuration_measure(
+    source: Rolling | Mechanism | None, patience: ProofBudget
+) -> MeasureFacts:
     """Whether a model preserves a measure with a density on the configuration space.
 
     Parameters
     ----------
-    given : Rolling or Mechanism, optional
+    source : Rolling or Mechanism, optional
         The mechanical model with its numbers; nothing can be said without it.  The parameters of a
         mechanism have their present values, as exact decimals.
     patience : ProofBudget
     """
-    if given is None:
+    if source is None:
         return MeasureFacts()
     if patience.over:
         return MeasureFacts(open=f"{_OPEN} was not tried")
     patience.report("a measure whose density depends on the configuration alone")
     try:
-        model = _at_present(given) if isinstance(given, Mechanism) else given
+        model = _at_present(source) if isinstance(source, Mechanism) else source
         existence = measure_exists(model, effort=patience.effort)
     except (InputError, OutOfReachError, ZeroDivisionError):
         return MeasureFacts(open=f"{_OPEN} is undecided")
-    patience.spent += sum(verdict.effort for verdict in existence.verdicts)
+    patience.effort_used += sum(verdict.effort for verdict in existence.verdicts)
     if existence.decision == "none":
         return MeasureFacts(absence=_witness(existence))
     if existence.decision == "undecided":
         return MeasureFacts(open=f"{_OPEN} is undecided")
     # of a mechanism the density may depend on coordinates that its equations do without
-    if existence and isinstance(given, Rolling):
+    if existence and isinstance(source, Rolling):
         return MeasureFacts((Density(_fact(existence), "kept"),))
     return MeasureFacts()
 

@@ -122,10 +122,10 @@ def _homogeneous(
     slopes: Mapping[sp.Symbol, sp.Expr],
     variable: sp.Symbol,
     moving: list[sp.Symbol],
-    named: Mapping[sp.Symbol, sp.Expr],
+    quantities: Mapping[sp.Symbol, sp.Expr],
 ) -> bool:
     """Whether slopes are linear in the moving quantities, with coefficients in u."""
-    others = set(named) - {variable, *moving}
+    others = set(quantities) - {variable, *moving}
     for slope in slopes.values():
         factors = [sp.diff(slope, q) for q in moving]
         linear = sp.Add(*(a * q for a, q in zip(factors, moving, strict=True)))
@@ -136,11 +136,14 @@ def _homogeneous(
 
 
 def _rows(
-    named: Mapping[sp.Symbol, sp.Expr], variable: sp.Symbol, slopes: Mapping[sp.Symbol, sp.Expr]
+    quantities: Mapping[sp.Symbol, sp.Expr],
+    variable: sp.Symbol,
+    slopes: Mapping[sp.Symbol, sp.Expr],
 ) -> Covectors:
     def rows(view: View) -> list[list[Element]]:
         names = {
-            s: without_rates(to_components(f), view.level_set, named) for s, f in named.items()
+            s: without_rates(to_components(f), view.level_set, quantities)
+            for s, f in quantities.items()
         }
         reading = view.evaluate.with_steps(names)
         along = view.differential(names[variable])

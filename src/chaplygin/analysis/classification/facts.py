@@ -10,11 +10,11 @@ from ...core.system import System
 from ...errors import InputError
 from ...printing.laws import heading
 from ...proof.prover import prove
-from ...proof.verdict import UNTRIED, Verdict
+from ...proof.verdict import NOT_TRIED, Verdict
 
-NOT_TRIED = f"{UNTRIED}, as the effort for all laws together was spent"
+NOT_TRIED = f"{NOT_TRIED}, as the effort for all laws together was spent"
 """Why a law is left undecided that no work was left for."""
-LEFT_OUT = f"{UNTRIED}, as proofs were left out"
+LEFT_OUT = f"{NOT_TRIED}, as proofs were left out"
 """Why a law is left undecided where none was to be tried."""
 HERE = "found here"
 """Source of a law that is not claimed of a system but was tried and proven."""
@@ -45,7 +45,7 @@ class Fact:
     functions: int = 1
 
     @property
-    def linked(self) -> bool:
+    def is_own_law(self) -> bool:
         """Whether it is a law that the system itself states."""
         return not self.system and self.source != HERE
 
@@ -81,12 +81,12 @@ class ProofBudget:
     effort: int
     altogether: int | None = None
     report: Callable[[str], object] = field(default=lambda _: None, compare=False)
-    spent: int = field(default=0, init=False)
+    effort_used: int = field(default=0, init=False)
 
     @property
     def over(self) -> bool:
         """Whether no further law is tried."""
-        return self.altogether is not None and self.spent >= self.altogether
+        return self.altogether is not None and self.effort_used >= self.altogether
 
     def verdict(self, system: System, law: Law) -> Verdict:
         """The verdict on a law with the effort allowed."""
@@ -98,7 +98,7 @@ class ProofBudget:
             verdict = prove(system, law, effort=self.effort)
         except InputError as problem:
             return Verdict(law.name, "undecided", reason=str(problem))
-        self.spent += verdict.effort
+        self.effort_used += verdict.effort
         return verdict
 
     def verdicts(self, system: System) -> dict[str, Verdict]:

@@ -100,22 +100,22 @@ def _involution(
     sample: RankSample,
     law: ConformallyHamiltonian,
     integrals: Sequence[Integral],
-    wanted: int,
+    dimension: int,
     patience: ProofBudget,
 ) -> tuple[Integral, ...] | None:
-    """Integrals in involution whose fields, with that of H, span `wanted` dimensions.
+    """Integrals in involution whose fields, with that of H, span `dimension` dimensions.
 
     An integral is in involution with H, as it is constant along the field of H.
     """
     chosen: tuple[Integral, ...] = ()
     for candidate in integrals:
-        if len(chosen) + 1 == wanted:
+        if len(chosen) + 1 == dimension:
             break
         values = [law.hamiltonian, *(i.value for i in chosen), candidate.value]
         spans = sample.full(len(values), partial(_fields, law, values))
         if spans and all(_commute(sample, law, candidate, i, patience) for i in chosen):
             chosen = (*chosen, candidate)
-    return chosen if len(chosen) + 1 == wanted else None
+    return chosen if len(chosen) + 1 == dimension else None
 
 
 def _differential(formula: sp.Expr, view: View) -> list[list[Element]]:

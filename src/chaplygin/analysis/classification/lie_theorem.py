@@ -38,8 +38,8 @@ def fields(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) -> li
 
 def lie(
     sample: RankSample,
-    needed: int,
-    chosen: Sequence[AnnihilatingCovectors],
+    count: int,
+    sources: Sequence[AnnihilatingCovectors],
     symmetries: Sequence[Symmetry],
     patience: ProofBudget,
 ) -> tuple[Fact, ...]:
@@ -50,18 +50,18 @@ def lie(
     Parameters
     ----------
     sample : RankSample
-    needed : int
+    count : int
         n − k − 1 for dimension n and k integrals.
-    chosen : sequence of Source
+    sources : sequence of Source
         The integrals.
     symmetries : sequence of Symmetry
         Independent of one another and of the motion.
     patience : ProofBudget
     """
-    if needed <= 0 or len(symmetries) < needed:
+    if count <= 0 or len(symmetries) < count:
         return ()
-    fitting = [law for law in symmetries if _tangent(sample, law, chosen, patience)]
-    if len(fitting) < needed or not _solvable(sample, fitting):
+    fitting = [law for law in symmetries if _tangent(sample, law, sources, patience)]
+    if len(fitting) < count or not _solvable(sample, fitting):
         return ()
     return tuple(fact_of(law) for law in fitting)
 
@@ -109,11 +109,11 @@ def _independent(sample: RankSample, laws: Sequence[Symmetry]) -> list[Symmetry]
 def _tangent(
     sample: RankSample,
     law: Symmetry,
-    chosen: Sequence[AnnihilatingCovectors],
+    sources: Sequence[AnnihilatingCovectors],
     patience: ProofBudget,
 ) -> bool:
     """Whether a symmetry field leaves every one of some integrals alone; proven."""
-    if not all(source.functions for source in chosen):
+    if not all(source.functions for source in sources):
         return False
     field = _full(sample, law)
     moved = replace(sample.level_set.system, field=field)
@@ -121,7 +121,7 @@ def _tangent(
     return all(
         (turn and turn.keeps(formula))
         or patience.verdict(moved, Integral(f"along {law.name}", formula, on=sample.on))
-        for source in chosen
+        for source in sources
         for formula in source.functions
     )
 

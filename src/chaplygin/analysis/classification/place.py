@@ -64,7 +64,7 @@ class Classification(WithOverview):
     kinds : tuple of IntegrabilityClass
     dynamics : tuple of Statement
         The motions that are possible.
-    uncounted : tuple of IgnoredLaw
+    ignored_laws : tuple of IgnoredLaw
     levels : tuple of Place
         Levels on which more is proven.
     reason : str
@@ -86,7 +86,7 @@ class Classification(WithOverview):
     reductions: tuple[Fact, ...] = ()
     kinds: tuple[IntegrabilityClass, ...] = ()
     dynamics: tuple[Statement, ...] = ()
-    uncounted: tuple[IgnoredLaw, ...] = ()
+    ignored_laws: tuple[IgnoredLaw, ...] = ()
     levels: tuple[Classification, ...] = ()
     reason: str = ""
 
@@ -104,7 +104,7 @@ class Classification(WithOverview):
     def uncounted_by_reason(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
         """Reasons why laws do not count, each with the names of the laws."""
         laws: dict[str, tuple[str, ...]] = {}
-        for entry in self.uncounted:
+        for entry in self.ignored_laws:
             laws[entry.why] = (*laws.get(entry.why, ()), entry.law)
         return tuple(laws.items())
 
@@ -213,7 +213,7 @@ def to_text(place: Classification) -> str:
     lines += _lines(place)
     for part in place.levels:
         lines += ["", f"  {part.level}".rstrip(), *_lines(part)]
-    if place.uncounted:
+    if place.ignored_laws:
         lines += [""]
         entries = [f"{', '.join(laws)}: {why}" for why, laws in place.uncounted_by_reason]
         lines += _entry("not counted", entries)

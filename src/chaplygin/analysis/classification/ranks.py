@@ -207,9 +207,9 @@ class RankSample:
 
         return max(self.at_points(independent_indices), key=lambda pair: pair[1])
 
-    def full(self, wanted: int, rows: Covectors) -> bool:
+    def full(self, least: int, rows: Covectors) -> bool:
         """Whether vectors span enough dimensions at one point, so at almost all."""
-        return max(self.at_points(lambda view: rank(view.field, rows(view)))) >= wanted
+        return max(self.at_points(lambda view: rank(view.field, rows(view)))) >= least
 
     def vanishes(self, condition: sp.Expr) -> bool:
         """Whether a condition on parameters holds exactly at the present ones."""

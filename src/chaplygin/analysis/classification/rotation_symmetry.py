@@ -98,9 +98,9 @@ class Turning:
         """Whether a scalar formula is shown not to change."""
         return vanishes(self._change(self.expand(to_components(sp.sympify(formula)))))
 
-    def agree(self, values: Sequence[sp.Expr], wanted: Sequence[sp.Expr]) -> bool:
+    def agree(self, values: Sequence[sp.Expr], goals: Sequence[sp.Expr]) -> bool:
         """Whether formulas change as they must."""
-        return all(vanishes(self._change(v) - w) for v, w in zip(values, wanted, strict=True))
+        return all(vanishes(self._change(v) - w) for v, w in zip(values, goals, strict=True))
 
     def _change(self, value: sp.Expr) -> sp.Expr:
         moved = sorted(value.free_symbols & self.motion.keys(), key=str)

@@ -93,9 +93,9 @@ def _bounds(sample: RankSample, names: set[sp.Symbol]) -> dict[sp.Symbol, sp.Exp
     return bounds
 
 
-def _is_covered(sample: RankSample, formula: sp.Expr, expanded: sp.Expr) -> bool:
+def _is_covered(sample: RankSample, formula: sp.Expr, expansion: sp.Expr) -> bool:
     """Whether no box of a cover of the bounded variables lets the formula vanish."""
-    names = expanded.free_symbols & set(sample.system.symbols)
+    names = expansion.free_symbols & set(sample.system.symbols)
     bounds = _bounds(sample, names)
     if not names <= set(bounds):
         return False

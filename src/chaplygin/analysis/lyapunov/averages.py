@@ -50,7 +50,7 @@ class Average:
         return max(self.statistical, self.wandering, self.resolution)
 
     @property
-    def settled(self) -> bool:
+    def halves_agree(self) -> bool:
         """Whether both halves of the motion give the same within three errors."""
         first, second = self.halves
         return bool(abs(first - second) <= 3 * self.error)

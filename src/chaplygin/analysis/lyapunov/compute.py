@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     pass
 
 #: Part of a motion left out at the beginning, where deviations find their directions.
-UNSETTLED = 0.2
+TRANSIENT = 0.2
 #: Intervals of a motion, unless deviations part too fast.
 INTERVALS = 400
 #: Intervals at least, and at most.
@@ -108,7 +108,7 @@ def lyapunov_spectrum(
     start = [float(x) for x in reduced_start(system, start, parameters)]
     _check(system, start, parameters)
     numerics = (tolerance, device)
-    text = progress or (lambda done: None)
+    text = progress or (lambda share: None)
     batch_integrator(system, tolerance=tolerance).require_reach(start, until, parameters)
     sizes = state_scales(system, np.array([start]), until, parameters, tolerance)[0]
     directions = trivial_directions(system, start, parameters, sizes=sizes)
@@ -165,14 +165,14 @@ def _not_forced(directions: TrivialDirections, run: MotionRecord) -> tuple[str, 
 
     So it is with the flow where the motion comes to rest.
     """
-    skipped = round(UNSETTLED * len(run.lengths))
+    skipped = round(TRANSIENT * len(run.lengths))
     began, span = (run.interval * n for n in (skipped, len(run.lengths) - skipped))
     bound = 3 * resolution(span, began)
     with np.errstate(invalid="ignore"):
         rates = (run.sizes[-1] - run.sizes[skipped]) / span
     return tuple(
         item.name
-        for item, rate in zip(directions.removed, rates, strict=True)
+        for item, rate in zip(directions.trivial, rates, strict=True)
         if item.kind not in ("relation", "quadrature") and not abs(rate) <= bound
     )
 
@@ -237,7 +237,7 @@ def _spectrum(
     parameters: Parameters,
     fading: tuple[str, ...],
 ) -> Spectrum:
-    skipped = round(UNSETTLED * len(run.lengths))
+    skipped = round(TRANSIENT * len(run.lengths))
     began = skipped * run.interval
     span = (len(run.lengths) - skipped) * run.interval
     counted = run.lengths[skipped:]
@@ -246,7 +246,7 @@ def _spectrum(
     rates = (run.sizes[-1] - run.sizes[skipped]) / span
     removed = tuple(
         (item, None if item.kind == "relation" else float(rate))
-        for item, rate in zip(directions.removed, rates, strict=True)
+        for item, rate in zip(directions.trivial, rates, strict=True)
     )
     named = {str(symbol): value for symbol, value in system.defaults.items()}
     values = {

@@ -59,13 +59,13 @@ def divergence_average(
     system: System,
     directions: TrivialDirections,
     run: MotionRecord,
-    skipped: int,
+    transient: int,
     parameters: Parameters,
 ) -> Volume:
     """The divergence along the motion, and what it must agree with."""
     relations = [to_components(relation) for relation in system.relations]
     _, weights = np.polynomial.legendre.leggauss(NODES)
-    nodes = run.nodes[skipped:]
+    nodes = run.nodes[transient:]
     growth = np.empty(len(nodes))
     for first in range(0, len(nodes), PIECE):
         some = nodes[first : first + PIECE]
@@ -76,15 +76,15 @@ def divergence_average(
     growth *= run.interval / 2
     span = len(growth) * run.interval
     # of what is removed, all but the relations belongs to volumes on the phase space
-    inside = [item.kind != "relation" for item in directions.removed]
-    change = float((run.sizes[-1] - run.sizes[skipped])[inside].sum())
-    balance = float(run.lengths[skipped:].sum() + change - growth.sum()) / span
-    ends = run.states[[skipped, -1]]
+    inside = [item.kind != "relation" for item in directions.trivial]
+    change = float((run.sizes[-1] - run.sizes[transient])[inside].sum())
+    balance = float(run.lengths[transient:].sum() + change - growth.sum()) / span
+    ends = run.states[[transient, -1]]
     measures = {
         name: float(growth.sum() - change) / span
         for name, change in _densities(system, ends, directions.sizes, parameters)
     }
-    return Volume(average(growth, run.interval, skipped * run.interval), balance, measures)
+    return Volume(average(growth, run.interval, transient * run.interval), balance, measures)
 
 
 def _densities(

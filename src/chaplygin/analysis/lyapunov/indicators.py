@@ -30,7 +30,7 @@ from ...flow.linearisation.state_scales import state_scales
 from ...flow.linearisation.tangent_space import TangentSpace, orthonormal
 
 #: Part of a motion left out at the beginning, where a deviation finds its direction.
-UNSETTLED = 0.2
+TRANSIENT = 0.2
 #: Batches whose means give the error, and Student's factor for 95 % of them.
 BATCHES, STUDENT = 16, 2.131
 #: Logarithm of the share of others to which a deviation may shrink in an interval before it is
@@ -161,7 +161,7 @@ def tangent_growth(
     sizes = state_scales(rule.system, states, rule.until, parameters, rule.tolerance)
     growth = _growth_arrays(rule, space, (deviations, 1), (states, sizes), parameters)
     pieces = 2
-    while pieces <= PARTED and len(lost := np.flatnonzero(_lost(growth))):
+    while pieces <= PARTED and len(lost := np.flatnonzero(_has_short_deviations(growth))):
         chosen = select_parameters(parameters, lost)
         again = _growth_arrays(
             rule, space, (deviations, pieces), (states[lost], sizes[lost]), chosen
@@ -169,11 +169,11 @@ def tangent_growth(
         for known, new in zip(growth, again, strict=True):
             known[lost] = new
         pieces *= 2
-    growth[0][_lost(growth)] = np.nan
+    growth[0][_has_short_deviations(growth)] = np.nan
     return TangentGrowth(*growth[:4])
 
 
-def _lost(growth: _Arrays) -> BoolArray:
+def _has_short_deviations(growth: _Arrays) -> BoolArray:
     """Complete motions with deviations too short beside others."""
     _, _, outcome, _, shrunk = growth
     result: BoolArray = (outcome == 0) & ~(shrunk <= APART)
@@ -283,7 +283,7 @@ class ExponentSum(ChaosIndicator):
 def _rate(logarithms: FloatArray, until: float) -> tuple[FloatArray, FloatArray]:
     """The mean rate of growth without the beginning, and its error, (n,) each."""
     intervals = logarithms.shape[1]
-    each = (intervals - round(UNSETTLED * intervals)) // BATCHES
+    each = (intervals - round(TRANSIENT * intervals)) // BATCHES
     last = logarithms[:, intervals - each * BATCHES :]
     batches = last.reshape(len(last), BATCHES, each).mean(axis=2) * (intervals / until)
     span = until * each * BATCHES / intervals

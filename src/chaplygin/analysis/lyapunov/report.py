@@ -42,7 +42,7 @@ class Spectrum(WithOverview):
         Before this time nothing is counted.
     exponents : tuple of Average
         The genuine ones, the largest first.
-    removed : tuple of (TrivialExponent, float or None)
+    trivial : tuple of (TrivialExponent, float or None)
         Removed directions, with the observed rate of growth, which is to vanish; None for
         relations.
     dependent : tuple of str
@@ -65,7 +65,7 @@ class Spectrum(WithOverview):
     interval: float
     began: float
     exponents: tuple[Average, ...]
-    removed: tuple[tuple[TrivialExponent, float | None], ...]
+    trivial: tuple[tuple[TrivialExponent, float | None], ...]
     dependent: tuple[str, ...]
     fading: tuple[str, ...]
     total: Average
@@ -74,9 +74,9 @@ class Spectrum(WithOverview):
     tolerance: float
 
     @property
-    def settled(self) -> bool:
+    def halves_agree(self) -> bool:
         """Whether every exponent agrees in both halves of the motion."""
-        return all(item.settled for item in self.exponents)
+        return all(item.halves_agree for item in self.exponents)
 
     @property
     def values(self) -> FloatArray:
@@ -91,12 +91,12 @@ class Spectrum(WithOverview):
     @property
     def chaotic(self) -> bool:
         """Whether the largest exponent is settled and positive beyond its error: observed."""
-        return any(one.settled and one.value > one.error for one in self.exponents[:1])
+        return any(one.halves_agree and one.value > one.error for one in self.exponents[:1])
 
     @property
     def within(self) -> int:
         """Zeros that belong to directions within the levels of the integrals."""
-        return sum(r.kind in ("flow", "symmetry", "quadrature") for r, _ in self.removed)
+        return sum(r.kind in ("flow", "symmetry", "quadrature") for r, _ in self.trivial)
 
     @cached_property
     def dimension(self) -> tuple[float, float]:
@@ -141,7 +141,7 @@ class Spectrum(WithOverview):
             " ± ".join(significant_digits(one.value, one.error)) + f", {word(one)}"
             for one in self.exponents
         ]
-        forced = [z.name if z.name == z.kind else f"{z.kind} {z.name}" for z, _ in self.removed]
+        forced = [z.name if z.name == z.kind else f"{z.kind} {z.name}" for z, _ in self.trivial]
         return Overview(
             f"Lyapunov exponents of {self.system.title}, t = {self.began:g} to {self.until:g}",
             (
@@ -174,7 +174,7 @@ def kaplan_yorke(exponents: Sequence[float] | FloatArray) -> float:
 
 def word(item: Average) -> str:
     """An exponent in a word."""
-    if not item.settled:
+    if not item.halves_agree:
         return "not converged"
     if item.zero:
         return "zero within its error"
@@ -222,7 +222,7 @@ def _is_undecided(spectrum: Spectrum) -> bool:
 
 def _convergence(spectrum: Spectrum) -> Iterator[str]:
     for number, item in enumerate(spectrum.exponents, 1):
-        if not item.settled:
+        if not item.halves_agree:
             first, second = item.halves
             yield (
                 f"λ{number} has not converged: {first:.3g} over the first half of the time, "
@@ -246,18 +246,18 @@ def _kind(spectrum: Spectrum) -> Iterator[str]:
             "the rates at which deviations grow and shrink along the motion: nothing can be "
             "concluded yet; integrate for longer (--until)"
         )
-    elif all(item.zero for item in spectrum.exponents) and spectrum.settled:
+    elif all(item.zero for item in spectrum.exponents) and spectrum.halves_agree:
         yield (
             "no exponent differs from zero beyond its error: the motion is regular as far as this "
             "time shows (observed)"
         )
-    elif spectrum.settled and spectrum.exponents[0].value < -spectrum.exponents[0].error:
+    elif spectrum.halves_agree and spectrum.exponents[0].value < -spectrum.exponents[0].error:
         yield "all exponents are negative: a periodic or steady motion attracts this one (observed)"
 
 
 def _volumes(spectrum: Spectrum) -> Iterator[str]:
     total = spectrum.total
-    changing = bool(spectrum.exponents) and total.settled and not total.zero
+    changing = bool(spectrum.exponents) and total.halves_agree and not total.zero
     for name, defect in spectrum.volume.measures.items():
         if abs(defect) <= CAREFUL * total.error:
             limit = "grows beyond all bounds" if total.value < 0 else "goes to zero"
@@ -280,7 +280,7 @@ def _volumes(spectrum: Spectrum) -> Iterator[str]:
     )
     if spectrum.chaotic and total.value < 0:
         value, error = significant_digits(*spectrum.dimension)
-        level = any(item.kind == "integral" for item, _ in spectrum.removed)
+        level = any(item.kind == "integral" for item, _ in spectrum.trivial)
         place = " on the level of the integrals" if level else ""
         yield f"a chaotic set {end} it, of Kaplan–Yorke dimension {value} ± {error}{place}"
 
@@ -289,7 +289,7 @@ def _pairs(spectrum: Spectrum, reversor: Reversor) -> Iterator[str]:
     yield (
         f"the equations are reversible (proven): {reversor.words(spectrum.system)} with the time"
     )
-    if spectrum.exponents and spectrum.settled and not _is_undecided(spectrum):
+    if spectrum.exponents and spectrum.halves_agree and not _is_undecided(spectrum):
         yield (
             "the exponents form pairs of opposite sign within their errors"
             if spectrum.symmetric
@@ -311,7 +311,7 @@ def record(spectrum: Spectrum, reversors: Sequence[Reversor] = ()) -> dict[str, 
         "interval": spectrum.interval,
         "exponents": [_average(item) | {"word": word(item)} for item in spectrum.exponents],
         "removed": [
-            {"name": item.name, "kind": item.kind, "seen": rate} for item, rate in spectrum.removed
+            {"name": item.name, "kind": item.kind, "seen": rate} for item, rate in spectrum.trivial
         ],
         "dependent": list(spectrum.dependent),
         "fading": list(spectrum.fading),
@@ -320,7 +320,7 @@ def record(spectrum: Spectrum, reversors: Sequence[Reversor] = ()) -> dict[str, 
         "balance": spectrum.volume.balance,
         "measures": spectrum.volume.measures,
         "dimension": dict(zip(("value", "error"), spectrum.dimension, strict=True)),
-        "settled": spectrum.settled,
+        "settled": spectrum.halves_agree,
         "symmetric": spectrum.symmetric,
         "reversors": [
             {
@@ -342,7 +342,7 @@ def _average(item: Average) -> dict[str, object]:
         "wandering": item.wandering,
         "resolution": item.resolution,
         "halves": list(item.halves),
-        "settled": item.settled,
+        "settled": item.halves_agree,
     }
 
 
@@ -361,9 +361,9 @@ def dataset(spectrum: Spectrum) -> xr.Dataset:
     def variable(dims: object, values: object, name: str, units: str = "1/s") -> tuple[object, ...]:
         return dims, values, {"long_name": name, "units": units, "source": ""}
 
-    rates = [np.nan if rate is None else rate for _, rate in spectrum.removed]
-    kinds = [item.kind for item, _ in spectrum.removed]
-    settled = np.array([item.settled for item in spectrum.exponents], dtype=np.int8)
+    rates = [np.nan if rate is None else rate for _, rate in spectrum.trivial]
+    kinds = [item.kind for item, _ in spectrum.trivial]
+    settled = np.array([item.halves_agree for item in spectrum.exponents], dtype=np.int8)
     total, divergence = spectrum.total, spectrum.volume.divergence
     start = zip(spectrum.system.symbols, spectrum.start, strict=True)
     return xr.Dataset(
@@ -382,7 +382,7 @@ def dataset(spectrum: Spectrum) -> xr.Dataset:
             "exponent": variable(
                 "exponent", np.arange(1, len(spectrum.exponents) + 1), "number", "1"
             ),
-            "removed": variable("removed", [r.name for r, _ in spectrum.removed], "name", "1"),
+            "removed": variable("removed", [r.name for r, _ in spectrum.trivial], "name", "1"),
             "time": variable("time", spectrum.times, "time", "s"),
         },
         {

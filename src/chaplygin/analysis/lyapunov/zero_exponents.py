@@ -80,7 +80,7 @@ class TrivialDirections:
     ----------
     space : TangentSpace
         Deviations that count.
-    removed : tuple of TrivialExponent
+    trivial : tuple of TrivialExponent
     dependent : tuple of str
         Integrals and fields that depend on those removed before at this start, and force nothing.
     sizes : (size,) array
@@ -88,7 +88,7 @@ class TrivialDirections:
     """
 
     space: TangentSpace
-    removed: tuple[TrivialExponent, ...]
+    trivial: tuple[TrivialExponent, ...]
     dependent: tuple[str, ...]
     sizes: FloatArray
 
@@ -128,20 +128,20 @@ def trivial_directions(
     dependent: list[str] = []
     conditions: list[sp.Expr] = []
     for item in _conditions(at):
-        if item.removed.name in fading:
+        if item.trivial.name in fading:
             continue
         if item.on and not at.on_level(item.on, across):
             continue
         gradients = at.slopes(item.formulas)[:, 0]
         if across.take(gradients[0], _floor(gradients)):
             conditions.append(item.formulas[0])
-            removed.append(item.removed)
+            removed.append(item.trivial)
         else:
-            dependent.append(item.removed.name)
+            dependent.append(item.trivial.name)
     fields = [
         item
         for item in _fields(at)
-        if item.removed.name not in fading and (not item.on or at.on_level(item.on, across))
+        if item.trivial.name not in fading and (not item.on or at.on_level(item.on, across))
     ]
     rows: list[FloatArray] = []
     for named, row in _tangent(at, fields, across):
@@ -191,7 +191,7 @@ def _floor(vectors: FloatArray) -> float:
 class _Item:
     """Something that may force a zero: a function or a field."""
 
-    removed: TrivialExponent
+    trivial: TrivialExponent
     formulas: tuple[sp.Expr, ...]
     on: tuple[sp.Expr, ...] = ()
 
@@ -313,11 +313,11 @@ def _tangent(
     if loose:
         _, strengths, rotation = np.linalg.svd(outward[loose].T / sizes[loose])
         rank = int((strengths > DEPENDENT * strengths[0]).sum())
-        names = " and ".join(fields[i].removed.name for i in loose)
+        names = " and ".join(fields[i].trivial.name for i in loose)
         for row in rotation[rank:]:
             mixed = np.zeros(len(fields))
             mixed[loose] = row / sizes[loose]
             yield TrivialExponent(f"a combination of {names}", "symmetry"), mixed
     for item, tangent, row in zip(fields, within, np.eye(len(fields)), strict=True):
         if tangent:
-            yield item.removed, row
+            yield item.trivial, row

@@ -28,7 +28,7 @@ SAMPLES = 8
 #: The most points.
 FINEST = 4096
 #: Share of the largest Fourier coefficient at which a displacement counts as known.
-KNOWN = 1e-9
+COEFFICIENT_TOLERANCE = 1e-9
 #: Share below which, and number of points from which, coefficients that stay are taken for noise.
 NOISE, MANY = 1e-3, 256
 
@@ -199,17 +199,17 @@ def displacement(
         rounding = accuracy * fraction.denominator
         # a level that does not fall with more points is the noise of the map
         flat = tail > before / 4 and (tail < NOISE * float(sizes.max()) or count >= MANY)
-        if flat or tail <= max(KNOWN * float(sizes.max()), rounding):
+        if flat or tail <= max(COEFFICIENT_TOLERANCE * float(sizes.max()), rounding):
             return _extrema(moved, tail * float(np.sqrt(count)) + rounding)
         count, before = 2 * count, tail
     raise RunError(f"the displacement is too rough for {FINEST} points", float(value))
 
 
-def _extrema(moved: FloatArray, noise: float) -> Displacement:
+def _extrema(displacement: FloatArray, noise: float) -> Displacement:
     """Extrema of the trigonometric polynomial through equidistant values."""
-    count = len(moved)
+    count = len(displacement)
     powers = 2j * np.pi * np.arange(count // 2 + 1)
-    share = np.fft.rfft(moved) / count
+    share = np.fft.rfft(displacement) / count
     share[1:] *= 2
     share[-1] /= 2
 
@@ -217,7 +217,7 @@ def _extrema(moved: FloatArray, noise: float) -> Displacement:
         return float((share * powers**order * np.exp(powers * place)).real.sum())
 
     extrema = []
-    for start, sign in ((int(moved.argmin()), 1.0), (int(moved.argmax()), -1.0)):
+    for start, sign in ((int(displacement.argmin()), 1.0), (int(displacement.argmax()), -1.0)):
         place = start / count
         for _ in range(30):
             bend = at(place, 2)
@@ -227,11 +227,13 @@ def _extrema(moved: FloatArray, noise: float) -> Displacement:
                 break
         # within rounding errors any sample will do
         best = min(
-            (at(place, 0), place), (float(moved[start]), start / count), key=lambda b: sign * b[0]
+            (at(place, 0), place),
+            (float(displacement[start]), start / count),
+            key=lambda b: sign * b[0],
         )
         extrema.append(best)
     (least, low), (greatest, high) = extrema
-    return Displacement(least, greatest, (low % 1.0, high % 1.0), noise, float(moved.mean()))
+    return Displacement(least, greatest, (low % 1.0, high % 1.0), noise, float(displacement.mean()))
 
 
 def locked_interval(

@@ -64,7 +64,7 @@ class Branch:
 
     Attributes
     ----------
-    varied : str
+    parameter : str
         The integral or promoted parameter that changes.
     orbits : tuple of Orbit
     events : tuple of Event
@@ -73,7 +73,7 @@ class Branch:
         Why it ends.
     """
 
-    varied: str
+    parameter: str
     orbits: tuple[Orbit, ...]
     events: tuple[Event, ...] = field(repr=False)
     reason: str
@@ -81,7 +81,7 @@ class Branch:
     @property
     def places(self) -> FloatArray:
         """The varied values, shape (orbits,)."""
-        return np.array([orbit.values[self.varied] for orbit in self.orbits])
+        return np.array([orbit.values[self.parameter] for orbit in self.orbits])
 
 
 @dataclass(frozen=True)
@@ -96,7 +96,7 @@ class _BranchPoint:
 @dataclass(frozen=True)
 class _BranchTracer:
     equations: Equations
-    varied: str
+    parameter: str
 
     def place(self, points: FloatArray, error: float, ahead: FloatArray | None) -> _BranchPoint:
         """The place of an orbit, with the tangent in the direction of `ahead`."""
@@ -106,11 +106,11 @@ class _BranchTracer:
         if free > 1:
             raise InputError(
                 f"hold: the orbits are a family of {free} dimensions; hold further integrals so "
-                f"that they depend on {self.varied} alone"
+                f"that they depend on {self.parameter} alone"
             )
         tangent = other[-1]
         map = self.equations.map
-        row = map.integrals.names.index(self.varied)
+        row = map.integrals.names.index(self.parameter)
         rate = map.integrals.slopes(points[:1])[0, row]
         speed = float((rate * self.equations.sizes) @ tangent[: points.shape[1]])
         turned = speed < 0 if ahead is None else float(ahead @ tangent) < 0
@@ -131,7 +131,7 @@ class _BranchTracer:
 def continue_orbit(
     section_map: Map,
     orbit: Orbit,
-    varied: str,
+    parameter: str,
     until: float,
     hold: Iterable[str] | Mapping[str, float] = (),
     *,
@@ -146,7 +146,7 @@ def continue_orbit(
     section_map : Map
     orbit : Orbit
         The first orbit.
-    varied : str
+    parameter : str
         An integral or promoted parameter whose value changes.
     until : float
         The branch begins towards this value and ends where it is reached.
@@ -164,11 +164,11 @@ def continue_orbit(
         If a name is unknown, or if orbits are a family of more dimensions than one.
     """
     values = held_values(section_map, orbit.points[0], hold)
-    start = held_values(section_map, orbit.points[0], [varied])[varied]
-    if varied in values:
-        raise InputError(f"hold: {varied} cannot be held and varied")
+    start = held_values(section_map, orbit.points[0], [parameter])[parameter]
+    if parameter in values:
+        raise InputError(f"hold: {parameter} cannot be held and varied")
     follower = _BranchTracer(
-        Equations(section_map, values, section_map.sizes(orbit.points)), varied
+        Equations(section_map, values, section_map.sizes(orbit.points)), parameter
     )
     here = follower.place(orbit.points, orbit.error, None)
     if (until - start) * here.speed < 0:
@@ -183,14 +183,19 @@ def continue_orbit(
         turn = _turn(here, there)
         events.extend(_events(follower, here, there, length_taken))
         end = _locate_event(
-            follower, here, there, length_taken, lambda p: p.orbit.values[varied] - until, "passed"
+            follower,
+            here,
+            there,
+            length_taken,
+            lambda p: p.orbit.values[parameter] - until,
+            "passed",
         )
         if end is not None:
             places.append(
                 there if end.orbit is there.orbit else _BranchPoint(end.orbit, here.tangent, 0)
             )
             events.append(end)
-            reason = f"{varied} reached {until:g}"
+            reason = f"{parameter} reached {until:g}"
             break
         if len(places) > 2 and _passes(here, there, places[0], follower.equations.sizes):
             reason = "the branch is closed"
@@ -199,7 +204,7 @@ def continue_orbit(
         here = there
         places.append(here)
     orbits = tuple(place.orbit for place in places)
-    return Branch(varied, orbits, tuple(e for e in events if e.kind != "passed"), reason)
+    return Branch(parameter, orbits, tuple(e for e in events if e.kind != "passed"), reason)
 
 
 def _advance(
@@ -329,4 +334,4 @@ def _locate_event(
         if moved < 1e-13 or value == 0:
             break
     orbit = best[2].orbit
-    return Event(kind, orbit.values[follower.varied], orbit)
+    return Event(kind, orbit.values[follower.parameter], orbit)

@@ -30,7 +30,7 @@ class Multipliers:
     ----------
     values : complex array (d,)
         On the level of all integrals, greatest first.
-    forced : tuple of str
+    trivial : tuple of str
         The reason of each trivial multiplier: ``"flow"``, integrals, promoted parameters.
     errors : array (d,)
         Effect of rounding and integration on each.
@@ -40,7 +40,7 @@ class Multipliers:
     """
 
     values: FloatArray
-    forced: tuple[str, ...]
+    trivial: tuple[str, ...]
     errors: FloatArray
     matrix: FloatArray
 
@@ -98,7 +98,7 @@ def multipliers(section_map: Map, point: FloatArray, slope: FloatArray) -> Multi
         np.zeros(len(section_map.domain.names)), section_map.domain.slopes(point[None])[0], sizes
     )
     basis = complement(domain)
-    forced = list(section_map.forced)
+    forced = list(section_map.trivial)
     defect = float(np.finfo(float).eps) * max(1.0, float(np.linalg.norm(slope))) * len(point)
     for gradient in domain:
         left = gradient @ slope @ basis

@@ -91,7 +91,7 @@ class _Slope:
         return value
 
 
-_KNOWN = {"state", "parameter", "number", "recip", "neg", "add", "sub", "mul"}
+_OPERATIONS = {"state", "parameter", "number", "recip", "neg", "add", "sub", "mul"}
 _FUNCTIONS = {"sqrt", "sin", "cos", "exp", "log"}
 
 
@@ -111,7 +111,7 @@ def _slope(
     terms = (slope, graph.directional_derivative([slope], unit)[0], rates[places[1]])
     nodes = topological_order(terms)
     for node in nodes:
-        if node.kind not in _KNOWN | _FUNCTIONS:
+        if node.kind not in _OPERATIONS | _FUNCTIONS:
             raise InputError(f"{system.name}: {node.kind} is not known to ball arithmetic")
     constants = [
         _ball(name, parameters.get(name, repr(default))) for name, default in known.items()

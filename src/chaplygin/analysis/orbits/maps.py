@@ -76,7 +76,7 @@ class Map(Protocol):
         Functions that vanish on the set that is mapped: relations and the section.
     integrals : ConservedFunctions
         Functions with a value of their own on each orbit.
-    forced : tuple of str
+    trivial : tuple of str
         Multipliers one that are left out beforehand, by what forces them: the flow itself.
     """
 
@@ -101,7 +101,7 @@ class Map(Protocol):
         ...
 
     @property
-    def forced(self) -> tuple[str, ...]:
+    def trivial(self) -> tuple[str, ...]:
         """See above."""
         ...
 
@@ -170,7 +170,7 @@ class Plain:
     angles: Mapping[str, float] = field(default_factory=dict)
     keeps: Mapping[str, Function] = field(default_factory=dict)
     domain: ConservedFunctions = NOTHING
-    forced: tuple[str, ...] = ()
+    trivial: tuple[str, ...] = ()
 
     @property
     def periods(self) -> FloatArray:

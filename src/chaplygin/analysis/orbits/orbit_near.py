@@ -22,8 +22,8 @@ def orbit_near(
     where: tuple[str, float, int, bool],
     how: tuple[int, int, float],
     hold: Sequence[str] = (),
-    varied: tuple[str, float] | None = None,
-    progress: Callable[[float], None] = lambda done: None,
+    followed_value: tuple[str, float] | None = None,
+    progress: Callable[[float], None] = lambda share: None,
 ) -> tuple[Orbit, Branch | None]:
     """The periodic orbit that Newton's method reaches from a motion, and its branch.
 
@@ -42,7 +42,7 @@ def orbit_near(
         Returns before the search, returns after which the orbit closes, tolerance of a step.
     hold : sequence of str
         Integrals whose values are held.
-    varied : (str, float) or None
+    followed_value : (str, float) or None
         Integral or parameter along which the orbit is continued, and its last value.
     progress : callable
         Called with the fraction done.
@@ -58,15 +58,15 @@ def orbit_near(
     start = list(state)
     laws = [law.name for law in system.integrals]
     keeps = list(hold)
-    if varied is not None and varied[0] not in laws:
+    if followed_value is not None and followed_value[0] not in laws:
         known = [str(parameter.symbol) for parameter in system.parameters]
-        if varied[0] not in known:
+        if followed_value[0] not in known:
             raise InputError(
-                f"--follow {varied[0]}: it must be one of {', '.join((*laws, *known))}"
+                f"--follow {followed_value[0]}: it must be one of {', '.join((*laws, *known))}"
             )
-        start.append(dict(system.default_values)[varied[0]])
-        system = parameters_to_state(system, varied[0])
-        keeps.append(varied[0])
+        start.append(dict(system.default_values)[followed_value[0]])
+        system = parameters_to_state(system, followed_value[0])
+        keeps.append(followed_value[0])
     for name in hold:
         if name not in laws:
             raise InputError(f"--hold {name}: it must be one of {', '.join(laws) or 'none'}")
@@ -84,11 +84,11 @@ def orbit_near(
     returns = ReturnMap(PoincareMap(system, section, tolerance=tolerance))
     progress(0.25)
     orbit = find_periodic(returns, crossed.states[0, -1], period, keeps)
-    progress(1.0 if varied is None else 0.5)
-    if varied is None:
+    progress(1.0 if followed_value is None else 0.5)
+    if followed_value is None:
         return orbit, None
-    held = [name for name in keeps if name != varied[0]]
-    return orbit, continue_orbit(returns, orbit, *varied, hold=held)
+    held = [name for name in keeps if name != followed_value[0]]
+    return orbit, continue_orbit(returns, orbit, *followed_value, hold=held)
 
 
 def orbit_facts(orbit: Orbit) -> dict[str, object]:
@@ -106,7 +106,7 @@ def orbit_facts(orbit: Orbit) -> dict[str, object]:
             {"real": float(x.real), "imaginary": float(x.imag), "error": float(error)}
             for x, error in zip(multipliers.values, multipliers.errors, strict=True)
         ],
-        "one_by_force": list(multipliers.forced),
+        "one_by_force": list(multipliers.trivial),
         "gap": orbit.gap,
         "error": orbit.error,
     }

@@ -24,7 +24,7 @@ FAMILY = 1e-10
 #: Steps of Newton's method, and halvings of one of them.
 STEPS, HALVINGS = 30, 6
 #: An orbit that closes no better than this share of its size has not been found.
-CLOSED = 1e-10
+CLOSURE = 1e-10
 #: Below this, residuals may grow: at rounding level, and where two orbits are near each other.
 ROUGH = 1e-8
 
@@ -236,7 +236,7 @@ def newton_solution(
         if size < 1e-15 * scale:
             break
     scale = 1.0 + float(np.abs(points / sizes).max())
-    if np.abs(residuals).max() > CLOSED * scale:
+    if np.abs(residuals).max() > CLOSURE * scale:
         raise NoOrbitError("Newton's method found no periodic orbit near the guess", points)
     last_step = shortest(slopes, residuals).reshape(points.shape) * sizes
     return points, float(np.abs(last_step).max())

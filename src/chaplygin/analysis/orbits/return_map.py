@@ -79,7 +79,7 @@ class ReturnMap:
 
     section: PoincareMap
     angles: Mapping[str, float] = field(default_factory=dict)
-    forced: tuple[str, ...] = ("flow",)
+    trivial: tuple[str, ...] = ("flow",)
 
     def __post_init__(self) -> None:
         for name in self.angles:
@@ -159,7 +159,7 @@ class Circle:
         one, growing without jumps.
     angle : str
         The state variable that is the angle, in radians.
-    varied : str
+    parameter : str
         The parameter of the family.
     state : mapping of str to float
         The other state variables on the section.
@@ -167,15 +167,15 @@ class Circle:
 
     section: PoincareMap
     angle: str
-    varied: str
+    parameter: str
     state: Mapping[str, float]
 
     def __post_init__(self) -> None:
         for name in (self.angle, *self.state):
             _require_variable(self.section, name, "state")
         known = [str(symbol) for symbol in self.section.system.defaults]
-        if self.varied not in known:
-            raise InputError(f"varied: no parameter {self.varied}; there are {', '.join(known)}")
+        if self.parameter not in known:
+            raise InputError(f"varied: no parameter {self.parameter}; there are {', '.join(known)}")
 
     def __call__(self, turns: FloatArray, values: FloatArray, count: int) -> FloatArray:
         """Lifts of orbits, (n, count + 1) turns; see :mod:`.arnold_tongues`."""
@@ -183,7 +183,7 @@ class Circle:
         place = names.index(self.angle)
         starts = np.array([[self.state.get(name, 0.0) for name in names]]).repeat(len(turns), 0)
         starts[:, place] = 2 * np.pi * turns
-        parameters = {**self.section.parameters, self.varied: np.asarray(values, dtype=float)}
+        parameters = {**self.section.parameters, self.parameter: np.asarray(values, dtype=float)}
         crossings = replace(self.section, parameters=parameters).crossings(starts, count)
         return np.concatenate([turns[:, None], crossings.states[:, :, place] / (2 * np.pi)], axis=1)
 

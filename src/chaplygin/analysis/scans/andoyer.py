@@ -74,12 +74,12 @@ class Andoyer:
         return np.stack([l, m[2], g, G, H])
 
     @staticmethod
-    def span(name: str, known: Mapping[str, float]) -> tuple[float, float]:
+    def span(name: str, others: Mapping[str, float]) -> tuple[float, float]:
         """The range of one variable, the others being known."""
         if name == "G":
-            return np.abs(known["H"]), np.inf
+            return np.abs(others["H"]), np.inf
         if name == "H":
-            return -known["G"], known["G"]
+            return -others["G"], others["G"]
         return (-1.0, 1.0) if name == "L/G" else (0.0, 2 * np.pi)
 
 

@@ -113,7 +113,7 @@ class Directions:
         return np.stack([theta, phi, psi, energy])
 
     @staticmethod
-    def span(name: str, known: Mapping[str, float]) -> tuple[float, float]:
+    def span(name: str, others: Mapping[str, float]) -> tuple[float, float]:
         """The range of one variable, the others being known."""
         if name == "energy":
             raise InputError("the energy is a coordinate here: fix it, rather than solve for it")

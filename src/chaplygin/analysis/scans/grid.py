@@ -118,7 +118,7 @@ class ScanGrid:
         The start that is varied, in flat order of `given`.
     x, y : Axis
         y varies from row to row.
-    set : tuple of (Symbol, Expr)
+    substitutions : tuple of (Symbol, Expr)
         Parameters and variables of the start, by formulas in the axes and parameters.
     levels : tuple of (Expr, Expr)
         Quantities of the start, and the formulas of their values.
@@ -131,7 +131,7 @@ class ScanGrid:
     base: tuple[float, ...]
     x: Axis
     y: Axis
-    set: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    substitutions: tuple[tuple[sp.Symbol, sp.Expr], ...]
     levels: tuple[tuple[sp.Expr, sp.Expr], ...]
     fixed_symbols: tuple[sp.Symbol, ...]
 
@@ -145,7 +145,7 @@ class ScanGrid:
         known |= {self.x.symbol: x, self.y.symbol: y}
         starts = np.tile(np.array(self.base), (count, 1))
         parameters: dict[sp.Symbol, FloatArray] = {}
-        for symbol, formula_value in self.set:
+        for symbol, formula_value in self.substitutions:
             value = _numbers_of(formula_value, known, count)
             if symbol in self.system.defaults:
                 known[symbol] = parameters[symbol] = value
@@ -172,7 +172,7 @@ class ScanGrid:
         """Starts on the relations and then on the levels, and whether they are there."""
         relations = tuple(to_components(relation) for relation in self.original_system.relations)
         met: BoolArray = np.asarray(np.isfinite(starts).all(axis=1))
-        fixed = {*self.fixed_symbols, *(symbol for symbol, _ in self.set)}
+        fixed = {*self.fixed_symbols, *(symbol for symbol, _ in self.substitutions)}
         if relations:
             starts, there = project_to_level(
                 Formulas(self.original_system, relations),
@@ -205,7 +205,7 @@ def scan_grid(
     start: Mapping[str, Any],
     *,
     formulas: Mapping[str, str] | None = None,
-    held: Collection[str] = (),
+    fixed: Collection[str] = (),
 ) -> ScanGrid:
     """A plane of motions.
 
@@ -270,7 +270,7 @@ def scan_grid(
         y,
         tuple(assignments),
         tuple(conditions),
-        _fixed_symbols(described, held),
+        _fixed_symbols(described, fixed),
     )
 
 
@@ -281,13 +281,13 @@ def _useful(system: System) -> list[str]:
     )
 
 
-def _fixed_symbols(system: System, held: Collection[str]) -> tuple[sp.Symbol, ...]:
+def _fixed_symbols(system: System, fixed: Collection[str]) -> tuple[sp.Symbol, ...]:
     parts = {str(name): flat([name]) for name in system.state}
     parts |= {str(symbol): (symbol,) for symbol in system.symbols}
-    for name in held:
+    for name in fixed:
         if name not in parts:
             raise InputError(f"{name}: no variable of the start{nearest(name, parts)}")
-    return tuple(symbol for name in held for symbol in parts[name])
+    return tuple(symbol for name in fixed for symbol in parts[name])
 
 
 def _described_system(
@@ -318,7 +318,7 @@ def _by_velocity(system: System, start: Mapping[str, npt.ArrayLike]) -> System:
         )
     symbols = set(flat(names))
     follow = [(name, value) for name, value in follow if name not in names]
-    before = system.required_definitions([value for _, value in follow], given=symbols)
+    before = system.required_definitions([value for _, value in follow], inputs=symbols)
     done = {symbol for symbol, _ in before}
     after = [(s, v) for s, v in system.scalar_definitions if s not in done | symbols]
     return replace(
@@ -339,21 +339,21 @@ def directions(system: System) -> set[sp.Symbol]:
     return set(flat(unit))
 
 
-def _numbers_of(value: sp.Expr, known: Mapping[sp.Symbol, FloatArray], count: int) -> FloatArray:
+def _numbers_of(value: sp.Expr, values: Mapping[sp.Symbol, FloatArray], count: int) -> FloatArray:
     """A formula at arrays; not a number where it has no value."""
     names = sorted(value.free_symbols, key=str)
     function = sp.lambdify(names, value, "numpy")
     with np.errstate(all="ignore"):
-        numbers = function(*(known[name] for name in names))
+        numbers = function(*(values[name] for name in names))
     return np.array(np.broadcast_to(np.asarray(numbers, dtype=np.float64), (count,)))
 
 
-def _admissible(system: System, known: Mapping[sp.Symbol, FloatArray], count: int) -> BoolArray:
+def _admissible(system: System, values: Mapping[sp.Symbol, FloatArray], count: int) -> BoolArray:
     """Cells in which all parameters are finite and admissible."""
     good = np.ones(count, dtype=bool)
     for parameter in system.parameters:
-        good &= np.isfinite(known[parameter.symbol])
+        good &= np.isfinite(values[parameter.symbol])
     with np.errstate(all="ignore"):
         for _, condition in conditions(system.parameters):
-            good &= satisfies(condition, known)
+            good &= satisfies(condition, values)
     return good

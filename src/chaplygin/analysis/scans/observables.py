@@ -23,7 +23,7 @@ from ...formulas.array_evaluation import values
 from ..orbits.rotation import average
 
 #: States of a motion that are kept at a time.
-KEPT = 128
+BUFFER_LENGTH = 128
 #: An additional variable of the state: a formula integrated in time.
 TOTAL = sp.Symbol("integral_in_time", real=True)
 
@@ -246,8 +246,8 @@ def observe(
     outcome, ended = np.zeros(len(states), dtype=np.int64), np.zeros(len(states))
     series = np.full((len(states), samples + 1), np.nan)
     series[:, 0] = values(flow.system, [formula], states, parameters)[:, 0]
-    for first in range(0, samples, KEPT):
-        some = slice(first + 1, min(first + KEPT, samples) + 1)
+    for first in range(0, samples, BUFFER_LENGTH):
+        some = slice(first + 1, min(first + BUFFER_LENGTH, samples) + 1)
         live = np.flatnonzero(outcome == 0)
         if not len(live):
             break

@@ -103,14 +103,14 @@ class Scan:
         return {self.name: "value", **{f"{self.name}_{key}": key for key in self.rule.further}}
 
 
-def scan(scanned: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
+def scan(task: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     """The task of a scan.
 
     See :func:`chaplygin.flow.ensemble.compute`.
 
     Parameters
     ----------
-    scanned : Scan
+    task : Scan
     attributes : mapping, optional
         Further attributes of the result: numbers and texts.
 
@@ -126,21 +126,21 @@ def scan(scanned: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     InputError
         If an axis has the name of a variable of the result.
     """
-    plane, rule = scanned.plane, scanned.rule
+    plane, rule = task.plane, task.rule
     columns = (plane.x.name,)
     shape = (plane.x.count,)
     for item in (plane.x, plane.y):
-        if item.name in {*scanned.numbers, "outcome", "ended"}:
+        if item.name in {*task.numbers, "outcome", "ended"}:
             raise InputError(f"{item.name}: an axis must not have the name of a result")
-    titles = {"value": scanned.title, **rule.further}
+    titles = {"value": task.title, **rule.further}
     return Task(
-        work=scanned,
+        work=task,
         size=plane.y.count,
         block=max(1, AT_ONCE[rule.device] // plane.x.count),
         variables={
             **{
-                name: Variable(columns, shape, attributes=cf_attributes(titles[key], scanned.unit))
-                for name, key in scanned.numbers.items()
+                name: Variable(columns, shape, attributes=cf_attributes(titles[key], task.unit))
+                for name, key in task.numbers.items()
             },
             "outcome": Variable(columns, shape, "int16", _outcomes(rule)),
             "ended": Variable(columns, shape, attributes=cf_attributes("time reached", "s")),
@@ -149,12 +149,12 @@ def scan(scanned: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
         coordinates={item.name: _coordinate(item) for item in (plane.x, plane.y)},
         attributes={
             "system": plane.system.title,
-            "number": scanned.name,
+            "number": task.name,
             "until": rule.until,
             "tolerance": rule.tolerance,
             "parameters": _text_rows(plane.system.defaults),
             "start": _text_rows(dict(zip(plane.original_system.symbols, plane.base, strict=True))),
-            "formulas": [f"{symbol} = {value}" for symbol, value in plane.set],
+            "formulas": [f"{symbol} = {value}" for symbol, value in plane.substitutions],
             "levels": [f"{quantity} = {value}" for quantity, value in plane.levels],
             "held": [str(symbol) for symbol in plane.fixed_symbols],
             "version": __version__,

@@ -130,7 +130,7 @@ class StateCoordinates:
             )
             raise InputError(f"{self.system.name}: no state at {place}; {self.domain}")
 
-    def fixed(self, values: Mapping[str, float]) -> StateCoordinates:
+    def with_fixed(self, values: Mapping[str, float]) -> StateCoordinates:
         """The chart with some coordinates held at given values."""
         for name in values:
             self._place(name)
@@ -139,8 +139,8 @@ class StateCoordinates:
         def every(points: FloatArray) -> tuple[IntArray, FloatArray]:
             return self._every(self._all_coordinates(free, points, values))
 
-        def span(name: str, known: Mapping[str, float]) -> tuple[float, float]:
-            return self._range(name, {**known, **values})
+        def span(name: str, others: Mapping[str, float]) -> tuple[float, float]:
+            return self._range(name, {**others, **values})
 
         text = "".join(f", {name} = {value:.6g}" for name, value in values.items())
         return replace(
@@ -280,10 +280,10 @@ def _andoyer(
         l, x, g, G, H = ratio._point(states)
         return np.stack([G * x, G, H, l, g])
 
-    def span(name: str, known: Mapping[str, float]) -> tuple[float, float]:
+    def span(name: str, others: Mapping[str, float]) -> tuple[float, float]:
         if name == "G":
-            return np.maximum(np.abs(known["H"]), np.abs(known["L"])), np.inf
-        return (-known["G"], known["G"]) if name == "L" else ratio._range(name, known)
+            return np.maximum(np.abs(others["H"]), np.abs(others["L"])), np.inf
+        return (-others["G"], others["G"]) if name == "L" else ratio._range(name, others)
 
     return replace(
         ratio,
@@ -362,12 +362,12 @@ class _Search:
         owner, states = chart._every(self._whole(points[:, which], solved))
         return which[owner], states
 
-    def _whole(self, points: FloatArray, solved: FloatArray) -> FloatArray:
-        return np.insert(points, self.place, solved, axis=0)
+    def _whole(self, points: FloatArray, unknowns: FloatArray) -> FloatArray:
+        return np.insert(points, self.place, unknowns, axis=0)
 
-    def _defect(self, points: FloatArray, solved: FloatArray) -> FloatArray:
-        owner, states = self.chart._every(self._whole(points, solved))
-        defect = np.full(solved.size, np.nan)
+    def _defect(self, points: FloatArray, unknowns: FloatArray) -> FloatArray:
+        owner, states = self.chart._every(self._whole(points, unknowns))
+        defect = np.full(unknowns.size, np.nan)
         values = self.formula(np.ascontiguousarray(states.T), self.chart.parameters)[:, 0]
         defect[owner] = values - self.value
         return defect
@@ -380,12 +380,12 @@ class _Search:
             reach = np.sqrt((abs(self.value) + 1e-3) / growth)
         return np.where(np.isfinite(reach) & (reach > 0), reach, 1.0)
 
-    def _newton_refined(self, points: FloatArray, solved: FloatArray) -> FloatArray:
+    def _newton_refined(self, points: FloatArray, unknowns: FloatArray) -> FloatArray:
         for _ in range(_NEWTON):
-            step = _STEP * (1e-3 + np.abs(solved))
-            rise = self._defect(points, solved + step) - self._defect(points, solved - step)
+            step = _STEP * (1e-3 + np.abs(unknowns))
+            rise = self._defect(points, unknowns + step) - self._defect(points, unknowns - step)
             with np.errstate(invalid="ignore", divide="ignore"):
-                better = solved - self._defect(points, solved) * 2 * step / rise
-            near = np.abs(better - solved) < step
-            solved = np.where(near, better, solved)
-        return solved
+                better = unknowns - self._defect(points, unknowns) * 2 * step / rise
+            near = np.abs(better - unknowns) < step
+            unknowns = np.where(near, better, unknowns)
+        return unknowns

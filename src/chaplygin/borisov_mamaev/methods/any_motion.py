@@ -92,7 +92,7 @@ def driven(normal_rate: MatrixExpr, correction: Expr) -> System:
     numbers = (
         *((s, "bracket of (1.19)", 0.4 - i / 3) for i, s in enumerate(X)),
         *((s, "rate of the normal", 0.2 + i / 3) for i, s in enumerate(gammadot)),
-        *((s, "tensor", 2.0 if name[-1] == name[-2] else 0.1) for s, name in _NAMED),
+        *((s, "tensor", 2.0 if name[-1] == name[-2] else 0.1) for s, name in _NAMES),
     )
     return unspecified.system(
         "any-torque",
@@ -103,4 +103,4 @@ def driven(normal_rate: MatrixExpr, correction: Expr) -> System:
     )
 
 
-_NAMED = tuple((s, str(s)) for s in K.symbols)
+_NAMES = tuple((s, str(s)) for s in K.symbols)

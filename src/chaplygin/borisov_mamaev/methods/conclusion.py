@@ -14,7 +14,7 @@ from ...proof.verdict import Decision, Verdict
 def computed_verdict(
     name: str,
     holds: object,
-    shown: str = "",
+    finding: str = "",
     otherwise: str = "",
     *,
     decision: Decision = "proven",
@@ -22,18 +22,18 @@ def computed_verdict(
 ) -> Verdict:
     """The verdict of a computation: `decision` if it holds, else undecided, with a reason."""
     result: Decision = decision if holds else "undecided"
-    return Verdict(name, result, shown=shown, reason="" if holds else otherwise, **details)
+    return Verdict(name, result, finding=finding, reason="" if holds else otherwise, **details)
 
 
 def conclusion_verdict(
-    name: str, shown: str, rests_on: Iterable[Verdict | tuple[System, Law]]
+    name: str, finding: str, rests_on: Iterable[Verdict | tuple[System, Law]]
 ) -> Verdict:
     """Proven when everything that the conclusion rests on is.
 
     Parameters
     ----------
     name : str
-    shown : str
+    finding : str
         What follows, in a few words.
     rests_on : verdicts, or laws with their systems
 
@@ -50,7 +50,7 @@ def conclusion_verdict(
     return Verdict(
         name,
         "undecided" if missing else "proven",
-        shown="" if missing else shown,
+        finding="" if missing else finding,
         reason=reasons,
         terms=max((v.terms for v in verdicts), default=0),
         seconds=sum(v.seconds for v in verdicts),

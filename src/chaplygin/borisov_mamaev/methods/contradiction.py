@@ -24,5 +24,5 @@ def contrary(verdict: Verdict) -> Verdict:
         return replace(
             verdict, decision="undecided", conditions=(), reason=f"excluded only where {where}"
         )
-    witness = verdict.witness or {"shown": verdict.shown}
+    witness = verdict.witness or {"shown": verdict.finding}
     return replace(verdict, decision=_OPPOSITE[verdict.decision], witness=witness)

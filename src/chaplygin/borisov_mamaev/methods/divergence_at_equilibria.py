@@ -85,6 +85,6 @@ def excludes_measure(system: System, point: Point) -> Verdict:
     return Verdict(
         "measure",
         "proven",
-        shown=f"div v = {value} at a rest point, where a smooth measure needs div v = 0",
+        finding=f"div v = {value} at a rest point, where a smooth measure needs div v = 0",
         witness={"point": {str(s): str(v) for s, v in point.items()}, "residual": str(value)},
     )

@@ -21,7 +21,7 @@ def growth(
     return (*counts, counts[-1])
 
 
-def holonomic_count_verdict(claimed: int, counts: tuple[int, ...], dimension: int) -> Verdict:
+def holonomic_count_verdict(claim: int, counts: tuple[int, ...], dimension: int) -> Verdict:
     """The verdict on a number of holonomic constraints, from the growth of a distribution.
 
     A function F with η(F) = 0 for every admissible field has dF annul their commutators too, so
@@ -29,7 +29,7 @@ def holonomic_count_verdict(claimed: int, counts: tuple[int, ...], dimension: in
 
     Parameters
     ----------
-    claimed : int
+    claim : int
         How many independent holonomic constraints there are said to be.
     counts : tuple of int
         As from `growth`.
@@ -39,8 +39,8 @@ def holonomic_count_verdict(claimed: int, counts: tuple[int, ...], dimension: in
     true = dimension - counts[-1]
     return Verdict(
         "holonomic_constraints",
-        "proven" if claimed == true else "refuted",
-        shown=f"the span grows as {', '.join(map(str, counts))} in dimension {dimension}: "
+        "proven" if claim == true else "refuted",
+        finding=f"the span grows as {', '.join(map(str, counts))} in dimension {dimension}: "
         f"{true} holonomic constraints",
-        witness=None if claimed == true else {"claimed": claimed, "true": true},
+        witness=None if claim == true else {"claimed": claim, "true": true},
     )

@@ -23,7 +23,7 @@ from ...formulas.program import FieldArithmetic, StraightLineProgram
 
 M, omega, gamma = vectors("M omega gamma")
 
-Known = Mapping[sp.Symbol, Fraction]
+Values = Mapping[sp.Symbol, Fraction]
 
 
 def divergence_of_spin(system: System, place: Sequence[Fraction]) -> Fraction:
@@ -50,7 +50,7 @@ def divergence_of_spin(system: System, place: Sequence[Fraction]) -> Fraction:
 
 
 def _symbol_values(
-    system: System, state: Known, place: Sequence[Fraction]
+    system: System, state: Values, place: Sequence[Fraction]
 ) -> dict[sp.Symbol, Fraction]:
     """Parameters, state, and the definitions that follow from them."""
     known = {p.symbol: Fraction(str(p.default)) for p in system.parameters}
@@ -61,10 +61,10 @@ def _symbol_values(
     return known
 
 
-def _rational_value(formula: sp.Expr, known: Known) -> Fraction:
+def _rational_value(formula: sp.Expr, values: Values) -> Fraction:
     """A rational formula."""
     names = sorted(formula.free_symbols, key=str)
     program = StraightLineProgram(names, [formula])
     value: Fraction
-    [value] = program.run([known[name] for name in names], FieldArithmetic(Fraction(1)))
+    [value] = program.run([values[name] for name in names], FieldArithmetic(Fraction(1)))
     return value

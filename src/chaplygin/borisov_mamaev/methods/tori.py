@@ -105,7 +105,7 @@ def not_hamiltonian() -> Verdict:
     return Verdict(
         "tori",
         "proven",
-        shown="λ = (1, F) on T² × ℝ: the Jacobi identity demands that a mean over the torus, "
+        finding="λ = (1, F) on T² × ℝ: the Jacobi identity demands that a mean over the torus, "
         "λ₁λ₂′ − λ₂λ₁′ = 1, vanishes",
         terms=verdict.terms,
         seconds=verdict.seconds,

@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from ...arguments import Declared
+from ...arguments import NamedFormulas
 from ...core.system import System
 
 
@@ -37,7 +37,7 @@ def fields(names: str, variables: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Exp
     return dict(zip(variables, unspecified_functions(names, *variables), strict=True))
 
 
-def system(name: str, title: str, field: Declared, **more: Any) -> System:
+def system(name: str, title: str, field: NamedFormulas, **more: Any) -> System:
     """A System that is constructed for a proof alone."""
     return System(name=name, title=title, field=field, **more)
 

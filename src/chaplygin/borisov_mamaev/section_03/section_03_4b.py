@@ -32,7 +32,7 @@ def kernel_printed() -> Verdict:
     return Verdict(
         "kernel",
         "proven" if _kernel() == 2 else "refuted",
-        shown=f"dim Ker J = {_kernel()} for the bracket of (3.8), which has m = 2",
+        finding=f"dim Ker J = {_kernel()} for the bracket of (3.8), which has m = 2",
         witness={"dim Ker J": _kernel(), "m": 2},
     )
 
@@ -42,7 +42,7 @@ def kernel_corrected() -> Verdict:
     return Verdict(
         "kernel",
         "proven" if _kernel() > 2 else "refuted",
-        shown=f"dim Ker J = {_kernel()} > m = 2 for the bracket of (3.8)",
+        finding=f"dim Ker J = {_kernel()} > m = 2 for the bracket of (3.8)",
     )
 
 
@@ -63,10 +63,11 @@ def solvable() -> Verdict:
     abelian = all(matrix[order.index(a), order.index(b)] == 0 for a in derived for b in derived)
     linear = all(sp.Poly(entry, *order).is_homogeneous for entry in matrix if entry != 0)
     holds = abelian and linear and gamma_3 not in derived
+    span = ", ".join(sorted(map(str, derived)))
     return Verdict(
         "solvable",
         "proven" if holds else "refuted",
-        shown=f"the derived algebra, spanned by {', '.join(sorted(map(str, derived)))}, is abelian",
+        finding=f"the derived algebra, spanned by {span}, is abelian",
     )
 
 

@@ -166,7 +166,7 @@ def frequencies() -> Verdict:
     return Verdict(
         "frequencies",
         "proven" if difference == 0 else "refuted",
-        shown="the mean over θ₁ is the coefficient with m = 0",
+        finding="the mean over θ₁ is the coefficient with m = 0",
         witness=None if difference == 0 else {"difference": str(difference)},
     )
 

@@ -95,7 +95,7 @@ def _constant_ratio() -> tuple[tuple[System, Law], ...]:
 def never_hamiltonian() -> Verdict:
     """n = 3 with a varying rotation number has no Hamiltonian form, n = 4 has one of rank two."""
     none = not_hamiltonian()
-    return conclusion_verdict("reduction", none.shown, (none, *of_rank_two()))
+    return conclusion_verdict("reduction", none.finding, (none, *of_rank_two()))
 
 
 def different_periods() -> Case:

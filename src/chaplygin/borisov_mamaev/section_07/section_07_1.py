@@ -180,7 +180,7 @@ def periods_exclude_printed() -> Verdict:
 
 def periods_exclude() -> Verdict:
     """Proposition 4 against the periods, and the bracket of rank two."""
-    shown = f"{unequal_periods().shown}; Proposition 4 would make them equal"
+    shown = f"{unequal_periods().finding}; Proposition 4 would make them equal"
     shifts = tuple(prove(system, law) for system, law in equal_periods())
     return conclusion_verdict(
         "no form of rank four", shown, (unequal_periods(), *shifts, *of_rank_two())

@@ -17,9 +17,9 @@ from ...catalogue.ball_on_sphere.rubber_ball_on_e3 import KINETIC, STIFFNESS
 from ...catalogue.ball_on_sphere.rubber_ball_ratio import DET_J, RHO_SQUARED, A, J, k
 from ...catalogue.ball_on_sphere.rubber_ball_separated import (
     LEVER,
-    SCALED,
     SPREAD,
     TRACE,
+    WITH_DENSITY,
     rho,
     roots,
     u,
@@ -126,7 +126,7 @@ def geodesic_part() -> Case:
 
 # --- §9.5 ----------------------------------------------------------------------------------
 
-COORDINATES = {rho: sp.sqrt(RHO_SQUARED), **roots(u, v, *SCALED)}
+COORDINATES = {rho: sp.sqrt(RHO_SQUARED), **roots(u, v, *WITH_DENSITY)}
 
 
 def in_coordinates(name: str, equations: Sequence[sp.Expr], *levels: sp.Expr) -> Case:

@@ -140,7 +140,7 @@ def tori() -> Verdict:
     count these points once if α̇ and β̇ > 0, and once more if α̇ < 0 < β̇, and neither rate vanishes:
     two tori.  For λ > J₂ the same with ξ and η, J₁ and J₃ exchanged.
     """
-    system = centred.centred()
+    system = centred.system_at_centre()
     return conclusion_verdict(
         "tori",
         "for 2mR|a| < J₁ every level with J₁ < F₂/2H < J₃, F₂/2H ≠ J₂ consists of two tori, with "
@@ -151,14 +151,14 @@ def tori() -> Verdict:
             (system, centred.QUADRATIC),
             centred.quadratic_forms(),
             centred.on_torus(),
-            centred.on_torus(centred.torus(centred.EXCHANGED, 2.4)),
+            centred.on_torus(centred.torus(centred.SWAPPED_AXES, 2.4)),
         ),
     )
 
 
 def with_limit_cycle() -> Verdict:
     """Limit cycles on a torus of a particular ball, with all that this rests on."""
-    dynamics = centred.centred()
+    dynamics = centred.system_at_centre()
     cases: tuple[tuple[System, Law], ...] = (
         centred.balance(),
         (dynamics, centred.ENERGY),
@@ -175,7 +175,10 @@ def refuted_by_limit_cycle() -> Verdict:
     return replace(
         cycle,
         decision="refuted" if cycle else "undecided",
-        witness={"parameters": "J = {}, κ = {}, λ = {}".format(*CASE), "limit cycle": cycle.shown},
+        witness={
+            "parameters": "J = {}, κ = {}, λ = {}".format(*CASE),
+            "limit cycle": cycle.finding,
+        },
     )
 
 
@@ -185,7 +188,7 @@ def measure_decided() -> Verdict:
     return replace(
         symmetric,
         decision="proven" if cycle and symmetric else "undecided",
-        shown=f"{symmetric.shown}; {cycle.shown}",
+        finding=f"{symmetric.finding}; {cycle.finding}",
         seconds=cycle.seconds + symmetric.seconds,
     )
 

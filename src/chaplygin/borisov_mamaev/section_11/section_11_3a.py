@@ -147,7 +147,7 @@ def by_viscous_friction() -> Verdict:
     """Viscous friction makes the rotation unstable, and dry friction does not."""
     dry = computed_verdict("dry friction", steady_under_dry_friction()[0], _DRY, "not shown")
     viscous = at_a_point()
-    return conclusion_verdict("viscous friction", viscous.shown, (viscous, dry))
+    return conclusion_verdict("viscous friction", viscous.finding, (viscous, dry))
 
 
 def sliding_without_spin() -> Verdict:

@@ -80,7 +80,7 @@ def proportional_when_spinning_fast() -> Verdict:
     return Verdict(
         "contensou",
         "proven" if holds else "refuted",
-        shown=f"for v ≪ ωa the force is {sp.sstr(share)} μN v/(ωa), exactly integrated",
+        finding=f"for v ≪ ωa the force is {sp.sstr(share)} μN v/(ωa), exactly integrated",
         witness=None if holds else {"share": str(share)},
     )
 

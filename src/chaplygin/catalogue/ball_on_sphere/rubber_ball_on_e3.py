@@ -77,7 +77,7 @@ STRUCTURE = PoissonStructure(
 
 def on_e3(
     hamiltonian: sp.Expr,
-    given: tuple[Parameter, ...],
+    parameters: tuple[Parameter, ...],
     *laws: Law,
     relations: tuple[sp.Expr, ...] = (norm_squared(gamma) - 1, dot(M, gamma)),
     source: str = "(9.14)",
@@ -88,7 +88,7 @@ def on_e3(
     ----------
     hamiltonian : sympy.Expr
         H(M, γ); unspecified functions are allowed.
-    given : tuple of Parameter
+    parameters : tuple of Parameter
     *laws : Law
         Further laws, besides energy, bracket and Hamiltonian form.
     relations : tuple of sympy.Expr
@@ -102,7 +102,7 @@ def on_e3(
         title=TITLE,
         summary=SUMMARY,
         source=SOURCE,
-        parameters=given,
+        parameters=parameters,
         field={
             M: cross(M, slope_M) + cross(gamma, slope_gamma),
             gamma: cross(gamma, slope_M),

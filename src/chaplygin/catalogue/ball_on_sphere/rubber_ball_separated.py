@@ -67,7 +67,7 @@ def roots(
 
 #: Sum and product of the roots of Σ nᵢ²/(Jᵢ − z), (9.5), and of Σ nᵢ²/(Jᵢ(Jᵢ − z)).
 PLAIN = (TRACE - dot(n, J * n), DET_J * RHO_SQUARED)
-SCALED = (TRACE - 1 / RHO_SQUARED, DET_J * norm_squared(A * n) / RHO_SQUARED)
+WITH_DENSITY = (TRACE - 1 / RHO_SQUARED, DET_J * norm_squared(A * n) / RHO_SQUARED)
 
 
 def separation() -> Separation:
@@ -77,7 +77,7 @@ def separation() -> Separation:
     """
     quantities = {
         rho: sp.sqrt(RHO_SQUARED),
-        **roots(u, v, *SCALED),
+        **roots(u, v, *WITH_DENSITY),
         h: dot(J * omega, omega) / 2,
         F: ratio.AROUND.value,
     }

@@ -62,8 +62,8 @@ SOURCE = "holonomic counterpart of §11.3"
 AREA = dot(M, gamma)
 
 #: What b adds to the tensor of inertia: 1 + m (b, Ab).
-ADDED = 1 + m * dot(b, A * b)
-KINETIC = HALF * (dot(M, A * M) - m * dot(b, A * M) ** 2 / ADDED)
+DENOMINATOR = 1 + m * dot(b, A * b)
+KINETIC = HALF * (dot(M, A * M) - m * dot(b, A * M) ** 2 / DENOMINATOR)
 
 
 def _derivative_along(vector: MatrixExpr, velocity: MatrixExpr) -> MatrixExpr:
@@ -99,7 +99,7 @@ def sliding(
     inertia: MatrixExpr,
     parameters: tuple[Parameter, ...],
     laws: tuple[Law, ...] = (),
-    **described: Any,
+    **fields: Any,
 ) -> System:
     """A body on a smooth plane, from its support function.
 
@@ -123,10 +123,10 @@ def sliding(
             A: inertia**-1,
             h: height,
             b: lever,
-            omega: A * M - m * dot(b, A * M) / ADDED * (A * b),
+            omega: A * M - m * dot(b, A * M) / DENOMINATOR * (A * b),
             bdot: _derivative_along(lever, cross(gamma, omega)),
             X: cross(inertia * omega, omega),
-            N: m * (g + dot(b, A * X) + dot(omega, bdot)) / ADDED,
+            N: m * (g + dot(b, A * X) + dot(omega, bdot)) / DENOMINATOR,
         },
         field={M: X - m * g * b + m * dot(omega, b) * bdot, gamma: cross(gamma, omega)},
         relations=(norm_squared(gamma) - 1,),
@@ -135,7 +135,7 @@ def sliding(
             Observable("omega", omega, "angular velocity", "rad/s", "body"),
             Observable("normal_force", N, "normal force", "N"),
         ),
-        **described,
+        **fields,
     )
 
 

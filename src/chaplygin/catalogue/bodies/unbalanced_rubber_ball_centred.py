@@ -67,7 +67,7 @@ DEFAULTS = {
 APART = {"J_1": 1.0, "J_2": 2.0, "J_3": 3.0, "kappa_1": 0.2, "kappa_2": -0.3, "kappa_3": 0.4}
 
 #: The same with J₁ and J₃ exchanged: with ξ and η exchanged too, the case J₂ < λ < J₃.
-EXCHANGED = {**APART, "J_1": APART["J_3"], "J_3": APART["J_1"]}
+SWAPPED_AXES = {**APART, "J_1": APART["J_3"], "J_3": APART["J_1"]}
 
 #: For sphero-conical coordinates of any place.
 NET = {**APART, "J_1": 0.5, "J_2": 0.9, "J_3": 1.35}
@@ -104,7 +104,7 @@ QUADRATIC = Integral(
 )
 
 
-def centred(p: Numbers = DEFAULTS) -> System:
+def system_at_centre(p: Numbers = DEFAULTS) -> System:
     """State ω, γ in the principal axes of the geometric centre."""
     return System(
         name=NAME,
@@ -130,7 +130,7 @@ def balance() -> tuple[System, Identity]:
 
     The excess of Ĩω̇ over its right-hand side without λ₀ is along γ.
     """
-    system = centred()
+    system = system_at_centre()
     sizes = (Parameter(m, "mass", 1.0, "kg"), Parameter(R, "radius of the ball", 0.5, "m"))
     place = kappa / (2 * m * R)
     reach = place - R * gamma
@@ -179,7 +179,7 @@ def quadratic_forms() -> tuple[System, Identity]:
 def torus(numbers: Numbers = APART, constant_of_torus: float = 1.4) -> System:
     """The motion with 2H = 1 and F = λ on its torus, λ between J₁ and J₂.
 
-    `APART` has J₁ < λ < J₂; `EXCHANGED`, with λ from 2 to 3, stands for J₂ < λ < J₃.
+    `APART` has J₁ < λ < J₂; `SWAPPED_AXES`, with λ from 2 to 3, stands for J₂ < λ < J₃.
 
     State α, β with ξ = J₁cos²β + λsin²β, η = J₂cos²α + J₃sin²α; its time τ has
     dt = (η − ξ) √((ξ − s)(η − s)) dτ.  The definitions P² and Q² hold (dβ/dτ)² and (dα/dτ)².
@@ -226,7 +226,7 @@ def build(p: Numbers) -> System:
     check_inertia(moments)
     if not sum(p[str(symbol)] ** 2 for symbol in kappa.symbols) < min(moments) ** 2:
         raise InputError("kappa: its length must be less than the smallest of J_1, J_2, J_3")
-    return centred(p).with_laws(ENERGY, QUADRATIC)
+    return system_at_centre(p).with_laws(ENERGY, QUADRATIC)
 
 
 ENTRIES = (

@@ -127,7 +127,7 @@ def _motions_of_the_plane() -> tuple[Law, ...]:
 
 # --- velocities alone ----------------------------------------------------------------------
 
-REDUCED = "Velocities of the Chaplygin sleigh"
+REDUCED_TITLE = "Velocities of the Chaplygin sleigh"
 REDUCED_SUMMARY = (
     "The velocities of the Chaplygin sleigh: a conformally Hamiltonian system whose multiplier "
     "vanishes where the sleigh goes straight on, so that motions tend to equilibria."
@@ -142,7 +142,7 @@ def reduced_system(p: Numbers) -> System:
     )
     return System(
         name="chaplygin-sleigh-reduced",
-        title=REDUCED,
+        title=REDUCED_TITLE,
         summary=REDUCED_SUMMARY,
         source=SOURCE,
         parameters=_parameters(p),
@@ -255,7 +255,7 @@ ENTRIES = (
     ),
     Entry(
         name="chaplygin-sleigh-reduced",
-        title=REDUCED,
+        title=REDUCED_TITLE,
         summary=REDUCED_SUMMARY,
         source=SOURCE,
         defaults={name: value for name, value in DEFAULTS.items() if name != "b"},

@@ -32,7 +32,7 @@ SOURCE = "§12, problem 3"
 MOMENTUM, SQUARE = "kg m^2/s", "kg^2 m^4/s^2"
 DEFAULT_DIMENSION = 4
 
-Given = Mapping[str, object]
+Settings = Mapping[str, object]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -86,12 +86,12 @@ class Family(ABC):
     def variables(self) -> Mapping[str, tuple[str, str]]:
         """Meaning and unit of the variables of the state."""
 
-    def entry(self, given: Given | None = None) -> Entry:
+    def entry(self, parameters: Settings | None = None) -> Entry:
         """The entry of the catalogue for a dimension and numbers.
 
         Parameters
         ----------
-        given : mapping
+        parameters : mapping
             ``dimension``; ``moments`` or ``mass_tensor``, or their entries by symbol name; of a
             ball ``mass`` and ``radius``, or ``m`` and ``R``.
 
@@ -100,7 +100,7 @@ class Family(ABC):
         InputError
             If a name is unknown, or a number is not admissible.
         """
-        settings = dict(given or {})
+        settings = dict(parameters or {})
         inertia, numbers = self._inertia(settings)
         numbers |= self._ball(settings)
         n = inertia.dimension

@@ -32,7 +32,7 @@ _SMALLEST = 3
 
 @arguments_checked
 def torus_system(
-    masses: Sequence[float | sp.Expr], zeros: Sequence[float | sp.Expr], added: float | sp.Expr = 0
+    masses: Sequence[float | sp.Expr], zeros: Sequence[float | sp.Expr], shift: float | sp.Expr = 0
 ) -> System:
     """The flow on the invariant torus with given zeros of the integrals, at the energy E = ½.
 
@@ -43,7 +43,7 @@ def torus_system(
     zeros : sequence of n − 2 numbers
         f_1 < … < f_{n−2}, different from all c_i, such that each of the n − 1 intervals between the
         first and second, third and fourth, … of all these numbers in order contains a σ_k.
-    added : number, optional
+    shift : number, optional
         m R² of a rubber ball; 0 for a body about a fixed point.
 
     Returns
@@ -66,7 +66,7 @@ def torus_system(
     """
     c, f = [_exact(x) for x in masses], [_exact(x) for x in zeros]
     ends = _intervals(c, f)
-    total = sum(c, _exact(added))
+    total = sum(c, _exact(shift))
     n = len(ends) + 1
     phi = [real_symbol(f"phi_{k + 1}") for k in range(n - 1)]
     sigma = [real_symbol(f"sigma_{k + 1}") for k in range(n - 1)]

@@ -69,7 +69,7 @@ def _product(first: Sum, second: Sum) -> sp.Expr:
     )
 
 
-def _named(name: str, vector: Sum) -> tuple[Sum, Pairs]:
+def _with_names(name: str, vector: Sum) -> tuple[Sum, Pairs]:
     """A vector with names for its coefficients, and what they stand for."""
     names = {key: real_symbol(f"{name}_{i}") for i, key in enumerate(vector, 1)}
     return names, tuple((names[key], value) for key, value in vector.items())
@@ -115,8 +115,8 @@ def rate_of_pencil(sign: int = 1) -> System:
     ['proven', 'proven']
     """
     u, q, y = _of("u"), _of("q"), _of(ALONG)
-    p, of_p = _named("p", _Plane(u, y).inertia(y))
-    w, of_w = _named("w", _Plane(u, y).pencil(y))
+    p, of_p = _with_names("p", _Plane(u, y).inertia(y))
+    w, of_w = _with_names("w", _Plane(u, y).pencil(y))
     commute = _product(p, _Plane(q, y).pencil(y)) - _product(w, _Plane(q, y).inertia(y))
     rate = _product(u, _Plane(p, u).pencil(y)) - sign * _product(u, _Plane(w, u).inertia(y))
     definitions = (*of_p, *of_w)

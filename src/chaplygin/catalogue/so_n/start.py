@@ -17,13 +17,13 @@ from .inertia import labels, pairs
 from .motion_in_space import omega_of
 
 #: A start as given, by name.
-Given: TypeAlias = MutableMapping[str, float | Sequence[float]]
+StartValues: TypeAlias = MutableMapping[str, float | Sequence[float]]
 
 #: Names of a start that are not variables of the reduced state.
 ATTITUDE, OMEGA, GAMMA, CONTACT = "attitude", "omega", "gamma", "contact"
 
 
-def take_attitude(values: Given, n: int, family: Family) -> tuple[Matrix, list[mpmath.mpf]]:
+def take_attitude(values: StartValues, n: int, family: Family) -> tuple[Matrix, list[mpmath.mpf]]:
     """Take attitude and γ out of a start: as given, or the shortest turn of γ to the last axis.
 
     Raises
@@ -45,12 +45,12 @@ def take_attitude(values: Given, n: int, family: Family) -> tuple[Matrix, list[m
     return attitude, attitude[-1] if family.upright else gamma
 
 
-def take_contact(values: Given, n: int) -> list[mpmath.mpf]:
+def take_contact(values: StartValues, n: int) -> list[mpmath.mpf]:
     """Take the contact point out of a start; the origin where it is left out."""
     return finite_numbers(CONTACT, values.pop(CONTACT, [0.0] * (n - 1)), n - 1)
 
 
-def take_spin(values: Given, gamma: Sequence[mpmath.mpf], family: Family) -> Matrix | None:
+def take_spin(values: StartValues, gamma: Sequence[mpmath.mpf], family: Family) -> Matrix | None:
     """Take ω out of a start, as a skew matrix; None where it is not given.
 
     Raises

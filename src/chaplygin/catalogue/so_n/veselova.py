@@ -49,12 +49,12 @@ DENSITY = "invariant measure; Δ up to a constant factor"
 Delta = real_symbol("Delta")
 
 
-def operator(inertia: Inertia, added: sp.Expr) -> sp.Matrix:
+def operator(inertia: Inertia, shift: sp.Expr) -> sp.Matrix:
     """B with B e = (I(e∧γ) + added e∧γ) γ for e orthogonal to γ, and γγᵀ added."""
     n = inertia.dimension
     gamma = to_components(gamma_of(n))
     if isinstance(inertia, MassTensor):
-        J = to_components(inertia.matrix) + added / 2 * sp.eye(n)
+        J = to_components(inertia.matrix) + shift / 2 * sp.eye(n)
         image = J * gamma
         return (
             J * (gamma.T * gamma)[0]
@@ -67,7 +67,7 @@ def operator(inertia: Inertia, added: sp.Expr) -> sp.Matrix:
         raise TypeError(type(inertia).__name__)
     matrix = sp.Matrix(gamma * gamma.T)
     for i, j in pairs(n):
-        heavier = inertia.moment(i, j) + added
+        heavier = inertia.moment(i, j) + shift
         matrix[i, i] += heavier * gamma[j] ** 2
         matrix[j, j] += heavier * gamma[i] ** 2
         matrix[i, j] -= heavier * gamma[i] * gamma[j]

@@ -18,7 +18,7 @@ from .unspecified_functions import Functions
 _NAME = re.compile(r"[^\W\d]\w*")
 
 #: Names that formulas use otherwise.
-_TAKEN = {"Derivative", "Subs", "Ne", "Eq"}
+_RESERVED_NAMES = {"Derivative", "Subs", "Ne", "Eq"}
 
 
 @dataclass(frozen=True)
@@ -67,11 +67,11 @@ class ClaimedSystem:
         self,
         values: Mapping[str, Number],
         functions: Functions,
-        settled: Mapping[str, Formula] | None = None,
+        parameter_formulas: Mapping[str, Formula] | None = None,
     ) -> Point:
         """The system at a point."""
         rates = dict(zip(self.state, self.rates, strict=True))
-        return Point(values, self.definitions, rates, functions, settled)
+        return Point(values, self.definitions, rates, functions, parameter_formulas)
 
 
 @dataclass(frozen=True)
@@ -138,7 +138,7 @@ def _formulas(data: object, what: str) -> tuple[Formula, ...]:
 
 def _name(data: object, what: str) -> str:
     word = text(data, what)
-    if _NAME.fullmatch(word) is None or word in _TAKEN:
+    if _NAME.fullmatch(word) is None or word in _RESERVED_NAMES:
         raise CheckError(f"{what} is {word!r}, which is no name")
     return word
 
@@ -164,8 +164,8 @@ def _distinct(words: Iterable[str], what: str) -> None:
         seen.add(word)
 
 
-def _require(formulas: Iterable[Formula], known: set[str], what: str) -> None:
-    strange = sorted(names_in(formulas) - known - {"pi", "E"})
+def _require(formulas: Iterable[Formula], names: set[str], what: str) -> None:
+    strange = sorted(names_in(formulas) - names - {"pi", "E"})
     if strange:
         raise CheckError(f"{what} uses {strange[0]}, which is unknown")
 
@@ -274,9 +274,9 @@ def _law(data: Mapping[str, object], system: ClaimedSystem, what: str) -> Law:
     return law
 
 
-def _require_names(pairs: Iterable[tuple[str, Formula]], known: set[str], what: str) -> None:
+def _require_names(pairs: Iterable[tuple[str, Formula]], names: set[str], what: str) -> None:
     for word, _ in pairs:
-        if word not in known:
+        if word not in names:
             raise CheckError(f"{what} names {word}, which is unknown there")
 
 

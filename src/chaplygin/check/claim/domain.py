@@ -70,12 +70,12 @@ class Domain:
         return nonzero, positive, logarithms
 
 
-def domain(claim: Claim, settled: Mapping[str, Formula]) -> Domain:
+def domain(claim: Claim, parameter_formulas: Mapping[str, Formula]) -> Domain:
     """The formulas that decide where the law of a claim is defined.
 
     Parameters
     ----------
-    settled : mapping of name to formula
+    parameter_formulas : mapping of name to formula
         Parameters with a value on the level, which may make an exponent a whole number.
     """
     system, law = claim.system, claim.law
@@ -84,7 +84,7 @@ def domain(claim: Claim, settled: Mapping[str, Formula]) -> Domain:
     base = [*system.rates, *claim.conditions, *law.formulas()]
     needed = system.reach(base, law.quantities)
     formulas = [*base, *(f for word, f in known.items() if word in needed)]
-    collector.collect("own", formulas, {**known, **settled})
+    collector.collect("own", formulas, {**known, **parameter_formulas})
     if law.kind == "Measure":
         for density, _ in law.pairs["density"]:
             collector.nonzero_factors("own", density)
@@ -93,7 +93,7 @@ def domain(claim: Claim, settled: Mapping[str, Formula]) -> Domain:
         base = [*target.rates, *target.relations, *law.several["onto"]]
         needed = target.reach(base)
         formulas = [*base, *(f for word, f in target.definitions.items() if word in needed)]
-        constants = constant_values(claim, {**known, **settled})
+        constants = constant_values(claim, {**known, **parameter_formulas})
         collector.collect("target", formulas, {**target.definitions, **constants})
     gram = law.kind == "Measure" and bool(claim.moving)
     return Domain(
@@ -105,15 +105,15 @@ def domain(claim: Claim, settled: Mapping[str, Formula]) -> Domain:
     )
 
 
-def constant_values(claim: Claim, known: Mapping[str, Formula]) -> dict[str, Formula]:
+def constant_values(claim: Claim, definitions: Mapping[str, Formula]) -> dict[str, Formula]:
     """Parameters of the target that are numbers."""
     law, target = claim.law, claim.law.target
     assert target is not None
     formulas = dict(law.pairs["constants"])
     values = {}
     for word in target.parameters:
-        formula = formulas.get(word, known.get(word))
-        value = None if formula is None else exact_value(formula, known)
+        formula = formulas.get(word, definitions.get(word))
+        value = None if formula is None else exact_value(formula, definitions)
         if value is not None:
             values[word] = number(value)
     return values
@@ -128,12 +128,12 @@ class _Collector:
         self.logarithms: dict[tuple[str, Formula], None] = {}
 
     def collect(
-        self, where: str, formulas: Iterable[Formula], known: Mapping[str, Formula]
+        self, where: str, formulas: Iterable[Formula], definitions: Mapping[str, Formula]
     ) -> None:
         for node in walk(formulas):
             if node.kind == "power":
                 base, exponent = node.parts
-                value = exact_value(exponent, known)
+                value = exact_value(exponent, definitions)
                 if value is None or value.denominator != 1:
                     self.positive[where, base, value] = None
                 elif value < 0:

@@ -39,7 +39,7 @@ class Point:
         Time derivatives of the symbols that move.
     functions : Functions
         Values of unspecified functions.
-    settled : mapping of name to formula
+    parameter_formulas : mapping of name to formula
         Parameters that have a formula in others, which may make an exponent a number.
     level : int
         The highest level of the values.
@@ -51,16 +51,16 @@ class Point:
         definitions: Mapping[str, Formula],
         rates: Mapping[str, Formula],
         functions: Functions,
-        settled: Mapping[str, Formula] | None = None,
+        parameter_formulas: Mapping[str, Formula] | None = None,
         level: int = 0,
     ) -> None:
         self.values = dict(values)
         self.definitions = dict(definitions)
         self.rates = dict(rates)
         self.functions = functions
-        self.settled = dict(settled or {})
+        self.parameter_formulas = dict(parameter_formulas or {})
         self.level = level
-        self._seen: dict[Formula, Number] = {}
+        self._memo: dict[Formula, Number] = {}
         self._moving: Point | None = None
 
     def with_definitions(self, more: Mapping[str, Formula]) -> Point:
@@ -70,7 +70,7 @@ class Point:
             {**self.definitions, **more},
             self.rates,
             self.functions,
-            self.settled,
+            self.parameter_formulas,
             self.level,
         )
 
@@ -92,7 +92,12 @@ class Point:
 
     def _above(self, values: Mapping[str, Number]) -> Point:
         return Point(
-            values, self.definitions, self.rates, self.functions, self.settled, self.level + 1
+            values,
+            self.definitions,
+            self.rates,
+            self.functions,
+            self.parameter_formulas,
+            self.level + 1,
         )
 
     def slopes(self, formula: Formula) -> Mapping[int, Number]:
@@ -101,10 +106,10 @@ class Point:
 
     def __call__(self, formula: Formula) -> Number:
         """The value of a formula."""
-        value = self._seen.get(formula)
+        value = self._memo.get(formula)
         if value is None:
             self._prepare(formula)
-            value = self._seen[formula] = self._fresh_value(formula)
+            value = self._memo[formula] = self._fresh_value(formula)
         return value
 
     def _prepare(self, formula: Formula) -> None:
@@ -120,19 +125,19 @@ class Point:
                 waiting.extend(names_in([self.definitions[word]]))
         for word, definition in self.definitions.items():
             if word in needed and word != formula.word:
-                self._seen[definition] = self._fresh_value(definition)
+                self._memo[definition] = self._fresh_value(definition)
 
     def _waits(self, word: str) -> bool:
         """Whether a symbol has a definition that has not been evaluated."""
         definition = None if word in self.values else self.definitions.get(word)
-        return definition is not None and definition not in self._seen
+        return definition is not None and definition not in self._memo
 
     def _fresh_value(self, formula: Formula) -> Number:
         kind, parts = formula.kind, formula.parts
         if kind == "number":
             return ball(formula.word)
         if kind == "name":
-            return self._named(formula.word)
+            return self._symbol_value(formula.word)
         if kind == "sum":
             result = self(parts[0])
             for part in parts[1:]:
@@ -150,7 +155,7 @@ class Point:
             return self.functions.value(word, orders, [self(part) for part in parts])
         return self._known_function(formula.word, parts)
 
-    def _named(self, word: str) -> Number:
+    def _symbol_value(self, word: str) -> Number:
         if word in self.values:
             return self.values[word]
         if word in self.definitions:
@@ -163,7 +168,7 @@ class Point:
 
     def exact(self, formula: Formula) -> Fraction | None:
         """The rational number that a formula is, through definitions and settled parameters."""
-        return exact_value(formula, {**self.definitions, **self.settled})
+        return exact_value(formula, {**self.definitions, **self.parameter_formulas})
 
     def _power(self, base: Formula, exponent: Formula) -> Number:
         value = self.exact(exponent)

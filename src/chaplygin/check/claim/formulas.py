@@ -16,7 +16,7 @@ from typing import Any
 from .errors import CheckError
 
 #: Known functions and how many arguments they take.
-KNOWN = {
+FUNCTIONS = {
     **dict.fromkeys(
         ("sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "exp", "log"), 1
     ),
@@ -302,9 +302,9 @@ class _Reader:
         while self._take(","):
             arguments.append(self.sum())
         self._expect(")")
-        if word not in KNOWN:
+        if word not in FUNCTIONS:
             return function(word, [0] * len(arguments), arguments)
-        if len(arguments) != KNOWN[word]:
+        if len(arguments) != FUNCTIONS[word]:
             raise self._wrong(f"gives {word} {len(arguments)} arguments")
         return call(word, arguments)
 

@@ -21,9 +21,9 @@ def mapping(data: object, what: str) -> Mapping[str, object]:
     return data
 
 
-def only(data: Mapping[str, object], what: str, *allowed: str) -> None:
+def only(data: Mapping[str, object], what: str, *choices: str) -> None:
     """No fields but these."""
-    strange = sorted(set(data) - set(allowed))
+    strange = sorted(set(data) - set(choices))
     if strange:
         raise CheckError(f"{what} has a field {strange[0]!r}, which means nothing here")
 
@@ -87,8 +87,8 @@ def _whole(digits: str) -> int:
     return _whole(head) * int(10**middle) + sign * _whole(tail)
 
 
-def choice(data: object, what: str, *allowed: T) -> T:
+def choice(data: object, what: str, *choices: T) -> T:
     """One of some values."""
-    if isinstance(data, bool) or not isinstance(data, (str, int)) or data not in allowed:
-        raise CheckError(f"{what} is none of {', '.join(map(str, allowed))}")
-    return next(value for value in allowed if value == data)
+    if isinstance(data, bool) or not isinstance(data, (str, int)) or data not in choices:
+        raise CheckError(f"{what} is none of {', '.join(map(str, choices))}")
+    return next(value for value in choices if value == data)

@@ -18,14 +18,14 @@ TERMS = 200_000
 def quotient(
     formula: Formula,
     ring: Ring,
-    known: Callable[[str], Quotient | None],
+    symbol_value: Callable[[str], Quotient | None],
     definitions: Mapping[str, Formula],
 ) -> Quotient:
     """Numerator and denominator of a rational formula.
 
     Parameters
     ----------
-    known : callable
+    symbol_value : callable
         The value of a symbol, or None if it is not known in the ring.
 
     Raises
@@ -45,7 +45,7 @@ def quotient(
         if node.kind == "number":
             return ring.constant(node.word), one
         if node.kind == "name":
-            value = known(node.word)
+            value = symbol_value(node.word)
             if value is None and node.word in definitions:
                 value = value_of(definitions[node.word])
             if value is None:

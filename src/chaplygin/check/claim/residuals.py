@@ -201,10 +201,10 @@ def _brackets(values: Sequence[Sequence[Number]], slopes: Mapping[int, Number]) 
         yield _sum([multiply(row[j], slope) for j, slope in slopes.items()])
 
 
-def _pfaffian(matrix: Sequence[Sequence[Number]], chosen: tuple[int, ...]) -> Number:
-    if not chosen:
+def _pfaffian(matrix: Sequence[Sequence[Number]], rows: tuple[int, ...]) -> Number:
+    if not rows:
         return arb(1)
-    first, *others = chosen
+    first, *others = rows
     total: Number = arb(0)
     for position, other in enumerate(others):
         remaining = tuple(n for n in others if n != other)
@@ -277,7 +277,7 @@ _KINDS = {
 # --- ranks ---------------------------------------------------------------------------------------
 
 
-def ranked(claim: Claim) -> bool:
+def is_on_rank(claim: Claim) -> bool:
     """Whether a law says of something that its rank is not smaller."""
     return claim.law.kind in ("Isomorphism", "Separation") or claim.law.rank is not None
 

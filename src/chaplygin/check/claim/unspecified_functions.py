@@ -24,13 +24,15 @@ class Functions:
 
     def __init__(self, seed: str) -> None:
         self._generator = random.Random(seed)
-        self._known: dict[tuple[str, tuple[int, ...]], list[tuple[tuple[Number, ...], Number]]] = {}
+        self._values: dict[
+            tuple[str, tuple[int, ...]], list[tuple[tuple[Number, ...], Number]]
+        ] = {}
 
     def settle(
         self, word: str, orders: Sequence[int], arguments: Sequence[Number], value: Number
     ) -> None:
         """Give a value that is not chosen freely."""
-        self._known.setdefault((word, tuple(orders)), []).append((tuple(arguments), value))
+        self._values.setdefault((word, tuple(orders)), []).append((tuple(arguments), value))
 
     def value(self, word: str, orders: tuple[int, ...], arguments: Sequence[Number]) -> Number:
         """A value, with derivatives as the arguments have them."""
@@ -52,7 +54,7 @@ class Functions:
     def _free_value(
         self, word: str, orders: tuple[int, ...], arguments: tuple[Number, ...]
     ) -> Number:
-        table = self._known.setdefault((word, orders), [])
+        table = self._values.setdefault((word, orders), [])
         for known, value in table:
             if all(a.overlaps(b) for a, b in zip(known, arguments, strict=True)):
                 return value

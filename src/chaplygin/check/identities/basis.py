@@ -52,11 +52,11 @@ def read_basis(
     generators: Generators,
     region: Sequence[Formula],
     what: str,
-    treated: bool = True,
+    with_residuals: bool = True,
 ) -> Basis:
     """Equations, divisors and signs of a proof, compared with the claim at random points.
 
-    Where residuals are `treated`, all roots of the law must be those of factors with known signs.
+    With `with_residuals` all roots of the law must be those of factors with known signs.
     """
     ring = generators.ring
     samples = generators.samples(FORMAL if has_formal_roots(generators) else POINTS)
@@ -85,7 +85,7 @@ def read_basis(
     left = settle(signs, radicands, sums, nonzero, written)
     if left:
         raise CheckError(f"what is positive in {what}: a sum is not")
-    if treated:
+    if with_residuals:
         check_roots(generators, signs, nonzero, entries, matched, what)
         check_radicands(generators, signs, entries, matched, what)
     check_functions(generators, samples, nonzero, signs, what)

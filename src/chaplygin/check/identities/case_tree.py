@@ -26,29 +26,29 @@ class Signs:
     """Polynomials whose sign is known, up to constant factors."""
 
     def __init__(self) -> None:
-        self._known: dict[str, tuple[int, bool]] = {}
+        self._signs: dict[str, tuple[int, bool]] = {}
 
     def copy(self) -> Signs:
         """A copy, to be enlarged by itself."""
         signs = Signs()
-        signs._known = dict(self._known)
+        signs._signs = dict(self._signs)
         return signs
 
     def learn(self, poly: Poly, sign: int, strict: bool = True) -> None:
         """sign · poly is positive, or at least not negative."""
         key, lead = monic(poly)
-        known = self._known.get(key)
+        known = self._signs.get(key)
         if known is not None and known[0] != sign * lead and known[1] and strict:
             raise CheckError(f"what is positive contradicts itself at {_short_text(poly)}")
         if known is None or strict:
-            self._known[key] = (sign * lead, strict)
+            self._signs[key] = (sign * lead, strict)
 
     def of(self, poly: Poly) -> int:
         """The strict sign of a polynomial; 0 if unknown."""
         if poly.is_constant():
             return 0 if poly.is_zero() else monic(poly)[1]
         key, lead = monic(poly)
-        sign, strict = self._known.get(key, (0, False))
+        sign, strict = self._signs.get(key, (0, False))
         return sign * lead if strict else 0
 
     def weak(self, poly: Poly) -> int:
@@ -56,7 +56,7 @@ class Signs:
         if poly.is_constant():
             return self.of(poly)
         key, lead = monic(poly)
-        return self._known.get(key, (0, False))[0] * lead
+        return self._signs.get(key, (0, False))[0] * lead
 
 
 @dataclass(frozen=True)

@@ -90,13 +90,13 @@ def read_change(claim: Claim, data: object, what: str) -> Change:
     return Change(tuple(circles), graph)
 
 
-def point_pairs(claim: Claim, stated: Claim, change: Change, what: str) -> list[PointPair]:
+def point_pairs(claim: Claim, claim_there: Claim, change: Change, what: str) -> list[PointPair]:
     """Random points at which both claims are defined."""
     pairs: list[PointPair] = []
     generator = random.Random(what)
     for attempt in range(ATTEMPTS):
         try:
-            pairs.append(_pair(claim, stated, change, generator, attempt))
+            pairs.append(_pair(claim, claim_there, change, generator, attempt))
         except UndefinedError:
             continue
         if len(pairs) == POINTS:
@@ -105,7 +105,7 @@ def point_pairs(claim: Claim, stated: Claim, change: Change, what: str) -> list[
 
 
 def _pair(
-    claim: Claim, stated: Claim, change: Change, generator: random.Random, attempt: int
+    claim: Claim, claim_there: Claim, change: Change, generator: random.Random, attempt: int
 ) -> PointPair:
     system = claim.system
     functions = Functions(str(attempt))
@@ -124,21 +124,25 @@ def _pair(
         del image[circle.angle]
         for word, formula in circle.functions:
             image[word] = old(formula)
-    known = {w: v for w, v in image.items() if w in stated.system.symbols}
-    if len(known) < len(image) or len(image) < len(stated.system.symbols):
+    known = {w: v for w, v in image.items() if w in claim_there.system.symbols}
+    if len(known) < len(image) or len(image) < len(claim_there.system.symbols):
         raise CheckError("the variables of a claim in other variables are not those substituted")
-    pair = PointPair(old, stated.system.point(known, functions))
-    _require_defined(claim, stated, pair)
+    pair = PointPair(old, claim_there.system.point(known, functions))
+    _require_defined(claim, claim_there, pair)
     return pair
 
 
-def _require_defined(claim: Claim, stated: Claim, pair: PointPair) -> None:
+def _require_defined(claim: Claim, claim_there: Claim, pair: PointPair) -> None:
     """Formulas are evaluated once, so that undefined points are left out."""
     old = pair.old.with_definitions(claim.law.quantities)
-    new = pair.new.with_definitions(stated.law.quantities)
+    new = pair.new.with_definitions(claim_there.law.quantities)
     for formula in (*claim.conditions, *claim.system.rates, *claim.law.formulas()):
         old(formula)
-    for formula in (*stated.conditions, *stated.system.rates, *stated.law.formulas()):
+    for formula in (
+        *claim_there.conditions,
+        *claim_there.system.rates,
+        *claim_there.law.formulas(),
+    ):
         new(formula)
 
 

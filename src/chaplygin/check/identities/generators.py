@@ -192,10 +192,10 @@ class _Solver(Point):
     """A point given by its generators: state and parameters there."""
 
     def __init__(
-        self, generators: Generators, drawn: Mapping[str, arb], functions: Functions
+        self, generators: Generators, sample: Mapping[str, arb], functions: Functions
     ) -> None:
         super().__init__(
-            drawn, generators.claim.system.definitions, {}, functions, generators.settled_formulas
+            sample, generators.claim.system.definitions, {}, functions, generators.settled_formulas
         )
         self._generators = generators
         self._parameters = generators.exchanges
@@ -205,7 +205,7 @@ class _Solver(Point):
     def _prepare(self, formula: Formula) -> None:
         """Definitions are followed as they come."""
 
-    def _named(self, word: str) -> Number:
+    def _symbol_value(self, word: str) -> Number:
         if word in self.values:
             return self.values[word]
         if word in self._open:
@@ -218,17 +218,17 @@ class _Solver(Point):
     def _value_of(self, word: str) -> Number:
         if word in self._places:
             names, number = self._places[word]
-            return _inverse_entry([self._named(n) for n in names], number)
+            return _inverse_entry([self._value_of(n) for n in names], number)
         if word in self._parameters:
             change = self._parameters[word]
-            difference = add(self._named(change.name), multiply(arb(-1), self(change.rest)))
+            difference = add(self._value_of(change.name), multiply(arb(-1), self(change.rest)))
             return difference / arb(fmpq(change.factor.numerator, change.factor.denominator))
         if word in self._generators.settled_formulas:
             return self(self._generators.settled_formulas[word])
         if word in self.definitions:
             return self(self.definitions[word])
         if word in ("pi", "E"):
-            return super()._named(word)
+            return super()._symbol_value(word)
         raise CheckError(f"the generators do not say what {word} is")
 
 

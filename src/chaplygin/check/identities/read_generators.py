@@ -139,9 +139,9 @@ def _read_settled(data: object, claim: Claim, what: str) -> dict[str, Formula]:
     return settled
 
 
-def _check_settled(claim: Claim, settled: Mapping[str, Formula], what: str) -> None:
+def _check_settled(claim: Claim, parameter_formulas: Mapping[str, Formula], what: str) -> None:
     """Check that conditions on parameters alone give the settled ones, by elimination."""
-    if not settled:
+    if not parameter_formulas:
         return
     system = claim.system
     ring = Ring(system.parameters)
@@ -157,14 +157,14 @@ def _check_settled(claim: Claim, settled: Mapping[str, Formula], what: str) -> N
             poly, _ = quotient(condition, ring, value_of, system.definitions)
         except UndefinedError:
             continue
-        for word in sorted(set(settled) - set(solution)):
+        for word in sorted(set(parameter_formulas) - set(solution)):
             value = _linear_solution(poly, word, ring)
             if value is not None:
                 table = [value if n == word else ring.generator(n) for n in ring.names]
                 solution = {n: p.compose(*table) for n, p in solution.items()}
                 solution[word] = value
                 break
-    for word, formula in settled.items():
+    for word, formula in parameter_formulas.items():
         if word not in solution:
             raise CheckError(f"{what} settles {word}, which no condition gives")
         try:

@@ -22,13 +22,13 @@ def check_roots(
     signs: Signs,
     nonzero: frozenset[str],
     entries: Sequence[Entry],
-    matched: Sequence[int | None],
+    matches: Sequence[int | None],
     what: str,
 ) -> None:
     """Check that what stands under the roots of a proof is positive, or that of a law's root."""
     for auxiliary in generators.auxiliary:
         if auxiliary.kind == "formal root":
-            if not _is_radicand(auxiliary, [entries[i] for i in matched if i is not None]):
+            if not _is_radicand(auxiliary, [entries[i] for i in matches if i is not None]):
                 raise CheckError(f"{what}: {auxiliary.name} is no root of the law")
             for poly, _ in auxiliary.whole:
                 if monic(poly)[0] not in nonzero and not signs.of(poly):
@@ -98,12 +98,12 @@ def check_radicands(
     generators: Generators,
     signs: Signs,
     entries: Sequence[Entry],
-    matched: Sequence[int | None],
+    matches: Sequence[int | None],
     what: str,
 ) -> None:
     """Every root of the law is a product of roots of factors with known signs."""
     formal = [a for a in generators.auxiliary if a.kind == "formal root"]
-    for (_, _, exponent), number in zip(generators.domain.positive, matched, strict=False):
+    for (_, _, exponent), number in zip(generators.domain.positive, matches, strict=False):
         if number is None:
             raise CheckError(f"{what} does not say of what factors a root of the law is taken")
         if exponent is not None and any(

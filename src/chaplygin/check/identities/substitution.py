@@ -41,7 +41,7 @@ def expressed_variables(data: object) -> tuple[tuple[str, str], ...]:
 
 def statements(
     claim: Claim,
-    stated: Claim,
+    claim_there: Claim,
     data: object,
     region: Sequence[Formula],
     conditions: Sequence[Condition],
@@ -58,20 +58,20 @@ def statements(
     """
     change = read_change(claim, data, what)
     says: set[str] = with_precision(
-        lambda: _what_is_said(claim, stated, change, region, conditions, what)
+        lambda: _what_is_said(claim, claim_there, change, region, conditions, what)
     )
     return says
 
 
 def _what_is_said(
     claim: Claim,
-    stated: Claim,
+    claim_there: Claim,
     change: Change,
     region: Sequence[Formula],
     conditions: Sequence[Condition],
     what: str,
 ) -> set[str]:
-    new, old = stated.system, claim.system
+    new, old = claim_there.system, claim.system
     circles = {c.angle: c for c in change.circles}
     wanted = []
     for word in old.state:
@@ -81,7 +81,7 @@ def _what_is_said(
             wanted.append(word)
     if sorted(wanted) != sorted(new.state):
         raise CheckError(f"the state of the claim of {what} is not the substituted one")
-    pairs = point_pairs(claim, stated, change, what)
+    pairs = point_pairs(claim, claim_there, change, what)
 
     def equal(first: Formula, second: Formula) -> bool:
         values = [p.old(first) for p in pairs]
@@ -95,8 +95,8 @@ def _what_is_said(
             raise CheckError(
                 f"the rate of {word} in the claim of {what} is not the substituted one"
             )
-    _check_conditions(claim, stated, change, pairs, what)
-    _check_domain(claim, stated, change, conditions, pairs, what)
+    _check_conditions(claim, claim_there, change, pairs, what)
+    _check_domain(claim, claim_there, change, conditions, pairs, what)
     for guard in new.guards:
         if not any(equal(before, guard) for before in old.guards):
             raise CheckError(f"a guard in the claim of {what} is none of the system")
@@ -106,9 +106,9 @@ def _what_is_said(
         if not equal(formula, formula):
             raise CheckError(f"the region of {what} is not the substituted one")
     says = set()
-    if change.graph and says_consistency(claim, stated, change, pairs):
+    if change.graph and says_consistency(claim, claim_there, change, pairs):
         says.add(CONSISTENCY)
-    if says_law(claim, stated, change, pairs):
+    if says_law(claim, claim_there, change, pairs):
         says.add(LAW)
     if not says:
         raise CheckError(f"the law in the claim of {what} is not the substituted one")
@@ -116,7 +116,7 @@ def _what_is_said(
 
 
 def _check_conditions(
-    claim: Claim, stated: Claim, change: Change, pairs: Sequence[PointPair], what: str
+    claim: Claim, claim_there: Claim, change: Change, pairs: Sequence[PointPair], what: str
 ) -> None:
     """Conditions stay, but those that express variables; and points are on circles."""
     left = []
@@ -130,7 +130,7 @@ def _check_conditions(
             f"{what} expresses {len(change.graph)} variables by {expressed_variables} conditions"
         )
     others = []
-    for condition in stated.conditions:
+    for condition in claim_there.conditions:
         values = [pair.new(condition) for pair in pairs]
         index = next((i for i, known in enumerate(left) if agree(values, known)), None)
         if index is None:
@@ -144,7 +144,7 @@ def _check_conditions(
 
 def _check_domain(
     claim: Claim,
-    stated: Claim,
+    claim_there: Claim,
     change: Change,
     conditions: Sequence[Condition],
     pairs: Sequence[PointPair],
@@ -154,7 +154,7 @@ def _check_domain(
 
     That the conditions cut out a volume does not depend on the variables.
     """
-    before, after = (replace(domain(c, {}), gram=False) for c in (claim, stated))
+    before, after = (replace(domain(c, {}), gram=False) for c in (claim, claim_there))
     known = _columns([_of_domain(before, pair.old) for pair in pairs])
     new = _columns([_of_domain(after, pair.new) for pair in pairs])
     known[0] += [[pair.old(c.formula) for pair in pairs] for c in conditions]

@@ -21,7 +21,7 @@ class CommandParameter(Protocol):
 
 
 #: Descriptions by pydantic, and the values that are allowed.
-_ALLOWED = {"valid integer": "a whole number", "valid number": "a number"}
+_DESCRIPTIONS = {"valid integer": "a whole number", "valid number": "a number"}
 
 
 def sentence(error: TyperException) -> str:
@@ -47,7 +47,7 @@ def sentence(error: TyperException) -> str:
         return f"{command}: {_names(parameter)} is missing{_meaning(parameter)}"
     if parameter is not None:
         wrong = error.message
-        for words, allowed in _ALLOWED.items():
+        for words, allowed in _DESCRIPTIONS.items():
             wrong = f"it must be {allowed}" if words in wrong else wrong
         return f"{_option_text(parameter)}: {wrong}"
     if match := re.match(r"No such command '(.*)'\.", error.message, re.DOTALL):

@@ -19,7 +19,7 @@ from ..friction.prescribed import (
     DEGREE,
     HEADING_COEFFICIENTS,
     LATITUDE_COEFFICIENTS,
-    prescribed,
+    prescribed_direction,
 )
 from .compiled import VELOCITY, CompiledContact
 from .mode_integrator import ModeIntegrator, with_values
@@ -152,20 +152,22 @@ def beginning(
         values |= {"patch": patch, "theta_0": latitude}
     first = direction[:3] / np.linalg.norm(direction[:3])
     values |= {f"n_0_{i + 1}": float(x) for i, x in enumerate(first)}
-    stand_in = prescribed(law, mode.range)
+    stand_in = prescribed_direction(law, mode.range)
     laws = tuple(stand_in if item is law else item for item in situation.laws)
     integrator = with_values(contact.mode(mode, replace(situation, laws=laws)), values)
     trial = _Trial(integrator, first, latitude, patch)
     duration = longest
     for _ in range(_ATTEMPTS):
-        result = _collocated(trial, time, state, duration)
+        result = _collocation(trial, time, state, duration)
         if result is not None:
             return result
         duration /= 4
     return None
 
 
-def _collocated(trial: _Trial, time: float, state: FloatArray, duration: float) -> Beginning | None:
+def _collocation(
+    trial: _Trial, time: float, state: FloatArray, duration: float
+) -> Beginning | None:
     """The beginning of a duration; None if there is no such motion."""
     start = np.append(state, 0.0)
     count = DEGREE * (2 if trial.patch else 1)

@@ -135,7 +135,7 @@ class CompiledContact:
         self.situation = situation
         self.tolerance = tolerance
         # equations are prepared once for all situations that differ in parameters alone
-        self._known = {str(p.symbol): float(p.default) for p in free_body_parameters(situation)}
+        self._defaults = {str(p.symbol): float(p.default) for p in free_body_parameters(situation)}
         self._modes: dict[tuple[FrictionalContact, Mode], ModeIntegrator] = {}
         self._names = [str(name) for name in self.mode(FLIGHT).system.symbols]
         self.size = len(self._names)
@@ -156,7 +156,7 @@ class CompiledContact:
 
     def _values_of(self, situation: FrictionalContact) -> dict[str, float]:
         laws = {str(p.symbol): float(p.default) for law in situation.laws for p in law.parameters}
-        return self._known | laws
+        return self._defaults | laws
 
     @property
     def columns(self) -> dict[str, slice]:
@@ -202,25 +202,25 @@ class CompiledContact:
             self._last = (key, self._computed_numbers(state))
         return self._last[1]
 
-    def without_rolling(self, known: ContactNumbers) -> ContactNumbers:
+    def without_rolling(self, numbers: ContactNumbers) -> ContactNumbers:
         """What is known while the rolling is held, as `equations.held_rolling` has it.
 
         Parameters
         ----------
-        known : ContactNumbers
+        numbers : ContactNumbers
             Of a body that may roll.
         """
-        touch, inertia = known.mobility, np.linalg.inv(self._inverse_inertia)
-        given = known.spin * known.gammadot + known.support_turn_rate
+        touch, inertia = numbers.mobility, np.linalg.inv(self._inverse_inertia)
+        given = numbers.spin * numbers.gammadot + numbers.support_turn_rate
         moment = float(touch.gamma @ inertia @ touch.gamma)
-        along = float(touch.gamma @ inertia @ (known.free_turn - given)) / moment
+        along = float(touch.gamma @ inertia @ (numbers.free_turn - given)) / moment
         turn = given + along * touch.gamma
-        change = turn - known.free_turn
+        change = turn - numbers.free_turn
         return replace(
-            known,
+            numbers,
             free_turn=turn,
-            slip_rate=known.slip_rate + np.cross(change, touch.r),
-            spin_rate=known.spin_rate + float(touch.gamma @ change),
+            slip_rate=numbers.slip_rate + np.cross(change, touch.r),
+            spin_rate=numbers.spin_rate + float(touch.gamma @ change),
             mobility=mobility_at(
                 touch.mass, np.outer(touch.gamma, touch.gamma) / moment, touch.r, touch.gamma
             ),
@@ -312,10 +312,10 @@ class _PreparedNumbers:
     names: tuple[str, ...]
     defaults: FloatArray
 
-    def values_of(self, known: Mapping[str, float]) -> FloatArray:
+    def values_of(self, numbers: Mapping[str, float]) -> FloatArray:
         """The parameters of the function."""
         pairs = zip(self.names, self.defaults.tolist(), strict=True)
-        return np.array([known.get(name, value) for name, value in pairs])
+        return np.array([numbers.get(name, value) for name, value in pairs])
 
 
 @lru_cache(maxsize=64)

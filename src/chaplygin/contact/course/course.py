@@ -39,7 +39,7 @@ _PARADOX = (
 )
 
 
-_LIFTED = (
+_NO_RETURN = (
     "friction that does not depend on the normal force lifts the body, which without it would be "
     "pressed into the support: neither contact nor flight is possible"
 )
@@ -75,7 +75,7 @@ class Course(RollingCourse):
 
     def _enter(self) -> None:
         """Choose the mode at the start."""
-        known = self._known()
+        known = self._numbers()
         normal = float(known.mobility.gamma @ known.contact_velocity)
         # the end of another motion, or decimals of a file, may miss the contact by rounding
         slow = abs(normal) <= _LEVEL * self._speed
@@ -90,7 +90,7 @@ class Course(RollingCourse):
 
     def _settle(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
         """Choose the mode of a contact without normal velocity; record an event of a kind."""
-        known = self._known()
+        known = self._numbers()
         slip = float(np.linalg.norm(known.slip))
         arm = (self._dry.patch or self._length) * abs(known.spin)
         threshold = NO_SLIP * self._speed
@@ -111,7 +111,7 @@ class Course(RollingCourse):
 
     def _slide(self) -> None:
         """Slide on, in the range of the present state."""
-        known = self._known()
+        known = self._numbers()
         slip = float(np.linalg.norm(known.slip))
         self.mode = replace(self.mode, touching=True, sliding=True)
         self.mode = replace(self.mode, range=self._range_of(known))
@@ -135,7 +135,7 @@ class Course(RollingCourse):
         paradox = "paradox" in names and values[names.index("paradox")] <= 0
         if N > 0 and not paradox:
             return
-        if paradox and self._known().unheld_rise < 0:
+        if paradox and self._numbers().unheld_rise < 0:
             self._paradox()
         else:
             self._lift_off()
@@ -148,7 +148,7 @@ class Course(RollingCourse):
         spin_at_rest: bool,
     ) -> None:
         """Hold a contact without slip if friction can, or begin to slide."""
-        known = self._known()
+        known = self._numbers()
         sign = 0.0 if spin_at_rest else math.copysign(1.0, known.spin)
         choice = departure(known, self._dry, sign)
         if choice is None or choice.normal_force <= 0:
@@ -172,8 +172,8 @@ class Course(RollingCourse):
 
     def _leave_support(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
         """Leave a support that a contact without slip presses no longer."""
-        strength = float(np.linalg.norm(self._known().free_acceleration))
-        if self._known().unheld_rise < -_LEVEL * strength:
+        strength = float(np.linalg.norm(self._numbers().free_acceleration))
+        if self._numbers().unheld_rise < -_LEVEL * strength:
             if self._dry.never_slips:
                 raise EndError(
                     "pulled",
@@ -188,7 +188,7 @@ class Course(RollingCourse):
 
     def _begin(self, direction: FloatArray) -> None:
         """Slide from zero slip in a first direction (and that of the spin)."""
-        known = self._known()
+        known = self._numbers()
         if self.mode.rolling and self._resists_rolling and not known.rolling.any():
             raise EndError(
                 "no beginning",
@@ -249,9 +249,9 @@ class Course(RollingCourse):
         if not self.mode.sliding:
             self._leave_support(None, self.state)
             return
-        strength = float(np.linalg.norm(self._known().free_acceleration))
-        if self._known().unheld_rise < -_LEVEL * strength:
-            raise EndError("lifted", _LIFTED)
+        strength = float(np.linalg.norm(self._numbers().free_acceleration))
+        if self._numbers().unheld_rise < -_LEVEL * strength:
+            raise EndError("lifted", _NO_RETURN)
         self._take_off()
 
     def _take_off(self) -> None:
@@ -266,7 +266,7 @@ class Course(RollingCourse):
     def _land(self) -> None:
         """An impact, after which the body flies on or stays."""
         before = self.state
-        known = self._known()
+        known = self._numbers()
         normal = float(known.mobility.gamma @ known.contact_velocity)
         if normal > -NO_SLIP * self._speed:
             # a grazing contact
@@ -298,7 +298,7 @@ class Course(RollingCourse):
 
     def _stay(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
         """Go on in contact without normal velocity."""
-        known = self._known()
+        known = self._numbers()
         # without bound, friction has no equations of sliding, and stops a slip in the impact
         if not self._dry.never_slips:
             self._project(Mode(range=self._range_of(known)))
@@ -311,7 +311,7 @@ class Course(RollingCourse):
 
     def _stick(self) -> None:
         """Complete a stop, and hold the contact or leave zero in another direction."""
-        before, known = self.state, self._known()
+        before, known = self.state, self._numbers()
         spin_at_rest = not self.mode.spinning
         slip = frozen_slip(known, self._dry, 0.0 if spin_at_rest else self._spin_sign)
         x = known.mobility.tangents @ known.slip
@@ -337,7 +337,7 @@ class Course(RollingCourse):
         self.time += stop.duration
         self._project(self._mode_at_rest(spin_at_rest))
         column = self.contact.work_column(self._dry.law)
-        self.state[column] += known.energy - self._known().energy
+        self.state[column] += known.energy - self._numbers().energy
         self._leave_rest("stick", before, spin_at_rest=spin_at_rest)
 
     def _slip(self) -> None:
@@ -350,7 +350,7 @@ class Course(RollingCourse):
             # friction falls at once, and sliding begins where its acceleration points
             sign = self._spin_sign if self.mode.spinning else 0.0
             moving = replace(self._dry, static_mu=self._dry.mu)
-            choice = departure(self._known(), moving, sign)
+            choice = departure(self._numbers(), moving, sign)
             if choice is None or choice.holds:
                 raise EndError("no beginning", "static friction ends, but sliding cannot begin")
             direction = choice.direction
@@ -361,7 +361,7 @@ class Course(RollingCourse):
 
     def _change_range(self) -> None:
         if self.mode.sliding:
-            known = self._known()
+            known = self._numbers()
             span = self._range_of(known)
             self._spin_sign = math.copysign(1.0, known.spin)
         else:
@@ -382,7 +382,7 @@ class Course(RollingCourse):
     def _paradox(self) -> None:
         """No motion in contact: end, or take an impact without collision."""
         part = 1.0 if self.rules.on_paradox == "stop" else 2.0
-        jam = after_jam(self._integrator(self.mode), self._known(), self.state, self._speed, part)
+        jam = after_jam(self._integrator(self.mode), self._numbers(), self.state, self._speed, part)
         if jam is not None:
             self.state = jam[0]
             self.time += jam[1]

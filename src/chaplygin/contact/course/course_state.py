@@ -45,7 +45,7 @@ LAST_BOUNCE = 1e-7
 _LEAST_PROGRESS = 1e-12
 
 #: So many events without progress of time end a motion.
-_STUCK = 60
+_MOST_EVENTS = 60
 
 #: After so many steps in one mode Python says how far the motion has come, and acts on Ctrl-C.
 _STRETCH = 2000
@@ -139,10 +139,10 @@ class CourseState:
         self._idle = 0 if outcome.time > self.time else self._idle + 1
         self.time, self.state = outcome.time, outcome.state
         if outcome.guard == "failure" or stalls:
-            if jams(integrator, self._known(), self.state):
+            if jams(integrator, self._numbers(), self.state):
                 return "paradox"
             raise EndError("singular", "; ".join(filter(None, (SINGULAR, self._extremes()))))
-        if self._idle > _STUCK or len(self.events) > self.rules.most_events:
+        if self._idle > _MOST_EVENTS or len(self.events) > self.rules.most_events:
             raise EndError(
                 "many events", f"{len(self.events)} events up to t = {self.time:.9g}: too many"
             )
@@ -191,7 +191,7 @@ class CourseState:
         """Angular velocity of rolling below which it comes to its end."""
         return SLIP_FLOOR * self._speed / self._length * self._rolling_factor
 
-    def _known(self) -> ContactNumbers:
+    def _numbers(self) -> ContactNumbers:
         known = self.contact.numbers(self.state)
         if self.mode.touching and not self.mode.rolling:
             return self.contact.without_rolling(known)
@@ -231,10 +231,10 @@ class CourseState:
             kind = "rest"
         self.events[-1] = replace(last, kind=kind, mode=self.mode.name, after=self.state.copy())
 
-    def _range_of(self, known: ContactNumbers) -> Range:
+    def _range_of(self, numbers: ContactNumbers) -> Range:
         if not self._dry.patch:
             return ""
-        return range_of(float(np.linalg.norm(known.slip)), known.spin, self._dry.patch)
+        return range_of(float(np.linalg.norm(numbers.slip)), numbers.spin, self._dry.patch)
 
     def _mode_at_rest(self, spin_at_rest: bool) -> Mode:
         if self._dry.patch:
@@ -248,7 +248,7 @@ class CourseState:
         """Normal force, and couple about the normal besides that of resistance to rolling."""
         values = self._integrator(mode).outputs(self.state)
         N = float(values["normal_force"])
-        return N, float(values["gamma"] @ (values["friction_couple"] - N * self._known().q))
+        return N, float(values["gamma"] @ (values["friction_couple"] - N * self._numbers().q))
 
     def _last_rebound(self) -> float:
         """Normal velocity of the bounces that are taken together with all that follow them.
@@ -257,19 +257,19 @@ class CourseState:
         """
         length = self._length + float(np.abs(self.state[POSITION]).max())
         height = 100 * np.finfo(float).eps * length
-        rising = math.sqrt(2 * height * abs(self._known().unheld_rise))
+        rising = math.sqrt(2 * height * abs(self._numbers().unheld_rise))
         return max(LAST_BOUNCE * self._speed, rising)
 
     def _rise(self) -> None:
         """Put a flying body above the support, by more than its height is rounded."""
-        known = self._known()
+        known = self._numbers()
         rise = 2e-15 * (self._length + float(np.abs(self.state[POSITION]).max()))
         up = Rotation.from_quat(self.state[ATTITUDE], scalar_first=True).apply(known.mobility.gamma)
         self.state = self.state.copy()
         self.state[POSITION] += max(0.0, rise - known.gap) * up
 
     def _collide(self) -> Impact:
-        known = self._known()
+        known = self._numbers()
         receding = float(known.mobility.gamma @ known.slip)
         result = impact(
             known.mobility,
@@ -287,7 +287,7 @@ class CourseState:
 
     def _push(self, impulse: FloatArray, couple_impulse: float) -> None:
         """Change the velocities by an impulse; the energy lost is work of the impact."""
-        known, state = self._known(), self.state.copy()
+        known, state = self._numbers(), self.state.copy()
         touch = known.mobility
         state[VELOCITY] += touch.velocity_jump(impulse)
         state[OMEGA] += touch.angular_velocity_jump(impulse, couple_impulse)

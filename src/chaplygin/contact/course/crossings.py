@@ -60,7 +60,7 @@ class CrossingCourse(Course):
         As of any course.
     quantity : callable
         Smooth along each piece.  Jumps at events, as of a velocity in an impact, are no passages.
-    accepted : callable
+    accepts : callable
         Whether a crossing counts.
     count : int
         After so many crossings that count the motion ends.
@@ -73,13 +73,13 @@ class CrossingCourse(Course):
         moments: FloatArray,
         rules: Rules,
         quantity: Quantity,
-        accepted: Callable[[Crossing], bool],
+        accepts: Callable[[Crossing], bool],
         count: int,
     ) -> None:
         super().__init__(contact, state, moments, rules)
         self.crossings: list[Crossing] = []
         self._first_time = float(moments[0])
-        self._quantity, self._accepted, self._count = quantity, accepted, count
+        self._quantity, self._accepts, self._count = quantity, accepts, count
 
     def _integrate(self) -> str:
         integrator, begin, state, mode = (
@@ -103,7 +103,7 @@ class CrossingCourse(Course):
         """Note the crossings of a piece."""
         for series in integrator.series(begin, state, end):
             for crossing in self._within(series, integrator, mode):
-                if self._accepted(crossing):
+                if self._accepts(crossing):
                     self.crossings.append(crossing)
                 if len(self.crossings) >= self._count:
                     raise EndError("", "")
@@ -126,7 +126,7 @@ class CrossingCourse(Course):
             slope: FloatArray = np.polynomial.chebyshev.chebder(coefficients).astype(np.float64)
             real = np.sort(roots.real[(np.abs(roots.imag) < 1e-6) & (np.abs(roots.real) <= 1)])
             for x in real.tolist():
-                time = middle + half * self._polished(series, integrator, middle, half, x, slope)
+                time = middle + half * self._polish(series, integrator, middle, half, x, slope)
                 if result and time - result[-1].time <= 1e-12 * (last - first):
                     continue
                 # a start on the section is no return to it
@@ -142,7 +142,7 @@ class CrossingCourse(Course):
     ) -> FloatArray:
         return self._quantity(integrator, series(t).copy())
 
-    def _polished(
+    def _polish(
         self,
         series: hy.continuous_output_dbl,
         integrator: ModeIntegrator,

@@ -17,24 +17,28 @@ from .mode_integrator import ModeIntegrator
 _JAMMING = 1e-3
 
 
-def jams(integrator: ModeIntegrator, known: ContactNumbers, state: FloatArray) -> bool:
+def jams(integrator: ModeIntegrator, numbers: ContactNumbers, state: FloatArray) -> bool:
     """Whether integration ended where B falls to zero, faster than time is resolved.
 
     Parameters
     ----------
     integrator : ModeIntegrator
-    known : ContactNumbers
+    numbers : ContactNumbers
         At `state`.
     state : array (size,)
     """
-    response = _response(integrator, known, state)
-    touch = known.mobility
+    response = _response(integrator, numbers, state)
+    touch = numbers.mobility
     least = _JAMMING * float(touch.gamma @ touch.A @ touch.gamma)
     return bool(np.isfinite(state).all()) and response is not None and response < least
 
 
 def after_jam(
-    integrator: ModeIntegrator, known: ContactNumbers, state: FloatArray, speed: float, part: float
+    integrator: ModeIntegrator,
+    numbers: ContactNumbers,
+    state: FloatArray,
+    speed: float,
+    part: float,
 ) -> tuple[FloatArray, float] | None:
     """State and duration of the fall of B to zero; None if B does not fall.
 
@@ -43,7 +47,7 @@ def after_jam(
     Parameters
     ----------
     integrator : ModeIntegrator
-    known : ContactNumbers
+    numbers : ContactNumbers
         At `state`.
     state : array (size,)
     speed : float
@@ -51,10 +55,10 @@ def after_jam(
     part : float
         1, or 2 for a B that is negative by as much as it was positive.
     """
-    response = _response(integrator, known, state)
+    response = _response(integrator, numbers, state)
     rates = integrator.rates(state)
     short = 1e-9 * speed / float(np.linalg.norm(rates[VELOCITY]))
-    later = _response(integrator, known, state + short * rates)
+    later = _response(integrator, numbers, state + short * rates)
     if response is None or later is None or not 0 < later < response:
         return None
     lasting = 0.5 * response * short / (response - later)
@@ -64,11 +68,13 @@ def after_jam(
     return state + pushed, lasting
 
 
-def _response(integrator: ModeIntegrator, known: ContactNumbers, state: FloatArray) -> float | None:
+def _response(
+    integrator: ModeIntegrator, numbers: ContactNumbers, state: FloatArray
+) -> float | None:
     """B; None in a mode without friction in proportion to the normal force."""
     names = [guard.name for guard in integrator.system.guards]
     if "paradox" not in names:
         return None
     margin = float(integrator.guard_values(state)[names.index("paradox")])
-    touch = known.mobility
+    touch = numbers.mobility
     return margin + JAM * float(touch.gamma @ touch.A @ touch.gamma)

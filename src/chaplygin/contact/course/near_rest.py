@@ -80,18 +80,18 @@ def dry_friction(situation: FrictionalContact) -> DryFriction:
     return DryFriction(0.0, 0.0, arm, "", 0.0, viscous, order)
 
 
-def frozen_slip(known: ContactNumbers, dry: DryFriction, spin_sign: float) -> FrozenSlip:
+def frozen_slip(numbers: ContactNumbers, dry: DryFriction, spin_sign: float) -> FrozenSlip:
     """The rates of the slip with the rest of the state constant.
 
     Parameters
     ----------
-    known : ContactNumbers
+    numbers : ContactNumbers
     dry : DryFriction
     spin_sign : float
         Of the spin; 0 where a couple holds it.
     """
-    touch = known.mobility
-    acceleration = known.slip_rate + known.normal_rate * touch.gamma
+    touch = numbers.mobility
+    acceleration = numbers.slip_rate + numbers.normal_rate * touch.gamma
     if dry.patch:
         return CoupledSlip(
             touch,
@@ -100,12 +100,14 @@ def frozen_slip(known: ContactNumbers, dry: DryFriction, spin_sign: float) -> Fr
             _force_factor,
             _couple_factor,
             acceleration,
-            known.spin_rate,
-            known.q,
+            numbers.spin_rate,
+            numbers.q,
         )
     if dry.spin_arm and not spin_sign:
-        return point_slip_with_spin_at_rest(touch, acceleration, known.spin_rate, dry.mu, known.q)
-    return point_slip(touch, acceleration, dry.mu, -dry.spin_arm * spin_sign, known.q)
+        return point_slip_with_spin_at_rest(
+            touch, acceleration, numbers.spin_rate, dry.mu, numbers.q
+        )
+    return point_slip(touch, acceleration, dry.mu, -dry.spin_arm * spin_sign, numbers.q)
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,46 +140,46 @@ class Departure:
     unique: bool
 
 
-def departure(known: ContactNumbers, dry: DryFriction, spin_sign: float) -> Departure | None:
+def departure(numbers: ContactNumbers, dry: DryFriction, spin_sign: float) -> Departure | None:
     """What a contact without slip does; None if it can neither be held nor begin to slide.
 
     Parameters
     ----------
-    known : ContactNumbers
+    numbers : ContactNumbers
     dry : DryFriction
     spin_sign : float
         Of the spin; 0 where it is zero and a couple may hold it.
     """
     if dry.patch:
-        slip = frozen_slip(known, dry, 0.0)
+        slip = frozen_slip(numbers, dry, 0.0)
         assert isinstance(slip, CoupledSlip)
-        options = _of_rest(known, dry, rest_of_patch(slip, _inside), slip, 0.0)
+        options = _of_rest(numbers, dry, rest_of_patch(slip, _inside), slip, 0.0)
     else:
         signs = (spin_sign,) if spin_sign or not dry.spin_arm else (0.0, 1.0, -1.0)
         options = (
             option
             for sign in signs
-            for option in _at_point(known, dry, sign, changes=sign != spin_sign)
+            for option in _at_point(numbers, dry, sign, changes=sign != spin_sign)
         )
     possible = sorted(options, key=lambda option: not option.holds)
     return possible[0] if possible else None
 
 
 def _at_point(
-    known: ContactNumbers, dry: DryFriction, sign: float, changes: bool
+    numbers: ContactNumbers, dry: DryFriction, sign: float, changes: bool
 ) -> Iterator[Departure]:
     """What is possible at a point while the spin has a sign, or is held (sign 0)."""
-    slip = frozen_slip(known, dry, sign)
+    slip = frozen_slip(numbers, dry, sign)
     assert isinstance(slip, PointSlip)
-    for option in _of_rest(known, dry, rest_of_point(slip, dry.static_mu), slip, sign):
+    for option in _of_rest(numbers, dry, rest_of_point(slip, dry.static_mu), slip, sign):
         if dry.spin_arm and not sign:
             # the couple must be able to hold the spin
             fits = abs(option.couple) <= dry.spin_arm * option.normal_force
         elif changes:
             # the spin that begins must grow
             constant, slope = slip.response.spin
-            friction = known.mobility.tangents @ option.force
-            rate = known.spin_rate + option.normal_force * constant + float(slope @ friction)
+            friction = numbers.mobility.tangents @ option.force
+            rate = numbers.spin_rate + option.normal_force * constant + float(slope @ friction)
             fits = sign * rate > 0
         else:
             fits = True
@@ -186,10 +188,10 @@ def _at_point(
 
 
 def _of_rest(
-    known: ContactNumbers, dry: DryFriction, rest: Rest, slip: FrozenSlip, sign: float
+    numbers: ContactNumbers, dry: DryFriction, rest: Rest, slip: FrozenSlip, sign: float
 ) -> Iterator[Departure]:
     """The contact at rest, if friction can hold it, and slides that grow from it."""
-    tangents, unique = known.mobility.tangents, rest.unique
+    tangents, unique = numbers.mobility.tangents, rest.unique
     if rest.holds:
         force = rest.holding_force @ tangents
         yield Departure(
@@ -231,23 +233,23 @@ def first_direction(dry: DryFriction, N: float, force: FloatArray, couple: float
 
 
 def state_after_stop(
-    known: ContactNumbers, dry: DryFriction, state: FloatArray, stop: Stop
+    numbers: ContactNumbers, dry: DryFriction, state: FloatArray, stop: Stop
 ) -> FloatArray:
     """The state (size,) after the last moment of sliding, but for work and rounding.
 
     Parameters
     ----------
-    known : ContactNumbers
+    numbers : ContactNumbers
         At `state`.
     dry : DryFriction
     state : array (size,)
     stop : Stop
     """
-    touch, lasting = known.mobility, stop.duration
+    touch, lasting = numbers.mobility, stop.duration
     impulse = stop.normal_impulse * touch.gamma + stop.friction_impulse @ touch.tangents
-    after = state + known.rates_of_place * lasting
-    after[VELOCITY] += known.free_acceleration * lasting + touch.velocity_jump(impulse)
-    resistance = touch.inverse_inertia @ known.q * stop.normal_impulse
+    after = state + numbers.rates_of_place * lasting
+    after[VELOCITY] += numbers.free_acceleration * lasting + touch.velocity_jump(impulse)
+    resistance = touch.inverse_inertia @ numbers.q * stop.normal_impulse
     turn = touch.angular_velocity_jump(impulse, stop.couple_impulse) + resistance
-    after[OMEGA] += known.free_turn * lasting + turn
+    after[OMEGA] += numbers.free_turn * lasting + turn
     return after

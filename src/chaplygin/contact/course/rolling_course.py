@@ -45,7 +45,7 @@ class RollingCourse(SpinCourse, ABC):
             return
         self.mode = replace(self.mode, rolling=True)
         restart = rolling_restart(
-            self._integrator(self.mode), self._known(), self.state, size, self.mode.sliding
+            self._integrator(self.mode), self._numbers(), self.state, size, self.mode.sliding
         )
         if restart is None:
             raise EndError("rolling held", _NEITHER)
@@ -58,7 +58,7 @@ class RollingCourse(SpinCourse, ABC):
 
     def _rolling_stop(self) -> None:
         """Rolling comes to its end under resistance: it is held, or the body rolls back."""
-        before, known = self.state, self._known()
+        before, known = self.state, self._numbers()
         mode, integrator = self.mode, self._integrator(self.mode)
         size = float(np.linalg.norm(known.rolling))
         rates = integrator.rates(self.state)
@@ -70,7 +70,7 @@ class RollingCourse(SpinCourse, ABC):
         if self._hold_rolling():
             self._record("rest" if self.mode.name == "rest" else "rolling stop", before)
             return
-        restart = rolling_restart(integrator, self._known(), self.state, size, mode.sliding)
+        restart = rolling_restart(integrator, self._numbers(), self.state, size, mode.sliding)
         if restart is None:
             raise EndError("rolling held", _NEITHER)
         self._roll_back(*restart)
@@ -88,7 +88,7 @@ class RollingCourse(SpinCourse, ABC):
         self._add_piece(held, outcome.time, outcome.samples)
         self.time, self.state = outcome.time, outcome.state
         couple = held.outputs(self.state)["friction_couple"]
-        known = self._known()
+        known = self._numbers()
         integrator, slides = self._integrator(self.mode), self.mode.sliding
         size = self._rolling_floor
         n = direction_of_couple(integrator, known, self.state, size, slides, couple)
@@ -106,7 +106,7 @@ class RollingCourse(SpinCourse, ABC):
     def _turning_rate(self) -> float:
         """A typical rate (1/s) of the motion."""
         speed = float(np.linalg.norm(self.state[OMEGA]))
-        strength = float(np.linalg.norm(self._known().free_acceleration))
+        strength = float(np.linalg.norm(self._numbers().free_acceleration))
         return max(speed, math.sqrt(strength / self._length))
 
     def _roll_back(self, direction: FloatArray, rate: float) -> None:
@@ -115,20 +115,20 @@ class RollingCourse(SpinCourse, ABC):
         # the slower it grows, the less of it may be taken as growing evenly
         self._rolling_factor = min(1.0, max(rate / usual, 1e-6))
         rolling = 2 * self._rolling_floor * direction
-        there = state_with_rolling(self._known(), self.state, rolling, self.mode.sliding)
+        there = state_with_rolling(self._numbers(), self.state, rolling, self.mode.sliding)
         lasting = float(np.linalg.norm(rolling)) / rate
         self._move_on(self._integrator(self.mode).rates(there), lasting, rolling)
         self.time += lasting
 
     def _move_on(self, rates: FloatArray, lasting: float, rolling: FloatArray) -> None:
         """Move through a short time at constant rates, to a given rolling (3,)."""
-        known = self._known()
+        known = self._numbers()
         total = known.energy + float(self.state[WORK:].sum())
         self.state = self.state + lasting * rates
-        self.state = state_with_rolling(self._known(), self.state, rolling, self.mode.sliding)
+        self.state = state_with_rolling(self._numbers(), self.state, rolling, self.mode.sliding)
         self._project(self.mode)
         column = self.contact.work_column(self._law_of_rolling().name)
-        self.state[column] += total - self._known().energy - float(self.state[WORK:].sum())
+        self.state[column] += total - self._numbers().energy - float(self.state[WORK:].sum())
 
     def _hold_rolling(self) -> bool:
         """Hold a rolling that is zero if its resistance can; whether it is held."""
@@ -144,10 +144,10 @@ class RollingCourse(SpinCourse, ABC):
         margins = dict(zip(names, integrator.guard_values(state).tolist(), strict=True))
         if margins["rolling start"] < 0 or margins["lift-off"] <= 0:
             return False
-        lost = self._known().energy
+        lost = self._numbers().energy
         self.mode, self.state = held, state
         column = self.contact.work_column(self._law_of_rolling().name)
-        self.state[column] += lost - self._known().energy
+        self.state[column] += lost - self._numbers().energy
         if margins.get("slip", 1.0) < 0:
             # the resistance changes the friction that holds the contact
             self._leave_rest(None, self.state, spin_at_rest=not spins)
@@ -155,7 +155,7 @@ class RollingCourse(SpinCourse, ABC):
 
     def _spin_stays_zero(self) -> bool:
         """Whether a body that neither slides nor rolls has no spin, and gets none."""
-        known = self._known()
+        known = self._numbers()
         if self.mode.sliding or abs(known.spin) * self._length > NO_SLIP * self._speed:
             return False
         if isinstance(self.contact.situation.surface, Plane):

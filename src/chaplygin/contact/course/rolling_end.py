@@ -24,13 +24,13 @@ _ACCURACY = 1e-9
 
 
 def state_with_rolling(
-    known: ContactNumbers, state: FloatArray, rolling: FloatArray, slips: bool
+    numbers: ContactNumbers, state: FloatArray, rolling: FloatArray, slips: bool
 ) -> FloatArray:
     """The state with another angular velocity of rolling, the slip unchanged.
 
     Parameters
     ----------
-    known : ContactNumbers
+    numbers : ContactNumbers
         At `state`.
     state : array (size,)
     rolling : array (3,)
@@ -39,30 +39,30 @@ def state_with_rolling(
         Whether the velocity of the centre of mass is left alone, and not the slip.
     """
     result = state.copy()
-    change = rolling - known.rolling
+    change = rolling - numbers.rolling
     result[OMEGA] += change
-    jump = np.cross(change, known.r)
-    result[VELOCITY] -= (jump @ known.gamma) * known.gamma if slips else jump
+    jump = np.cross(change, numbers.r)
+    result[VELOCITY] -= (jump @ numbers.gamma) * numbers.gamma if slips else jump
     return result
 
 
-def rolling_rate(known: ContactNumbers, turning: FloatArray) -> FloatArray:
+def rolling_rate(numbers: ContactNumbers, turning: FloatArray) -> FloatArray:
     """Rate (3,) of the angular velocity over the support, with a rate of ω; it is Ω̇ along γ.
 
     The part along the support is the rate of ω_t where that is small.
 
     Parameters
     ----------
-    known : ContactNumbers
+    numbers : ContactNumbers
     turning : array (3,)
         ω̇.
     """
-    return turning - known.support_turn_rate - known.spin * known.gammadot
+    return turning - numbers.support_turn_rate - numbers.spin * numbers.gammadot
 
 
 def direction_of_couple(
     integrator: ModeIntegrator,
-    known: ContactNumbers,
+    numbers: ContactNumbers,
     state: FloatArray,
     size: float,
     slips: bool,
@@ -77,12 +77,12 @@ def direction_of_couple(
     couple : array (3,)
         Its part along the support counts.
     """
-    tangents = known.mobility.tangents
+    tangents = numbers.mobility.tangents
     wanted = tangents @ couple
 
     def resistance(angle: float) -> FloatArray:
         n = np.array([math.cos(angle), math.sin(angle)])
-        there = state_with_rolling(known, state, size * (n @ tangents), slips)
+        there = state_with_rolling(numbers, state, size * (n @ tangents), slips)
         result: FloatArray = tangents @ integrator.outputs(there)["friction_couple"]
         return result
 
@@ -99,7 +99,7 @@ def direction_of_couple(
 
 def rolling_restart(
     integrator: ModeIntegrator,
-    known: ContactNumbers,
+    numbers: ContactNumbers,
     state: FloatArray,
     size: float,
     slips: bool,
@@ -110,7 +110,7 @@ def rolling_restart(
     ----------
     integrator : ModeIntegrator
         Of the mode with rolling.
-    known : ContactNumbers
+    numbers : ContactNumbers
         At `state`.
     state : array (size,)
     size : float
@@ -118,12 +118,12 @@ def rolling_restart(
     slips : bool
         Whether the contact slides.
     """
-    tangents = known.mobility.tangents
+    tangents = numbers.mobility.tangents
 
     def rate(n: FloatArray) -> FloatArray:
-        there = state_with_rolling(known, state, size * (n @ tangents), slips)
+        there = state_with_rolling(numbers, state, size * (n @ tangents), slips)
         turning = integrator.rates(there)[OMEGA]
-        return tangents @ rolling_rate(known, turning)
+        return tangents @ rolling_rate(numbers, turning)
 
     for angle in 2 * math.pi * np.arange(_STARTS) / _STARTS:
         n = np.array([math.cos(angle), math.sin(angle)])

@@ -111,7 +111,7 @@ def free_body(situation: FrictionalContact, touching: bool) -> FreeBody:
     vertical: MatrixExpr = zeta if on_sphere else gamma
     touch = _touch(situation, touching)
     moving_support = _support(surface, vertical)
-    field = _applied(situation, vertical, touch)
+    field = _applied_forces(situation, vertical, touch)
 
     later = (*omega.symbols, *contact_velocity.symbols, gap)
     position_alone, moving = by_dependence(touch.definitions, later)
@@ -186,7 +186,7 @@ def free_body_parameters(situation: FrictionalContact) -> tuple[Parameter, ...]:
     body, surface = situation.body, situation.surface
     touch = _contact(body.shape, surface)
     vertical: MatrixExpr = zeta if isinstance(surface, Sphere) else gamma
-    field = _applied(situation, vertical, touch)
+    field = _applied_forces(situation, vertical, touch)
     return _parameters(body, touch, _support(surface, vertical), field)
 
 
@@ -197,7 +197,7 @@ def _contact(shape: Shape, surface: Surface) -> Contact:
 
 
 def _parameters(
-    body: Body, touch: Contact, support: _Support, field: _Applied
+    body: Body, touch: Contact, support: _Support, field: _AppliedForces
 ) -> tuple[Parameter, ...]:
     return _of_body(body) + touch.parameters + support.parameters + field.parameters
 
@@ -252,7 +252,7 @@ def _support(surface: Surface, vertical: MatrixExpr) -> _Support:
 
 
 @dataclass(frozen=True)
-class _Applied:
+class _AppliedForces:
     """Force and torque of the field, body axes, with their potential energy."""
 
     force: MatrixExpr = zero
@@ -262,11 +262,13 @@ class _Applied:
     parameters: tuple[Parameter, ...] = ()
 
 
-def _applied(situation: FrictionalContact, vertical: MatrixExpr, touch: Contact) -> _Applied:
+def _applied_forces(
+    situation: FrictionalContact, vertical: MatrixExpr, touch: Contact
+) -> _AppliedForces:
     body, field = situation.body, situation.field
-    applied = _Applied()
+    applied = _AppliedForces()
     if field.gravity:
-        applied = _Applied(
+        applied = _AppliedForces(
             force=-m * g * vertical,
             potential=m * g * position.symbols[2],
             parameters=(
@@ -281,7 +283,7 @@ def _applied(situation: FrictionalContact, vertical: MatrixExpr, touch: Contact)
     inertia = Diagonal("I") if body.principal else Symmetric("I")
     known = (*body_parameters(body, inertia), *touch.parameters, *parameters)
     value = by_name(field.potential, (*gamma.symbols, *(p.symbol for p in known)))
-    return _Applied(
+    return _AppliedForces(
         force=applied.force,
         torque=cross(gamma, gradient(value, gamma)),
         potential=applied.potential + U,

@@ -73,18 +73,18 @@ def with_held_rolling(free: FreeBody) -> tuple[Pairs, FreeBody]:
     )
 
 
-def holding_couple_of_rolling(free: FreeBody, held: FreeBody, along_normal: Pairs) -> Pairs:
+def holding_couple_of_rolling(free: FreeBody, held_body: FreeBody, along_normal: Pairs) -> Pairs:
     """The definitions of the reaction with the whole couple, which holds the rolling too.
 
     Parameters
     ----------
-    free, held : FreeBody
+    free, held_body : FreeBody
         Of a body that may roll, and as `with_held_rolling` returns it.
     along_normal : pairs
         The definitions of the reaction; the last one, of the couple, counts along the normal.
     """
     *others, (_, torque) = along_normal
-    turn = held.turn + held.inverse_inertia * (cross(r, reaction) + torque)
+    turn = held_body.turn + held_body.inverse_inertia * (cross(r, reaction) + torque)
     whole = free.inertia * (turn - free_turn) - cross(r, reaction)
     return (*others, (couple, whole))
 

@@ -56,7 +56,7 @@ class FrictionalContact:
     def __post_init__(self) -> None:
         object.__setattr__(self, "laws", tuple(self.laws))
         require_compatible(self.laws)
-        if self.body.filled:
+        if self.body.has_fluid:
             raise InputError(
                 "cavity: a body with fluid inside rolls by a marble or rubber contact alone; with "
                 "friction there may be none"

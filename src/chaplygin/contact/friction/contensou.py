@@ -146,7 +146,7 @@ def limit_polynomial() -> tuple[float, ...]:
     couples = float(COUPLE_AT_ONE) * np.sqrt(1 - ((1 + nodes) / 2) ** 2)
     tiny = np.full(nodes.shape, 1e-6)
     root = elementwise.find_root(
-        lambda sine, wanted: hertz.couple(1 / sine) - wanted,
+        lambda sine, couple: hertz.couple(1 / sine) - couple,
         (tiny, np.ones_like(tiny)),
         args=(couples,),
     )

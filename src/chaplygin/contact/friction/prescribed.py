@@ -109,7 +109,7 @@ class PrescribedDirection(FrictionLaw):
         return Reaction(p=-mu * force * sine * direction, q=-mu * patch * couple * gamma)
 
 
-def prescribed(law: FrictionLaw, span: Range = "") -> PrescribedDirection:
+def prescribed_direction(law: FrictionLaw, span: Range = "") -> PrescribedDirection:
     """What stands in the place of a law of dry friction while sliding begins.
 
     Parameters

@@ -16,7 +16,7 @@ from ...arguments import Parameters, Quantity, arguments_checked
 from ...core.system import Guard, Parameter
 from ...core.vectors import norm_squared, real_symbol
 from ...errors import InputError
-from ...parsing import RESERVED, parse
+from ...parsing import RESERVED_WORDS, parse
 from .friction_law import FrictionLaw, Reaction
 from .modes import Mode
 from .symbols import (
@@ -275,25 +275,29 @@ def _parameter(name: str) -> sp.Symbol:
     return real_symbol(f"user_{name}")
 
 
-def _formula(key: str, written: Quantity, known: Mapping[str, sp.Symbol]) -> sp.Expr:
+def _formula(key: str, text: Quantity, symbols: Mapping[str, sp.Symbol]) -> sp.Expr:
     """A formula as typed or as a SymPy expression, in known symbols."""
-    if isinstance(written, str):
+    if isinstance(text, str):
         try:
-            return parse(written, known)
+            return parse(text, symbols)
         except InputError as error:
             raise InputError(f"{key}: {error.message}") from None
-    formula = sp.sympify(written)
-    formula = formula.xreplace({s: known[s.name] for s in formula.free_symbols if s.name in known})
-    unknown = sorted(map(str, formula.free_symbols - set(known.values())))
+    formula = sp.sympify(text)
+    formula = formula.xreplace(
+        {s: symbols[s.name] for s in formula.free_symbols if s.name in symbols}
+    )
+    unknown = sorted(map(str, formula.free_symbols - set(symbols.values())))
     if unknown:
-        raise InputError(f"{key}: {', '.join(unknown)} is not known; it may use {', '.join(known)}")
+        raise InputError(
+            f"{key}: {', '.join(unknown)} is not known; it may use {', '.join(symbols)}"
+        )
     return formula
 
 
 def _checked_values(values: Parameters) -> tuple[tuple[str, float], ...]:
     given = {str(name): float(cast(float, value)) for name, value in (values or {}).items()}
     for name, value in given.items():
-        if not name.isidentifier() or name in RESERVED or name in VARIABLES["force"]:
+        if not name.isidentifier() or name in RESERVED_WORDS or name in VARIABLES["force"]:
             raise InputError(
                 f"values: {name!r} is no free name; a name is a letter followed by letters, digits "
                 "and underscores, and neither a function nor a variable"

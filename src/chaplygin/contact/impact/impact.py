@@ -139,7 +139,7 @@ def impact(
     >>> [phase.mode for phase in result.phases]
     ['sliding', 'sticking']
     """
-    u = _checked(velocity, spin, mu, spin_arm, restitution, law)
+    u = _checked_input(velocity, spin, mu, spin_arm, restitution, law)
     friction_law = _sliding_friction(mu, viscous, order)
     approach = float(mobility.gamma @ u)
     scale = float(np.linalg.norm(u))
@@ -235,7 +235,7 @@ def zeno_closure(
     InputError
         If sliding friction turns a normal impulse into approach (B ≤ 0).
     """
-    u = _checked(velocity, spin, mu, spin_arm, 0.0, "stronge")
+    u = _checked_input(velocity, spin, mu, spin_arm, 0.0, "stronge")
     sliding = _sliding_friction(mu, viscous, order)
     gamma, tangents = mobility.gamma, mobility.tangents
     slip = tangents @ u
@@ -268,7 +268,7 @@ def _sliding_friction(mu: float, viscous: float, order: float) -> SlidingFrictio
     return SlidingFriction(mu, viscous, order)
 
 
-def _checked(
+def _checked_input(
     velocity: npt.ArrayLike,
     spin: float,
     mu: float,

@@ -55,7 +55,7 @@ class Segment:
     work: FloatArray
 
 
-def _padded(first: float, rest: FloatArray) -> FloatArray:
+def _with_constant(first: float, rest: FloatArray) -> FloatArray:
     series = rest.copy()
     series[0] += first
     return series
@@ -79,7 +79,7 @@ def _segment(
     """Everything else from the friction impulse."""
     impulse = weight * clock
     spin, normal = (
-        _padded(first, rate[0] * impulse + rate[1] @ friction)
+        _with_constant(first, rate[0] * impulse + rate[1] @ friction)
         for first, rate in zip(start, (response.spin, response.normal), strict=True)
     )
     couple = response.couple[0] * impulse + response.couple[1] @ friction

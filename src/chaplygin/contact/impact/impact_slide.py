@@ -202,7 +202,7 @@ def slide(
     scale = max(speed, abs(normal.constant))
     pars = np.zeros(_PARAMETERS)
     pars[:6] = *(beta / unit), *(mu / unit * A.ravel())
-    pars[6:10] = _scaled(normal, clock, force, scale)
+    pars[6:10] = _coefficients(normal, clock, force, scale)
     pars[10] = float(ends.compressing)
     pars[11:15] = ends.work * clock * scale, ends.clock * clock, ends.normal * scale, ends.offset
     size = float(np.abs(pars[11:15]).max())
@@ -213,7 +213,7 @@ def slide(
     pars[15] = 1.0
     if ends.spin is not None:
         size = max(abs(ends.spin.constant), abs(ends.spin.normal) * clock, 1e-300)
-        pars[15:19] = _scaled(ends.spin, clock, force, size)
+        pars[15:19] = _coefficients(ends.spin, clock, force, size)
     if ends.couple is not None:
         pars[19:22] = ends.couple
     pars[22:] = (mu - friction.mu) / mu if friction.viscous else 0.0, friction.order
@@ -237,7 +237,7 @@ def slide(
     )
 
 
-def _scaled(quantity: Linear, clock: float, force: float, scale: float) -> FloatArray:
+def _coefficients(quantity: Linear, clock: float, force: float, scale: float) -> FloatArray:
     terms = quantity.constant, quantity.normal * clock, *(force * quantity.friction)
     return np.array(terms) / scale
 
@@ -245,10 +245,10 @@ def _scaled(quantity: Linear, clock: float, force: float, scale: float) -> Float
 @lru_cache(maxsize=2)
 def _integrator(viscous: bool) -> hy.taylor_adaptive:
     name = code_cache.code_name("impact slide", "3", str(viscous))
-    return code_cache.remember(name, lambda: _compiled(viscous))[0]
+    return code_cache.remember(name, lambda: _compile_integrator(viscous))[0]
 
 
-def _compiled(viscous: bool) -> hy.taylor_adaptive:
+def _compile_integrator(viscous: bool) -> hy.taylor_adaptive:
     names = n1, n2, w, p, f1, f2, work = hy.make_vars("n1", "n2", "w", "p", "f1", "f2", "work")
     q = [hy.par[i] for i in range(_PARAMETERS)]
     # the friction relative to that at the start, against the direction n

@@ -42,14 +42,14 @@ k, slip = Vector("k"), Vector("slip")
 SOURCE = "§11.3"
 
 
-def _unspecified(name: str) -> MatrixExpr:
+def _function_vector(name: str) -> MatrixExpr:
     """A vector of three functions of v, ω and γ of which nothing is known."""
     arguments = (*v.symbols, *omega.symbols, *gamma.symbols)
     return constant([sp.Function(f"{name}_{i}")(*arguments) for i in (1, 2, 3)])
 
 
 #: Force and couple of a support of which nothing is known, body axes.
-ANY_FORCE, ANY_COUPLE = _unspecified("R_c"), _unspecified("K_c")
+ANY_FORCE, ANY_COUPLE = _function_vector("R_c"), _function_vector("K_c")
 
 
 @arguments_checked

@@ -78,7 +78,7 @@ def expected_minors() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     )
 
 
-def linearised(system: System) -> sp.ImmutableMatrix:
+def linearisation(system: System) -> sp.ImmutableMatrix:
     """The matrix (3, 3) of a sliding top's equations about the vertical rotation.
 
     Parameters
@@ -100,7 +100,7 @@ def linearised(system: System) -> sp.ImmutableMatrix:
     steady |= {omega.symbols[2]: n, gamma.symbols[2]: sp.S.One}
     rates = dict(zip(system.symbols, system.rates, strict=True))
     slope = sp.Matrix(6, 6, lambda j, k: 0)
-    needed, epsilon = _needed(system), sp.Symbol("epsilon")
+    needed, epsilon = _required_definitions(system), sp.Symbol("epsilon")
     for column, symbol in enumerate(ACROSS):
         nearby = {s: value + (epsilon if s == symbol else 0) for s, value in steady.items()}
         known = dict(nearby)
@@ -115,7 +115,7 @@ def linearised(system: System) -> sp.ImmutableMatrix:
     return _complex(slope)
 
 
-def _needed(system: System) -> set[sp.Symbol]:
+def _required_definitions(system: System) -> set[sp.Symbol]:
     """The definitions on which the rates depend."""
     return {name for name, _ in system.required_definitions(system.rates)}
 
@@ -136,7 +136,7 @@ def _complex(slope: sp.Matrix) -> sp.ImmutableMatrix:
 
 def characteristic_difference(system: System) -> sp.Expr:
     """det(λ − in − M) m I₁ less P(λ), for the linearised equations M with κ = νmg; zero."""
-    matrix = linearised(system)
+    matrix = linearisation(system)
     determinant = ((rate - sp.I * n) * sp.eye(3) - matrix).det() * m * I_1
     polynomial = characteristic_polynomial().subs(kappa, nu * m * g)
     return sp.simplify(sp.expand(determinant - polynomial))

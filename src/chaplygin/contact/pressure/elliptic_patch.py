@@ -91,17 +91,17 @@ class EllipticHertz:
 
     def potential(self, d: npt.ArrayLike) -> FloatArray:
         """The mean distance ψ (m) of the pressure from points d, shape (..., 2) (m)."""
-        return self._integrated(d, self._potential_inside, self._potential_outside)[..., 0]
+        return self._integral(d, self._potential_inside, self._potential_outside)[..., 0]
 
     def gradient(self, d: npt.ArrayLike) -> FloatArray:
         """The gradient of ψ at points d, shape (..., 2)."""
-        return self._integrated(d, self._gradient_inside, self._gradient_outside)
+        return self._integral(d, self._gradient_inside, self._gradient_outside)
 
     def couple(self, d: npt.ArrayLike) -> FloatArray:
         """ψ − d·∇ψ (m), the couple in units of μN; without cancellation for distant d."""
-        return self._integrated(d, self._couple_inside, self._couple_outside)[..., 0]
+        return self._integral(d, self._couple_inside, self._couple_outside)[..., 0]
 
-    def _integrated(
+    def _integral(
         self, d: npt.ArrayLike, inside: PointFunction, outside: PointFunction
     ) -> FloatArray:
         """Values at points, by one integral in the patch and another one around it."""

@@ -24,7 +24,7 @@ STRAIGHT = 1e-11
 #: long before it ends; turning below the second part of that rate has nearly done so.
 WEAK, SETTLED = 1e-2, 1e-3
 #: Growth of the logarithm after which a slip is not about to stop.
-GROWN = 5.0
+LARGEST_GROWTH = 5.0
 #: Longest way in θ, in units of the rate at its start.
 LONGEST = 1e5
 #: Relative accuracy of the integration.
@@ -118,7 +118,7 @@ def finish_stop(slip: FrozenSlip, direction: FloatArray, size: float) -> Stop:
     if isinstance(slip, PointSlip):
         return _stop_at_point(slip, n, size)
     width = len(n)
-    state = _followed(slip, n, min(END - float(np.log(size)), 0.0))
+    state = _slip_integration(slip, n, min(END - float(np.log(size)), 0.0))
     last = state[:width] / np.linalg.norm(state[:width])
     growth, _ = growth_and_turning(slip, last)
     if growth >= 0:
@@ -205,7 +205,7 @@ def _row(slip: FrozenSlip, n: FloatArray) -> FloatArray:
     return np.array([1.0, pressure, *friction, couple])
 
 
-def _followed(slip: FrozenSlip, n: FloatArray, end: float) -> FloatArray:
+def _slip_integration(slip: FrozenSlip, n: FloatArray, end: float) -> FloatArray:
     """Direction, ln(s/ε), and time and impulses over ε, where the slip goes straight or ends."""
     from scipy.integrate import solve_ivp
 
@@ -227,13 +227,13 @@ def _followed(slip: FrozenSlip, n: FloatArray, end: float) -> FloatArray:
         growth, turning = parts(state)[1:]
         return float(np.linalg.norm(turning)) - STRAIGHT * max(abs(growth), whole)
 
-    def gone(_: float, state: FloatArray) -> float:
-        return float((state[width] - end) * (GROWN - state[width]))
+    def end_of_slip(_: float, state: FloatArray) -> float:
+        return float((state[width] - end) * (LARGEST_GROWTH - state[width]))
 
     state = np.concatenate([n, np.zeros(6)])
     if straight(0.0, state) <= 0 or end == 0:
         return state
-    for event in (straight, gone):
+    for event in (straight, end_of_slip):
         setattr(event, "terminal", True)  # noqa: B010  (a function has no such attribute)
     solution = solve_ivp(
         rates,
@@ -242,9 +242,9 @@ def _followed(slip: FrozenSlip, n: FloatArray, end: float) -> FloatArray:
         method="DOP853",
         rtol=TOLERANCE,
         atol=TOLERANCE,
-        events=(straight, gone),
+        events=(straight, end_of_slip),
     )
     last: FloatArray = solution.y[:, -1]
-    if solution.status != 1 or last[width] > 0.5 * GROWN:
+    if solution.status != 1 or last[width] > 0.5 * LARGEST_GROWTH:
         raise RunError("the slip does not shrink to zero", 0.0)
     return last

@@ -24,7 +24,7 @@ EventVariable: TypeAlias = tuple[
 _ELSEWHERE = ("position", "v")
 
 #: So many events stand in the attribute with their text; all are in the variables.
-_WRITTEN = 100
+_MOST_EVENTS = 100
 
 _WORKS = {
     "work_impact": "work lost in impacts",
@@ -55,9 +55,9 @@ def contact_dataset(trajectory: ContactTrajectory, samples: xr.Dataset) -> xr.Da
     dataset = dataset.assign(_event_variables(trajectory))
     dataset = dataset.assign_coords(state=("state", _columns(trajectory), _STATE))
     lines = [str(event) for event in trajectory.events]
-    if len(lines) > _WRITTEN + 1:
-        more = f"... {len(lines) - _WRITTEN - 1} more events: see event_time and event_kind"
-        lines = [*lines[:_WRITTEN], more, lines[-1]]
+    if len(lines) > _MOST_EVENTS + 1:
+        more = f"... {len(lines) - _MOST_EVENTS - 1} more events: see event_time and event_kind"
+        lines = [*lines[:_MOST_EVENTS], more, lines[-1]]
     return dataset.assign_attrs(
         events="\n".join(lines),
         end_time=float(trajectory.times[-1]),

@@ -56,8 +56,8 @@ class ContactTrajectory(Trajectory):
     @property
     def drift(self) -> float:
         """Largest change of energy with all work lost, relative to the energies that occur."""
-        balance = self.recorded[f"law_{BALANCE}"]
-        sizes = [self.recorded["energy"], *self.works.values()]
+        balance = self.records[f"law_{BALANCE}"]
+        sizes = [self.records["energy"], *self.works.values()]
         size = max(float(np.abs(values).max()) for values in sizes)
         change = float(np.abs(balance - balance[0]).max())
         return change / size if size else change
@@ -81,7 +81,7 @@ def work_names(system: System) -> list[str]:
 
 
 def contact_trajectory(
-    compiled: CompiledContact,
+    machine: CompiledContact,
     system: System,
     state: FloatArray,
     times: FloatArray,
@@ -92,7 +92,7 @@ def contact_trajectory(
 
     Parameters
     ----------
-    compiled : CompiledContact
+    machine : CompiledContact
     system : System
         The equations of one of its modes, with the title of the motion.
     state : array (size,)
@@ -113,7 +113,7 @@ def contact_trajectory(
     began = clock.perf_counter()
     interrupted = False
     try:
-        motion = contact_motion(compiled, state, times, rules, progress=progress)
+        motion = contact_motion(machine, state, times, rules, progress=progress)
     except InterruptedMotionError as stop:
         motion, interrupted = stop.partial, True
     stopped = motion.reason and not interrupted
@@ -127,18 +127,18 @@ def contact_trajectory(
         parameters=system.defaults,
         times=motion.times,
         states=motion.states,
-        recorded=recorded,
+        records=recorded,
         events=_events(motion),
         statistics=Statistics(
             steps=motion.steps,
-            order=compiled.mode(FLIGHT).code.integrator.order,
-            tolerance=compiled.tolerance,
+            order=machine.mode(FLIGHT).code.integrator.order,
+            tolerance=machine.tolerance,
             precision="double",
             corrections=0,
             seconds=clock.perf_counter() - began,
             from_cache=False,
         ),
-        contact=compiled.situation,
+        contact=machine.situation,
         rules=rules,
         modes=motion.modes,
         changes=tuple(motion.events),

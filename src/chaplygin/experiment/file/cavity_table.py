@@ -7,7 +7,7 @@ from typing import Annotated, cast
 
 from pydantic import Field, field_serializer, field_validator
 
-from ...mechanics.rolling.cavity import UNTURNED, Cavity
+from ...mechanics.rolling.cavity import IDENTITY, Cavity
 from .table import THREE, Number, Table, Vector
 
 Quaternion = tuple[Number, Number, Number, Number]
@@ -23,7 +23,7 @@ class CavityTable(Table):
     mass: Annotated[Number, Field(ge=0)] = Field(description="a finite number not below zero")
     """Of the fluid; it adds to the mass of the body."""
     turn: Quaternion = Field(
-        default=UNTURNED, description="4 finite numbers w, x, y, z with at least one not zero"
+        default=IDENTITY, description="4 finite numbers w, x, y, z with at least one not zero"
     )
     """Quaternion that turns the axes of the cavity into its axes in the body; any length."""
     centre: Vector = Field(default=(0.0, 0.0, 0.0), description=THREE)

@@ -20,7 +20,7 @@ FRICTION_COEFFICIENT = "a number not below zero, or inf"
 Coefficient = Annotated[Number, Field(ge=0)]
 
 
-def _unlimited(value: object) -> object:
+def _infinity(value: object) -> object:
     """The word inf as the number."""
     return math.inf if value == "inf" else value
 
@@ -34,7 +34,7 @@ def _not_below_zero(value: float) -> float:
 FrictionCoefficient = Annotated[
     Number,
     Field(allow_inf_nan=True),
-    BeforeValidator(_unlimited),
+    BeforeValidator(_infinity),
     AfterValidator(_not_below_zero),
 ]
 

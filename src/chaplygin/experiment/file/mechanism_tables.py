@@ -58,9 +58,9 @@ class _ValueWithNotes(Table):
         return value if isinstance(value, dict | cls) else {"value": value}
 
     @model_serializer(mode="wrap")
-    def _as_given(self, serialised: Callable[[Self], Tables]) -> object:
+    def _as_given(self, serialise: Callable[[Self], Tables]) -> object:
         text = {
-            key: value for key, value in serialised(self).items() if value not in (None, "", (), [])
+            key: value for key, value in serialise(self).items() if value not in (None, "", (), [])
         }
         return text.get("value") if set(text) == {"value"} else text
 

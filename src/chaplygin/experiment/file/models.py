@@ -35,7 +35,7 @@ from .toml import Key, Tables
 from .validation import validation_messages
 
 #: Tables that describe a system by themselves.
-DESCRIBED = ("lagrangian", "equations")
+DESCRIPTION_TABLES = ("lagrangian", "equations")
 
 
 Experiment = (
@@ -244,8 +244,8 @@ def _model(tables: Tables) -> type[Experiment]:
 
 def _check_one_description(tables: Tables, source: Source) -> None:
     """Refuse a Lagrangian or equations beside another description of what moves."""
-    first, *others = [n for n in (*DESCRIBED, "system", "body") if n in tables] or [""]
-    if first in DESCRIBED and others:
+    first, *others = [n for n in (*DESCRIPTION_TABLES, "system", "body") if n in tables] or [""]
+    if first in DESCRIPTION_TABLES and others:
         where = source.where((others[0],))
         raise InputError(f"must be absent, as [{first}] says already what moves", where)
 

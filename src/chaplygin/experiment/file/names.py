@@ -13,16 +13,16 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.vectors import Vector, real_symbol
 from ...errors import InputError
 from ...mechanics.lagrangian.mechanism import TIME
-from ...parsing import PRODUCTS, RESERVED, Formula, Named, nearest, parse_formula
+from ...parsing import PRODUCTS, RESERVED_WORDS, Formula, NamedQuantity, nearest, parse_formula
 from .described_models import OwnExperiment
 
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
-_SIZED = re.compile(r"(.*?)(?:\[([234])\])?", re.DOTALL)
+_SIZE = re.compile(r"(.*?)(?:\[([234])\])?", re.DOTALL)
 
 
-def components(named: Named) -> tuple[sp.Symbol, ...]:
+def components(quantity: NamedQuantity) -> tuple[sp.Symbol, ...]:
     """A named quantity by its scalars."""
-    return (named,) if isinstance(named, sp.Symbol) else tuple(named.symbols)
+    return (quantity,) if isinstance(quantity, sp.Symbol) else tuple(quantity.symbols)
 
 
 @dataclass(frozen=True)
@@ -36,9 +36,9 @@ class Names:
     """
 
     experiment: OwnExperiment
-    known: dict[str, Named] = field(default_factory=lambda: {str(TIME): TIME})
+    by_name: dict[str, NamedQuantity] = field(default_factory=lambda: {str(TIME): TIME})
 
-    def declare(self, text: str, *key: str) -> Named:
+    def declare(self, text: str, *key: str) -> NamedQuantity:
         """A new name: ``x`` for a number, ``gamma[3]`` for a vector.
 
         Raises
@@ -46,31 +46,31 @@ class Names:
         InputError
             If it is no name, has a meaning already, or stands for something else too.
         """
-        match = _SIZED.fullmatch(text)
+        match = _SIZE.fullmatch(text)
         name, size = match.groups() if match else (text, None)
         return self.add(Vector(name, int(size)) if size else real_symbol(name), *key)
 
-    def add(self, named: Named, *key: str) -> Named:
+    def add(self, quantity: NamedQuantity, *key: str) -> NamedQuantity:
         """A new quantity under its own name."""
-        name = str(named)
+        name = str(quantity)
         if _NAME.fullmatch(name) is None:
             raise self.error(
                 f"'{name}' is no name; a name has letters, digits and _, and a vector its size "
                 "in brackets, as in gamma[3]",
                 *key,
             )
-        words = {*self.known, *(str(s) for n in self.known.values() for s in components(n))}
-        if name in RESERVED | PRODUCTS | {str(TIME)} or keyword.iskeyword(name):
+        words = {*self.by_name, *(str(s) for n in self.by_name.values() for s in components(n))}
+        if name in RESERVED_WORDS | PRODUCTS | {str(TIME)} or keyword.iskeyword(name):
             raise self.error(f"the name '{name}' has a meaning already; choose another", *key)
-        for word in (name, *map(str, components(named))):
+        for word in (name, *map(str, components(quantity))):
             if word in words:
                 raise self.error(f"'{word}' stands for two things; rename one of them", *key)
-        self.known[name] = named
-        return named
+        self.by_name[name] = quantity
+        return quantity
 
-    def get(self, name: str, among: Iterable[Named], *key: str) -> Named:
+    def get(self, name: str, among: Iterable[NamedQuantity], *key: str) -> NamedQuantity:
         """The quantity of that name, one of these or a component of one."""
-        quantities: dict[str, Named] = {}
+        quantities: dict[str, NamedQuantity] = {}
         for named in among:
             quantities[str(named)] = named
             quantities |= {str(s): s for s in components(named)}
@@ -80,7 +80,7 @@ class Names:
 
     def formula(self, text: str, *key: str) -> Formula:
         """A formula that stands at that place, scalar or vector."""
-        return parse_formula(text, self.known, self.experiment.where(*key))
+        return parse_formula(text, self.by_name, self.experiment.where(*key))
 
     def scalar(self, text: str, *key: str) -> sp.Expr:
         """A formula that must be a number."""
@@ -89,12 +89,16 @@ class Names:
             raise self.error(f"must be a number, and '{text}' is a vector", *key)
         return value
 
-    def like(self, named: Named, text: str, *key: str) -> Formula:
+    def like(self, quantity: NamedQuantity, text: str, *key: str) -> Formula:
         """A formula of the size of a named quantity."""
         value = self.formula(text, *key)
-        wanted = len(named.symbols) if isinstance(named, Vector) else 0
+        wanted = len(quantity.symbols) if isinstance(quantity, Vector) else 0
         if _size(value) != wanted:
-            kind = f"a vector of {wanted}, as {named} is" if wanted else f"a number, as {named} is"
+            kind = (
+                f"a vector of {wanted}, as {quantity} is"
+                if wanted
+                else f"a number, as {quantity} is"
+            )
             raise self.error(f"must be {kind}", *key)
         return value
 

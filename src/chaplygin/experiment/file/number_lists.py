@@ -13,14 +13,14 @@ from .validation import value_text
 Setting: TypeAlias = float | tuple[float, ...] | tuple[tuple[float, ...], ...]
 
 
-def given_numbers(value: object, wanted: str) -> float | tuple[float, ...]:
+def given_numbers(value: object, expectation: str) -> float | tuple[float, ...]:
     """A number, or numbers in brackets.
 
     Parameters
     ----------
     value : object
         As TOML gives it.
-    wanted : str
+    expectation : str
         What it must be, in words.
 
     Raises
@@ -32,11 +32,11 @@ def given_numbers(value: object, wanted: str) -> float | tuple[float, ...]:
     numbers = [_finite(x) for x in listed]
     finite = tuple(x for x in numbers if x is not None)
     if not finite or len(finite) < len(listed):
-        raise ValueError(f"must be {wanted}, not {value_text(value)}{_decimal(value)}")
+        raise ValueError(f"must be {expectation}, not {value_text(value)}{_decimal(value)}")
     return finite if isinstance(value, list | tuple) else finite[0]
 
 
-def given_rows(value: object, wanted: str) -> Setting:
+def given_rows(value: object, expectation: str) -> Setting:
     """A number, numbers in brackets, or rows of them.
 
     Raises
@@ -45,9 +45,9 @@ def given_rows(value: object, wanted: str) -> Setting:
         If it is something else.
     """
     if isinstance(value, list | tuple) and value and isinstance(value[0], list | tuple):
-        rows = tuple(given_numbers(row, wanted) for row in value)
+        rows = tuple(given_numbers(row, expectation) for row in value)
         return tuple(row if isinstance(row, tuple) else (row,) for row in rows)
-    return given_numbers(value, wanted)
+    return given_numbers(value, expectation)
 
 
 def _finite(value: object) -> float | None:

@@ -39,7 +39,7 @@ class Source:
     name: str
     text: str
     overrides: tuple[str, ...] = ()
-    given: Mapping[str, object] = field(default_factory=dict)
+    tables_given: Mapping[str, object] = field(default_factory=dict)
     short: Mapping[str, Key] = field(default_factory=dict)
 
     def tables(self) -> Tables:
@@ -52,7 +52,7 @@ class Source:
             leads through something that is no table.
         """
         try:
-            tables = deepcopy(dict(self.given)) | tomllib.loads(self.text)
+            tables = deepcopy(dict(self.tables_given)) | tomllib.loads(self.text)
         except RecursionError:
             raise InputError("not valid TOML: too deeply nested", self.name) from None
         except ValueError as error:

@@ -23,7 +23,7 @@ from pydantic import (
 
 from ...core.system import Parameter
 from ...core.vectors import real_symbol
-from ...parsing import RESERVED, parse
+from ...parsing import RESERVED_WORDS, parse
 
 Number = Annotated[float, Strict()]
 Positive = Annotated[Number, Field(gt=0)]
@@ -91,7 +91,7 @@ class FormulaTable(Table):
                 raise ValueError(
                     f"'{name}' cannot be used in a formula; a name has letters, digits and _"
                 )
-            if name in RESERVED or name in _MEANT or name in cls.variables:
+            if name in RESERVED_WORDS or name in _CORRECTIONS or name in cls.variables:
                 raise ValueError(f"the name '{name}' has a meaning already; choose another")
         return parameters
 
@@ -111,7 +111,7 @@ class FormulaTable(Table):
         return text
 
 
-_MEANT = frozenset(
+_CORRECTIONS = frozenset(
     ["m", "g", "x", "y", "z", *(f"{letter}_{i}" for letter in ("gamma", "I") for i in (1, 2, 3))]
 )
 

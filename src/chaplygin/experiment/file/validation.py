@@ -90,7 +90,7 @@ class _Place:
     table: object = None
 
     @property
-    def allowed(self) -> str:
+    def allowed_values(self) -> str:
         """The values that are allowed here, in words."""
         if self.field:
             return str(self.field.description)
@@ -161,7 +161,7 @@ def _as_written(data: object, key: Key) -> Key:
 
 
 def _sentence(details: ErrorDetails, place: _Place, value: object) -> tuple[Key, str]:
-    allowed = place.allowed
+    allowed = place.allowed_values
     context = details.get("ctx", {})
     match details["type"]:
         case "missing" if details["loc"][-1] == place.key[-1]:

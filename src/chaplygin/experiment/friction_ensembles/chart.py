@@ -80,19 +80,21 @@ class ContactChart:
 
     def values(self, place: Mapping[str, float]) -> Mapping[str, float | FloatArray]:
         """The numbers of the file at a place of the plane."""
-        known = {**_known(self.experiment), **place}
+        known = {**_file_numbers(self.experiment), **place}
         given = {name for name, _ in self.formulas}
         used = {name for _, text in self.formulas for name in _names_in(text, tuple(known))}
-        direct = {n: v for n, v in place.items() if n not in used or n in _known(self.experiment)}
+        direct = {
+            n: v for n, v in place.items() if n not in used or n in _file_numbers(self.experiment)
+        }
         formulas = {name: _formula(text, tuple(known)) for name, text in self.formulas}
         values = {name: float(f(*[known[n] for n in used])) for name, (f, used) in formulas.items()}
         return {n: v for n, v in direct.items() if n not in given} | values
 
 
 @lru_cache(maxsize=8)
-def _known(experiment: str) -> dict[str, float]:
+def _file_numbers(experiment: str) -> dict[str, float]:
     """Numbers of the file that formulas may use."""
-    return FileNumbers(friction_experiment(experiment)).known()
+    return FileNumbers(friction_experiment(experiment)).values_by_name()
 
 
 @lru_cache(maxsize=256)
@@ -151,7 +153,7 @@ def contact_chart(
     experiment = study.complete_toml()
     numbers = FileNumbers(friction_experiment(experiment))
     texts = dict(formulas or {})
-    names = (*numbers.known(), x.name, y.name)
+    names = (*numbers.values_by_name(), x.name, y.name)
     used = {n for name, text in texts.items() for n in _names_in(text, names, f"{name} = {text}")}
     for name in texts:
         numbers.path(name)
@@ -165,8 +167,8 @@ def contact_chart(
     return ContactChart(
         experiment,
         number,
-        _described(numbers, x),
-        _described(numbers, y),
+        _labelled_axis(numbers, x),
+        _labelled_axis(numbers, y),
         tuple(texts.items()),
         tuple(np.linspace(0.0, span, len(study.times)).tolist()),
         study.experiment.run.tolerance if tolerance is None else tolerance,
@@ -182,13 +184,13 @@ def _require_number(numbers: FileNumbers, name: str) -> None:
             raise InputError(f"{problem.message} in --let, with an axis of another name") from None
         raise InputError(
             f"{name}: the experiment has no number of this name, and no formula uses it"
-            f"{nearest(name, numbers.known())}"
+            f"{nearest(name, numbers.values_by_name())}"
         ) from None
 
 
-def _described(numbers: FileNumbers, item: Axis) -> Axis:
+def _labelled_axis(numbers: FileNumbers, item: Axis) -> Axis:
     """An axis with meaning and unit, if it is a number of the file."""
-    if item.name not in numbers.known():
+    if item.name not in numbers.values_by_name():
         return item
     meaning, unit = numbers.meaning(item.name)
     return replace(item, meaning=meaning, unit=unit)

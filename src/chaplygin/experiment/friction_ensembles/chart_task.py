@@ -22,7 +22,7 @@ def chart_task(
     *,
     until: float | None = None,
     formulas: Mapping[str, str] | None = None,
-    held: Collection[str] = (),
+    fixed: Collection[str] = (),
     device: Device = "cpu",
 ) -> tuple[Task, str]:
     """A chart that is still to be computed, and what its number means.
@@ -40,12 +40,14 @@ def chart_task(
         If the number, an axis or a formula cannot be used.
     """
     if not study.subject.changes_equations:
-        chart = chart_of(study, of, x, y, until=until, formulas=formulas, held=held, device=device)
+        chart = chart_of(
+            study, of, x, y, until=until, formulas=formulas, fixed=fixed, device=device
+        )
         return scan(chart, {"experiment": study.complete_toml()}), chart.title
     refuse_graphics(device)
-    if held:
+    if fixed:
         raise InputError(
-            f"--hold {next(iter(held))}: with friction nothing of a start is moved, so that "
+            f"--hold {next(iter(fixed))}: with friction nothing of a start is moved, so that "
             "nothing need be held"
         )
     with_friction = contact_chart(study, of, x, y, until=until, formulas=formulas)

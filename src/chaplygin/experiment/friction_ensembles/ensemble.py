@@ -194,7 +194,8 @@ def contact_ensemble_task(
     if trial.outcome == INADMISSIBLE:
         raise InputError(trial.reason, "run 0")
     variables = {
-        given_name(name): _given(name, numbers, np.shape(value)) for name, value in first.items()
+        given_name(name): _member_variable(name, numbers, np.shape(value))
+        for name, value in first.items()
     } | ensemble_variables(subject, tuple(record), len(study.times))
     seeds = [factor.seed for factor in members.factors if hasattr(factor, "seed")]
     return Task(
@@ -224,7 +225,7 @@ def given_name(name: str) -> str:
     return f"start_{name}" if name in DIRECTIONS else name
 
 
-def _given(name: str, numbers: FileNumbers, shape: tuple[int, ...]) -> Variable:
+def _member_variable(name: str, numbers: FileNumbers, shape: tuple[int, ...]) -> Variable:
     """A number of the file that is given member by member."""
     if name in DIRECTIONS:
         notes = cf_attributes(f"start.{name}", "1")

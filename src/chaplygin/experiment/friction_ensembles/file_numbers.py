@@ -127,7 +127,7 @@ class FileNumbers:
             "named by its key, such as mu or omega_3"
         )
 
-    def known(self) -> dict[str, float]:
+    def values_by_name(self) -> dict[str, float]:
         """All numbers that have a name of their own, with their values."""
         return {
             name: value

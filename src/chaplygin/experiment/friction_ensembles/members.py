@@ -84,7 +84,7 @@ def member_start(
         state = start_of(contact, changed.start.model_dump(exclude_none=True))
     except InputError as error:
         return NO_STATE, error.message
-    return 0, (_compiled(contact, tolerance, threading.get_ident()), state, rules)
+    return 0, (_thread_contact(contact, tolerance, threading.get_ident()), state, rules)
 
 
 def samples_reached(motion: ContactMotion, times: FloatArray) -> int:
@@ -113,6 +113,6 @@ def friction_subject(text: str) -> ContactSubject:
 
 
 @lru_cache(maxsize=16)
-def _compiled(contact: FrictionalContact, tolerance: float, _: int) -> CompiledContact:
+def _thread_contact(contact: FrictionalContact, tolerance: float, _: int) -> CompiledContact:
     """A compiled contact of a thread, whose integrators change as they are used."""
     return CompiledContact(contact, tolerance)

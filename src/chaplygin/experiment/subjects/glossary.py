@@ -9,7 +9,7 @@ from sympy.matrices.expressions import Inverse, MatPow
 
 from ...core.system import System
 from ...core.vectors import Diagonal, Symmetric, Vector
-from ...parsing import Formula, Named
+from ...parsing import Formula, NamedQuantity
 from ...printing.formula import text
 
 #: Letters of every body, in body axes.
@@ -72,12 +72,12 @@ def glossary(system: System, touching: bool, besides: Mapping[str, str] | None =
     return f"In body axes: {', '.join(sentence.values())}; E is the unit tensor."
 
 
-def _letters(system: System) -> tuple[Named, ...]:
+def _letters(system: System) -> tuple[NamedQuantity, ...]:
     """The names in the equations of motion, and in the definitions that these need."""
     written = dict(system.definitions)
     # a component stands for its vector
     whole = {s: v for v in (*system.state, *written) if isinstance(v, Vector) for s in v.symbols}
-    letters: dict[Named, None] = {}
+    letters: dict[NamedQuantity, None] = {}
     waiting = [part for pair in reversed(system.field) for part in reversed(pair)]
     while waiting:
         formula = waiting.pop()
@@ -94,7 +94,10 @@ def _is_name(value: object) -> bool:
 
 
 def _meaning(
-    letter: Named, system: System, known: Mapping[str, str], observed: Mapping[Formula, str]
+    letter: NamedQuantity,
+    system: System,
+    meanings: Mapping[str, str],
+    observables: Mapping[Formula, str],
 ) -> str:
     """The meaning of one letter; empty for parameters and rates."""
     label = str(letter)
@@ -105,4 +108,4 @@ def _meaning(
         return f"inverse of {text(written.args[0])}"
     if isinstance(letter, sp.Symbol) and label == "k":
         return _RATIO
-    return known.get(label) or observed.get(letter, "")
+    return meanings.get(label) or observables.get(letter, "")

@@ -21,7 +21,7 @@ from ...flow.initial_states import upright
 from ...formulas.multiprecision import Multiprecision
 from ...mechanics.rolling.attitude import attitude
 from ...mechanics.rolling.initial_state import DIGITS, SLACK
-from ...parsing import Named, nearest
+from ...parsing import NamedQuantity, nearest
 from ...printing.formula import text
 from ..file.validation import value_text
 
@@ -180,7 +180,7 @@ def _checked_values(system: System, values: StartValues) -> dict[str, list[mpmat
     return known
 
 
-def _size(name: Named) -> int:
+def _size(name: NamedQuantity) -> int:
     """Number of components; 0 for a scalar."""
     return 0 if isinstance(name, sp.Symbol) else len(name.symbols)
 
@@ -204,19 +204,19 @@ def unit_vectors(system: System) -> set[str]:
     }
 
 
-def _complete(lifted: System, known: dict[str, list[mpmath.mpf]]) -> None:
+def _complete(lifted: System, values: dict[str, list[mpmath.mpf]]) -> None:
     """Complete the variables of the lift to space."""
     zero, one = mpmath.mpf(0), mpmath.mpf(1)
     for name in lifted.state:
         if str(name) in unit_vectors(lifted) - {str(attitude)}:
             # the last axis, or the quaternion that turns nothing
             others = [zero] * (_size(name) - 1)
-            known.setdefault(
+            values.setdefault(
                 str(name), [one, *others] if _size(name) == QUATERNION else [*others, one]
             )
-        known.setdefault(str(name), [zero] * max(_size(name), 1))
-    if attitude in lifted.state and not any(known[str(attitude)]):
-        known[str(attitude)] = upright(known.get("gamma", [zero, zero, mpmath.mpf(1)]))
+        values.setdefault(str(name), [zero] * max(_size(name), 1))
+    if attitude in lifted.state and not any(values[str(attitude)]):
+        values[str(attitude)] = upright(values.get("gamma", [zero, zero, mpmath.mpf(1)]))
 
 
 def _numerical_function(

@@ -15,12 +15,12 @@ from ...core.vectors import Diagonal, Vector, to_components
 from ...errors import InputError
 from ...mechanics.lagrangian.mechanism import TIME, Frame, Mechanism, euclidean, rotations
 from ...mechanics.lagrangian.structure_functions import check_structure
-from ...parsing import Formula, Named, nearest
+from ...parsing import Formula, NamedQuantity, nearest
 from ..file.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from ..file.mechanism_tables import NumberTable
 from ..file.names import Names, components
 
-UNTITLED = "Untitled system"
+DEFAULT_TITLE = "Untitled system"
 
 #: The commutators of pairs of fields of a frame, by coefficients of the fields.
 Commutators: TypeAlias = dict[tuple[sp.Symbol, sp.Symbol], dict[sp.Symbol, sp.Expr]]
@@ -60,7 +60,7 @@ def mechanism_of(experiment: MechanismExperiment) -> Mechanism:
         observables=_observables(names),
         guards=_guards(names),
         laws=_integrals(names),
-        title=experiment.title or UNTITLED,
+        title=experiment.title or DEFAULT_TITLE,
         summary=experiment.summary,
     )
     _check_overrides(experiment, mechanism)
@@ -117,7 +117,7 @@ def system_of(experiment: EquationsExperiment) -> System:
     )
     system = System(
         name=identifier(experiment.title),
-        title=experiment.title or UNTITLED,
+        title=experiment.title or DEFAULT_TITLE,
         field=field + (((TIME, sp.S.One),) if timed else ()),
         parameters=parameters,
         definitions=definitions,
@@ -159,7 +159,7 @@ def with_claims(experiment: OwnExperiment, system: System) -> System:
 
 def identifier(title: str | None) -> str:
     """A title as the name of a system, ``chaplygin-sleigh``."""
-    words: list[str] = re.findall(r"\w+", (title or UNTITLED).lower())
+    words: list[str] = re.findall(r"\w+", (title or DEFAULT_TITLE).lower())
     return "-".join(words) or "untitled-system"
 
 
@@ -179,17 +179,17 @@ def _parameters(names: Names) -> tuple[Parameter, ...]:
     return tuple(parameters)
 
 
-def _components(named: Named, table: NumberTable) -> list[Parameter]:
+def _components(quantity: NamedQuantity, table: NumberTable) -> list[Parameter]:
     values = table.value if table.diagonal is None else table.diagonal
     listed = values if isinstance(values, tuple) else (values,)
     return [
         Parameter(symbol, table.meaning, float(value or 0.0), table.unit)
-        for symbol, value in zip(components(named), listed, strict=True)
+        for symbol, value in zip(components(quantity), listed, strict=True)
     ]
 
 
-def _definitions(names: Names) -> tuple[tuple[Named, Formula], ...]:
-    definitions: list[tuple[Named, Formula]] = []
+def _definitions(names: Names) -> tuple[tuple[NamedQuantity, Formula], ...]:
+    definitions: list[tuple[NamedQuantity, Formula]] = []
     for name, text in names.experiment.definitions.items():
         key = ("definitions", name)
         value = names.formula(text, *key)
@@ -198,7 +198,7 @@ def _definitions(names: Names) -> tuple[tuple[Named, Formula], ...]:
     return tuple(definitions)
 
 
-def _names_of(system: System) -> dict[str, Named]:
+def _names_of(system: System) -> dict[str, NamedQuantity]:
     """Every name of a finished system."""
     everything = [
         TIME,
@@ -239,7 +239,10 @@ def _frame(names: Names, experiment: MechanismExperiment) -> Frame:
 
 
 def _positions(
-    names: Names, texts: Sequence[str], frame: Frame, definitions: Iterable[tuple[Named, Formula]]
+    names: Names,
+    texts: Sequence[str],
+    frame: Frame,
+    definitions: Iterable[tuple[NamedQuantity, Formula]],
 ) -> tuple[Formula, ...]:
     """Position constraints, into which no velocity enters, even by a definition."""
     key = ("constraints", "position")
@@ -258,15 +261,15 @@ def _positions(
     return positions
 
 
-def _rate_of(names: Names, coordinate: Named) -> Named:
+def _rate_of(names: Names, coordinate: NamedQuantity) -> NamedQuantity:
     """The velocity of a coordinate in its own frame, xdot of x."""
     size = f"[{len(components(coordinate))}]" if isinstance(coordinate, Vector) else ""
     return names.declare(f"{coordinate}dot{size}", "frame", "coordinates")
 
 
 def _rates(
-    names: Names, variables: Sequence[Named], texts: dict[str, str], *key: str
-) -> tuple[tuple[Named, Formula], ...]:
+    names: Names, variables: Sequence[NamedQuantity], texts: dict[str, str], *key: str
+) -> tuple[tuple[NamedQuantity, Formula], ...]:
     """The rate of each variable, in the order of the variables."""
     by_name = {str(named): named for named in variables}
     for name in texts:
@@ -281,7 +284,7 @@ def _rates(
 
 
 def _structure(
-    names: Names, experiment: MechanismExperiment, velocities: Sequence[Named]
+    names: Names, experiment: MechanismExperiment, velocities: Sequence[NamedQuantity]
 ) -> Commutators | None:
     """The commutators of the frame's fields that the file gives."""
     table = experiment.frame
@@ -305,7 +308,7 @@ def _structure(
     return commutators
 
 
-def _group(names: Names, text: str, velocities: Sequence[Named]) -> Commutators:
+def _group(names: Names, text: str, velocities: Sequence[NamedQuantity]) -> Commutators:
     key = ("frame", "structure")
     match = _GROUP.fullmatch(text)
     group = match[1] if match else ""
@@ -324,7 +327,7 @@ def _group(names: Names, text: str, velocities: Sequence[Named]) -> Commutators:
 
 def _forces(
     names: Names, experiment: MechanismExperiment, frame: Frame
-) -> tuple[tuple[Named, Formula], ...]:
+) -> tuple[tuple[NamedQuantity, Formula], ...]:
     forces = []
     for name, text in experiment.forces.items():
         named = names.get(name, frame.velocities, "forces", name)
@@ -363,10 +366,10 @@ def _guards(names: Names) -> tuple[Guard, ...]:
 
 
 def _powers(
-    density: sp.Expr, moving: set[sp.Symbol], named: Iterable[sp.Symbol]
+    density: sp.Expr, moving: set[sp.Symbol], symbols: Iterable[sp.Symbol]
 ) -> dict[sp.Expr, sp.Expr]:
     """A density as powers whose exponents are constant."""
-    moving = moving | set(named)
+    moving = moving | set(symbols)
     powers = {sp.sympify(b): sp.sympify(e) for b, e in density.as_powers_dict().items()}
     if any(to_components(e).free_symbols & moving for e in powers.values()):
         return {density: sp.S.One}

@@ -312,7 +312,7 @@ class BallSubject(Subject):
     @property
     def two_sided(self) -> bool:
         """Whether no force acts on it besides that of the surface."""
-        return not self.ball.loaded
+        return not self.ball.has_forces
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -9,17 +9,17 @@ from functools import lru_cache
 import sympy as sp
 from flint import arb, arb_mat
 
-from ...arguments import Written
+from ...arguments import NumberOrText
 from ...core.system import System
 from ...errors import InputError
 from ...formulas.balls import ball, ball_function, exact
-from ...formulas.relative_zero import GIVEN, SizedNumber, state_sizes, values_with_sizes
+from ...formulas.relative_zero import START_TOLERANCE, SizedNumber, state_sizes, values_with_sizes
 
 
 def on_phase_space(
     system: System,
     level: Sequence[sp.Expr],
-    start: Sequence[Written],
+    start: Sequence[NumberOrText],
     values: Mapping[sp.Symbol, arb],
 ) -> tuple[arb, ...]:
     """The nearest state at which all relations, and the expressions of the level, vanish.
@@ -77,10 +77,10 @@ def _check(
     known = {**{s: SizedNumber(x, abs(x)) for s, x in numbers.items()}, **state}
     misses = values_with_sizes(conditions, known)
     worst = max((value.share for value in misses), default=0.0)
-    if not all(value.vanishes(GIVEN) for value in misses):
+    if not all(value.vanishes(START_TOLERANCE) for value in misses):
         raise InputError(
             f"start: it misses the constraints by {worst:.3g} of the size of their terms; rounding "
-            f"may make up {float(Fraction(int(GIVEN.p), int(GIVEN.q))):g}"
+            f"may make up {float(Fraction(int(START_TOLERANCE.p), int(START_TOLERANCE.q))):g}"
         )
 
 

@@ -11,7 +11,7 @@ from ...catalogue.ball_on_sphere import rubber_ball_ratio
 from ...catalogue.ball_on_sphere.ball_on_sphere import ratio
 from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure
 from ...errors import InputError
-from ...formulas.relative_zero import ROUNDED
+from ...formulas.relative_zero import ROUNDING
 from ...mechanics.rolling.equations import Rolling
 from ...mechanics.rolling.fluid import fluids_of
 from ...mechanics.rolling.shapes import Ball
@@ -87,7 +87,7 @@ def degenerate(problem: Problem) -> NoClosedFormError:
 
 def _known_laws(problem: Problem) -> str:
     """The laws that hold at the start, in words."""
-    laws = [law for law in problem.system.laws if problem.vanish(law.on, ROUNDED)]
+    laws = [law for law in problem.system.laws if problem.vanish(law.on, ROUNDING)]
     words = [law.meaning or law.name for law in laws if isinstance(law, Integral)]
     words += [phrase for kind, phrase in _FORMS.items() if any(isinstance(x, kind) for x in laws)]
     if not words:
@@ -117,7 +117,7 @@ def _condition_text(problem: Problem, condition: Condition) -> str:
     written = text(condition.paper_formula)
     if len(written) <= SHORT:
         return f"{written} = 0"
-    laws = [law for law in problem.system.integrals if problem.vanish(law.on, ROUNDED)]
+    laws = [law for law in problem.system.integrals if problem.vanish(law.on, ROUNDING)]
     value, *others = problem.sized_values([condition.formula, *(law.value for law in laws)])
     same = [law for law, other in zip(laws, others, strict=True) if (value - other).vanishes()]
     return f"the {same[0].meaning} vanishes" if same else f"{written} = 0"

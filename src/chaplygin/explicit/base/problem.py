@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 from flint import fmpq
 
-from ...arguments import Written
+from ...arguments import NumberOrText
 from ...core.parameters import require_admissible
 from ...core.system import System
 from ...core.vectors import to_components
@@ -50,8 +50,8 @@ class Problem:
     """
 
     system: System
-    parameters: Mapping[sp.Symbol, Written]
-    start: tuple[Written, ...]
+    parameters: Mapping[sp.Symbol, NumberOrText]
+    start: tuple[NumberOrText, ...]
     rolling: Rolling | None = None
 
     def well_posed(self) -> Problem:

@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sp
 from flint import arb
 
-from ...arguments import Numbers, Written
+from ...arguments import NumberOrText, Numbers
 from ...core.arrays import FloatArray
 from ...core.overview import Overview, WithOverview, WithShortRepr
 from ...core.system import System
@@ -171,7 +171,7 @@ class Solution(WithOverview):
     """
 
     system: System
-    parameters: Mapping[sp.Symbol, Written]
+    parameters: Mapping[sp.Symbol, NumberOrText]
 
     @property
     @abstractmethod
@@ -193,7 +193,7 @@ class Solution(WithOverview):
         return ""
 
     @abstractmethod
-    def rigorous(self, time: Written, digits: int = 30) -> tuple[arb, ...]:
+    def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
         """The lifted state at one time as balls (``flint.arb``) that contain the exact one.
 
         Parameters

@@ -15,11 +15,11 @@ from fractions import Fraction
 import sympy as sp
 from flint import fmpq, fmpq_mpoly
 
-from ...arguments import Written
+from ...arguments import NumberOrText
 from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.balls import exact
-from ...formulas.relative_zero import ROUNDED, SizedNumber, state_sizes, values_with_sizes
+from ...formulas.relative_zero import ROUNDING, SizedNumber, state_sizes, values_with_sizes
 from ...mechanics.rolling.body import check_inertia
 from ...printing.formula import text
 from ..genus_two.separation import SeparatedSystem
@@ -63,7 +63,7 @@ class Diagram:
         """The two integrals."""
         return self.plane.axes
 
-    def region(self, x: Written, y: Written) -> Region | None:
+    def region(self, x: NumberOrText, y: NumberOrText) -> Region | None:
         """The region of a point; None on a boundary.
 
         Parameters
@@ -81,7 +81,7 @@ class Diagram:
         return next((region for region in self.regions if cell in region.cells), None)
 
 
-def locate(diagram: Diagram, state: Mapping[sp.Symbol | str, Written]) -> tuple[float, float]:
+def locate(diagram: Diagram, state: Mapping[sp.Symbol | str, NumberOrText]) -> tuple[float, float]:
     """The point of a diagram that a motion belongs to.
 
     Parameters
@@ -107,7 +107,7 @@ def locate(diagram: Diagram, state: Mapping[sp.Symbol | str, Written]) -> tuple[
     formulas = [to_components(f) for f in (*conditions, *(axis.value for axis in plane.axes))]
     *level, x, y = values_with_sizes(formulas, known, system.required_definitions(formulas))
     for condition, value in zip(conditions, level, strict=True):
-        if not value.vanishes(ROUNDED):
+        if not value.vanishes(ROUNDING):
             raise InputError(
                 f"{plane.name}: {text(condition)} is {float(value.value):.5g} in this state and "
                 "must vanish"
@@ -117,7 +117,7 @@ def locate(diagram: Diagram, state: Mapping[sp.Symbol | str, Written]) -> tuple[
 
 def bifurcation_diagram(
     subject: str | SeparatedSystem | IntegralPlane,
-    parameters: Mapping[sp.Symbol | str, Written] | None = None,
+    parameters: Mapping[sp.Symbol | str, NumberOrText] | None = None,
 ) -> Diagram:
     """The bifurcation diagram of a separated system, exactly.
 

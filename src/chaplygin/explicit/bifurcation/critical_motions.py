@@ -105,7 +105,7 @@ def circles_at_a_pole(
         for other in others:
             curvature = curvature * arb_poly([-arb(other), 1])
         # at the second pole the whole interval between the others, which it does not interrupt
-        intervals = _allowed_ovals(curvature, left, poles, (first, last), skipped=number)
+        intervals = _allowed_ovals(curvature, left, poles, (first, last), omitted_pole=number)
         stable = not _positive(curvature(arb(pole)))
         coordinate = {1: 1, 2: 0, 3: 2}[number]
         return tuple(
@@ -135,7 +135,7 @@ def circles_at_a_double_root(
         for pole in poles:
             curvature = curvature * arb_poly([-arb(pole), 1])
         between = (0, 1) if coordinate == 2 else (1, 2)
-        intervals = _allowed_ovals(curvature, left, poles, between, skipped=0)
+        intervals = _allowed_ovals(curvature, left, poles, between, omitted_pole=0)
         stable = not _positive(curvature(place))
         return tuple(
             Circles(0, coordinate, oval, SHEETS // len(group([oval.flips])), stable)
@@ -203,13 +203,15 @@ def _allowed_ovals(
     cofactor: arb_poly,
     poles: Sequence[fmpq],
     between: tuple[int, int],
-    skipped: int,
+    omitted_pole: int,
 ) -> tuple[Oval, ...]:
     """The ovals between two poles where `sign`, with the roots of `cofactor`, is positive."""
     first, last = between
     low, high = poles[first], poles[last]
     roots: list[tuple[arb, int]] = [
-        (arb(pole), n) for n, pole in enumerate(poles, 1) if low <= pole <= high and n != skipped
+        (arb(pole), n)
+        for n, pole in enumerate(poles, 1)
+        if low <= pole <= high and n != omitted_pole
     ]
     for root in _real_roots(cofactor):
         if _positive(root - arb(low)) and not _positive(root - arb(high)):

@@ -12,7 +12,7 @@ from fractions import Fraction
 
 import sympy as sp
 
-from ...arguments import Written
+from ...arguments import NumberOrText
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_bracket import D, I
 from ...core.parameters import require_parameters
@@ -197,7 +197,7 @@ def bruns_problem() -> IntegralPlane:
     return replace(plane, name="bruns", title="Bruns problem at zero area constant", system=system)
 
 
-SEPARATED: Mapping[str, Callable[[], SeparatedSystem]] = {
+SEPARATIONS: Mapping[str, Callable[[], SeparatedSystem]] = {
     "veselova": veselova,
     "veselova-bruns": veselova_in_bruns_field,
     "chaplygin-ball": chaplygin_ball,
@@ -231,16 +231,16 @@ def plane_named(name: str) -> IntegralPlane:
     InputError
         If there is none; the sentence lists the names.
     """
-    if name in SEPARATED:
-        return plane_of(SEPARATED[name]())
+    if name in SEPARATIONS:
+        return plane_of(SEPARATIONS[name]())
     if name in PLANES:
         return PLANES[name]()
-    known = ", ".join(sorted((*SEPARATED, *PLANES)))
+    known = ", ".join(sorted((*SEPARATIONS, *PLANES)))
     raise InputError(f"no bifurcation diagram {name!r}; there are {known}")
 
 
 def numbers(
-    plane: IntegralPlane, given: Mapping[sp.Symbol | str, Written]
+    plane: IntegralPlane, replacements: Mapping[sp.Symbol | str, NumberOrText]
 ) -> dict[sp.Symbol, Fraction]:
     """All parameters and held constants, the given ones replacing the defaults; exact.
 
@@ -252,8 +252,8 @@ def numbers(
     known = {str(s): (s, value) for s, value in plane.system.defaults.items()}
     known |= {str(s): (s, value) for s, value in plane.fixed_parameters}
     values = dict(known.values())
-    require_parameters(plane.name, known, given)
-    for name, value in given.items():
+    require_parameters(plane.name, known, replacements)
+    for name, value in replacements.items():
         values[known[str(name)][0]] = value
     try:
         exact_values = {symbol: exact(value) for symbol, value in values.items()}

@@ -129,7 +129,7 @@ class Grid:
         diagram: Diagram,
         frame: Window,
         lines: Mapping[int, Heights],
-        taken: Sequence[Place] = (),
+        occupied_places: Sequence[Place] = (),
     ) -> None:
         wide, tall = GRID
         self.frame = frame
@@ -147,7 +147,7 @@ class Grid:
             stack = [np.interp(x, grid, level) for level in levels.T]
             ranks = np.searchsorted(np.sort(stack), self.ys)
             self.members[i] = [numbers[column, int(rank)] for rank in ranks]
-        for x, y in taken:
+        for x, y in occupied_places:
             wide, tall = (
                 abs(steps - place) < part / 2 * (steps[-1] - steps[0])
                 for steps, place, part in zip((self.xs, self.ys), (x, y), LABEL, strict=True)
@@ -209,8 +209,8 @@ def _largest(room: FloatArray) -> tuple[int, int]:
     return int(first), int(second)
 
 
-def _nearest(allowed: BoolArray, point: tuple[int, int]) -> tuple[int, int] | None:
-    candidates = np.argwhere(allowed)
+def _nearest(mask: BoolArray, point: tuple[int, int]) -> tuple[int, int] | None:
+    candidates = np.argwhere(mask)
     if not len(candidates):
         return None
     distances = np.hypot(*((candidates - point) / np.array(GRID)).T)

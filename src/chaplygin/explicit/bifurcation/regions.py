@@ -107,7 +107,7 @@ class Kinds:
         The curve is y² = ∏(z − e_i) · cofactor.
     bounds : tuple of fmpq_mpoly
         Positive over the motions.
-    cut : Arrangement
+    cells : Arrangement
         Along the discriminant, the values of `cofactor` at the poles and the bounds.
     """
 
@@ -116,12 +116,12 @@ class Kinds:
     order: tuple[int, int, int]
     cofactor: fmpq_mpoly
     bounds: tuple[fmpq_mpoly, ...]
-    cut: Arrangement
+    cells: Arrangement
 
     @cached_property
     def tori(self) -> dict[Cell, tuple[Family, ...]]:
         """The tori over every cell."""
-        return {cell: self._tori(*self.cut.sample(cell)) for cell in self.cut.cells}
+        return {cell: self._tori(*self.cells.sample(cell)) for cell in self.cells.cells}
 
     def _tori(self, x: fmpq, y: fmpq) -> tuple[Family, ...]:
         if any(_over_point(bound, x, y)(0) < 0 for bound in self.bounds):
@@ -131,7 +131,7 @@ class Kinds:
     @cached_property
     def motions(self) -> dict[Cell, frozenset[tuple[str, int, bool, int]]]:
         """The motions on circles over every arc: words, number, stability and axis."""
-        return {arc: frozenset(self._motions(arc)) for arc in self.cut.arcs}
+        return {arc: frozenset(self._motions(arc)) for arc in self.cells.arcs}
 
     def _motions(self, arc: Cell) -> set[tuple[str, int, bool, int]]:
         column, rank = arc
@@ -139,7 +139,7 @@ class Kinds:
         if not any(beside):
             # beyond a bound; elsewhere a circle has tori beside it
             return set()
-        curve = self.cut.curves[self.cut.orders[column][rank]]
+        curve = self.cells.curves[self.cells.orders[column][rank]]
         for bound, text in zip(self.bounds, self.plane.bounds, strict=True):
             if _divides(curve, bound):
                 # every torus shrinks to one circle
@@ -159,7 +159,7 @@ class Kinds:
 
     def _circles(self, arc: Cell, curve: fmpq_mpoly) -> list[Circles]:
         column, rank = arc
-        place = Arc(self.cut.curves, self.cut.samples[column], rank)
+        place = Arc(self.cells.curves, self.cells.samples[column], rank)
         circles: list[Circles] = []
         for number, pole in enumerate(self.poles, 1):
             if _divides(curve, _value_at(self.cofactor, pole)):
@@ -176,7 +176,7 @@ class Kinds:
         InputError
             If kinds change across a vertical line.
         """
-        parent = {cell: cell for cell in self.cut.cells}
+        parent = {cell: cell for cell in self.cells.cells}
 
         def root(cell: Cell) -> Cell:
             while parent[cell] != cell:
@@ -184,7 +184,7 @@ class Kinds:
             return cell
 
         open_arcs = [arc for arc, motions in self.motions.items() if not motions]
-        for one, other in (*self.cut.joints, *((a, (a[0], a[1] + 1)) for a in open_arcs)):
+        for one, other in (*self.cells.joints, *((a, (a[0], a[1] + 1)) for a in open_arcs)):
             if self.tori[one] != self.tori[other]:
                 raise InputError(
                     f"{self.plane.name}: the motions change across a vertical line of the diagram; "
@@ -192,13 +192,13 @@ class Kinds:
                 )
             parent[root(one)] = root(other)
         classes: dict[Cell, list[Cell]] = {}
-        for cell in self.cut.cells:
+        for cell in self.cells.cells:
             classes.setdefault(root(cell), []).append(cell)
         components = sorted(classes.values(), key=lambda cells: (not self.tori[cells[0]], cells[0]))
         regions = []
         for number, cells in enumerate(components, 1):
             kind = self.tori[cells[0]]
-            x, y = map(fraction, self.cut.sample(cells[0]))
+            x, y = map(fraction, self.cells.sample(cells[0]))
             regions.append(Region(number if kind else 0, kind, frozenset(cells), (x, y)))
         return tuple(regions)
 
@@ -207,7 +207,7 @@ class Kinds:
         arcs_by_kind: dict[tuple[int, tuple[str, int, bool, int]], list[Cell]] = {}
         for (column, rank), motions in self.motions.items():
             for kind in motions:
-                arcs_by_kind.setdefault((self.cut.orders[column][rank], kind), []).append(
+                arcs_by_kind.setdefault((self.cells.orders[column][rank], kind), []).append(
                     (column, rank)
                 )
         return tuple(
@@ -218,7 +218,7 @@ class Kinds:
     def _curve_formula(self, number: int) -> sp.Expr:
         """A curve of the arrangement in the symbols of the axes."""
         x, y = (axis.symbol for axis in self.plane.axes)
-        terms = self.cut.curves[number].to_dict().items()
+        terms = self.cells.curves[number].to_dict().items()
         return sp.Add(*(sp.Rational(str(c)) * x**i * y**j for (i, j, _), c in terms))
 
     def equilibria(self) -> tuple[Equilibrium, ...]:

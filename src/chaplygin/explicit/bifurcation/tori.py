@@ -118,18 +118,18 @@ def families(poles: Sequence[fmpq], cofactor: fmpq_poly) -> tuple[Family, ...]:
     return tuple(family(a, b) for a, b in product(first, second))
 
 
-def ovals(roots: Sequence[tuple[arb, int]], allowed: Callable[[fmpq], bool]) -> tuple[Oval, ...]:
+def ovals(roots: Sequence[tuple[arb, int]], is_allowed: Callable[[fmpq], bool]) -> tuple[Oval, ...]:
     """Intervals between neighbouring roots in which a condition holds.
 
     Parameters
     ----------
     roots : sequence of (arb, int)
         Increasing, each with the number of its pole or 0.
-    allowed : callable
+    is_allowed : callable
         Of a rational number.
     """
     return tuple(
         Oval(low, high)
         for (below, low), (above, high) in pairwise(roots)
-        if allowed(rational(short_rational(highest(below), lowest(above))))
+        if is_allowed(rational(short_rational(highest(below), lowest(above))))
     )

@@ -21,7 +21,7 @@ from dataclasses import replace
 import sympy as sp
 from flint import ctx
 
-from ...arguments import Written
+from ...arguments import NumberOrText
 from ...formulas.balls import ball
 from ..base.solution import Solution
 from ..genus_two.separation import SeparatedSystem
@@ -33,7 +33,9 @@ __all__ = ["solve_degenerate"]
 
 
 def solve_degenerate(
-    separable: SeparatedSystem, values: Mapping[sp.Symbol, Written], start: Sequence[Written]
+    separable: SeparatedSystem,
+    values: Mapping[sp.Symbol, NumberOrText],
+    start: Sequence[NumberOrText],
 ) -> Solution | None:
     """Solve a motion whose curve is degenerate.
 

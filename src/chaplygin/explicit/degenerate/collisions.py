@@ -148,7 +148,7 @@ def _through(motion: Asymptotic, start: ExactStart) -> Asymptotic:
     raise ArithmeticError("the phases of an asymptotic motion were not found")
 
 
-def _gauss_newton(motion: Asymptotic, wanted: list[arb], weights: list[arb]) -> list[arb]:
+def _gauss_newton(motion: Asymptotic, goals: list[arb], weights: list[arb]) -> list[arb]:
     """The step in U and κ that brings the motion at τ = 0 nearest to the start."""
 
     def weighted_components(phase: arb, offset: arb) -> list[arb]:
@@ -156,7 +156,7 @@ def _gauss_newton(motion: Asymptotic, wanted: list[arb], weights: list[arb]) -> 
         return [w * x.mid() for w, x in zip(weights, [*nu, *rate], strict=True)]
 
     here = weighted_components(motion.phase, motion.offset)
-    missed = arb_mat([[w * x.mid() - h] for w, x, h in zip(weights, wanted, here, strict=True)])
+    missed = arb_mat([[w * x.mid() - h] for w, x, h in zip(weights, goals, here, strict=True)])
     moved = (
         weighted_components(motion.phase + STEP, motion.offset),
         weighted_components(motion.phase, motion.offset + STEP),

@@ -142,10 +142,10 @@ def oval_around(leading: arb, roots: Sequence[arb], z: arb) -> Oval | None:
     return None
 
 
-def _oval(leading: arb, ordered: list[arb], number: int) -> Oval:
-    a, b = ordered[number], ordered[number + 1]
-    infinity = [None] if len(ordered) % 2 else []
-    above: list[arb | None] = [*ordered[number + 2 :], *infinity, *ordered[:number]]
+def _oval(leading: arb, roots: list[arb], number: int) -> Oval:
+    a, b = roots[number], roots[number + 1]
+    infinity = [None] if len(roots) % 2 else []
+    above: list[arb | None] = [*roots[number + 2 :], *infinity, *roots[:number]]
     c, d = above
     if c is not None and d is not None:
         inverse = (c - a) * (b - d) / ((c - d) * (b - a))
@@ -160,7 +160,7 @@ def _oval(leading: arb, ordered: list[arb], number: int) -> Oval:
     # near a both are roots: x = sn²u, so that u = √(f (z−a)), and ∫ dz/w = 2 √((z−a)/S)
     f = 1 / (b - a) if d is None else (b - d) / ((b - a) * (a - d))
     S = leading
-    for root in ordered:
+    for root in roots:
         S = S if root is a else S * (a - root)
     scale = 4 * quarter / (arb.pi() * abs(S * f).sqrt())
     return Oval(leading, (a, b), (c, d), Thetas(conjugate / quarter), modulus, quarter, scale)

@@ -13,7 +13,7 @@ from typing import TypeAlias
 import sympy as sp
 from flint import arb
 
-from ...arguments import Written
+from ...arguments import NumberOrText
 from ...core.system import System
 from ...formulas.balls import ball, ball_values, components
 from ..base.exact_start import on_phase_space
@@ -79,7 +79,9 @@ def with_definitions(
 
 
 def exact_start(
-    separable: SeparatedSystem, values: Mapping[sp.Symbol, Written], start: Sequence[Written]
+    separable: SeparatedSystem,
+    values: Mapping[sp.Symbol, NumberOrText],
+    start: Sequence[NumberOrText],
 ) -> ExactStart:
     """The numbers of a separable system at a start; the working precision must suffice.
 

@@ -11,7 +11,7 @@ import numpy as np
 import sympy as sp
 from flint import arb, ctx
 
-from ...arguments import Numbers, Written, arguments_checked
+from ...arguments import NumberOrText, Numbers, arguments_checked
 from ...core.arrays import FloatArray
 from ...core.system import System, flat_pairs
 from ...formulas.balls import array_function, ball_function, components, number
@@ -52,7 +52,7 @@ class DegenerateMotion:
 
     system: System
     parameters: Mapping[sp.Symbol, arb]
-    start: tuple[Written, ...]
+    start: tuple[NumberOrText, ...]
     separable: SeparatedSystem
     exact: ExactStart
     motion: Periodic | Asymptotic

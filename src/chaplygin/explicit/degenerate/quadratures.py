@@ -24,7 +24,7 @@ from .theta_motion import Asymptotic, Periodic, direction_array
 Integrands: TypeAlias = Callable[[FloatArray, FloatArray], FloatArray]
 
 #: |κ| beyond which e^{−|κ|} is lost in a double.
-FADED = 38.0
+LARGEST_KAPPA = 38.0
 #: A velocity so much smaller than the largest one vanishes but for rounding.
 TINY = 1e-6
 #: Nodes on a panel, and the phases (U, κ) that it may cover.
@@ -205,7 +205,7 @@ class AsymptoticQuadratures:
     def _continue(
         self,
         moment: Moment,
-        chosen: BoolArray,
+        mask: BoolArray,
         times: FloatArray,
         side: PeriodicQuadratures,
         edge: int,
@@ -215,13 +215,13 @@ class AsymptoticQuadratures:
         first = np.floor(start / side.period)
         reached = side.up_to(np.array([start - first * side.period]))[:, 0]
         offset = reached + first * side.means * side.period - self.sums[:, edge]
-        beyond = side.moment(times[chosen], float(offset[0]))
+        beyond = side.moment(times[mask], float(offset[0]))
         near = beyond.remainder + first * side.period
         near = near + side.period * ((edge == -1) & (near < start))
         near = near - side.period * ((edge == 0) & (near > start))
-        moment.remainder[chosen] = near
-        moment.turns[chosen] = beyond.turns + np.rint((beyond.remainder - near) / side.period)
-        moment.integrals[:, chosen] = beyond.integrals - offset[1:, None]
+        moment.remainder[mask] = near
+        moment.turns[mask] = beyond.turns + np.rint((beyond.remainder - near) / side.period)
+        moment.integrals[:, mask] = beyond.integrals - offset[1:, None]
 
 
 def _asymptotic(motion: Asymptotic, integrands: Integrands, turn: arb) -> AsymptoticQuadratures:
@@ -235,7 +235,7 @@ def _asymptotic(motion: Asymptotic, integrands: Integrands, turn: arb) -> Asympt
         The gain of the clock in a period of the limits.
     """
     growth, offset = float(motion.growth), float(motion.offset)
-    crossings = ((-FADED - offset) / growth, (FADED - offset) / growth)
+    crossings = ((-LARGEST_KAPPA - offset) / growth, (LARGEST_KAPPA - offset) / growth)
     low, high = min(*crossings, 0.0), max(*crossings, 0.0)
     step = SPAN / max(abs(float(motion.speed)), abs(growth))
     before, after = (int(np.ceil(abs(end) / step)) for end in (low, high))

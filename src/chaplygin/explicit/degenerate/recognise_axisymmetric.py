@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 import sympy as sp
 from flint import arb, ctx
 
-from ...arguments import Written
+from ...arguments import NumberOrText
 from ...core.system import System
 from ...formulas.balls import ball
 from ...formulas.relative_zero import vanishes
@@ -24,7 +24,7 @@ from .axisymmetric import Axial, ChaplyginAxial, VeselovaAxial
 from .exact_start import PRECISION
 from .uniform_motion import uniform_solution
 
-Numbers = Mapping[sp.Symbol, Written]
+Numbers = Mapping[sp.Symbol, NumberOrText]
 Vector = Sequence[arb]
 
 
@@ -44,7 +44,7 @@ def equal_pair(moments: Vector) -> int | None:
 def _solution(
     system: System,
     values: Numbers,
-    start: Sequence[Written],
+    start: Sequence[NumberOrText],
     moments: Vector,
     source: str,
     axial_motion: Callable[[arb, arb, Vector, Vector], Axial],
@@ -81,7 +81,7 @@ def _solution(
 
 
 def veselova_of_revolution(
-    system: System, values: Numbers, start: Sequence[Written], moments: Vector
+    system: System, values: Numbers, start: Sequence[NumberOrText], moments: Vector
 ) -> Solution | None:
     """The Veselova system with two equal moments, or turning uniformly.
 
@@ -107,7 +107,7 @@ def veselova_of_revolution(
 def chaplygin_of_revolution(
     system: System,
     values: Numbers,
-    start: Sequence[Written],
+    start: Sequence[NumberOrText],
     moments: Vector,
     D: arb,
     R: arb,

@@ -17,7 +17,7 @@ import numpy as np
 import sympy as sp
 from flint import acb, arb, ctx
 
-from ...arguments import Written
+from ...arguments import NumberOrText
 from ...core.system import flat_pairs
 from ...formulas.balls import ball, components
 from ...mechanics.rolling.attitude import attitude
@@ -44,7 +44,7 @@ SMALLEST = 0.02
 POINTS = 8
 
 
-def rigorous_state(solution: DegenerateMotion, time: Written, digits: int) -> tuple[arb, ...]:
+def rigorous_state(solution: DegenerateMotion, time: NumberOrText, digits: int) -> tuple[arb, ...]:
     """The lifted state at one time as balls that contain the exact one.
 
     Parameters

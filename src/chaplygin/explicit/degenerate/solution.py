@@ -7,7 +7,7 @@ from functools import cached_property
 
 from flint import arb
 
-from ...arguments import Written, arguments_checked
+from ...arguments import NumberOrText, arguments_checked
 from ..base.solution import ClosedForm, Solution
 from .closed_form import form_of
 from .motion import DegenerateMotion
@@ -19,7 +19,7 @@ class DegenerateSolution(DegenerateMotion, Solution):
     """A motion on a curve of genus two that has a double root."""
 
     @arguments_checked
-    def rigorous(self, time: Written, digits: int = 30) -> tuple[arb, ...]:
+    def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
         """The lifted state at one time as balls."""
         return rigorous_state(self, time, digits)
 

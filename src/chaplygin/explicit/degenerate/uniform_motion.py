@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 from flint import arb, ctx
 
-from ...arguments import Written
+from ...arguments import NumberOrText
 from ...core.system import System, flat_pairs
 from ...core.vectors import Vector, to_components
 from ...formulas.balls import ball, ball_values, exact
@@ -73,7 +73,7 @@ def uniform_solution(
 
 
 def equilibrium_solution(
-    system: System, values: Mapping[sp.Symbol, Written], start: Sequence[Written]
+    system: System, values: Mapping[sp.Symbol, NumberOrText], start: Sequence[NumberOrText]
 ) -> UniformSolution | None:
     """The motion on which the reduced state rests, if the start is an equilibrium of it.
 

@@ -37,7 +37,7 @@ _STEPS = (128, 2048)
 #: Steps from one kept plane to the next.
 _STRIDE = 4
 #: Change of an attitude, at most, when the steps are halved.
-_SETTLED = 4e-14
+_CONVERGENCE = 4e-14
 #: Size of the Fourier coefficients of the highest waves, at most.
 _LEVEL = 1e-14
 #: A null vector is one whose residual is below this.
@@ -167,7 +167,7 @@ def _turn_attitudes(
         if steps > _STEPS[1]:
             raise NoClosedFormError("the attitude turns too fast to be followed around the torus")
         finer = _magnus_attitudes(waves, speeds, places, steps)
-        if np.max(np.abs(finer[-1] - planes[-1])) < _SETTLED:
+        if np.max(np.abs(finer[-1] - planes[-1])) < _CONVERGENCE:
             return finer
         planes = finer
 

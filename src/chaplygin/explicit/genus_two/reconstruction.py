@@ -55,7 +55,7 @@ class Lift(ABC):
         Attitude (w, x, y, z) and places at t = 0.
     """
 
-    prepared: SeparatedMotion
+    separated_motion: SeparatedMotion
     clock: TimeMap
     start: FloatArray
 
@@ -68,19 +68,21 @@ class Lift(ABC):
         return self.clock.v_0[None, :]
 
     def _torus(self, v: FloatArray) -> tuple[FloatArray, FloatArray]:
-        return self.prepared.torus.values(v)
+        return self.separated_motion.torus.values(v)
 
     @cached_property
     def _clock_rate(self) -> Callable[..., FloatArray]:
-        return on_arrays(self.prepared, components(self.prepared.separable.clock))
+        return on_arrays(self.separated_motion, components(self.separated_motion.separable.clock))
 
     @cached_property
     def _places(self) -> Callable[..., FloatArray]:
         """Rates, per unit of t, of what the motion has besides the attitude."""
-        return on_arrays(self.prepared, place_rates(self.prepared.separable), attitude.symbols)
+        return on_arrays(
+            self.separated_motion, place_rates(self.separated_motion.separable), attitude.symbols
+        )
 
     def _quadrature(self, function: Callable[[FloatArray], FloatArray]) -> tuple[Quadrature, ...]:
-        torus = self.prepared.torus
+        torus = self.separated_motion.torus
         return tuple(quadrature(f, torus.V, self.clock.v_0) for f in series(function))
 
 
@@ -138,8 +140,10 @@ class TwoFixedVectors(_AttitudeFromVectors):
 
     @cached_property
     def _vectors(self) -> Callable[..., FloatArray]:
-        fixed = self.prepared.separable.fixed
-        return on_arrays(self.prepared, [c for vector in fixed[:2] for c in components(vector)])
+        fixed = self.separated_motion.separable.fixed
+        return on_arrays(
+            self.separated_motion, [c for vector in fixed[:2] for c in components(vector)]
+        )
 
     @cached_property
     def _flows(self) -> tuple[Quadrature, ...]:
@@ -174,8 +178,8 @@ class OneFixedVector(_AttitudeFromVectors):
     @cached_property
     def _pair(self) -> tuple[Callable[..., FloatArray], sp.Expr]:
         """The fixed vector and a reference that stays away from it; the rate of ψ."""
-        fixed, reference, rate = spinning_pair(self.prepared)
-        return on_arrays(self.prepared, [*components(fixed), *components(reference)]), rate
+        fixed, reference, rate = spinning_pair(self.separated_motion)
+        return on_arrays(self.separated_motion, [*components(fixed), *components(reference)]), rate
 
     @property
     def _vectors(self) -> Callable[..., FloatArray]:
@@ -184,7 +188,7 @@ class OneFixedVector(_AttitudeFromVectors):
     @cached_property
     def _angle(self) -> Quadrature:
         """∫ (dψ/dτ) dτ."""
-        rate = on_arrays(self.prepared, [self._pair[1]])
+        rate = on_arrays(self.separated_motion, [self._pair[1]])
 
         def rates(v: FloatArray) -> FloatArray:
             there = self._torus(v)
@@ -216,7 +220,7 @@ class OneFixedVector(_AttitudeFromVectors):
 
         count = len(self.start) - 4
         fourier = series(parts)
-        V, v_0 = self.prepared.torus.V, self.clock.v_0
+        V, v_0 = self.separated_motion.torus.V, self.clock.v_0
         if len(angle.slow):
             raise InputError(
                 "the frequencies are so near a resonance that the path in space is not resolved"
@@ -253,13 +257,13 @@ class NoFixedVector(Lift):
 
     @cached_property
     def _reduction(self) -> FloquetReduction:
-        omega = on_arrays(self.prepared, vectors("omega")[0].symbols)
+        omega = on_arrays(self.separated_motion, vectors("omega")[0].symbols)
 
         def turning(v: FloatArray) -> FloatArray:
             there = self._torus(v)
             return self._clock_rate(*there) * omega(*there)
 
-        V = [number(x) for x in self.prepared.torus.V]
+        V = [number(x) for x in self.separated_motion.torus.V]
         return reduction(turning, V, self.clock.v_0, self.start[:4])
 
     def in_space(self, moment: TorusPoint) -> FloatArray:

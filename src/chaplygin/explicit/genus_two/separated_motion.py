@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import sympy as sp
 from flint import arb
 
-from ...arguments import Written
+from ...arguments import NumberOrText
 from ...core.system import flat_pairs
 from ...formulas.balls import Values, ball, ball_values, components
 from ...formulas.program import Steps, needed_steps
@@ -38,7 +38,9 @@ class SeparatedMotion:
 
 
 def separate(
-    separable: SeparatedSystem, parameters: Mapping[sp.Symbol, Written], start: Sequence[Written]
+    separable: SeparatedSystem,
+    parameters: Mapping[sp.Symbol, NumberOrText],
+    start: Sequence[NumberOrText],
 ) -> SeparatedMotion:
     """Find constants, curve and torus through a start, at the working precision.
 

@@ -21,7 +21,7 @@ from .periods import Lattice, Pair, abelian, lattice
 from .theta import Theta
 
 #: Distance of a motion from its start, relative to ν and ν′: near separatrices digits are lost.
-_PASSED = fmpq(1, 2**30)
+_SHIFT = fmpq(1, 2**30)
 
 Triple = tuple[arb, arb, arb]
 
@@ -210,7 +210,7 @@ def torus(
     for computed, expected in zip(motion.ball(v_0), (nu, nuprime), strict=True):
         size = sum((abs(x) for x in expected), arb(0))
         for x, y in zip(computed, expected, strict=True):
-            if not vanishes(x - y, size, _PASSED):
+            if not vanishes(x - y, size, _SHIFT):
                 raise ArithmeticError("the closed form does not pass through its start")
     return motion
 

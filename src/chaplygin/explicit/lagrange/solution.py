@@ -16,11 +16,11 @@ from dataclasses import dataclass
 import sympy as sp
 from flint import acb, arb, ctx
 
-from ...arguments import Written
+from ...arguments import NumberOrText
 from ...catalogue.fixed_point.lagrange_top import I_1, I_3, P
 from ...core.system import System
 from ...errors import InputError
-from ...formulas.relative_zero import GIVEN, vanishes
+from ...formulas.relative_zero import START_TOLERANCE, vanishes
 from ..base.solution import Solution
 from ..one_degree import Equilibrium, MotionSample, QuadratureMotion, motion_chart
 from ..one_degree.functions import BALLS, Count, Functions, T
@@ -38,7 +38,9 @@ from .top import Top, Vector, level_of
 
 
 def solve_top(
-    system: System, start: Sequence[Written], parameters: Mapping[sp.Symbol, Written] | None = None
+    system: System,
+    start: Sequence[NumberOrText],
+    parameters: Mapping[sp.Symbol, NumberOrText] | None = None,
 ) -> Solution | None:
     """The motion of the Lagrange top, or None if the System is another one.
 
@@ -64,7 +66,7 @@ def solve_top(
     with ctx.workprec(BITS):
         numbers = [exact_time(x) for x in start]
         length = sum((x * x for x in numbers[3:]), arb(0)).sqrt()
-        if not vanishes(length - 1, arb(1), GIVEN):
+        if not vanishes(length - 1, arb(1), START_TOLERANCE):
             raise InputError(
                 f"start: |Gamma| is {float(length):.9g}, and must be 1, the length of the vertical"
             )

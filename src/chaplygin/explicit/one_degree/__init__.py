@@ -34,7 +34,7 @@ FAST = 19
 #: (x, x′) ↦ rates of the quadratures.
 Rates = Callable[[acb, acb], Sequence[acb]]
 #: (chart, σ, derivatives of t and of the quadratures by σ, their values) ↦ those of further ones.
-Nested = Callable[[Uniformisation, acb, Sequence[acb], Sequence[acb]], Sequence[acb]]
+NestedRates = Callable[[Uniformisation, acb, Sequence[acb], Sequence[acb]], Sequence[acb]]
 
 
 @dataclass(frozen=True)
@@ -164,7 +164,7 @@ class QuadratureMotion:
     x: arb
     rate: arb
     rates: Rates
-    nested: Nested | None = None
+    nested: NestedRates | None = None
     parities: tuple[int, ...] = ()
     units: tuple[float, ...] = (1.0,)
 
@@ -303,10 +303,10 @@ class QuadratureMotion:
         values = tuple(known.value(i, phase) for i in range(1, known.count))
         return MotionSample(periods, phase, tail, values, 1 / self.chart.clock(acb(phase)).real)
 
-    def _phase(self, known: Integrals, moment: arb) -> arb:
+    def _phase(self, integrals: Integrals, moment: arb) -> arb:
         """σ with t(σ) = moment."""
         return enclosed_root(
-            lambda sigma: known.value(0, sigma) - moment,
+            lambda sigma: integrals.value(0, sigma) - moment,
             lambda sigma: self.chart.clock(acb(sigma)).real,
             self.fast.phase(moment),
         )

@@ -49,7 +49,7 @@ NARROWEST = 1e-25
 #: σ ↦ the functions to be integrated, complex balls to complex balls.
 Rates = Callable[[acb], Sequence[acb]]
 #: (σ, the first functions, their integrals) ↦ further functions.
-Nested = Callable[[acb, Sequence[acb], Sequence[acb]], Sequence[acb]]
+NestedRates = Callable[[acb, Sequence[acb], Sequence[acb]], Sequence[acb]]
 
 
 def degree(digits: int) -> int:
@@ -188,7 +188,7 @@ def integrals(
     high: arb,
     digits: int,
     units: Sequence[float],
-    nested: Nested | None = None,
+    nested: NestedRates | None = None,
     parities: Sequence[int] = (),
 ) -> Integrals:
     """Integrals from zero along [low, high].
@@ -227,7 +227,7 @@ def integrals(
 @dataclass(frozen=True)
 class _Build:
     rates: Rates
-    nested: Nested | None
+    nested: NestedRates | None
     digits: int
     units: Sequence[float]
 

@@ -20,7 +20,7 @@ from flint import acb, acb_mat, arb, fmpq
 #: Constants in formulas.
 Constant: TypeAlias = int | float | fmpq | arb | acb
 
-_UNDEFINED = acb(float("nan"), float("nan"))
+_NAN = acb(float("nan"), float("nan"))
 
 
 class DividedDifferences:
@@ -164,7 +164,7 @@ def slope(function: Formula, *points: arb | acb) -> acb:
         # a constant
         return acb(result) if len(points) == 1 else acb(0)
     last = result.matrix[0, len(points) - 1]
-    return last if last.is_finite() else _UNDEFINED
+    return last if last.is_finite() else _NAN
 
 
 def jet(function: Formula, ball: arb) -> tuple[arb, arb, arb]:

@@ -17,7 +17,7 @@ import numpy as np
 import sympy as sp
 from flint import acb, arb, ctx
 
-from ...arguments import Numbers, Written, arguments_checked
+from ...arguments import NumberOrText, Numbers, arguments_checked
 from ...core.arrays import FloatArray
 from ...core.system import System
 from ..base.solution import ClosedForm, Solution
@@ -122,7 +122,7 @@ class UniformSolution(Solution):
         return state
 
     @arguments_checked
-    def rigorous(self, time: Written, digits: int = 30) -> tuple[arb, ...]:
+    def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
         """The lifted state at one time as balls that contain the exact one."""
         with ctx.workprec(working_bits(working_digits(time, digits, 1, self.pace))):
             t = exact_time(time)

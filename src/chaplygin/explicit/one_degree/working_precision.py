@@ -6,7 +6,7 @@ import math
 
 from flint import arb, fmpq
 
-from ...arguments import Written
+from ...arguments import NumberOrText
 from ...errors import InputError
 from ...formulas.balls import exact
 
@@ -14,7 +14,7 @@ from ...formulas.balls import exact
 MOST = 100
 
 
-def exact_time(time: Written) -> arb:
+def exact_time(time: NumberOrText) -> arb:
     """A time as a ball."""
     if isinstance(time, arb):
         return time
@@ -22,7 +22,7 @@ def exact_time(time: Written) -> arb:
     return arb(fmpq(value.numerator, value.denominator))
 
 
-def working_digits(time: Written, digits: int, powers: int, pace: float) -> int:
+def working_digits(time: NumberOrText, digits: int, powers: int, pace: float) -> int:
     """Digits to work with, so that `digits` remain when errors grow with a power of the time.
 
     Parameters

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 from flint import acb, arb, ctx
 
-from ...arguments import Written
+from ...arguments import NumberOrText
 from ...core.system import System
 from ...errors import InputError
 from ...mechanics.rolling.equations import Rolling
@@ -42,8 +42,8 @@ __all__ = ["solve_rolling"]
 def solve_rolling(
     rolling: Rolling,
     system: System,
-    start: Sequence[Written],
-    parameters: Mapping[sp.Symbol, Written] | None = None,
+    start: Sequence[NumberOrText],
+    parameters: Mapping[sp.Symbol, NumberOrText] | None = None,
 ) -> Solution | None:
     """The motion of a rubber body of revolution on a plane, or None for another body.
 
@@ -104,7 +104,7 @@ def solve_rolling(
 
 def _steady_solution(
     system: System,
-    parameters: Mapping[sp.Symbol, Written],
+    parameters: Mapping[sp.Symbol, NumberOrText],
     level: Level,
     start: StartState,
     equilibrium: Equilibrium,

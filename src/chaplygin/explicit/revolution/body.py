@@ -16,7 +16,7 @@ from functools import cached_property, partial
 import sympy as sp
 from flint import acb, arb, ctx, fmpq
 
-from ...arguments import Written
+from ...arguments import NumberOrText
 from ...core.vectors import real_symbol, vectors
 from ...errors import InputError
 from ...formulas.balls import exact
@@ -159,7 +159,9 @@ class Level:
         return Equation(numerator, denominator, arb(-1), arb(1), inner, (True, True))
 
 
-def body_of(rolling: Rolling, parameters: Mapping[sp.Symbol, Written]) -> AxisymmetricBody | None:
+def body_of(
+    rolling: Rolling, parameters: Mapping[sp.Symbol, NumberOrText]
+) -> AxisymmetricBody | None:
     """The rubber body of revolution on a plane, or None if it is another body.
 
     Parameters

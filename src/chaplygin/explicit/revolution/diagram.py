@@ -20,7 +20,7 @@ import numpy as np
 import sympy as sp
 from flint import arb, ctx, fmpq
 
-from ...arguments import Written
+from ...arguments import NumberOrText
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...formulas.balls import exact
@@ -100,7 +100,7 @@ class Diagram:
 def revolution_diagram(
     rolling: Rolling,
     spins: Sequence[float],
-    parameters: Mapping[sp.Symbol, Written] | None = None,
+    parameters: Mapping[sp.Symbol, NumberOrText] | None = None,
 ) -> Diagram:
     """The diagram of a body, on columns of constant K.
 

@@ -24,8 +24,8 @@ from flint import acb, arb
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...formulas.balls import array_function
-from ...formulas.relative_zero import GIVEN, vanishes
-from ..one_degree import MotionSample, Nested, QuadratureMotion, Rates
+from ...formulas.relative_zero import START_TOLERANCE, vanishes
+from ..one_degree import MotionSample, NestedRates, QuadratureMotion, Rates
 from ..one_degree.functions import BALLS, Count, Functions, T
 from ..one_degree.solution import BodyFrame, Inclination, intrinsic_angle
 from ..one_degree.uniformisation import Heteroclinic, Oscillating, Uniformisation
@@ -82,7 +82,7 @@ def start_state(state: Vector) -> StartState:
         (size - 1, arb(1), "|attitude| = 1"),
         (apart, arb(1), "gamma = the vertical of the attitude"),
     ):
-        if not vanishes(defect, scale, GIVEN):
+        if not vanishes(defect, scale, START_TOLERANCE):
             missed = float(abs(defect / scale).mid())
             raise InputError(f"start: it misses {name} by {missed:.3g}, and must satisfy it")
     normal = [x / length for x in normal]
@@ -112,7 +112,7 @@ def turning_rates(level: Level) -> Rates:
     return rates
 
 
-def path_rates(level: Level) -> Nested:
+def path_rates(level: Level) -> NestedRates:
     """(chart, σ, derivatives of t, φ, ψ, their values) ↦ derivatives by σ of the position."""
 
     def rates(

@@ -9,7 +9,7 @@ from math import ceil, log10
 
 from flint import arb, ctx
 
-from ...arguments import Written
+from ...arguments import NumberOrText
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...formulas.balls import ball, components, number
@@ -23,7 +23,7 @@ from .torus_motion import TorusMotion
 __all__ = ["RigorousMotion", "rigorous_motion", "rigorous_state"]
 
 #: Bits lost between the start and the phases, at most on motions that are not nearly degenerate.
-_LOST = 100
+_GUARD_BITS = 100
 #: Turns of the phases up to the latest time; those of a later one would need hundreds of digits.
 _LATEST = 1e60
 #: Motions are prepared for turns of the phases up to whole powers of 10 to this.
@@ -38,7 +38,7 @@ class RigorousMotion:
     ----------
     solution : TorusMotion
         The same motion in double precision.
-    prepared : SeparatedMotion
+    separated_motion : SeparatedMotion
         Constants, curve and torus at the precision that is needed.
     clock : RigorousQuadrature
         ∫ (dt/dτ) dτ.
@@ -47,26 +47,30 @@ class RigorousMotion:
     """
 
     solution: TorusMotion
-    prepared: SeparatedMotion
+    separated_motion: SeparatedMotion
     clock: RigorousQuadrature
     digits: int
     reach: float
 
     @cached_property
     def _state(self) -> Branch:
-        symbols = self.prepared.separable.system.symbols
-        return Branch(symbols, self.prepared.values, chain(self.prepared.separable, symbols)[1])
+        symbols = self.separated_motion.separable.system.symbols
+        return Branch(
+            symbols,
+            self.separated_motion.values,
+            chain(self.separated_motion.separable, symbols)[1],
+        )
 
     @cached_property
     def _pair(self) -> Pair | None:
-        return Pair.of_motion(self.prepared)
+        return Pair.of_motion(self.separated_motion)
 
     def _turn(self, pair: Pair) -> Turn:
         """The triad at the start."""
-        place = len(self.prepared.separable.system.symbols)
+        place = len(self.separated_motion.separable.system.symbols)
         quaternion = [ball(x) for x in self.solution.start[place : place + 4]]
-        at_start = direction(*numerators_at(self.prepared.torus, arb(0)))
-        return Turn.through(self.prepared, pair, at_start, quaternion)
+        at_start = direction(*numerators_at(self.separated_motion.torus, arb(0)))
+        return Turn.through(self.separated_motion, pair, at_start, quaternion)
 
     @cached_property
     def _angle(self) -> RigorousQuadrature | None:
@@ -74,9 +78,9 @@ class RigorousMotion:
         if self._pair is None or self._pair.rate is None:
             return None
         with ctx.workprec(self.clock.bits):
-            rate = self._pair.turning(self.prepared)
+            rate = self._pair.turning(self.separated_motion)
         # an angle may grow by some whole turns in one turn of the phases
-        return quadratures(self.prepared.torus, rate, self.digits + 1, self.reach)[0]
+        return quadratures(self.separated_motion.torus, rate, self.digits + 1, self.reach)[0]
 
     @cached_property
     def _paths(self) -> tuple[PathRates, tuple[RigorousQuadrature, ...]] | None:
@@ -84,10 +88,10 @@ class RigorousMotion:
         if self._pair is None or self._pair.rate is not None:
             return None
         with ctx.workprec(self.clock.bits):
-            rates = path_rates(self.prepared, self._pair)
+            rates = path_rates(self.separated_motion, self._pair)
             if rates is None:
                 return None
-            torus = self.prepared.torus
+            torus = self.separated_motion.torus
             return rates, quadratures(torus, rates.functions, self.digits, self.reach)
 
     def _motion_in_space(
@@ -112,10 +116,10 @@ class RigorousMotion:
 
     def reduced_state(self, tau: arb) -> tuple[list[arb], tuple[list[arb], list[arb]]]:
         """The reduced state, and ν and ν′, at one τ."""
-        there = direction(*numerators_at(self.prepared.torus, tau))
+        there = direction(*numerators_at(self.separated_motion.torus, tau))
         return self._state.at(*there), there
 
-    def state(self, time: Written) -> tuple[arb, ...]:
+    def state(self, time: NumberOrText) -> tuple[arb, ...]:
         """The lifted state at one time, as balls (arb).
 
         The sign of the quaternion, which the attitude leaves open, is that of the evaluation in
@@ -136,13 +140,13 @@ class RigorousMotion:
             moment = ball(time)
             tau = self.clock.inverse(moment)
             reduced_state, there = self.reduced_state(tau)
-            if self.prepared.separable.system.reconstruction is None:
+            if self.separated_motion.separable.system.reconstruction is None:
                 return tuple(reduced_state)
             rough = self.solution.states([number(moment)])[0, len(reduced_state) :]
             return (*reduced_state, *self._motion_in_space(tau, there, rough))
 
 
-def rigorous_motion(solution: TorusMotion, digits: int, until: Written) -> RigorousMotion:
+def rigorous_motion(solution: TorusMotion, digits: int, until: NumberOrText) -> RigorousMotion:
     """Prepare a motion for evaluation with error bounds.
 
     Parameters
@@ -158,11 +162,11 @@ def rigorous_motion(solution: TorusMotion, digits: int, until: Written) -> Rigor
         If the motion is so close to a separatrix that the bounds would take too long, or the time
         is beyond all measure.
     """
-    own = solution.prepared
+    own = solution.separated_motion
     turns = 10 + 1.1 * _turns(solution, until)
     reach = turns / speed_of(own.torus)
-    start: Sequence[Written] = solution.start[: len(own.separable.system.symbols)]
-    with ctx.workprec(bits_for(digits, turns) + _LOST):
+    start: Sequence[NumberOrText] = solution.start[: len(own.separable.system.symbols)]
+    with ctx.workprec(bits_for(digits, turns) + _GUARD_BITS):
         exact = separate(own.separable, solution.parameters, start)
         rate = components(own.separable.clock)
         branch = Branch(rate, exact.values, chain(own.separable, rate)[1])
@@ -170,7 +174,7 @@ def rigorous_motion(solution: TorusMotion, digits: int, until: Written) -> Rigor
     return RigorousMotion(solution, exact, clock, digits, reach)
 
 
-def _turns(solution: TorusMotion, time: Written) -> float:
+def _turns(solution: TorusMotion, time: NumberOrText) -> float:
     """Turns of the phases up to a time."""
     latest = number(ball(time))
     pace = solution.pace
@@ -181,7 +185,7 @@ def _turns(solution: TorusMotion, time: Written) -> float:
     return abs(latest) * pace
 
 
-def rigorous_state(solution: TorusMotion, time: Written, digits: int) -> tuple[arb, ...]:
+def rigorous_state(solution: TorusMotion, time: NumberOrText, digits: int) -> tuple[arb, ...]:
     """The lifted state of a motion at one time as balls that contain the exact one.
 
     Parameters

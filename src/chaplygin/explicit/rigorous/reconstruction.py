@@ -42,17 +42,23 @@ class Pair:
     rate: sp.Expr | None
 
     @classmethod
-    def of_motion(cls, prepared: SeparatedMotion) -> Pair | None:
+    def of_motion(cls, separated_motion: SeparatedMotion) -> Pair | None:
         """Two fixed vectors, or one and another that stays away from it; None if none is fixed."""
-        fixed = prepared.separable.fixed
+        fixed = separated_motion.separable.fixed
         if not fixed:
             return None
-        return cls(fixed[0], fixed[1], None) if len(fixed) > 1 else cls(*spinning_pair(prepared))
+        return (
+            cls(fixed[0], fixed[1], None)
+            if len(fixed) > 1
+            else cls(*spinning_pair(separated_motion))
+        )
 
-    def turning(self, prepared: SeparatedMotion) -> Branch:
+    def turning(self, separated_motion: SeparatedMotion) -> Branch:
         """The rate in τ, as a function of ν and ν′."""
-        formula = components(prepared.separable.clock)[0] * self.rate
-        return Branch([formula], prepared.values, chain(prepared.separable, [formula])[1])
+        formula = components(separated_motion.separable.clock)[0] * self.rate
+        return Branch(
+            [formula], separated_motion.values, chain(separated_motion.separable, [formula])[1]
+        )
 
 
 @dataclass(frozen=True)
@@ -73,15 +79,15 @@ class Turn:
     @classmethod
     def through(
         cls,
-        prepared: SeparatedMotion,
+        separated_motion: SeparatedMotion,
         pair: Pair,
         there: Sequence[Sequence[arb]],
         quaternion: Sequence[arb],
     ) -> Turn:
         """The triad of a start with ν, ν′ and the attitude (w, x, y, z, body to space)."""
         formulas = list(_triad(pair.first, pair.second))
-        _, steps = chain(prepared.separable, formulas)
-        body = Branch(formulas, prepared.values, steps)
+        _, steps = chain(separated_motion.separable, formulas)
+        body = Branch(formulas, separated_motion.values, steps)
         rows = arb_mat(3, 3, body.at(*there))
         length = sum((x * x for x in quaternion), arb(0)).sqrt()
         return cls(body, rows * _matrix([x / length for x in quaternion]).transpose())
@@ -151,7 +157,7 @@ class PathRates:
     shares: tuple[tuple[tuple[int, tuple[int, int]], ...], ...]
 
 
-def path_rates(prepared: SeparatedMotion, pair: Pair) -> PathRates | None:
+def path_rates(separated_motion: SeparatedMotion, pair: Pair) -> PathRates | None:
     """Derivatives of the coordinates in space beside the attitude; None if there are none.
 
     Quaternions enter the rates of a path in products of two, which are linear in the matrix, and
@@ -159,11 +165,11 @@ def path_rates(prepared: SeparatedMotion, pair: Pair) -> PathRates | None:
     the torus that at most changes its sign with the periods, which the rate itself need not.
     """
     names = attitude.symbols
-    rates = place_rates(prepared.separable)
+    rates = place_rates(separated_motion.separable)
     if not rates:
         return None
     products = quaternion_products((_AXES.T * _TRIAD).tolist())
-    clock = components(prepared.separable.clock)[0]
+    clock = components(separated_motion.separable.clock)[0]
     functions: list[sp.Expr] = []
     shares = []
     for rate in rates:
@@ -182,5 +188,5 @@ def path_rates(prepared: SeparatedMotion, pair: Pair) -> PathRates | None:
         shares.append(tuple(own))
     triad = list(zip(_TRIAD, _triad(pair.first, pair.second), strict=True))
     needed = [*functions, *(formula for _, formula in triad)]
-    _, steps = chain(prepared.separable, needed)
-    return PathRates(Branch(functions, prepared.values, (*steps, *triad)), tuple(shares))
+    _, steps = chain(separated_motion.separable, needed)
+    return PathRates(Branch(functions, separated_motion.values, (*steps, *triad)), tuple(shares))

@@ -7,7 +7,7 @@ from typing import Protocol
 
 import sympy as sp
 
-from ...arguments import Numbers, Written
+from ...arguments import NumberOrText, Numbers
 from ...core.arrays import FloatArray
 from ..genus_two.separated_motion import SeparatedMotion
 
@@ -16,15 +16,15 @@ class TorusMotion(Protocol):
     """A motion on a two-dimensional torus, as bounds need it."""
 
     @property
-    def prepared(self) -> SeparatedMotion:
+    def separated_motion(self) -> SeparatedMotion:
         """Constants, curve and torus."""
 
     @property
-    def parameters(self) -> Mapping[sp.Symbol, Written]:
+    def parameters(self) -> Mapping[sp.Symbol, NumberOrText]:
         """Values of the parameters."""
 
     @property
-    def start(self) -> tuple[Written, ...]:
+    def start(self) -> tuple[NumberOrText, ...]:
         """The lifted state at t = 0, as given."""
 
     @property

@@ -27,7 +27,7 @@ E, G, q_1, r = (real_symbol(name) for name in ("E", "G", "q_1", "r"))
 
 INVERSE = I**-1
 TURN = cross(nuprime, nu)
-MIXED = sp.Add(*(first * second for first, second in combinations(I.symbols, 2)))
+SECOND_INVARIANT = sp.Add(*(first * second for first, second in combinations(I.symbols, 2)))
 
 
 def fedorov() -> SeparatedSystem:
@@ -42,7 +42,7 @@ def fedorov() -> SeparatedSystem:
             constants=(
                 (E, (dot(K, INVERSE * K) - beta * dot(gamma, I * gamma)) / 2),
                 (G, norm_squared(K) + beta * DET_I * dot(gamma, INVERSE * gamma)),
-                (q_1, beta * MIXED - G),
+                (q_1, beta * SECOND_INVARIANT - G),
                 (r, sp.sqrt(q_1**2 + 8 * E * beta * DET_I)),
             ),
             direction=gamma,

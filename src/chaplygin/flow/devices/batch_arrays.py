@@ -60,7 +60,7 @@ class BatchOutput:
     counts : array (motions,) of int
         Samples of each motion.
     outcome : array (motions,) of int
-    ended : array (motions,)
+    end_times : array (motions,)
         The time that was reached.
     steps : array (motions,) of int
     """
@@ -69,22 +69,22 @@ class BatchOutput:
     times: FloatArray
     counts: IntArray
     outcome: IntArray
-    ended: FloatArray
+    end_times: FloatArray
     steps: IntArray
 
     @property
     def arrays(self) -> tuple[FloatArray | IntArray, ...]:
         """All of them, in the order of the loop's arguments."""
-        return self.states, self.times, self.counts, self.outcome, self.ended, self.steps
+        return self.states, self.times, self.counts, self.outcome, self.end_times, self.steps
 
 
-def empty_output(given: BatchInput) -> BatchOutput:
+def empty_output(task: BatchInput) -> BatchOutput:
     """Room for the results of a call."""
-    motions, numbers, words = given.starts.shape
+    motions, numbers, words = task.starts.shape
     counts, outcome, steps = (np.zeros(motions, dtype=np.int64) for _ in range(3))
     return BatchOutput(
-        np.full((motions, given.samples, numbers, words), np.nan),
-        np.full((motions, given.samples), np.nan),
+        np.full((motions, task.samples, numbers, words), np.nan),
+        np.full((motions, task.samples), np.nan),
         counts,
         outcome,
         np.zeros(motions),
@@ -95,6 +95,6 @@ def empty_output(given: BatchInput) -> BatchOutput:
 class BatchLoop(Protocol):
     """The compiled loop over motions, on some device."""
 
-    def run(self, given: BatchInput, threads: int | None) -> BatchOutput:
+    def run(self, task: BatchInput, threads: int | None) -> BatchOutput:
         """The motions; `threads` is the number of processor threads, all if None."""
         ...

@@ -23,7 +23,7 @@ class GraphicsProcessor(Protocol):
     """A graphics processor, as far as it is needed here."""
 
     def run(
-        self, ptx: str, entry: str, arguments: Sequence[Argument], wanted: Sequence[int], most: int
+        self, ptx: str, entry: str, arguments: Sequence[Argument], outputs: Sequence[int], most: int
     ) -> None:
         """Run a kernel to its end.
 
@@ -34,7 +34,7 @@ class GraphicsProcessor(Protocol):
             The name of the kernel.
         arguments : sequence of array, int or float
             Arrays are copied to the device, 64-bit numbers passed as they are.
-        wanted : sequence of int
+        outputs : sequence of int
             Places of the arrays that are copied back.
         most : int
             Threads at most; as many as run at once are started, if these are fewer.
@@ -57,7 +57,7 @@ class CudaProcessor:
     device: Any
 
     def run(
-        self, ptx: str, entry: str, arguments: Sequence[Argument], wanted: Sequence[int], most: int
+        self, ptx: str, entry: str, arguments: Sequence[Argument], outputs: Sequence[int], most: int
     ) -> None:
         """Run a kernel; see :class:`GraphicsProcessor`."""
         core, device = self.core, self.device
@@ -73,17 +73,17 @@ class CudaProcessor:
                     number = np.float64 if isinstance(argument, float) else np.int64
                     passed.append(number(argument))
                     continue
-                buffers[place] = self._copied(argument, stream)
+                buffers[place] = self._device_copy(argument, stream)
                 passed.append(buffers[place][1])
             resident = kernel.occupancy.max_active_blocks_per_multiprocessor(BLOCK, 0)
             blocks = resident * device.properties.multiprocessor_count
             blocks = max(1, min(blocks, -(-most // BLOCK)))
             core.launch(stream, core.LaunchConfig(grid=blocks, block=BLOCK), kernel, *passed)
-            for place in wanted:
+            for place in outputs:
                 pinned, there = buffers[place]
                 there.copy_to(pinned, stream=stream)
             stream.sync()
-            for place in wanted:
+            for place in outputs:
                 array = arguments[place]
                 assert isinstance(array, np.ndarray)
                 array.reshape(-1).view(np.uint8)[:] = self._bytes(buffers[place][0])
@@ -93,7 +93,7 @@ class CudaProcessor:
                     buffer.close(stream)
             stream.close()
 
-    def _copied(self, array: npt.NDArray[Any], stream: Any) -> tuple[Any, Any]:
+    def _device_copy(self, array: npt.NDArray[Any], stream: Any) -> tuple[Any, Any]:
         """A buffer in pinned memory of the host, and its copy on the device."""
         size = max(array.nbytes, 8)
         pinned = self.core.LegacyPinnedMemoryResource().allocate(size)
@@ -103,8 +103,8 @@ class CudaProcessor:
         return pinned, there
 
     @staticmethod
-    def _bytes(pinned: Any) -> npt.NDArray[np.uint8]:
-        return np.from_dlpack(pinned).view(np.uint8)
+    def _bytes(buffer: Any) -> npt.NDArray[np.uint8]:
+        return np.from_dlpack(buffer).view(np.uint8)
 
 
 @lru_cache(maxsize=64)

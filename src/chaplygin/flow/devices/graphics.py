@@ -36,22 +36,22 @@ class GraphicsLoop:
     processor: GraphicsProcessor
     ptx: str = field(repr=False)
 
-    def run(self, given: BatchInput, threads: int | None) -> BatchOutput:
+    def run(self, task: BatchInput, threads: int | None) -> BatchOutput:
         """The motions, piece by piece; `threads` of the host have nothing to do here."""
-        result = empty_output(given)
-        each = max(1, result.states.nbytes // max(given.motions, 1))
+        result = empty_output(task)
+        each = max(1, result.states.nbytes // max(task.motions, 1))
         motions = max(1, PIECE // each)
-        for first in range(0, given.motions, motions):
-            self._run_piece(given, result, slice(first, min(first + motions, given.motions)))
+        for first in range(0, task.motions, motions):
+            self._run_piece(task, result, slice(first, min(first + motions, task.motions)))
         return result
 
-    def _run_piece(self, given: BatchInput, result: BatchOutput, some: slice) -> None:
+    def _run_piece(self, task: BatchInput, result: BatchOutput, some: slice) -> None:
         count = some.stop - some.start
-        parameters = given.parameters[some] if given.stride else given.parameters
+        parameters = task.parameters[some] if task.stride else task.parameters
         results = [array[some] for array in result.arrays]
         arguments = [
-            *(np.zeros(1, dtype=np.int64), count, given.starts[some], parameters, given.stride),
-            *(given.times, given.samples, given.tolerance, given.limit),
+            *(np.zeros(1, dtype=np.int64), count, task.starts[some], parameters, task.stride),
+            *(task.times, task.samples, task.tolerance, task.limit),
             *results,
         ]
         wanted = range(len(arguments) - len(results), len(arguments))
@@ -70,7 +70,7 @@ def refuse_graphics(device: Device) -> None:
 def graphics_loop(
     equations: Equations,
     digits: int,
-    opened: Callable[[], GraphicsProcessor] = open_processor,
+    open_device: Callable[[], GraphicsProcessor] = open_processor,
 ) -> GraphicsLoop:
     """The loop for some equations, with 16 or 30 digits.
 
@@ -78,7 +78,7 @@ def graphics_loop(
     ----------
     equations : Equations
     digits : 16 or 30
-    opened : callable
+    open_device : callable
         Opens the graphics processor.
 
     Raises
@@ -86,7 +86,7 @@ def graphics_loop(
     InputError
         If there is no graphics processor, or its library is missing.
     """
-    processor = opened()
+    processor = open_device()
     arithmetic, method = arithmetic_and_method(digits)
     key = f"thread {digits} {serial(equations)}"
     return GraphicsLoop(

@@ -28,21 +28,21 @@ class ProcessorLoop:
 
     code: native.Native = field(repr=False)
 
-    def run(self, given: BatchInput, threads: int | None) -> BatchOutput:
+    def run(self, task: BatchInput, threads: int | None) -> BatchOutput:
         """The motions; see :class:`chaplygin.flow.devices.batch_arrays.BatchLoop`."""
-        result = empty_output(given)
+        result = empty_output(task)
 
         def compute(first: int, last: int) -> None:
             work = native.aligned_zeros(self.code.work_size)
             self.code.functions["march"](
-                *(first, last, given.starts.ctypes.data, given.parameters.ctypes.data),
-                *(given.stride, given.times.ctypes.data, given.samples),
-                *(given.tolerance, given.limit),
+                *(first, last, task.starts.ctypes.data, task.parameters.ctypes.data),
+                *(task.stride, task.times.ctypes.data, task.samples),
+                *(task.tolerance, task.limit),
                 *(array.ctypes.data for array in result.arrays),
                 work.ctypes.data,
             )
 
-        run_in_threads(compute, given.motions, threads)
+        run_in_threads(compute, task.motions, threads)
         return result
 
 

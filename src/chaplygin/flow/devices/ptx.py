@@ -14,7 +14,7 @@ import llvmlite
 import llvmlite.binding as llvm
 
 from ..kernel import code_cache as cache
-from ..kernel.jit import optimised
+from ..kernel.jit import optimise
 
 #: The oldest processor that the newest driver knows (Turing).
 ARCHITECTURE = "sm_75"
@@ -31,7 +31,7 @@ def _machine() -> llvm.TargetMachine:
 def compile_ptx(text: str) -> str:
     """PTX of a text in LLVM's language."""
     machine = _machine()
-    ptx: str = machine.emit_assembly(optimised(text, machine))
+    ptx: str = machine.emit_assembly(optimise(text, machine))
     return ptx
 
 

@@ -89,7 +89,7 @@ def _is_complete(folder: Path, array: ZarrArray, block: int, status: tuple[int, 
     return True
 
 
-def damaged_blocks(folder: Path, arrays: Sequence[ZarrArray], done: BoolArray) -> list[int]:
+def damaged_blocks(folder: Path, arrays: Sequence[ZarrArray], complete: BoolArray) -> list[int]:
     """Blocks that are marked, but of which a chunk is missing, empty or damaged.
 
     Parameters
@@ -97,13 +97,13 @@ def damaged_blocks(folder: Path, arrays: Sequence[ZarrArray], done: BoolArray) -
     folder : Path
     arrays : sequence of zarr.Array
         The variables of the store, in the order of the table.
-    done : array (blocks,) of bool
+    complete : array (blocks,) of bool
         The marks.
     """
-    table = _chunk_table(folder, len(done), len(arrays)).tolist()
+    table = _chunk_table(folder, len(complete), len(arrays)).tolist()
     return [
         block
-        for block in np.flatnonzero(done).tolist()
+        for block in np.flatnonzero(complete).tolist()
         if not all(
             _is_complete(folder, array, block, tuple(status))
             for array, status in zip(arrays, table[block], strict=True)

@@ -73,7 +73,7 @@ def _require_room(task: Task, where: str | Path | None) -> None:
         require_room(sum(count * size for count, size in sizes), folder, what)
 
 
-def _no_progress(done: float) -> None:
+def _no_progress(share: float) -> None:
     """Ignore progress."""
 
 
@@ -90,7 +90,7 @@ def _results(
     else:
         pairs = results(client, task.work, {block: task.members(block) for block in blocks})
     for count, (block, arrays) in enumerate(pairs, 1):
-        yield block, task.checked(arrays, *task.members(block))
+        yield block, task.require_arrays(arrays, *task.members(block))
         pace.check(count / len(blocks), f"{task.size:,} {task.member}s")
         progress(1 - (len(blocks) - count) / task.blocks)
 

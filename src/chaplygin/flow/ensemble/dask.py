@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 _WAITING = 1
 
 #: Times that Dask may give up a block before it is given up here.
-_BLAMED = 3
+_MOST_FAILURES = 3
 
 #: The time within which a scheduler must answer.
 PATIENCE = "10s"
@@ -88,7 +88,7 @@ def results(
             except distributed.KilledWorker:
                 # Dask blames all blocks of a worker that disappears, not the one it was at alone
                 blamed[block] += 1
-                if blamed[block] == _BLAMED:
+                if blamed[block] == _MOST_FAILURES:
                     first, last = blocks[block]
                     raise IncompleteError(
                         f"the block of members {first} to {last - 1} brought down one worker after "
@@ -110,23 +110,23 @@ def results(
             yield block, arrays
 
 
-def _compute(packed: bytes, first: int, last: int) -> Arrays:
+def _compute(pickle: bytes, first: int, last: int) -> Arrays:
     """A block, in a thread of a worker, on CHAPLYGIN_THREADS processors (1)."""
     from ..devices.threads import THREADS
 
     before = THREADS.set(int(os.environ.get("CHAPLYGIN_THREADS", "1")))
     try:
-        return _work_of(packed)(first, last)
+        return _work_of(pickle)(first, last)
     finally:
         THREADS.reset(before)
 
 
 @functools.lru_cache(maxsize=2)
-def _work_of(packed: bytes) -> Work:
+def _work_of(pickle: bytes) -> Work:
     """The work, once for every worker and not for every block."""
     import cloudpickle
 
-    work: Work = cloudpickle.loads(packed)
+    work: Work = cloudpickle.loads(pickle)
     return work
 
 

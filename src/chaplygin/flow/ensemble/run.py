@@ -148,7 +148,7 @@ def ensemble_task(
         tuple(record),
         device=device,
     )
-    twice = sorted({str(name) for name in parameters or ()} & set(work.varied))
+    twice = sorted({str(name) for name in parameters or ()} & set(work.varied_parameters))
     if twice:
         raise InputError(f"{system.name}: {', '.join(twice)} is given twice")
     lanes = work.lanes
@@ -196,7 +196,7 @@ def _constants(system: System, parameters: Parameters) -> dict[str, float]:
     return constants
 
 
-def _variables(work: EnsembleWork, drawn: bool) -> dict[str, Variable]:
+def _variables(work: EnsembleWork, are_random: bool) -> dict[str, Variable]:
     """The variables that `EnsembleWork` computes."""
     system, moments = work.system, len(work.times)
     text = {str(p.symbol): p for p in system.parameters}
@@ -204,9 +204,9 @@ def _variables(work: EnsembleWork, drawn: bool) -> dict[str, Variable]:
         name: Variable(
             attributes=cf_attributes(text[name].meaning, text[name].unit), coordinate=True
         )
-        for name in work.varied
+        for name in work.varied_parameters
     }
-    if drawn:
+    if are_random:
         notes = cf_attributes("number of the start among those drawn", "1")
         variables["start"] = Variable(dtype="int64", attributes=notes, coordinate=True)
     for item in system.state:
@@ -268,7 +268,7 @@ def _attributes(work: EnsembleWork) -> dict[str, object]:
     """Attributes of the whole ensemble."""
     system = work.system
     constants = {str(p.symbol): p.default for p in system.parameters} | dict(work.parameters)
-    text = [f"{s} = {float(v)!r}" for s, v in constants.items() if s not in work.varied]
+    text = [f"{s} = {float(v)!r}" for s, v in constants.items() if s not in work.varied_parameters]
     return {
         **system_attributes(system),
         "parameters": "; ".join(text),
@@ -286,5 +286,5 @@ def _draw(work: EnsembleWork, parameters: Mapping[str, npt.ArrayLike]) -> dict[s
     draw = work.members.draw
     if draw is None:
         return {}
-    first = {name: float(np.asarray(parameters[name])[0]) for name in work.varied}
+    first = {name: float(np.asarray(parameters[name])[0]) for name in work.varied_parameters}
     return {"seed": draw.seed, "measure": work.level(first).measure}

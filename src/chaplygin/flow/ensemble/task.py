@@ -135,7 +135,7 @@ class Task(WithShortRepr):
         """Number of blocks."""
         return math.ceil(self.size / self.block)
 
-    def checked(self, arrays: Arrays, first: int, last: int) -> Arrays:
+    def require_arrays(self, arrays: Arrays, first: int, last: int) -> Arrays:
         """The arrays of a block, if names, shapes and types are as declared.
 
         Raises

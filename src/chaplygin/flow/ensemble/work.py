@@ -87,7 +87,7 @@ class EnsembleWork:
         )
 
     @property
-    def varied(self) -> tuple[str, ...]:
+    def varied_parameters(self) -> tuple[str, ...]:
         """The parameters that are given member by member."""
         known = {str(p.symbol) for p in self.system.parameters}
         return tuple(name for name in self.members.names if name in known)
@@ -101,7 +101,7 @@ class EnsembleWork:
             runs = f"runs {first} to {last - 1}" if last > first + 1 else f"run {first}"
             raise InputError(error.message, runs) from error
         arrays: dict[str, npt.NDArray[np.number]] = {
-            name: np.asarray(parameters[name]) for name in self.varied
+            name: np.asarray(parameters[name]) for name in self.varied_parameters
         }
         if points is not None:
             arrays["start"] = points
@@ -128,7 +128,7 @@ class EnsembleWork:
     ) -> tuple[FloatArray, dict[str, float | FloatArray], IntArray | None]:
         """Initial states, parameters, and numbers of the random starts, of some members."""
         rows, points = self.members.rows(first - self.offset, last - self.offset)
-        varied = {name: rows.pop(name) for name in self.varied}
+        varied = {name: rows.pop(name) for name in self.varied_parameters}
         parameters: dict[str, float | FloatArray] = {**self.parameters, **varied}
         if self.members.draw is None or points is None:
             return flat_starts(self.system, rows, parameters), parameters, None
@@ -140,25 +140,25 @@ class EnsembleWork:
         return self._random_starts(self.members.draw, varied, points), parameters, points
 
     def _random_starts(
-        self, draw: SampledMembers, varied: Mapping[str, FloatArray], points: IntArray
+        self, draw: SampledMembers, parameters: Mapping[str, FloatArray], points: IntArray
     ) -> FloatArray:
         """Random starts by number, each on the level at its own parameters."""
         starts = np.empty((len(points), len(self.system.symbols)))
-        rows = np.column_stack([np.zeros(len(points)), *varied.values()])
+        rows = np.column_stack([np.zeros(len(points)), *parameters.values()])
         sets, which = np.unique(rows, axis=0, return_inverse=True)
         for number, row in enumerate(sets[:, 1:].tolist()):
             indices = np.flatnonzero(which.ravel() == number)
             numbers, begin = points[indices], int(points[indices].min())
-            level = self.level(dict(zip(varied, row, strict=True)))
+            level = self.level(dict(zip(parameters, row, strict=True)))
             starts[indices] = level.draw(
                 int(numbers.max()) - begin + 1, seed=draw.seed, first=begin
             )[numbers - begin]
         return starts
 
-    def level(self, varied: Mapping[str, float]) -> LevelSampler:
+    def level(self, parameters: Mapping[str, float]) -> LevelSampler:
         """The level from which starts are drawn, at values of the varying parameters."""
         level = self.members.draw.level if self.members.draw is not None else {}
-        values = {**self.parameters, **varied}
+        values = {**self.parameters, **parameters}
         return _level(self.system, tuple(level.items()), tuple(values.items()))
 
 

@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     ZarrArray: TypeAlias = zarr.Array[Any]
 
 #: The array of the marks of complete blocks.
-DONE = "done"
+MARKS = "done"
 
 #: An attribute of every store, by which other stores are recognised.
 FORMAT = "chaplygin blocks 1"
@@ -57,19 +57,19 @@ class Store:
         The computation whose result it holds, in the blocks of the store.
     folder : Path
     arrays : mapping of str to zarr.Array
-    done : ndarray of bool
+    complete : ndarray of bool
         Which blocks are complete.
     """
 
     task: Task
     folder: Path
     arrays: Mapping[str, ZarrArray]
-    done: BoolArray = field(repr=False)
+    complete: BoolArray = field(repr=False)
 
     @property
     def missing(self) -> list[int]:
         """The blocks that are not complete."""
-        blocks: list[int] = np.flatnonzero(~self.done).tolist()
+        blocks: list[int] = np.flatnonzero(~self.complete).tolist()
         return blocks
 
     def write(self, block: int, arrays: Arrays) -> None:
@@ -88,21 +88,21 @@ class Store:
             chunks = [
                 chunk_path(self.folder, name, block, array.ndim)
                 for name, array in self.arrays.items()
-                if name != DONE
+                if name != MARKS
             ]
             write_chunk_table(self.folder, block, chunks)
-            marked = self.done.copy()
+            marked = self.complete.copy()
             marked[block] = True
-            self.arrays[DONE][:] = marked
-            flush(chunk_path(self.folder, DONE, 0, 1))
+            self.arrays[MARKS][:] = marked
+            flush(chunk_path(self.folder, MARKS, 0, 1))
         except OSError as problem:
             raise self._incomplete_error(problem) from problem
-        self.done = marked
+        self.complete = marked
 
     def _incomplete_error(self, problem: OSError) -> IncompleteError:
         return IncompleteError(
-            f"{self.folder}: {_reason(problem)}; {self.done.sum()} of {self.task.blocks} blocks "
-            "are written and stay: put right what is wrong, and run the same again"
+            f"{self.folder}: {_reason(problem)}; {self.complete.sum()} of {self.task.blocks} "
+            "blocks are written and stay: put right what is wrong, and run the same again"
         )
 
 
@@ -126,7 +126,7 @@ def open_store(task: Task, folder: Path) -> Iterator[Store]:
             if _is_empty(folder):
                 _create(task, folder)
             group = _group(folder)
-            stack.enter_context(_locked(folder, patient=False))
+            stack.enter_context(_lock(folder, patient=False))
             store = _resumed_store(task, folder, group)
         except OSError as problem:
             raise InputError(f"{folder} cannot be written: {_reason(problem)}") from problem
@@ -161,7 +161,7 @@ def read_store(folder: str | Path) -> xr.Dataset:
             f"{path} is damaged: its coordinates cannot be read; delete it or choose another name "
             "for the store, and run the same again"
         ) from problem
-    return dataset.drop_vars(DONE)
+    return dataset.drop_vars(MARKS)
 
 
 def _create(task: Task, folder: Path) -> None:
@@ -169,7 +169,7 @@ def _create(task: Task, folder: Path) -> None:
     if not folder.parent.is_dir():
         raise InputError(f"{folder} cannot be written: there is no folder {folder.parent}")
     provisional = folder.with_name(f".{folder.name}.begun")
-    with _locked(provisional, patient=True):
+    with _lock(provisional, patient=True):
         shutil.rmtree(provisional, ignore_errors=True)
         try:
             if _is_empty(folder):
@@ -221,7 +221,7 @@ def _write_layout(task: Task, folder: Path) -> None:
                 attributes=_attributes(variable.attributes) | ({} if variable.coordinate else own),
             )
         group.create_array(
-            DONE,
+            MARKS,
             shape=(task.blocks,),
             chunks=(task.blocks,),
             dtype="bool",
@@ -270,7 +270,7 @@ def _group(folder: Path) -> zarr.Group:
         raise InputError(f"{folder}: there is no such folder")
     try:
         group = zarr.open_group(zarr.storage.LocalStore(folder), mode="r+")
-        known = group[DONE].attrs.get("format") == FORMAT
+        known = group[MARKS].attrs.get("format") == FORMAT
     except OSError as problem:
         if not isinstance(problem, FileExistsError | FileNotFoundError | NotADirectoryError):
             raise
@@ -298,7 +298,7 @@ def _variables(group: zarr.Group) -> list[ZarrArray]:
 def _marks(folder: Path, group: zarr.Group) -> BoolArray:
     """The marks (blocks,) of complete blocks."""
     try:
-        return np.asarray(_array(group, DONE)[:], dtype=bool)
+        return np.asarray(_array(group, MARKS)[:], dtype=bool)
     except Exception as problem:
         raise InputError(
             f"{folder} is damaged: which of its blocks are finished cannot be read; delete it or "
@@ -308,11 +308,11 @@ def _marks(folder: Path, group: zarr.Group) -> BoolArray:
 
 def _notes(group: zarr.Group) -> Mapping[str, Any]:
     """The attributes of the marks: format, blocks, task and program of a store."""
-    return group[DONE].attrs
+    return group[MARKS].attrs
 
 
 @contextmanager
-def _locked(folder: Path, *, patient: bool) -> Iterator[None]:
+def _lock(folder: Path, *, patient: bool) -> Iterator[None]:
     """Lock a store against other writers; the lock ends with the process, however that ends.
 
     The lock is a file beside the store, which is deleted while it is still locked: who waits for
@@ -358,7 +358,7 @@ def _resumed_store(task: Task, folder: Path, group: zarr.Group) -> Store:
         leftover.unlink()
     arrays = {
         name: _array(group, name).with_config({"write_empty_chunks": True})
-        for name in (*task.variables, DONE)
+        for name in (*task.variables, MARKS)
     }
     return Store(replace(task, block=notes["block"]), folder, arrays, done)
 

@@ -180,10 +180,10 @@ def atan2(k: Arithmetic, y: Value, x: Value) -> Value:
     return copy_sign(k, y, total_of(k, difference(k, turned, minus)))
 
 
-def _proper(k: Arithmetic, a: Value, b: Value, swapped: str) -> tuple[Value, Value]:
+def _proper(k: Arithmetic, a: Value, b: Value, swap: str) -> tuple[Value, Value]:
     """Two magnitudes in the same ratio, the smaller first, scaled to usual size."""
     one = unit(k)
-    above, below = k.choose(swapped, b, a), k.choose(swapped, a, b)
+    above, below = k.choose(swap, b, a), k.choose(swap, a, b)
     factor = where_constant(k, where(k, below, "olt", 2.0**-500), 2.0**600, one)
     factor = where_constant(k, where(k, below, "ogt", 2.0**500), 2.0**-600, factor)
     endless = where(k, below, "oeq", INFINITY)
@@ -205,7 +205,7 @@ def atan(k: Arithmetic, x: Value) -> Value:
 #: Arguments at which exp, and sinh and cosh, overflow, and at which exp underflows.
 HIGHEST, HIGHEST_HYPERBOLIC, LOWEST = 709.782712893384, 710.4758600739439, -746.0
 #: From here on the hyperbolic tangent is 1 to 106 bits.
-SATURATED = 40.0
+SATURATION = 40.0
 
 
 def _exponential(k: Arithmetic, x: Value, halvings: int) -> HeadTail:
@@ -266,7 +266,7 @@ def tanh(k: Arithmetic, x: Value) -> Value:
     size = absolute(k, x)
     sine, cosine = _hyperbolic(k, size)
     ratio = total_of(k, quotient(k, fast_sum(k, *sine), cosine))
-    return copy_sign(k, x, where_constant(k, where(k, size, "ogt", SATURATED), 1.0, ratio))
+    return copy_sign(k, x, where_constant(k, where(k, size, "ogt", SATURATION), 1.0, ratio))
 
 
 def log(k: Arithmetic, x: Value) -> Value:

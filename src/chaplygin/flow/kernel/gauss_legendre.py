@@ -122,7 +122,7 @@ class _LoopGenerator:
             w.store("double", w.load("double", w.address("double", row, i)), self.address("y", i))
         self._parameters(index)
         self.time = w.variable("double", "0.0")
-        self.planned = w.variable("double", "0.0")
+        self.planned_step = w.variable("double", "0.0")
         self.last_step = w.variable("double", "0.0")
         self.outcome = w.variable("i64", "0")
         self.attempts = w.variable("i64", "0")
@@ -131,7 +131,7 @@ class _LoopGenerator:
         self._targets()
         self._first_step()
         self.floor = w.variable(
-            "double", self._scalar("fmul", w.load("double", self.planned), literal(1e-12))
+            "double", self._scalar("fmul", w.load("double", self.planned_step), literal(1e-12))
         )
         with w.count("%wanted") as sample:
             target = w.load("double", w.address("double", "%times", sample))
@@ -209,7 +209,7 @@ class _LoopGenerator:
         # at an equilibrium no rate gives a time scale
         last = w.address("double", "%times", w.emit("sub i64 %wanted, 1"))
         first = w.call("minnum", first, w.splat(w.load("double", last)))
-        w.store("double", self._first_lane(first), self.planned)
+        w.store("double", self._first_lane(first), self.planned_step)
 
     def _first_lane(self, vector: str, lane: int = 0) -> str:
         return self.w.emit(f"extractelement {self.w.type} {vector}, i64 {lane}")
@@ -229,7 +229,7 @@ class _LoopGenerator:
     def _step(self, target: str) -> None:
         """One attempt."""
         w = self.w
-        now, planned = w.load("double", self.time), w.load("double", self.planned)
+        now, planned = w.load("double", self.time), w.load("double", self.planned_step)
         left = self._scalar("fsub", target, now)
         # as many equal steps as are needed, so that the next one resembles the last
         ratio = self._scalar("fdiv", left, planned)
@@ -423,7 +423,7 @@ class _LoopGenerator:
             by //= 2
         return value
 
-    def _judge(self, step: str, whole: Value, arrived: str, good: str) -> None:
+    def _judge(self, step: str, whole: Value, end_time: str, good: str) -> None:
         """Take the step or try a shorter one."""
         w, d, h = self.w, self.d, whole[0]
         top = self._vector([float(x) for x in self.method.top])
@@ -454,13 +454,13 @@ class _LoopGenerator:
         fine = w.load("i1", accepted)
         with w.branch(fine):
             self._advance(whole)
-            w.store("double", arrived, self.time)
+            w.store("double", end_time, self.time)
             w.store("double", step, self.last_step)
             self._plan_taken(step, w.load("double", factor), estimate, bound)
         with w.branch(w.emit(f"xor i1 {fine}, true")):
             shorter = self._call("minnum", w.load("double", factor), literal(0.9))
             shorter = self._scalar("fmul", step, shorter)
-            w.store("double", shorter, self.planned)
+            w.store("double", shorter, self.planned_step)
             w.store("double", "0.0", self.last_step)
             now = w.load("double", self.time)
             floor = self._scalar("fmul", now, literal(1e-15))
@@ -468,7 +468,7 @@ class _LoopGenerator:
             with w.branch(w.emit(f"fcmp ule double {shorter}, {floor}")):
                 w.store("i64", w.load("i64", reason), self.outcome)
 
-    def _guards(self, h: str, accepted: str, reason: str) -> None:
+    def _guards(self, h: str, is_accepted: str, reason: str) -> None:
         """A guard that is passed in a stage, or where the step leads, forbids the step."""
         w, d = self.w, self.d
         weights = self._vector([float(x) for x in self.method.b])
@@ -483,7 +483,7 @@ class _LoopGenerator:
             for i in reversed(range(len(self.equations.guards))):
                 passed = w.any(w.compare("ule", d.load(self.address("guards"), i), w.constant(0.0)))
                 with w.branch(passed):
-                    w.store("i1", "false", accepted)
+                    w.store("i1", "false", is_accepted)
                     w.store("i64", str(len(STATUS_MESSAGES) + i), reason)
 
     def _plan_taken(self, step: str, factor: str, estimate: str, bound: str) -> None:
@@ -491,7 +491,7 @@ class _LoopGenerator:
         w = self.w
         done = w.emit(f"add i64 {w.load('i64', self.accepted_steps)}, 1")
         w.store("i64", done, self.accepted_steps)
-        planned = w.load("double", self.planned)
+        planned = w.load("double", self.planned_step)
         early = w.emit(f"icmp sle i64 {done}, {SETTLING}")
         calm = w.emit(
             f"fcmp ole double {estimate}, {self._scalar('fmul', bound, literal(CALM**2))}"
@@ -507,7 +507,9 @@ class _LoopGenerator:
         whole = w.emit(f"fcmp oge double {step}, {self._scalar('fmul', planned, literal(0.5))}")
         first = w.emit(f"and i1 {early}, {whole}")
         w.store(
-            "double", w.emit(f"select i1 {first}, double {free}, double {following}"), self.planned
+            "double",
+            w.emit(f"select i1 {first}, double {free}, double {following}"),
+            self.planned_step,
         )
         due = w.emit(f"urem i64 {done}, {EVERY}")
         with w.branch(w.emit(f"icmp eq i64 {due}, 0")):

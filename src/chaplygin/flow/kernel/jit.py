@@ -118,7 +118,7 @@ def _processor(sets: InstructionSets) -> str:
     )
 
 
-def optimised(text: str, machine: llvm.TargetMachine) -> llvm.ModuleRef:
+def optimise(text: str, machine: llvm.TargetMachine) -> llvm.ModuleRef:
     """A text in LLVM's assembly language as a module for a machine."""
     module = llvm.parse_assembly(text)
     module.triple = machine.triple
@@ -136,7 +136,7 @@ def optimised(text: str, machine: llvm.TargetMachine) -> llvm.ModuleRef:
 
 def optimised_object(text: str, machine: llvm.TargetMachine) -> bytes:
     """The object file of a text in LLVM's assembly language for a machine."""
-    code: bytes = machine.emit_object(optimised(text, machine))
+    code: bytes = machine.emit_object(optimise(text, machine))
     return code
 
 

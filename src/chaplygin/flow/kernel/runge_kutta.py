@@ -37,7 +37,7 @@ ERROR_MARGIN = 4.0
 LOOSER = 100.0
 
 #: Vectors that the lanes keep between steps.
-_KEPT = (
+_LANE_VECTORS = (
     "time target step floor saved g gdot g_here tries steps marked "
     "mode fault event fresh index samples"
 )
@@ -100,7 +100,7 @@ class RungeKuttaLoop:
             ("guards", max(len(equations.guards), 1)),
         ):
             self.space.reserve(name, count * words)
-        for name in _KEPT.split():
+        for name in _LANE_VECTORS.split():
             self.space.reserve(name)
 
     # --- places ------------------------------------------------------------------------------
@@ -264,10 +264,10 @@ class RungeKuttaLoop:
         w.store("i64", steps, w.address("i64", "%taken", index))
         w.store("double", literal(_EMPTY), self.lane_address("mode", lane))
 
-    def _write_state(self, lane: str, index: str, done: str) -> None:
+    def _write_state(self, lane: str, index: str, row_number: str) -> None:
         """The state of a lane; on a section, moved onto it along the flow."""
         w, words = self.w, self.n.words
-        row = w.emit(f"add i64 {w.emit(f'mul i64 {index}, %wanted')}, {done}")
+        row = w.emit(f"add i64 {w.emit(f'mul i64 {index}, %wanted')}, {row_number}")
         if self.equations.section is not None:
             left = w.load("double", self.lane_address("saved", lane))
             now = w.load("double", self.lane_address("time", lane))
@@ -540,7 +540,7 @@ class RungeKuttaLoop:
         step: str,
         running: str,
         refining: str,
-        allowed: str,
+        mask: str,
         following: str,
         event: str,
         fault: str,
@@ -557,13 +557,13 @@ class RungeKuttaLoop:
         slack = w.op("fmul", w.constant(ERROR_MARGIN / (x * (1 - x)) ** 2), w.call("fabs", off))
         dips, turn = dipping(w, step, g_here, g_new, gdot, gdot_new, slack)
         dips = w.conjunction(
-            w.conjunction(running, allowed),
+            w.conjunction(running, mask),
             w.conjunction(dips, w.complement(w.disjunction(rises, falls))),
         )
-        through = self._counted(rises, falls)
-        crossed = w.conjunction(w.conjunction(running, allowed), through)
+        through = self._crossing_mask(rises, falls)
+        crossed = w.conjunction(w.conjunction(running, mask), through)
         # running lanes: stop before a crossing and go to it
-        moved = w.conjunction(allowed, w.complement(w.disjunction(crossed, dips)))
+        moved = w.conjunction(mask, w.complement(w.disjunction(crossed, dips)))
         following = w.choose(dips, turn, following)
         event = w.choose(dips, zero, event)
         fault = w.choose(dips, zero, fault)
@@ -579,7 +579,7 @@ class RungeKuttaLoop:
         mode = w.choose(crossed, w.constant(_REFINING), self.get("mode"))
         tries = w.choose(crossed, zero, self.get("tries"))
         # refining lanes: Newton's method in time
-        arrived = w.conjunction(refining, allowed)
+        arrived = w.conjunction(refining, mask)
         left = w.op("fdiv", w.op("fneg", g_new), gdot_new)
         close = w.compare("ole", w.call("fabs", left), w.op("fmul", w.constant(1e-8), saved))
         there = w.conjunction(arrived, close)
@@ -608,7 +608,7 @@ class RungeKuttaLoop:
         self.put("gdot", w.choose(moved, gdot_new, gdot))
         return moved, following, event, fault
 
-    def _counted(self, rises: str, falls: str) -> str:
+    def _crossing_mask(self, rises: str, falls: str) -> str:
         """The mask of crossings in the direction of the section."""
         w, direction = self.w, self.equations.direction
         if isinstance(direction, Term):

@@ -58,7 +58,7 @@ def wasm_module(texts: Sequence[str], exports: Sequence[str]) -> bytes:
     return module_of_object(code, exports)
 
 
-def prefixed(prefix: str, text: str) -> str:
+def with_prefix(prefix: str, text: str) -> str:
     """A text in which all functions have a prefix, so that texts can stand side by side."""
     return re.sub(r"@(?!llvm\.)(\w+)", rf"@{prefix}_\1", text)
 
@@ -66,7 +66,7 @@ def prefixed(prefix: str, text: str) -> str:
 def march_text(prefix: str, equations: Equations, lanes: int) -> tuple[str, int]:
     """The loop of the explicit method, ``<prefix>_march``, and the doubles that it needs."""
     text, work = runge_kutta_loop(WithoutFused, explicit(), equations, lanes)
-    return prefixed(prefix, text), work
+    return with_prefix(prefix, text), work
 
 
 def values_text(
@@ -95,7 +95,7 @@ def values_text(
     text, constants = functions(WithoutFused, pieces, 1)
     names = {piece: f"{prefix}_{piece}_rows" for piece in pieces}
     loops = [_rows_loop(piece, inputs, len(terms)) for piece, terms in pieces.items()]
-    return prefixed(prefix, "\n".join([text, *loops])), names, max(constants, 1)
+    return with_prefix(prefix, "\n".join([text, *loops])), names, max(constants, 1)
 
 
 def _rows_loop(piece: str, inputs: int, outputs: int) -> str:

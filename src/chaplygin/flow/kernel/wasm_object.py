@@ -16,7 +16,7 @@ MAGIC = b"\0asm\1\0\0\0"
 # sections by number
 _CUSTOM, _IMPORT, _EXPORT, _START = 0, 2, 7, 8
 #: Sections of a module without data, tables and variables of its own.
-_ALLOWED = {_CUSTOM, 1, _IMPORT, 3, _EXPORT, 10}
+_SECTIONS = {_CUSTOM, 1, _IMPORT, 3, _EXPORT, 10}
 
 _SYMBOL_TABLE = 8
 #: Kinds of imports and exports.
@@ -115,7 +115,7 @@ def module_of_object(code: bytes, exports: Sequence[str]) -> bytes:
                 _check_relocations(title, reader)
         elif kind == _IMPORT:
             parts.append((kind, _import_of_memory(body)))
-        elif kind in _ALLOWED:
+        elif kind in _SECTIONS:
             parts.append((kind, body))
         else:
             raise NotSelfContainedError(f"the object has a section of kind {kind}")

@@ -173,7 +173,7 @@ def relative_equilibrium(
     guess: State,
     parameters: Parameters = None,
     *,
-    held: Iterable[sp.Symbol | str] = (),
+    fixed_variables: Iterable[sp.Symbol | str] = (),
     digits: int = 30,
 ) -> dict[sp.Symbol, mpmath.mpf]:
     """A steady motion near a guess, by Newton's method along the shortest way.
@@ -183,7 +183,7 @@ def relative_equilibrium(
     system, parameters, digits
         See :func:`linear_stability`.
     guess : mapping of Symbol or name to number or numbers, or sequence in flat order
-    held : iterable of Symbol or name
+    fixed_variables : iterable of Symbol or name
         State variables that keep their guessed values; they choose one of a family.
 
     Returns
@@ -200,7 +200,7 @@ def relative_equilibrium(
         variables = _variables(system)
         point = _state(system, guess, parameters, variables)
         constants = _constants(system, parameters)
-        fixed = {_symbol(system, name, "held") for name in held}
+        fixed = {_symbol(system, name, "held") for name in fixed_variables}
         loose = [i for i, s in enumerate(variables) if s not in fixed]
         if not loose:
             raise InputError(f"{system.name}: all state variables are held; leave one to be found")

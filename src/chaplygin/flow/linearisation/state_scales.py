@@ -21,7 +21,7 @@ STRETCH, LOOKS = 0.1, 32
 #: A vector smaller than this share of the size by which it acts as much as others counts as zero.
 SMALL = 1e-10
 #: Two vectors act on each other if they do so at this share of the fastest rate, at least.
-COUPLED = 1e-4
+COUPLING = 1e-4
 
 
 def state_scales(
@@ -85,7 +85,7 @@ def state_scales_at(
     )
     back = np.swapaxes(acting, 0, 1)
     rates = np.sqrt(acting) * np.sqrt(back)
-    coupled = rates > COUPLED * rates.max(axis=(0, 1))
+    coupled = rates > COUPLING * rates.max(axis=(0, 1))
     coupled &= ~np.eye(len(vectors), dtype=bool)[:, :, None]
     ratios = np.sqrt(np.divide(acting, back, out=np.zeros_like(acting), where=coupled))
     balanced = ratios * norms.T

@@ -31,7 +31,7 @@ from ..level_projection import REDUNDANT, select_parameters
 #: A vector whose remainder is shorter than this share of it counts as dependent on others.
 DEPENDENT = 1e-12
 #: A state is put back on its level when it misses it by more than this, relatively.
-DRIFTED = 1e-11
+LARGEST_DRIFT = 1e-11
 #: Steps by which it is put back.
 STEPS = 3
 #: Sizes of the variables unless others are given.
@@ -99,19 +99,19 @@ class TangentSpace:
         Relations and integrals, independent of each other: deviations are tangent to them.
     directions : tuple of tuples of formulas
         Fields, in flat order, that the motion carries into themselves: the flow, symmetries.
-    mixed : (directions, fields) array
+    combinations : (directions, fields) array
         Constant combinations of the fields, tangent to the conditions, that are divided out.
     """
 
     system: System
     conditions: tuple[sp.Expr, ...]
     directions: tuple[tuple[sp.Expr, ...], ...]
-    mixed: FloatArray
+    combinations: FloatArray
 
     @property
     def dimension(self) -> int:
         """The number of independent deviations."""
-        return len(self.system.symbols) - len(self.conditions) - len(self.mixed)
+        return len(self.system.symbols) - len(self.conditions) - len(self.combinations)
 
     @cached_property
     def _conditions(self) -> Formulas:
@@ -148,7 +148,7 @@ class TangentSpace:
         normals = self.normals(states, parameters, sizes)
         reach = np.abs(level) + np.sqrt((normals**2).sum(axis=2))
         missed = np.abs(self.level(states, parameters) - level)
-        far = np.flatnonzero((missed > DRIFTED * reach).any(axis=1))
+        far = np.flatnonzero((missed > LARGEST_DRIFT * reach).any(axis=1))
         if not len(far):
             return states
         states, measures = states.copy(), np.broadcast_to(sizes, states.shape)
@@ -172,7 +172,7 @@ class TangentSpace:
         """The directions that are divided out, (n, mixed, size)."""
         fields = self._directions(states, parameters)
         fields = fields.reshape(len(fields), len(self.directions), len(self.system.symbols))
-        mixed = [sum(c * fields[:, j] for j, c in enumerate(row)) for row in self.mixed]
+        mixed = [sum(c * fields[:, j] for j, c in enumerate(row)) for row in self.combinations]
         return (np.stack(mixed, axis=1) if mixed else fields[:, :0]) / sizes[..., None, :]
 
     def excluded_basis(

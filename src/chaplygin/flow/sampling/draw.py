@@ -229,8 +229,10 @@ def level_sampler(
     fibration = find_fibration(system, sheet, level, values)
     proposal = _proposal(system, sheet, fibration, level, values)
     law, density = _density(system, sheet, level, proposal, values)
-    conditions = [sheet.read(to_components(relation)) for relation in system.relations]
-    integrals = {law.name: sheet.read(law.value) for law in system.integrals if law.name in level}
+    conditions = [sheet.term_of(to_components(relation)) for relation in system.relations]
+    integrals = {
+        law.name: sheet.term_of(law.value) for law in system.integrals if law.name in level
+    }
     conditions += [integrals[name] for name in level]
     blank = LevelSampler(
         system=system,
@@ -261,7 +263,7 @@ def _density(
         counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), proposal.numbers)
     ).states
     for law in measures(system, level, values):
-        density = CompiledTerms([sheet.read(law.value)])
+        density = CompiledTerms([sheet.term_of(law.value)])
         signs = np.sign(density(states, values))
         if signs.size and (np.isfinite(signs) & (signs == signs[0, 0])).all() and signs.all():
             return law, density

@@ -254,9 +254,12 @@ class Steps:
     values: FloatArray
     slopes: FloatArray
 
-    def __getitem__(self, chosen: IntArray) -> Steps:
+    def __getitem__(self, selection: IntArray) -> Steps:
         return Steps(
-            self.owner[chosen], self.ends[:, chosen], self.values[:, chosen], self.slopes[:, chosen]
+            self.owner[selection],
+            self.ends[:, selection],
+            self.values[:, selection],
+            self.slopes[:, selection],
         )
 
     def union(self, other: Steps) -> Steps:

@@ -48,10 +48,10 @@ def find_fibration(
         If the level is not bounded, or is of a form for which no exact method is known here.
     """
     spheres, others = _ellipsoids(system, values)
-    relations = [LevelCondition("", sheet.read(relation), 0.0) for relation in others]
+    relations = [LevelCondition("", sheet.term_of(relation), 0.0) for relation in others]
     formulas = {law.name: law.value for law in system.integrals}
     conditions = [
-        LevelCondition(name, sheet.read(formulas[name]), float(level[name])) for name in level
+        LevelCondition(name, sheet.term_of(formulas[name]), float(level[name])) for name in level
     ]
     for bound in sorted(conditions, key=lambda condition: condition.name not in _BOUNDING):
         further = [condition for condition in conditions if condition is not bound]

@@ -94,10 +94,10 @@ def _short(study: Study) -> Study:
 
 
 def _open(task: Assignment) -> Answer:
-    from ..study_page import opened
+    from ..study_page import laboratory_model
 
     yield {"doing": "computing the motion"}
-    yield {"model": opened(_short(_study(task)), task.request.subject.model_dump())}
+    yield {"model": laboratory_model(_short(_study(task)), task.request.subject.model_dump())}
 
 
 def _motion(task: Assignment) -> Answer:
@@ -141,7 +141,7 @@ def _prove(task: Assignment) -> Answer:
             "verdict": {
                 "name": law.name,
                 "verdict": verdict.decision,
-                "stated": verdict.stated,
+                "stated": verdict.statement,
                 "conditions": list(verdict.conditions),
                 "reason": verdict.reason,
                 "seconds": verdict.seconds,
@@ -150,10 +150,10 @@ def _prove(task: Assignment) -> Answer:
 
 
 def _find(task: Assignment) -> Answer:
-    from .search import found
+    from .search import search_messages
 
     assert isinstance(task.request, Search)
-    yield from found(_study(task), task.request)
+    yield from search_messages(_study(task), task.request)
 
 
 def _solve(task: Assignment) -> Answer:

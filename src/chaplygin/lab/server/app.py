@@ -87,16 +87,16 @@ class Laboratory:
         """The answer to a request, an object on each line, as they come."""
         kind = request.headers.get("content-type", "").partition(";")[0].strip()
         if kind != "application/json":
-            return _refused("a request is sent as application/json", 415)
+            return _refusal("a request is sent as application/json", 415)
         try:
             async with asyncio.timeout(PATIENCE):
                 body = await _body(request)
         except TimeoutError:
-            return _refused("the message did not arrive in time", 408)
+            return _refusal("the message did not arrive in time", 408)
         except ClientDisconnect:
-            return _refused("the page went away", 400)
+            return _refusal("the page went away", 400)
         if body is None:
-            return _refused(f"a message has at most {LARGEST // 1024} kB", 413)
+            return _refusal(f"a message has at most {LARGEST // 1024} kB", 413)
         return StreamingResponse(self._lines(body), media_type="application/x-ndjson")
 
     async def _lines(self, body: bytes) -> AsyncGenerator[str, None]:
@@ -122,7 +122,10 @@ class Laboratory:
         request = request_of(body)
         if isinstance(request, Listing):
             systems = [{"name": entry.name, "title": entry.title} for entry in CATALOGUE.values()]
-            yield {"systems": systems, "files": [*self.folder.given, *self.folder.files()]}
+            yield {
+                "systems": systems,
+                "files": [*self.folder.named_experiments, *self.folder.files()],
+            }
             yield {"done": True}
             return
         if isinstance(request, Saving):
@@ -142,7 +145,7 @@ class Laboratory:
                 yield part
 
 
-def _refused(sentence: str, status: int) -> Response:
+def _refusal(sentence: str, status: int) -> Response:
     return Response(
         json.dumps({"error": sentence}) + "\n", status, media_type="application/x-ndjson"
     )

@@ -68,7 +68,7 @@ def tiles(study: Study, request: Chart, store: str) -> Iterator[Message]:
         for block in (*(b for b in range(task.blocks) if b not in missing), *opened.missing):
             first, last = task.members(block)
             if block in missing:
-                arrays = task.checked(task.work(first, last), first, last)
+                arrays = task.require_arrays(task.work(first, last), first, last)
                 opened.write(block, arrays)
                 values = arrays[number]
             else:

@@ -32,13 +32,13 @@ class Folder:
     ----------
     path : Path
         Nothing outside it is read or written.
-    given : mapping of str to str
+    named_experiments : mapping of str to str
         Experiments by the names under which pages know them, besides those of the folder: that
         of the command line, whatever file it came from.
     """
 
     path: Path
-    given: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+    named_experiments: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
 
     def files(self) -> list[str]:
         """Names of the experiment files in the folder itself."""
@@ -56,8 +56,8 @@ class Folder:
         InputError
             If there is none of this name, or it may not be read.
         """
-        if what in self.given:
-            return self.given[what]
+        if what in self.named_experiments:
+            return self.named_experiments[what]
         if what in CATALOGUE:
             return None
         if Path(what).suffix != ".toml":

@@ -89,7 +89,7 @@ def widget(what: Study | System) -> AnyWidget:
     except ImportError:
         raise InputError("a widget needs anywidget: pip install 'chaplygin[lab]'") from None
     from ..element import front_end
-    from ..study_page import opened
+    from ..study_page import laboratory_model
 
     study = what if isinstance(what, Study) else _study_of(what)
 
@@ -100,7 +100,7 @@ def widget(what: Study | System) -> AnyWidget:
         page = traitlets.Unicode().tag(sync=True)
         title = traitlets.Unicode().tag(sync=True)
 
-    model = opened(study, {"what": study.system.name, "set": {}})
+    model = laboratory_model(study, {"what": study.system.name, "set": {}})
     shown = Laboratory(page=json.dumps(model, allow_nan=False), title=study.system.title)
     shown.on_msg(_Kernel(study).hear)
     return shown
@@ -126,27 +126,27 @@ class _Kernel:
 
     def __init__(self, study: Study) -> None:
         self._experiment = study.complete_toml()
-        self._unwanted: set[int] = set()
+        self._cancellations: set[int] = set()
         self._turn = threading.Lock()
 
-    def hear(self, shown: Any, content: object, buffers: object) -> None:
+    def hear(self, widget: Any, content: object, buffers: object) -> None:
         """Begin what a message asks."""
         if not isinstance(content, dict) or not isinstance(content.get("id"), int):
             return
         if content.get("cancel"):
-            self._unwanted.add(content["id"])
+            self._cancellations.add(content["id"])
             return
-        task = (shown, content["id"], content.get("request"))
+        task = (widget, content["id"], content.get("request"))
         threading.Thread(target=self._answer, args=task, daemon=True).start()
 
-    def _answer(self, shown: Any, number: int, request: object) -> None:
+    def _answer(self, widget: Any, number: int, request: object) -> None:
         import json
 
         from .answers import Assignment, answer
         from .requests import Chart, Listing, Saving, request_of
 
         def say(part: object) -> None:
-            shown.send({"id": number, "answer": part})
+            widget.send({"id": number, "answer": part})
 
         try:
             asked = request_of(json.dumps(request).encode())
@@ -154,7 +154,7 @@ class _Kernel:
                 raise InputError("a notebook has no folder: chaplygin lab has")
             with self._turn:
                 for part in answer(Assignment(asked, asked.subject.experiment or self._experiment)):
-                    if number in self._unwanted:
+                    if number in self._cancellations:
                         return
                     say(part)
         except (InputError, RunError, ValueError) as error:

@@ -34,13 +34,13 @@ Short: TypeAlias = Annotated[str, Field(max_length=200)]
 Formula: TypeAlias = Annotated[str, Field(max_length=2000)]
 
 
-class _Checked(BaseModel):
+class _Request(BaseModel):
     """A table whose keys are all known, with values of exactly these kinds."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
 
 
-class Subject(_Checked):
+class Subject(_Request):
     """What is spoken of: a name of the catalogue or a file, and options.
 
     Attributes
@@ -93,11 +93,11 @@ def _toml(value: object, key: str, depth: int = 0) -> str:
     raise ValueError(f"{key} must be a finite number, a line of text, or a short list of such")
 
 
-class _OfSubject(_Checked):
+class _OfSubject(_Request):
     subject: Subject
 
 
-class Listing(_Checked):
+class Listing(_Request):
     """Which systems and files there are."""
 
     do: Literal["list"]
@@ -173,7 +173,7 @@ class Data(_OfSubject):
     format: Literal["nc", "csv"]
 
 
-class Saving(_Checked):
+class Saving(_Request):
     """An experiment to be written to the folder."""
 
     do: Literal["save"]

@@ -16,7 +16,7 @@ from .workers import Message
 _SEARCHES = {"integrals": integrals, "measure": measures, "symmetries": symmetries}
 
 
-def found(study: Study, request: Search) -> Iterator[Message]:
+def search_messages(study: Study, request: Search) -> Iterator[Message]:
     """Messages on the progress of a search, and a message for each law that is found.
 
     Parameters
@@ -58,6 +58,6 @@ def _law(result: SearchResult) -> Message:
         "name": law.name,
         "mathml": formula,
         "text": shown,
-        "stated": verdict.stated,
+        "stated": verdict.statement,
         "repeats": result.catalogue_law or "",
     }

@@ -109,7 +109,7 @@ class RollingBall:
             )
 
     @property
-    def loaded(self) -> bool:
+    def has_forces(self) -> bool:
         """Whether any force acts besides the contact."""
         return bool(self.gravity) or self.potential != 0
 
@@ -195,7 +195,7 @@ class RollingBall:
         system = equations_of_motion(
             self.contact, kinematics, self.force, self.parameters, name, title
         )
-        watched = tuple(item for item in system.guards if self.loaded or not item.lift_off)
+        watched = tuple(item for item in system.guards if self.has_forces or not item.lift_off)
         surface, symbols = kinematics.surface, kinematics.surface.free_symbols
         on_surface = Integral("surface", surface, "the ball stays on its surface", source="(2.7)")
         # what is no polynomial is kept as an integral, since proofs go modulo polynomials

@@ -30,7 +30,7 @@ class _SurfacePoint:
 
     value: mpmath.mpf
     slope: list[mpmath.mpf]
-    bent: list[list[mpmath.mpf]]
+    hessian: list[list[mpmath.mpf]]
 
     @property
     def steepness(self) -> mpmath.mpf:
@@ -43,10 +43,10 @@ class _SurfacePoint:
     def curvatures(self) -> tuple[mpmath.mpf, mpmath.mpf]:
         """The principal curvatures, positive where the surface falls away from the ball."""
         n, ell = self.normal, self.steepness
-        across = [_dot(row, n) for row in self.bent]
-        trace = sum(self.bent[i][i] for i in range(3)) - _dot(n, across)
+        across = [_dot(row, n) for row in self.hessian]
+        trace = sum(self.hessian[i][i] for i in range(3)) - _dot(n, across)
         mean = trace / (2 * ell)
-        product = _dot(n, _adjugate_times(self.bent, n)) / ell**2
+        product = _dot(n, _adjugate_times(self.hessian, n)) / ell**2
         root = mpmath.sqrt(max(mean**2 - product, mpmath.mpf(0)))
         return mean - root, mean + root
 
@@ -173,8 +173,8 @@ def _check_domain(ball: RollingBall, system: System, point: list[mpmath.mpf], na
             raise InputError(f"{name}: {_point_text(point)} is outside the domain; {guard.message}")
 
 
-def _positive(system: System, guard: Guard, known: dict[sp.Symbol, mpmath.mpf]) -> bool:
-    return bool(evaluate(system, [guard.value], known)[0] > 0)
+def _positive(system: System, guard: Guard, values: dict[sp.Symbol, mpmath.mpf]) -> bool:
+    return bool(evaluate(system, [guard.value], values)[0] > 0)
 
 
 def _check_fit(ball: RollingBall, spot: _SurfacePoint, name: str) -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ...arguments import Declared
+from ...arguments import NamedFormulas
 from ...core.system import Parameter
 from ...core.vectors import cross, dot, gradient, norm_squared, real_symbol, vectors
 from ..lagrangian.mechanism import Frame, Mechanism, rotations
@@ -39,7 +39,7 @@ def ball_mechanism(
     parameters : tuple of Parameter
         m, μ, b and all that both use.
     """
-    structure: Declared = {
+    structure: NamedFormulas = {
         pair: {k: -c for k, c in row.items()} for pair, row in rotations(omega).items()
     }
     half = sp.Rational(1, 2)

@@ -68,20 +68,20 @@ class Distribution:
         )
 
     def space(
-        self, free: Sequence[sp.Symbol] = (), known: Sequence[sp.Expr] = ()
+        self, free: Sequence[sp.Symbol] = (), zeros: Sequence[sp.Expr] = ()
     ) -> ConfigurationSpace:
         """The conditions on its points; `free` parameters have no value."""
         return ConfigurationSpace(
             self.coordinates,
             self.relations,
             self.steps,
-            (*self.formulas, *known),
+            (*self.formulas, *zeros),
             tuple((s, v) for s, v in self.constants if s not in free),
             tuple(free),
         )
 
     @cached_property
-    def fixed(self) -> Distribution:
+    def with_numbers(self) -> Distribution:
         """The distribution with numbers for its parameters."""
         table = {s: exactly(v) for s, v in self.constants}
         return replace(
@@ -96,7 +96,7 @@ class Distribution:
         )
 
     @cached_property
-    def solved(self) -> Distribution:
+    def with_own_frame(self) -> Distribution:
         """The distribution with its admissible fields as the frame, and no forms."""
         names = tuple(real_symbol(f"u_{i}") for i, _ in enumerate(self.fields, 1))
         return replace(self, velocities=names, frame=self.fields, forms=())
@@ -223,7 +223,7 @@ def distribution(mechanism: Mechanism) -> Distribution:
         position_steps,
         tuple(constants.items()),
     )
-    return admissible.solved if whole.admissible else admissible
+    return admissible.with_own_frame if whole.admissible else admissible
 
 
 def _moving(mechanism: Mechanism) -> set[sp.Symbol]:

@@ -92,7 +92,7 @@ class ExactPoint:
         Coordinates and constants; for an angle, a number that is free of its sine and cosine.
     circles : mapping of formula to (number, number)
         Sines and cosines, as of :class:`~chaplygin.formulas.expansion.TaylorExpansion`.
-    shown : mapping of Symbol to formula
+    formulas : mapping of Symbol to formula
         The same for a reader; empty modulo a prime.
     formal : bool
         Whether a free number stands for a transcendental one.
@@ -103,7 +103,7 @@ class ExactPoint:
     numbers: Numbers
     values: Mapping[sp.Symbol, FieldElement]
     circles: Mapping[sp.Expr, tuple[FieldElement, FieldElement]]
-    shown: Mapping[sp.Symbol, sp.Expr]
+    formulas: Mapping[sp.Symbol, sp.Expr]
     formal: bool
     seed: int
 
@@ -217,7 +217,7 @@ def _circle(
     n: int,
     space: ConfigurationSpace,
     fixed: Mapping[sp.Symbol, sp.Expr],
-    shown: dict[sp.Symbol, sp.Expr],
+    formulas: dict[sp.Symbol, sp.Expr],
     plain: TaylorExpansion,
     dice: random.Random,
 ) -> tuple[tuple[FieldElement, FieldElement], bool]:
@@ -232,7 +232,7 @@ def _circle(
                 return (plain.series(exact[0]).value, plain.series(exact[1]).value), False
     t = plain.numbers.random_number(dice)
     if core.is_Symbol and core not in constants and core not in fixed and plain.numbers.exact:
-        shown[core] = 2 * n * sp.atan(sp.Rational(int(t.p), int(t.q)))
+        formulas[core] = 2 * n * sp.atan(sp.Rational(int(t.p), int(t.q)))
     below = 1 + t * t
     return (2 * t / below, (1 - t * t) / below), not angle.free_symbols
 
@@ -269,12 +269,12 @@ def _orthogonal(
 
 def _rows(
     vectors: Sequence[tuple[sp.Symbol, ...]],
-    squared: FieldElement,
+    square: FieldElement,
     numbers: Numbers,
     dice: random.Random,
 ) -> dict[sp.Symbol, FieldElement]:
     """Rational points of a sphere, or rows of a rational rotation."""
-    length = numbers.root(squared, 2)
+    length = numbers.root(square, 2)
     if len(vectors[0]) == 3:
         rows = _rotation(numbers, dice)
         return {

@@ -54,7 +54,7 @@ class Filtration:
     exact : bool
         Whether the dimensions were found by rational numbers at that very point; otherwise each
         is certainly no less, and greater only with a probability below 10⁻¹⁰.
-    settled : bool
+    is_final : bool
         Whether all further commutators add nothing; at a singular point this may be left open.
     """
 
@@ -63,7 +63,7 @@ class Filtration:
     words: tuple[tuple[str, ...], ...]
     point: Mapping[sp.Symbol, sp.Expr]
     exact: bool
-    settled: bool
+    is_final: bool
 
     @property
     def rank(self) -> int:
@@ -148,15 +148,15 @@ def _filtration(
     counts: Sequence[int],
     dimension: int,
     words: Sequence[tuple[str, ...]],
-    settled: bool,
+    is_final: bool,
 ) -> Filtration:
     return Filtration(
         tuple(counts),
         dimension,
         tuple(words),
-        {s: v for s, v in place.shown.items() if s in distribution.coordinates},
+        {s: v for s, v in place.formulas.items() if s in distribution.coordinates},
         place.numbers.exact and not place.formal,
-        settled,
+        is_final,
     )
 
 
@@ -247,7 +247,7 @@ def _filtration_reaching(
         if enough and result.final >= final:
             return result
         if order == highest:
-            return replace(result, settled=False)
+            return replace(result, is_final=False)
         order = min(2 * order, highest)
 
 

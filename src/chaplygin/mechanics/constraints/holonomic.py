@@ -122,7 +122,7 @@ class _Search:
         self.numbers = Modular(PRIMES[1])
         self.space = distribution.space(self.free, self.letters)
         self.dice = random.Random(SEED)
-        self.known: list[Values] = []
+        self.values: list[Values] = []
 
     def count(self, degree: int) -> int:
         """The number of monomials."""
@@ -143,7 +143,7 @@ class _Search:
 
     def points(self, many: int) -> list[Values]:
         """Values and rates of the letters at generic points."""
-        points, failures = self.known, 0
+        points, failures = self.values, 0
         while len(points) < many:
             try:
                 place = random_point(self.space, self.numbers, self.dice)
@@ -155,14 +155,14 @@ class _Search:
         return points[:many]
 
     def extension(
-        self, degree: int, many: int, chosen: tuple[Constancy, ...]
+        self, degree: int, many: int, constancies: tuple[Constancy, ...]
     ) -> tuple[Constancy, ...]:
         """The functions chosen already, and more of them."""
         monomials = self._monomials(degree)
         width = max(1, len(self.distribution.fields))
         points = self.points((len(monomials) + SPARE) // width + 2)
         if not points:
-            return chosen
+            return constancies
         rows = [
             [_rate(monomial, point.letters, rates) for monomial in monomials]
             for point in points
@@ -170,10 +170,10 @@ class _Search:
         ]
         kernel = _kernel(self.numbers, rows, len(monomials))
         test = points[-1]
-        span = test.normals + [slopes(test.germs, f.formula) for f in chosen]
+        span = test.normals + [slopes(test.germs, f.formula) for f in constancies]
         rank = int(self.numbers.matrix(span, len(test.gradient)).rank()) if span else 0
         for vector in reversed(kernel):
-            if len(chosen) == many:
+            if len(constancies) == many:
                 break
             row = [
                 sum(
@@ -186,8 +186,8 @@ class _Search:
             formula = self._formula(vector, monomials)
             if grown > rank and formula is not None:
                 span, rank = [*span, row], grown
-                chosen += (Constancy(formula, constant_along(self.distribution, formula)),)
-        return chosen
+                constancies += (Constancy(formula, constant_along(self.distribution, formula)),)
+        return constancies
 
     def _formula(
         self, vector: Mapping[int, Any], monomials: Sequence[tuple[int, ...]]

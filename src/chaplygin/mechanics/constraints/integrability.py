@@ -59,7 +59,7 @@ class Nonholonomy:
         if it was found modulo a prime.
     elsewhere : tuple of int
         The growth for other values of the parameters, where it is another one.
-    timed : bool
+    depends_on_time : bool
         Whether the time is one of the coordinates, since constraints are affine or depend on it.
     almost : bool
         Whether all of this is known for almost all values of the parameters, and not for the
@@ -76,7 +76,7 @@ class Nonholonomy:
     integrals: tuple[Constancy, ...]
     point: Mapping[sp.Symbol, sp.Expr]
     elsewhere: tuple[int, ...] = ()
-    timed: bool = False
+    depends_on_time: bool = False
     almost: bool = False
 
     @property
@@ -140,10 +140,10 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
     missing = here.dimension - here.final
     integrals = () if special else constants(admissible, missing, symbols)
     if len(integrals) < missing and symbols and not almost:
-        integrals = max(integrals, constants(admissible.fixed, missing), key=len)
+        integrals = max(integrals, constants(admissible.with_numbers, missing), key=len)
     certain = missing == 0 or (len(integrals) == missing and all(f.proven for f in integrals))
     if not certain and not almost and _word(here) == "holonomic":
-        certain = involutive(admissible.fixed)
+        certain = involutive(admissible.with_numbers)
     return Nonholonomy(
         admissible.name,
         _word(here),
@@ -197,8 +197,8 @@ def _word(growth: Filtration) -> Word:
 
 
 def _sentences(verdict: Nonholonomy) -> list[str]:
-    where = "space of time and configuration" if verdict.timed else "configuration space"
-    known = "time and configuration" if verdict.timed else "the configuration"
+    where = "space of time and configuration" if verdict.depends_on_time else "configuration space"
+    known = "time and configuration" if verdict.depends_on_time else "the configuration"
     if verdict.verdict == "free":
         return [
             "There are no constraints on the velocities besides those that keep the "

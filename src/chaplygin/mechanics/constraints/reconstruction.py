@@ -102,9 +102,13 @@ def whole_configuration(
 
 
 def _whole(
-    frame: Frame, coefficients: Coefficients | None, needed: set[sp.Symbol] | None = None
+    frame: Frame,
+    coefficients: Coefficients | None,
+    coordinates_needed: set[sp.Symbol] | None = None,
 ) -> Whole:
-    coordinates = [q for q in frame.coordinates if needed is None or q in needed]
+    coordinates = [
+        q for q in frame.coordinates if coordinates_needed is None or q in coordinates_needed
+    ]
     relations = [
         r
         for r in frame.relations

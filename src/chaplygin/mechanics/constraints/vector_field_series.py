@@ -102,7 +102,7 @@ class Bundle:
         order = min(left[0].order, right[0].order) - 1
         components = []
         for u, w in zip(left, right, strict=True):
-            total = self.zero.cut(order)
+            total = self.zero.truncation(order)
             for rates, entry, sign in ((by, w, 1), (back, u, -1)):
                 if entry.is_constant:
                     continue
@@ -132,7 +132,7 @@ def pivot_eliminated(section: Section, pivot: Section, column: int) -> Section:
     """A section less a multiple of the pivot, so that a component becomes zero."""
     factor = section[column]
     if factor.is_zero:
-        return [entry.cut(pivot[0].order) for entry in section]
+        return [entry.truncation(pivot[0].order) for entry in section]
     return [a - factor * b for a, b in zip(section, pivot, strict=True)]
 
 

@@ -51,9 +51,9 @@ def _touching(formula: sp.Expr, relations: Sequence[sp.Expr]) -> list[sp.Expr]:
         waiting = [r for r in waiting if r not in near]
 
 
-def _is_root(relation: sp.Expr, reached: set[sp.Symbol]) -> bool:
+def _is_root(relation: sp.Expr, symbols: set[sp.Symbol]) -> bool:
     """Whether a relation is about a kernel that occurs."""
-    return any(isinstance(s, sp.Dummy) and s in reached for s in relation.free_symbols)
+    return any(isinstance(s, sp.Dummy) and s in symbols for s in relation.free_symbols)
 
 
 class _Kernels:

@@ -54,17 +54,17 @@ def accelerations(parts: Balance) -> Accelerations:
     ]
     AZ = [[tape.name(tape.short(e)) for e in row] for row in AZ]
 
-    def projected(column: Sequence[sp.Expr], s: int) -> sp.Expr:
+    def projection(column: Sequence[sp.Expr], s: int) -> sp.Expr:
         return tape.name(tape.short(product([row[s] for row in Z], column)))
 
     count = range(len(parts.free))
     mass = [
-        [projected([row[s] for row in AZ], r) if r <= s else sp.S.Zero for s in count]
+        [projection([row[s] for row in AZ], r) if r <= s else sp.S.Zero for s in count]
         for r in count
     ]
     mass = [[mass[min(r, s)][max(r, s)] for s in count] for r in count]
-    force = [projected(h, r) for r in count]
-    left = [i for i in range(len(parts.constraints)) if i not in parts.solved.values()]
+    force = [projection(h, r) for r in count]
+    left = [i for i in range(len(parts.constraints)) if i not in parts.constraint_of.values()]
     C = [
         [
             tape.name(tape.short(tape.along(parts.by_velocity(s), parts.constraints[i])))
@@ -157,15 +157,15 @@ def _refuse_singular(parts: Balance, mass: Sequence[Sequence[sp.Expr]]) -> None:
 def _numbered_names(
     parts: Balance,
     rates: Sequence[sp.Expr],
-    known: Mapping[int, sp.Expr],
+    names: Mapping[int, sp.Expr],
     inertia: Sequence[Sequence[sp.Expr]],
     force: Sequence[sp.Expr],
 ) -> Accelerations:
     """The multipliers of all constraints, including those solved for a velocity."""
     tape, w = parts.tape, parts.mechanism.frame.w
     symbols = parts.multipliers
-    values = dict(known)
-    place = {index: w.index(s) for s, index in parts.solved.items()}
+    values = dict(names)
+    place = {index: w.index(s) for s, index in parts.constraint_of.items()}
     # the equation of a solved velocity holds the multipliers of all constraints in which it stands
     needs = {
         index: {other for other in place if other != index and parts.slopes[other][i] != 0}
@@ -173,7 +173,7 @@ def _numbered_names(
     }
     for index in TopologicalSorter(needs).static_order():
         i = place[index]
-        others = [parts.slopes[other][i] * symbols[other] for other in (*known, *needs[index])]
+        others = [parts.slopes[other][i] * symbols[other] for other in (*names, *needs[index])]
         total = product(inertia[i], rates) - force[i] - sp.Add(*others)
         values[index] = tape.short(total / parts.slopes[index][i])
     return Accelerations(

@@ -36,7 +36,7 @@ class Balance:
         Structure functions.
     constraints : tuple of Expr
         All constraints on velocities; those that keep the positions, Ḟ = 0, come last.
-    solved : mapping of velocity to index
+    constraint_of : mapping of velocity to index
         The velocities that a constraint gives, and which one.
     free : tuple of int
         Indices of the other velocities u.
@@ -55,7 +55,7 @@ class Balance:
     points: tuple[GenericPoint, ...]
     coefficients: Coefficients
     constraints: tuple[sp.Expr, ...]
-    solved: Mapping[sp.Symbol, int]
+    constraint_of: Mapping[sp.Symbol, int]
     free: tuple[int, ...]
     momenta: tuple[sp.Expr, ...]
     mass: tuple[tuple[sp.Expr, ...], ...]
@@ -86,7 +86,9 @@ class Balance:
     def at(self, formulas: Sequence[sp.Expr]) -> tuple[GenericPoint, ...]:
         """The generic points, the solved velocities as the constraints give them."""
         steps = self.tape.steps(formulas)
-        free = [{s: v for s, v in p.point.items() if s not in self.solved} for p in self.points]
+        free = [
+            {s: v for s, v in p.point.items() if s not in self.constraint_of} for p in self.points
+        ]
         return tuple(GenericPoint(point, steps) for point in free)
 
     def typical(self, formulas: Sequence[sp.Expr]) -> GenericPoint:
@@ -95,12 +97,12 @@ class Balance:
         values = defaults(mechanism)
         point = samples(mechanism.name, mechanism.frame, mechanism, values, many=1)[0].point
         steps = self.tape.steps(formulas)
-        return GenericPoint({s: v for s, v in point.items() if s not in self.solved}, steps)
+        return GenericPoint({s: v for s, v in point.items() if s not in self.constraint_of}, steps)
 
     def at_any(self, formulas: Sequence[sp.Expr]) -> tuple[GenericPoint, ...]:
         """The generic points with velocities that satisfy no constraint."""
         steps = self.tape.steps(formulas)
-        definitions = [(s, v) for s, v in steps if s not in self.solved]
+        definitions = [(s, v) for s, v in steps if s not in self.constraint_of]
         return tuple(GenericPoint(point.point, definitions) for point in self.points)
 
 
@@ -148,7 +150,7 @@ def balance(mechanism: Mechanism) -> Balance:
         points=points,
         coefficients=coefficients,
         constraints=constraints,
-        solved=solved,
+        constraint_of=solved,
         free=tuple(i for i, s in enumerate(w) if s not in solved),
         momenta=momenta,
         mass=mass,

@@ -83,7 +83,7 @@ def constraint_distribution(mechanism: Mechanism) -> Restriction:
     rows = [
         {s: tape.along(parts.by_velocity(s), f) for s in free}
         for index, f in enumerate(parts.constraints)
-        if index not in parts.solved.values()
+        if index not in parts.constraint_of.values()
     ]
     nonzero: list[sp.Expr] = []
     for place in range(len(rows)):

@@ -68,7 +68,7 @@ def name_definitions(parts: Balance, formulas: Sequence[sp.Expr]) -> NamedDefini
 def _own(parts: Balance) -> set[sp.Symbol]:
     """Names that mean something to the reader."""
     defined = {s for s, _ in parts.mechanism.steps}
-    return defined | {*parts.solved} | {*parts.multipliers}
+    return defined | {*parts.constraint_of} | {*parts.multipliers}
 
 
 def _numbered_names(parts: Balance, symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Symbol]:

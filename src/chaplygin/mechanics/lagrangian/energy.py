@@ -25,13 +25,13 @@ class EnergyTheorem:
         E = w_i ∂L/∂w_i − L, (3.3).
     work : tuple of sympy.Expr
         ∂f_μ/∂w_i w_i for every constraint: times λ_μ the power of its reaction.
-    broken : tuple of str
+    failures : tuple of str
         The hypotheses that fail, one phrase each; energy is conserved when there are none.
     """
 
     energy: sp.Expr
     work: tuple[sp.Expr, ...]
-    broken: tuple[str, ...]
+    failures: tuple[str, ...]
 
 
 @with_working_precision
@@ -65,11 +65,11 @@ def _energy(parts: Balance) -> sp.Expr:
     terms = sp.Add.make_args(sp.sympify(mechanism.lagrangian))
     kinetic = sp.Add(*(term for term in terms if parts.moves(to_components(term))))
     defect = virial - 2 * to_components(kinetic)
-    idle = {s for s in parts.solved if tape.value(s) == 0}
+    idle = {s for s in parts.constraint_of if tape.value(s) == 0}
     if is_numerically_zero(defect, parts.at_any([defect])):
         energy = 2 * kinetic - sp.sympify(mechanism.lagrangian)
         return energy.xreplace(dict.fromkeys(idle, sp.S.Zero))
-    return tape.short(virial - mechanism.L, hold={*parts.solved} - idle)
+    return tape.short(virial - mechanism.L, hold={*parts.constraint_of} - idle)
 
 
 def _homogeneous(parts: Balance, f: sp.Expr, euler: sp.Expr) -> bool:

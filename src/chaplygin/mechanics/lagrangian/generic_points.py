@@ -35,11 +35,11 @@ def with_working_precision(function: Callable[P, T]) -> Callable[P, T]:
     """Decorate a function so that it computes with the working precision."""
 
     @wraps(function)
-    def wrapped(*args: P.args, **kwargs: P.kwargs) -> T:
+    def wrapper(*args: P.args, **kwargs: P.kwargs) -> T:
         with mpmath.workdps(DIGITS):
             return function(*args, **kwargs)
 
-    return wrapped
+    return wrapper
 
 
 Point = Mapping[sp.Symbol, mpmath.mpf]

@@ -22,7 +22,7 @@ from typing import TypeAlias
 
 import sympy as sp
 
-from ...arguments import Declared, Formula, arguments_checked
+from ...arguments import Formula, NamedFormulas, arguments_checked
 from ...core.laws import Law
 from ...core.named_formulas import Pairs, as_pairs, expand
 from ...core.system import Guard, Name, Observable, Parameter, flat, flat_pairs, unknown_names
@@ -84,10 +84,10 @@ class Frame:
     [       0,         0, 1]])
     """
 
-    rates: Declared
+    rates: NamedFormulas
     velocities: tuple[Name, ...]
     relations: tuple[sp.Expr, ...] = ()
-    structure: Declared | None = None
+    structure: NamedFormulas | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "rates", as_pairs(self.rates))
@@ -249,8 +249,8 @@ class Mechanism:
     lagrangian: Formula
     constraints: tuple[Formula, ...] = ()
     positions: tuple[Formula, ...] = ()
-    forces: Declared = ()
-    definitions: Declared = ()
+    forces: NamedFormulas = ()
+    definitions: NamedFormulas = ()
     parameters: tuple[Parameter, ...] = ()
     observables: tuple[Observable, ...] = ()
     guards: tuple[Guard, ...] = ()
@@ -336,8 +336,8 @@ class Mechanism:
                 )
             self._require(force, known, f"the force along {s}")
 
-    def _require(self, value: sp.Expr, known: set[sp.Symbol], where: str) -> None:
-        missing = unknown_names(value, known)
+    def _require(self, value: sp.Expr, symbols: set[sp.Symbol], where: str) -> None:
+        missing = unknown_names(value, symbols)
         if missing:
             raise InputError(
                 f"{self.name}: {where} uses {missing}, which is neither a coordinate nor a "

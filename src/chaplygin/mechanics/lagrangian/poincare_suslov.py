@@ -119,7 +119,7 @@ def equations(mechanism: Mechanism) -> System:
         for name, rate in mechanism.frame.rates
         if name not in relevant
     }
-    unsolved = [f for i, f in enumerate(parts.constraints) if i not in parts.solved.values()]
+    unsolved = [f for i, f in enumerate(parts.constraints) if i not in parts.constraint_of.values()]
     rates = _velocity_rates(mechanism, derived.solution)
     names = name_definitions(
         parts,
@@ -176,16 +176,16 @@ def equations(mechanism: Mechanism) -> System:
 # --- what matters --------------------------------------------------------------------------
 
 
-def _driving(derived: DerivedEquations) -> list[sp.Expr]:
+def _driving(equations: DerivedEquations) -> list[sp.Expr]:
     """Formulas that decide what belongs to the state."""
-    parts = derived.parts
+    parts = equations.parts
     mechanism = parts.mechanism
     values: list[sp.Basic] = [
-        *derived.solution.rates.values(),
-        *(value for _, value in derived.solution.multipliers),
-        to_components(derived.energy.energy),
+        *equations.solution.rates.values(),
+        *(value for _, value in equations.solution.multipliers),
+        to_components(equations.energy.energy),
         *parts.constraints,
-        *parts.solved,
+        *parts.constraint_of,
         *(to_components(g.value) for g in mechanism.guards),
         *(
             to_components(law.value)
@@ -208,11 +208,11 @@ def _depends(parts: Balance, formulas: Iterable[sp.Basic], symbols: Iterable[sp.
     return bool(_uses(parts, formulas) & set(symbols))
 
 
-def _state_coordinates(derived: DerivedEquations) -> set[Name]:
+def _state_coordinates(equations: DerivedEquations) -> set[Name]:
     """Coordinates (whole vectors) on which the motion depends."""
-    parts = derived.parts
+    parts = equations.parts
     frame = parts.mechanism.frame
-    used = _uses(parts, _driving(derived))
+    used = _uses(parts, _driving(equations))
     relevant: set[Name] = set()
     while True:
         more = {n for n, _ in frame.rates if n not in relevant and set(flat((n,))) & used}
@@ -243,19 +243,19 @@ def _without_irrelevant(
 # --- laws and observables ------------------------------------------------------------------
 
 
-def _energy_law(derived: DerivedEquations) -> tuple[Law, ...]:
-    if derived.energy.broken:
+def _energy_law(equations: DerivedEquations) -> tuple[Law, ...]:
+    if equations.energy.failures:
         return ()
     return (
-        Integral("energy", derived.energy.energy, "energy", source="(3.3), Theorem 1", unit="J"),
+        Integral("energy", equations.energy.energy, "energy", source="(3.3), Theorem 1", unit="J"),
     )
 
 
 def _energy_warning(energy: EnergyTheorem) -> tuple[str, ...]:
     """The sentence on an energy that is not conserved."""
-    if not energy.broken:
+    if not energy.failures:
         return ()
-    return (f"Theorem 1 does not give an energy integral: {'; '.join(energy.broken)}.",)
+    return (f"Theorem 1 does not give an energy integral: {'; '.join(energy.failures)}.",)
 
 
 def _momenta(parts: Balance) -> tuple[Law, ...]:
@@ -273,22 +273,22 @@ def _momenta(parts: Balance) -> tuple[Law, ...]:
     )
 
 
-def _observables(derived: DerivedEquations) -> tuple[Observable, ...]:
-    mechanism = derived.parts.mechanism
+def _observables(equations: DerivedEquations) -> tuple[Observable, ...]:
+    mechanism = equations.parts.mechanism
     constraints = (*mechanism.f, *mechanism.F)
     shown = tuple(
         Observable(str(symbol), symbol, f"multiplier of {text(f)} = 0", source="(1.9)")
-        for (symbol, _), f in zip(derived.solution.multipliers, constraints, strict=True)
+        for (symbol, _), f in zip(equations.solution.multipliers, constraints, strict=True)
     )
-    if not derived.energy.broken:
+    if not equations.energy.failures:
         return shown
-    symbols = [symbol for symbol, _ in derived.solution.multipliers]
-    reactions = sp.Add(*(x * y for x, y in zip(symbols, derived.energy.work, strict=True)))
+    symbols = [symbol for symbol, _ in equations.solution.multipliers]
+    reactions = sp.Add(*(x * y for x, y in zip(symbols, equations.energy.work, strict=True)))
     forces = sp.Add(*(force * s for s, force in mechanism.Q.items()))
     power = reactions + forces - sp.diff(mechanism.L, TIME)
     return (
         *shown,
-        Observable("energy", derived.energy.energy, "energy, not conserved", "J", source="(3.3)"),
+        Observable("energy", equations.energy.energy, "energy, not conserved", "J", source="(3.3)"),
         Observable("power", power, "rate of the energy", "W", source="(3.3)"),
     )
 

@@ -52,21 +52,21 @@ def momentum_units(mechanism: Mechanism) -> dict[sp.Symbol, str]:
 
 
 def _velocities(
-    mechanism: Mechanism, known: Mapping[sp.Symbol, Dimension]
+    mechanism: Mechanism, dimensions: Mapping[sp.Symbol, Dimension]
 ) -> Iterator[tuple[sp.Symbol, Dimension]]:
     """Velocities of yet unknown unit whose square has a coefficient of known unit."""
     for s in mechanism.frame.w:
-        if s in known:
+        if s in dimensions:
             continue
         for term in sp.Add.make_args(sp.expand(sp.diff(mechanism.L, s, 2))):
-            coefficient = _of_term(term, known)
+            coefficient = _of_term(term, dimensions)
             if coefficient is not None:
                 half = Fraction(1, 2)
                 yield s, tuple(half * (a - b) for a, b in zip(_ENERGY, coefficient, strict=True))
                 break
 
 
-def _of_term(term: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimension | None:
+def _of_term(term: sp.Expr, dimensions: Mapping[sp.Symbol, Dimension]) -> Dimension | None:
     """The dimension of a product of powers; None where that of a factor is unknown."""
     if term == 0:
         return None
@@ -75,9 +75,9 @@ def _of_term(term: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimension |
         base, exponent = factor.as_base_exp()
         if base.is_number or isinstance(base, sp.sin | sp.cos):
             continue
-        if base not in known or not exponent.is_Rational:
+        if base not in dimensions or not exponent.is_Rational:
             return None
-        total = _times(total, known[base], Fraction(int(exponent.p), int(exponent.q)))
+        total = _times(total, dimensions[base], Fraction(int(exponent.p), int(exponent.q)))
     return total
 
 

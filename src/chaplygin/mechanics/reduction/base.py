@@ -200,17 +200,17 @@ def _angles(rows: sp.Matrix) -> dict[sp.Symbol, fmpq]:
 def on_base(motion: ReducedMomenta, place: Mapping[sp.Symbol, sp.Expr]) -> ReducedMomenta:
     """The equations of motion with coordinates put in; relations are satisfied."""
 
-    def put(matrix: sp.Matrix) -> sp.Matrix:
+    def with_values(matrix: sp.Matrix) -> sp.Matrix:
         return matrix.xreplace(dict(place))
 
     return replace(
         motion,
         relations=(),
-        anchor=put(motion.anchor),
-        constraints=put(motion.constraints),
-        metric=put(motion.metric),
-        gyroscopic=put(motion.gyroscopic),
+        anchor=with_values(motion.anchor),
+        constraints=with_values(motion.constraints),
+        metric=with_values(motion.metric),
+        gyroscopic=with_values(motion.gyroscopic),
         potential=motion.potential.subs(dict(place), simultaneous=True),
-        force=put(motion.force),
-        pull=put(motion.pull),
+        force=with_values(motion.force),
+        pull=with_values(motion.pull),
     )

@@ -213,18 +213,18 @@ def _levels(
     ]
 
 
-def _integrals(mechanism: Mechanism, moved: ReducedMomenta, here: Base) -> list[Linear]:
-    free = len(moved.velocities) - moved.constraints.rows
+def _integrals(mechanism: Mechanism, momenta: ReducedMomenta, here: Base) -> list[Linear]:
+    free = len(momenta.velocities) - momenta.constraints.rows
     needed = free - 2
     if needed == 0:
         return []
-    if moved.constraints.rows:
+    if momenta.constraints.rows:
         raise InputError(
             f"{mechanism.name}: its constraints allow {free} velocities for two coordinates; "
             "linear integrals that take the others are only sought where every constraint gives "
             "a velocity with a number as coefficient"
         )
-    integrals = linear_integrals(mechanism, moved, here)
+    integrals = linear_integrals(mechanism, momenta, here)
     if len(integrals) < needed:
         raise InputError(
             f"{mechanism.name}: its constraints allow {free} velocities for two coordinates, and "

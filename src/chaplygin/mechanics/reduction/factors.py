@@ -250,9 +250,9 @@ def _circles(t: Sequence[fmpq]) -> list[tuple[fmpq, fmpq]]:
     return [(2 * x / (1 + x * x), (1 - x * x) / (1 + x * x)) for x in t]
 
 
-def _power(unit: Sequence[fmpq], chosen: Sequence[int]) -> fmpq:
+def _power(unit: Sequence[fmpq], indices: Sequence[int]) -> fmpq:
     total = fmpq(1)
-    for i in chosen:
+    for i in indices:
         total *= unit[i]
     return total
 

@@ -186,22 +186,22 @@ def solutions(
 
 
 def _with_parameters(
-    mechanism: Mechanism, base: Base, formulas: Evaluable, count: int, chosen: Sequence[int]
+    mechanism: Mechanism, base: Base, formulas: Evaluable, count: int, indices: Sequence[int]
 ) -> dict[int, sp.Expr]:
     """A combination with the parameters as symbols."""
     parameters = [p.symbol for p in mechanism.parameters if p.symbol in formulas.symbols]
-    if len(chosen) == 1:
-        return {chosen[0]: sp.S.One}
+    if len(indices) == 1:
+        return {indices[0]: sp.S.One}
     one, symbols = quotients(parameters) if parameters else (fmpq(1), {})
     dice = random.Random(SEED + 1)
     names = bare(formulas.symbols)
     rows: list[list[Value]] = []
-    while len(rows) < len(chosen) + 2:
+    while len(rows) < len(indices) + 2:
         place = point([n for n in names if n not in symbols] + list(base.coordinates), dice)
         values = formulas.at({**{s: one * v for s, v in place.items()}, **symbols}, one)
-        rows += [[values[i + j] for j in chosen] for i in range(0, len(values), count)]
+        rows += [[values[i + j] for j in indices] for i in range(0, len(values), count)]
     (row,) = kernel(rows, one)
-    return dict(zip(chosen, primitive([as_expression(x) for x in row]), strict=True))
+    return dict(zip(indices, primitive([as_expression(x) for x in row]), strict=True))
 
 
 def primitive(values: Sequence[sp.Expr]) -> list[sp.Expr]:

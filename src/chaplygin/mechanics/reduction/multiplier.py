@@ -112,7 +112,7 @@ def curl(
         # the component of the other coordinate
         component = _form_at(local, chart, at, place, one)[1 - moved]
         rate = _derivative(component, 0) * chart.speed(moved, at[moved])
-        rate = _put(rate, str(chart.variables[moved]), values[moved])
+        rate = _at_value(rate, str(chart.variables[moved]), values[moved])
         term = rate if moved else -rate
         total = term if total is None else _sum_as_formula(total, term)
     return total
@@ -124,7 +124,7 @@ def _derivative(value: Quotient, index: int) -> Quotient:
     return Quotient(above * value.below - value.above * below, value.below**2)
 
 
-def _put(value: Quotient, name: str, at: fmpq) -> Quotient:
+def _at_value(value: Quotient, name: str, at: fmpq) -> Quotient:
     return Quotient(value.above.subs({name: at}), value.below.subs({name: at}))
 
 
@@ -184,7 +184,7 @@ def is_closed(local: Local, chart: HalfAngleChart) -> bool:
 
 
 def open_unless(
-    local: Local, chart: HalfAngleChart, known: Sequence[Parameter]
+    local: Local, chart: HalfAngleChart, signed_parameters: Sequence[Parameter]
 ) -> tuple[sp.Expr, ...]:
     """Factors in the parameters that the curl has at every point, and that may vanish."""
     dice = random.Random(SEED + 1)
@@ -196,7 +196,7 @@ def open_unless(
         above = sp.fraction(sp.together(form))[0]
         shared = above if shared is None else sp.gcd(shared, above)
     factors = [base for base, _ in sp.factor_list(shared)[1]]
-    signs = as_positive(known)
+    signs = as_positive(signed_parameters)
     return tuple(
         f
         for f in factors

@@ -98,11 +98,11 @@ def _regular(lift: Lift, integral: Quadratic, owner: str) -> bool:
     return bool(a * c != b * b)
 
 
-def _words(chosen: Mapping[int, sp.Expr], forms: Sequence[QuadraticForm]) -> str:
+def _words(factors: Mapping[int, sp.Expr], forms: Sequence[QuadraticForm]) -> str:
     """The combination in the energy E and the momenta M."""
     E, M = real_symbol("E"), Vector("M")
     total = sp.S.Zero
-    for i, factor in chosen.items():
+    for i, factor in factors.items():
         if i == 0:
             total += factor * E
             continue

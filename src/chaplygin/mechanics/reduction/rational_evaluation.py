@@ -130,10 +130,10 @@ def near(default: float, dice: random.Random) -> fmpq:
 
 
 def point(
-    symbols: Iterable[sp.Symbol], dice: random.Random, given: Point | None = None
+    symbols: Iterable[sp.Symbol], dice: random.Random, start: Point | None = None
 ) -> dict[sp.Symbol, Value]:
     """Values of coordinates with their sines and cosines, or of whatever else is named."""
-    values: dict[sp.Symbol, Value] = dict(given or {})
+    values: dict[sp.Symbol, Value] = dict(start or {})
     for s in symbols:
         if s in values:
             continue

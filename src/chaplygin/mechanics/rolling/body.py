@@ -104,7 +104,7 @@ class Body(WithInertia):
         return (self.cavity,) if isinstance(self.cavity, Cavity) else tuple(self.cavity)
 
     @property
-    def filled(self) -> bool:
+    def has_fluid(self) -> bool:
         """Whether a cavity holds fluid."""
         return any(cavity.mass for cavity in self.cavities)
 

@@ -23,7 +23,7 @@ from ...arguments import arguments_checked
 from ...errors import InputError
 from ...parsing.exact_decimals import exact_number
 
-UNTURNED = (1.0, 0.0, 0.0, 0.0)
+IDENTITY = (1.0, 0.0, 0.0, 0.0)
 
 
 @arguments_checked
@@ -62,7 +62,7 @@ class Cavity:
 
     axes: tuple[float, float, float]
     mass: float
-    turn: tuple[float, float, float, float] = UNTURNED
+    turn: tuple[float, float, float, float] = IDENTITY
     centre: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:

@@ -52,7 +52,7 @@ def equivalent_body(body: AnyBody) -> AnyBody:
 
     Computed in rational numbers and rounded once, so that equal moments stay equal.
     """
-    if isinstance(body, EquivalentBody) or not body.filled:
+    if isinstance(body, EquivalentBody) or not body.has_fluid:
         return body
     parts = [(exact_number(body.mass), sp.zeros(3, 1))]
     inertia = sp.Matrix(body.tensor.tolist()).applyfunc(exact_number)

@@ -25,7 +25,7 @@ from .shape_base import (
     check_centre,
     check_values,
     real_values,
-    require_known,
+    require_symbols,
 )
 
 #: Names in the equations of an implicit body: the contact point from the geometric centre, and
@@ -72,7 +72,7 @@ class Implicit(CentredShape):
         object.__setattr__(self, "surface", by_name(self.surface, known))
         check_values(self.values)
         check_centre(self.centre)
-        require_known(
+        require_symbols(
             f"surface {self.surface} = 0",
             self.surface.free_symbols,
             set(known),

@@ -178,13 +178,13 @@ def is_no_spin(relation: sp.Expr) -> bool:
     return bool(to_components(relation) == product)
 
 
-def _check_domain(system: System, known: Mapping[sp.Symbol, mpmath.mpf]) -> None:
+def _check_domain(system: System, known_values: Mapping[sp.Symbol, mpmath.mpf]) -> None:
     """Refuse a position outside the domain of the equations."""
     for guard in system.guards:
         if guard.lift_off:
             continue
         try:
-            value = evaluate(system, [to_components(guard.value)], known)[0]
+            value = evaluate(system, [to_components(guard.value)], known_values)[0]
         except ZeroDivisionError:
             value = mpmath.mpf(0)
         if not value > 0:
@@ -235,25 +235,25 @@ def _third_row(turn: list[mpmath.mpf]) -> list[mpmath.mpf]:
 
 
 def _evaluate(
-    system: System, pairs: Pairs, known: Mapping[sp.Symbol, mpmath.mpf]
+    system: System, pairs: Pairs, known_values: Mapping[sp.Symbol, mpmath.mpf]
 ) -> dict[sp.Symbol, mpmath.mpf]:
     """Values of named formulas at known symbols."""
     symbols = [s for name, _ in pairs for s in name.symbols]
     formulas = [e for _, formula in pairs for e in to_components(formula)]
-    return dict(zip(symbols, evaluate(system, formulas, known), strict=True))
+    return dict(zip(symbols, evaluate(system, formulas, known_values), strict=True))
 
 
 def evaluate(
-    system: System, formulas: Sequence[sp.Expr], known: Mapping[sp.Symbol, Any]
+    system: System, formulas: Sequence[sp.Expr], known_values: Mapping[sp.Symbol, Any]
 ) -> list[Any]:
     """Values of scalar formulas of a system, in the working precision of mpmath."""
-    numbers = Multiprecision(known)
-    numbers.define(system.required_definitions(formulas, given=known))
+    numbers = Multiprecision(known_values)
+    numbers.define(system.required_definitions(formulas, inputs=known_values))
     return [numbers(formula) for formula in formulas]
 
 
 def _contact_point(
-    system: System, up: list[mpmath.mpf], known: Mapping[sp.Symbol, mpmath.mpf]
+    system: System, up: list[mpmath.mpf], known_values: Mapping[sp.Symbol, mpmath.mpf]
 ) -> list[mpmath.mpf]:
     """The point r of an implicit surface f(r − c) = 0 whose outward normal is −γ.
 
@@ -261,8 +261,8 @@ def _contact_point(
     the length ℓ of the gradient as fourth unknown.
     """
     surface, coordinates = to_components(system.relations[0]), r.symbols
-    values = {s: v for s, v in known.items() if s in surface.free_symbols}
-    centre = [known.get(s, mpmath.mpf(0)) for s in Vector("c").symbols]
+    values = {s: v for s, v in known_values.items() if s in surface.free_symbols}
+    centre = [known_values.get(s, mpmath.mpf(0)) for s in Vector("c").symbols]
     shifted = surface.subs(values).subs(
         {s: s + v for s, v in zip(coordinates, centre, strict=True)}, simultaneous=True
     )
@@ -292,13 +292,13 @@ def _contact_point(
     )
 
 
-def _place(system: System, known: Mapping[sp.Symbol, mpmath.mpf]) -> list[mpmath.mpf]:
+def _place(system: System, known_values: Mapping[sp.Symbol, mpmath.mpf]) -> list[mpmath.mpf]:
     """The centre of mass that puts the contact point at the origin of the plane."""
     zero = mpmath.mpf(0)
     if system.reconstruction is None or all(
         name != place for name, _ in system.reconstruction.field
     ):
         return [zero, zero]
-    origin = {**known, **dict.fromkeys(place.symbols, zero)}
+    origin = {**known_values, **dict.fromkeys(place.symbols, zero)}
     contact = next(o.value for o in system.reconstruction.observables if o.name == "contact")
     return [-x for x in evaluate(system, list(to_components(contact))[:2], origin)]

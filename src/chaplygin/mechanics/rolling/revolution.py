@@ -25,7 +25,7 @@ from .shape_base import (
     check_values,
     convexity,
     real_values,
-    require_known,
+    require_symbols,
 )
 
 gamma = Vector("gamma")
@@ -72,7 +72,7 @@ class Revolution(CentredShape):
         object.__setattr__(self, "support", by_name(self.support, known))
         check_values(self.values)
         check_centre(self.centre)
-        require_known(
+        require_symbols(
             f"support function {self.support}",
             self.support.free_symbols,
             set(known),
@@ -106,7 +106,7 @@ class Revolution(CentredShape):
         u = gamma.symbols[2]
         table = dict(real_values(values or {}))
         chi_1, chi_2 = (by_name(chi, (u, *table)) for chi in (chi_1, chi_2))
-        require_known(
+        require_symbols(
             f"profile chi_1 = {chi_1}, chi_2 = {chi_2}",
             chi_1.free_symbols | chi_2.free_symbols,
             {u, *table},

@@ -89,9 +89,11 @@ def check_values(values: tuple[tuple[sp.Symbol, float], ...]) -> None:
             raise InputError(f"parameter {symbol} = {value}: it must be a finite number")
 
 
-def require_known(what: str, used: set[sp.Symbol], known: set[sp.Symbol], variables: str) -> None:
+def require_symbols(
+    what: str, used: set[sp.Symbol], symbols: set[sp.Symbol], variables: str
+) -> None:
     """Raise InputError if a formula uses a symbol that is not known."""
-    unknown = sorted(map(str, used - known))
+    unknown = sorted(map(str, used - symbols))
     if unknown:
         raise InputError(
             f"{what}: {', '.join(unknown)} is not known; it may use {variables} and the "

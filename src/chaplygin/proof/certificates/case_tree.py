@@ -35,14 +35,14 @@ class Cases:
         Of the ring, with what is known of signs.
     write : callable
         A polynomial as text.
-    left : callable
+    exclusion : callable
         The condition of the verdict that excludes the zeros of a polynomial, if one does.
     """
 
     chains: Chains
     numerators: Sequence[Poly]
     write: Callable[[Poly], Terms]
-    left: Callable[[Poly], str | None]
+    exclusion: Callable[[Poly], str | None]
     _nodes: int = field(default=0, init=False)
 
     def tree(self, equations: Sequence[Poly], nonzero: Sequence[Poly] = ()) -> Text:
@@ -58,7 +58,7 @@ class Cases:
             raise OutOfReachError(f"a certificate would have more than {MOST_NODES} cases")
         equations = tuple(equations)
         for equation in equations[::-1]:
-            if (condition := self.left(equation)) is not None:
+            if (condition := self.exclusion(equation)) is not None:
                 return {"case": "unproven", "condition": condition}
         chain, contradiction = self.chains.chain(equations, nonzero)
         if contradiction is not None:

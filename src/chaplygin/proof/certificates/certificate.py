@@ -32,7 +32,7 @@ from ..random_test import trials
 from ..symbolic_proof import MOST_RUNS, flipped_decisions
 from ..verdict import Verdict
 from ..witness_points import witness_point
-from .identities import Excluded, proof_text
+from .identities import ExclusionOf, proof_text
 from .proof_setting import ProofSetting
 
 
@@ -64,9 +64,9 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
         certificate = _certificate(system, law, verdict, effort)
         check(certificate)
     except OutOfReachError as reason:
-        return replace(verdict, uncertified=str(reason))
+        return replace(verdict, no_certificate=str(reason))
     except (BadInputError, CheckError) as reason:
-        return replace(verdict, uncertified=f"the certificate does not check: {reason}")
+        return replace(verdict, no_certificate=f"the certificate does not check: {reason}")
     return replace(verdict, certificate=certificate)
 
 
@@ -150,21 +150,21 @@ def _proofs(
 
     first = setting_for(UnreducedField, {})
     if not first.field.decisions:
-        return [proof_text(first, excluding_condition, decided=False)]
+        return [proof_text(first, excluding_condition, with_decisions=False)]
     with contextlib.suppress(OutOfReachError):
         formal = setting_for(UnreducedFormal, {})
         if not formal.field.decisions:
-            return [proof_text(formal, excluding_condition, decided=False)]
+            return [proof_text(formal, excluding_condition, with_decisions=False)]
     return _by_signs(first, setting_for, excluding_condition)
 
 
 def _by_signs(
     first: ProofSetting,
     setting_for: Callable[[type[UnreducedField], Mapping[str, int]], ProofSetting],
-    excluding_condition: Excluded,
+    excluding_condition: ExclusionOf,
 ) -> list[Text]:
     """A proof for every choice of signs for which the law is defined and holds."""
-    proofs = [proof_text(first, excluding_condition, decided=True)]
+    proofs = [proof_text(first, excluding_condition, with_decisions=True)]
     waiting = flipped_decisions(first.field, 0)
     runs = 1
     while waiting:
@@ -178,6 +178,6 @@ def _by_signs(
             continue
         # where the law needs a sign, the check finds that a condition asks for it
         with contextlib.suppress(OutOfReachError):
-            proofs.append(proof_text(setting, excluding_condition, decided=True))
+            proofs.append(proof_text(setting, excluding_condition, with_decisions=True))
         waiting += flipped_decisions(setting.field, size)
     return proofs

@@ -31,7 +31,7 @@ class Basis:
     """A Gröbner basis, by Buchberger's algorithm, as far as it is needed and not too large."""
 
     def __init__(self, ring: fmpq_mpoly_ctx, equations: Sequence[Poly], budget: Budget) -> None:
-        self._given = ring
+        self._input_ring = ring
         self._ring = fmpq_mpoly_ctx.get(ring.names(), Ordering.degrevlex)
         self._budget = budget
         self._elements: list[_Element] = []
@@ -61,7 +61,7 @@ class Basis:
             remainder, by = self._reduction(remainder, by)
         if remainder:
             return None
-        return {i: -self._given.from_dict(part.to_dict()) for i, part in by.items() if part}
+        return {i: -self._input_ring.from_dict(part.to_dict()) for i, part in by.items() if part}
 
     def _inside(self, poly: Poly) -> Poly:
         return self._ring.from_dict(poly.to_dict())

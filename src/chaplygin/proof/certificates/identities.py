@@ -14,15 +14,15 @@ from .proof_setting import ProofSetting
 from .proof_signs import positive_texts, sign_reasons
 
 #: The condition of a verdict that excludes the zeros of a polynomial; None if none does.
-Excluded = Callable[[ProofSetting, Poly], str | None]
+ExclusionOf = Callable[[ProofSetting, Poly], str | None]
 
 
-def proof_text(setting: ProofSetting, excluded: Excluded, decided: bool) -> Text:
+def proof_text(setting: ProofSetting, exclusion: ExclusionOf, with_decisions: bool) -> Text:
     """A proof, in the format of a certificate.
 
     Parameters
     ----------
-    decided : bool
+    with_decisions : bool
         Whether the proof takes the signs that were decided, for one of several proofs.
 
     Raises
@@ -33,7 +33,7 @@ def proof_text(setting: ProofSetting, excluded: Excluded, decided: bool) -> Text
     field, level = setting.field, setting.level
     sources = equation_sources(setting)
     polys = [poly for poly, _ in sources]
-    assumed = list(field.decisions.values()) if decided else []
+    assumed = list(field.decisions.values()) if with_decisions else []
     reasons, entries = sign_reasons(setting, polys, assumed)
     numerators = [field.reduce(value.poly) for _, value in _whole(setting)]
     for _, value in _whole(setting):
@@ -46,7 +46,7 @@ def proof_text(setting: ProofSetting, excluded: Excluded, decided: bool) -> Text
         Chains(field.ring, reasons, moving, field.budget),
         numerators,
         setting.terms,
-        lambda poly: excluded(setting, poly),
+        lambda poly: exclusion(setting, poly),
     )
     tree = cases.tree(polys)
     return {

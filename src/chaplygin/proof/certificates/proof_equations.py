@@ -37,11 +37,11 @@ def equation_sources(setting: ProofSetting) -> list[tuple[Poly, Text]]:
 
 
 def _with_equal_values(
-    setting: ProofSetting, known: list[tuple[Poly, Text]]
+    setting: ProofSetting, equations: list[tuple[Poly, Text]]
 ) -> list[tuple[Poly, Text]]:
     """Equations, and those of values that are equal because their arguments are on the level."""
     field = setting.field
-    sources = list(known)
+    sources = list(equations)
     record = list(field.record.items())
     for number, (name, meaning) in enumerate(record):
         value = field.generators[name]

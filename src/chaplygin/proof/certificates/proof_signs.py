@@ -30,7 +30,7 @@ class FactoredDivisor:
 
 
 def sign_reasons(
-    setting: ProofSetting, equations: Sequence[Poly], assumed: Sequence[tuple[Poly, int]]
+    setting: ProofSetting, equations: Sequence[Poly], assumptions: Sequence[tuple[Poly, int]]
 ) -> tuple[Reasons, list[FactoredDivisor]]:
     """Signs known on the domain, from the divisors and those assumed; and the divisors."""
     reasons = _reasons(setting, equations)
@@ -39,7 +39,7 @@ def sign_reasons(
         for formula, where, value, positive in setting.divisors
     ]
     _find_nonzero(reasons, entries)
-    for poly, sign in assumed:
+    for poly, sign in assumptions:
         reasons.learn(poly, sign)
     _force(reasons, entries)
     _root_signs(setting, reasons)

@@ -34,7 +34,7 @@ def checked_effort(effort: int) -> int:
     return effort
 
 
-def spent(effort: int) -> str:
+def budget_message(effort: int) -> str:
     """The error for an effort that was too small."""
     return f"not decided with an effort of {effort:,} term operations"
 
@@ -64,7 +64,7 @@ class Budget:
         """Count term operations; EffortSpentError when they are more than are left."""
         if operations > self.effort - self.used:
             self.used = self.effort
-            raise EffortSpentError(spent(self.effort))
+            raise EffortSpentError(budget_message(self.effort))
         self.used += operations
 
     def spend(self, poly: Poly) -> None:

@@ -21,8 +21,8 @@ from .quotient_ring import Element
 class FormalRoots(FunctionField):
     """Fractions in which every radicand has one root, known by its power alone."""
 
-    def __init__(self, *given: Any) -> None:
-        super().__init__(*given)
+    def __init__(self, *arguments: Any) -> None:
+        super().__init__(*arguments)
         self._formal: list[tuple[Element, tuple[sp.Expr, int], Element]] = []
 
     def power(

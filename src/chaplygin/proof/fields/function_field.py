@@ -80,7 +80,7 @@ class FunctionField(QuotientRing):
         #: Signs of factors under roots that nothing known tells, as they were taken.
         self.decisions: dict[str, tuple[Poly, int]] = {}
         self._choices = dict(choices or {})
-        self._implied: dict[str, int] = {}
+        self._implied_signs: dict[str, int] = {}
         #: A root raised to its degree: content, factors with powers; and the degree.
         self._root_of: dict[int, tuple[fmpq, tuple[tuple[int, int], ...], int]] = {}
         self._roots: dict[str, tuple[Poly, int]] = {}
@@ -184,14 +184,14 @@ class FunctionField(QuotientRing):
                 raise NoRealValueError
             signed = [(-poly if poly is odd else poly, power) for poly, power in signed]
         if odd is not None:
-            self._implied[str(odd)] = overall
+            self._implied_signs[str(odd)] = overall
         return abs(content), signed
 
     def _known_sign(self, poly: Poly) -> int:
         """The sign of a factor of something positive, if known or taken before; 0 otherwise."""
         key = str(poly)
-        if key in self._implied:
-            return self._implied[key]
+        if key in self._implied_signs:
+            return self._implied_signs[key]
         if key in self.decisions:
             return self.decisions[key][1]
         sign = self.signs.of(poly)

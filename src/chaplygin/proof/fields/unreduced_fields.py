@@ -60,8 +60,8 @@ class Meaning:
 class UnreducedField(FunctionField):
     """Fractions modulo the relations of roots and circles alone, with what each symbol means."""
 
-    def __init__(self, *given: Any) -> None:
-        super().__init__(*given)
+    def __init__(self, *arguments: Any) -> None:
+        super().__init__(*arguments)
         #: Meaning of each auxiliary symbol, in the order in which they were made.
         self.record: dict[str, Meaning] = {}
         self._pending: list[Meaning] = []

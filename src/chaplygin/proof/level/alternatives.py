@@ -29,13 +29,13 @@ class Alternative:
     ----------
     law : Law
         With factors in place of the conditions they are factors of.
-    chosen : tuple of sympy.Expr
+    defining_factors : tuple of sympy.Expr
         The factors, of those conditions that have several.
     """
 
     system: System
     law: Law
-    chosen: tuple[sp.Expr, ...] = ()
+    defining_factors: tuple[sp.Expr, ...] = ()
 
 
 def alternatives(system: System, law: Law) -> tuple[Alternative, ...]:

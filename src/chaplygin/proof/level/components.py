@@ -38,7 +38,7 @@ class Component:
     ----------
     equations : tuple of polynomials
         They vanish on it, and on it alone.
-    chosen : tuple of polynomials
+    defining_factors : tuple of polynomials
         The factors and initials whose vanishing sets it apart from the other components.
     parent : Component, optional
         Of a part where an initial vanishes: the component whose initial it is.
@@ -48,7 +48,7 @@ class Component:
     """
 
     equations: Polys
-    chosen: Polys = ()
+    defining_factors: Polys = ()
     parent: Component | None = None
     inner: bool = False
 
@@ -58,7 +58,7 @@ class _Part:
     """Equations on the way to a component; `squared` where real points alone were kept."""
 
     equations: Polys
-    chosen: Polys = ()
+    defining_factors: Polys = ()
     parent: Component | None = None
     squared: bool = False
 
@@ -104,7 +104,7 @@ class Decomposition:
                 waiting = [
                     _Part(
                         fork.equations,
-                        (*part.chosen, *fork.chosen),
+                        (*part.defining_factors, *fork.defining_factors),
                         part.parent,
                         part.squared or fork.squared,
                     )
@@ -114,12 +114,12 @@ class Decomposition:
             triangular = self._chain(part.equations)
             dimension = len(self.names) - len(triangular)
             inner = part.parent is not None and not part.squared and dimension < least
-            component = Component(part.equations, part.chosen, part.parent, inner)
+            component = Component(part.equations, part.defining_factors, part.parent, inner)
             components.append(component)
             for initial in self._initials(triangular):
                 if not self._thin(part.equations, triangular, initial):
                     further = (*part.equations, initial)
-                    chosen = (*part.chosen, initial)
+                    chosen = (*part.defining_factors, initial)
                     waiting.append(_Part(further, chosen, part.parent or component, part.squared))
         return self._without_repeated(components)
 

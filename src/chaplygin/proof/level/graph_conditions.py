@@ -38,7 +38,7 @@ class Graph:
     ----------
     consistency : Identity
         That the variables that are gone move as their expressions do.
-    excluded : tuple of sympy.Expr
+    excluded_factors : tuple of sympy.Expr
         Factors of these variables that could vanish on a part of the level that is not in the
         closure of the rest.
     """
@@ -46,7 +46,7 @@ class Graph:
     system: System
     law: Law
     consistency: Identity
-    excluded: tuple[sp.Expr, ...] = ()
+    excluded_factors: tuple[sp.Expr, ...] = ()
 
 
 def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None:
@@ -145,10 +145,10 @@ def _linear(
     formula: sp.Expr,
     symbols: Iterable[sp.Symbol],
     steps: Mapping[sp.Symbol, sp.Expr],
-    gone: Mapping[sp.Symbol, sp.Expr],
+    expressions: Mapping[sp.Symbol, sp.Expr],
 ) -> tuple[sp.Symbol, sp.Expr, sp.Expr] | None:
     """A variable in which a condition is linear, its value, and its factor."""
-    known = {**steps, **gone}
+    known = {**steps, **expressions}
     for symbol in reversed(list(symbols)):
         if symbol not in formula.free_symbols:
             continue

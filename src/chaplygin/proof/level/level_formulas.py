@@ -36,7 +36,7 @@ class LevelFormulas:
         in place of the relations and of `on`.
     parent : tuple of sympy.Expr, optional
         Of a part of a component where an initial of it vanishes: the component's equations.
-    chosen : tuple of sympy.Expr
+    defining_factors : tuple of sympy.Expr
         What sets a component apart from the others.
     inner : bool
         Whether this part lies in the closure of other components, so that motions may leave it:
@@ -52,7 +52,7 @@ class LevelFormulas:
     on: tuple[sp.Expr, ...] = ()
     equations: tuple[sp.Expr, ...] | None = None
     parent: tuple[sp.Expr, ...] | None = None
-    chosen: tuple[sp.Expr, ...] = ()
+    defining_factors: tuple[sp.Expr, ...] = ()
     inner: bool = False
 
     @cached_property

@@ -76,7 +76,9 @@ class LevelSet(LevelFractions):
         parent = None
         if part.parent is not None:
             parent = (*formulas(part.parent.equations), *self.zeros)
-        return LevelSet(self.system, self.on, equations, parent, formulas(part.chosen), part.inner)
+        return LevelSet(
+            self.system, self.on, equations, parent, formulas(part.defining_factors), part.inner
+        )
 
     def point(
         self, generator: random.Random, draw: Draw = near

@@ -20,7 +20,7 @@ class Claim:
 
     Attributes
     ----------
-    excluded : tuple of sympy.Expr
+    excluded_zeros : tuple of sympy.Expr
         Formulas whose zeros the claim leaves aside.
     circles : tuple of (angle, sine, cosine, unit)
         Angles whose multiples by their unit have become sine and cosine.
@@ -30,7 +30,7 @@ class Claim:
 
     system: System
     law: Law
-    excluded: tuple[sp.Expr, ...] = ()
+    excluded_zeros: tuple[sp.Expr, ...] = ()
     circles: tuple[tuple[sp.Symbol, sp.Symbol, sp.Symbol, sp.Expr], ...] = ()
     expressions: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
 
@@ -59,7 +59,7 @@ def polynomial_problems(system: System, law: Law) -> tuple[Claim, ...]:
             _on_circles(reduced.system, reduced.consistency, None),
             expressions=_expressed_variables(system, reduced),
         ),
-        replace(base, excluded=reduced.excluded),
+        replace(base, excluded_zeros=reduced.excluded_factors),
     )
 
 

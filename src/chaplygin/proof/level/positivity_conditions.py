@@ -19,10 +19,10 @@ from ..fields.field import Field, FieldElement
 from .level_set import LevelSet
 from .time_derivatives import without_rates
 
-Named = tuple[str, sp.Expr]
+NamedFormula = tuple[str, sp.Expr]
 
 
-def positives(law: Law, level: LevelSet) -> tuple[Named, ...]:
+def positives(law: Law, level: LevelSet) -> tuple[NamedFormula, ...]:
     """Quantities that a law needs to be positive, each in words and as a formula.
 
     Of an isomorphism it is dτ/dt; of a measure every base of its density that stands under a root,
@@ -35,7 +35,7 @@ def positives(law: Law, level: LevelSet) -> tuple[Named, ...]:
         that is a number is negative or zero.
         Where all of them are positive the law makes sense, provided that its formulas are real.
     """
-    bases: list[Named] = []
+    bases: list[NamedFormula] = []
     match law:
         case Isomorphism():
             bases = [("dτ/dt", _without_rates(law.time, level))]
@@ -49,7 +49,7 @@ def positives(law: Law, level: LevelSet) -> tuple[Named, ...]:
     return tuple((what, formula) for what, formula in settled if formula != 1)
 
 
-def orienting(law: Law, level: LevelSet) -> tuple[Named, ...]:
+def orienting(law: Law, level: LevelSet) -> tuple[NamedFormula, ...]:
     """The bases of a density with odd exponents, which decide its sign.
 
     Where the product of all of them has one sign, the density or its negative is positive; where it

@@ -14,7 +14,7 @@ from ...formulas.number_fields import exact_root
 from .triangular_set import Terms
 
 
-def near(default: float | None, generator: random.Random, signed: bool = False) -> fmpq:
+def near(default: float | None, generator: random.Random, both_signs: bool = False) -> fmpq:
     """A random rational number, near the default of a parameter; not 1."""
     if default is None or default == 0:
         reach = generator.choice([17, 17, 60])
@@ -25,25 +25,25 @@ def near(default: float | None, generator: random.Random, signed: bool = False) 
     return fmpq(near.numerator, near.denominator)
 
 
-def far(default: float | None, generator: random.Random, signed: bool = False) -> fmpq:
+def far(default: float | None, generator: random.Random, both_signs: bool = False) -> fmpq:
     """A random rational number of any size, with small whole numbers among them.
 
     Of either sign, unless the default has the only sign that is admissible.
     """
-    if default and generator.random() < (0.5 if signed else 0.2):
+    if default and generator.random() < (0.5 if both_signs else 0.2):
         return near(default, generator)
     if not default and generator.random() < 0.3:
         return fmpq(generator.choice([-3, -2, -1, 1, 2, 3]))
     scale = Fraction(repr(float(default or 1.0)))
     value = scale * Fraction(generator.randint(1, 24), generator.randint(4, 9))
-    if not signed:
+    if not both_signs:
         value *= generator.choice([-1, 1])
     return fmpq(value.numerator, value.denominator)
 
 
-def broad(default: float | None, generator: random.Random, signed: bool = False) -> fmpq:
+def broad(default: float | None, generator: random.Random, both_signs: bool = False) -> fmpq:
     """A random rational number of any order of magnitude, for quantities in whatever units."""
-    value = far(default, generator, signed)
+    value = far(default, generator, both_signs)
     power = generator.randint(-13, 13)
     return value * fmpq(10) ** power if default is None else value
 

@@ -259,8 +259,8 @@ def _replacements(
     return table, lost
 
 
-def _by_sine_and_cosine(node: sp.Expr, scaled: sp.Expr) -> sp.Expr:
-    argument = scaled.args[0]
+def _by_sine_and_cosine(node: sp.Expr, multiple: sp.Expr) -> sp.Expr:
+    argument = multiple.args[0]
     sine, cosine = sp.sin(argument), sp.cos(argument)
     forms = {
         sp.sin: sine,
@@ -278,19 +278,19 @@ def _by_sine_and_cosine(node: sp.Expr, scaled: sp.Expr) -> sp.Expr:
 def _with_circles(
     system: System,
     table: Mapping[sp.Expr, sp.Expr],
-    lost: Mapping[sp.Symbol, tuple[sp.Symbol, sp.Symbol, sp.Expr]],
+    circles: Mapping[sp.Symbol, tuple[sp.Symbol, sp.Symbol, sp.Expr]],
 ) -> System:
     field: dict[sp.Symbol, sp.Expr] = {}
     for symbol, rate in zip(system.symbols, system.rates, strict=True):
         value = rate.xreplace(dict(table))
-        if symbol in lost:
-            field |= dict(_rates_on_circle(lost[symbol], value))
+        if symbol in circles:
+            field |= dict(_rates_on_circle(circles[symbol], value))
         else:
             field[symbol] = value
     parameters: list[Parameter] = []
     for p in system.parameters:
-        if p.symbol in lost:
-            s, c, unit = lost[p.symbol]
+        if p.symbol in circles:
+            s, c, unit = circles[p.symbol]
             angle = float(unit) * p.default
             parameters.append(replace(p, symbol=s, default=float(sp.sin(angle)), admissible=()))
             parameters.append(replace(p, symbol=c, default=float(sp.cos(angle)), admissible=()))
@@ -302,7 +302,7 @@ def _with_circles(
         definitions=tuple((s, v.xreplace(dict(table))) for s, v in system.scalar_definitions),
         relations=(
             *(to_components(c).xreplace(dict(table)) for c in system.relations),
-            *(s**2 + c**2 - 1 for s, c, _ in lost.values()),
+            *(s**2 + c**2 - 1 for s, c, _ in circles.values()),
         ),
         parameters=tuple(parameters),
         guards=tuple(

@@ -48,12 +48,12 @@ def cut_by_plane(polygon: FloatArray, normal: FloatArray) -> FloatArray:
     return np.array(corners) if corners else np.empty((0, 3))
 
 
-def runs(marked: BoolArray) -> Iterator[slice]:
+def runs(mask: BoolArray) -> Iterator[slice]:
     """Stretches of a curve on which every step is marked.
 
     Parameters
     ----------
-    marked : (n - 1,) array of bool
+    mask : (n - 1,) array of bool
         One mark for each step between neighbouring points of a curve of n points.
 
     Yields
@@ -61,7 +61,7 @@ def runs(marked: BoolArray) -> Iterator[slice]:
     slice
         The points at the ends of consecutive marked steps.
     """
-    padded = np.concatenate([[False], marked, [False]]).astype(np.int8)
+    padded = np.concatenate([[False], mask, [False]]).astype(np.int8)
     changes = np.flatnonzero(np.diff(padded))
     for start, stop in zip(changes[::2], changes[1::2], strict=True):
         yield slice(int(start), int(stop) + 1)

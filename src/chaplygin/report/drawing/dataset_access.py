@@ -16,7 +16,7 @@ from ...errors import InputError
 from ...printing.formula import latex
 from ...printing.symbol_names import GREEK
 
-NEEDED = {
+VARIABLES = {
     "scene": ("contact", "centre", "attitude", "gamma"),
     "contact_path": ("contact",),
     "normal_on_sphere": ("gamma",),
@@ -36,7 +36,7 @@ CURVE_POINTS = 1200
 
 def require(dataset: xr.Dataset, figure: str) -> None:
     """Raise InputError unless the dataset has what the figure needs."""
-    require_all(dataset, figure, NEEDED[figure])
+    require_all(dataset, figure, VARIABLES[figure])
 
 
 def require_all(dataset: xr.Dataset, figure: str, names: Iterable[str]) -> None:
@@ -72,8 +72,8 @@ def time_shares(times: FloatArray, since: float | None = None) -> FloatArray:
 
 
 #: Raised and lowered characters that the typeface of the figures lacks.
-_RAISED = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-", strict=True))
-_LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
+_SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-", strict=True))
+_SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
 
 
 def readable(text: str) -> str:
@@ -81,8 +81,12 @@ def readable(text: str) -> str:
 
     Raised and lowered characters are set as exponents and indices.
     """
-    text = re.sub(f"[{''.join(_RAISED)}]+", lambda match: _script(match[0], "^", _RAISED), text)
-    text = re.sub(f"[{''.join(_LOWERED)}]+", lambda match: _script(match[0], "_", _LOWERED), text)
+    text = re.sub(
+        f"[{''.join(_SUPERSCRIPTS)}]+", lambda match: _script(match[0], "^", _SUPERSCRIPTS), text
+    )
+    text = re.sub(
+        f"[{''.join(_SUBSCRIPTS)}]+", lambda match: _script(match[0], "_", _SUBSCRIPTS), text
+    )
     try:
         MathTextParser("path").parse(text)
     except ValueError:

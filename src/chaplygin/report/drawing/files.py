@@ -151,14 +151,14 @@ def _with_page_colours(text: str) -> str:
 
 
 def page_svgs(
-    figures: Mapping[str, Figure], drawn: Mapping[str, str]
+    figures: Mapping[str, Figure], svgs: Mapping[str, str]
 ) -> tuple[dict[str, tuple[str, str]], str]:
     """Figures of one page as SVG for wide and for narrow screens; see :func:`page_svg`.
 
     Parameters
     ----------
     figures : mapping of str to matplotlib.figure.Figure
-    drawn : mapping of str to str
+    svgs : mapping of str to str
         What :func:`svg_text` returned for each.
 
     Returns
@@ -171,7 +171,7 @@ def page_svgs(
     """
     texts: dict[str, str] = {}
     for name, figure in figures.items():
-        wide, narrow = _with_page_colours(drawn[name]), page_svg(figure, narrow=True)
+        wide, narrow = _with_page_colours(svgs[name]), page_svg(figure, narrow=True)
         mark = f"f{hashlib.sha256(wide.encode()).hexdigest()[:10]}"
         texts[f"{name} wide"], texts[f"{name} narrow"] = with_shared_paths(wide, narrow, mark)
     texts, letters = with_shared_letters(texts)
@@ -284,8 +284,8 @@ def _own_ids(svg: str) -> str:
     names = list(dict.fromkeys(first or second for first, second in used))
     short = {name: f"{mark}-{number}" for number, name in enumerate(names)}
 
-    def renamed(match: re.Match[str]) -> str:
+    def short_id(match: re.Match[str]) -> str:
         return f' id="{short[match[1]]}"' if match[1] in short else ""
 
-    svg = re.sub(r' id="([^"]*)"', renamed, svg)
+    svg = re.sub(r' id="([^"]*)"', short_id, svg)
     return re.sub(r'(href="#|url\(#)([^")]+)', lambda link: f"{link[1]}{short[link[2]]}", svg)

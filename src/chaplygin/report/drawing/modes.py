@@ -37,18 +37,18 @@ class ModeStyle:
     width: float = 1.3
 
 
-_DASHED = (0.0, (3.0, 1.5))
+_DASHES = (0.0, (3.0, 1.5))
 
 # Paul Tol's muted colours again, none of which components of vectors have.
 MODE_STYLES = {
     "flight": ModeStyle("#88ccee", dashes=(0.0, (1.6, 1.0)), width=1.7),
     "sliding": ModeStyle("#aa4499"),
-    "sliding without spin": ModeStyle("#aa4499", "/////", _DASHED),
+    "sliding without spin": ModeStyle("#aa4499", "/////", _DASHES),
     "rolling": ModeStyle("#44aa99"),
-    "rolling without spin": ModeStyle("#44aa99", "/////", _DASHED),
+    "rolling without spin": ModeStyle("#44aa99", "/////", _DASHES),
     "rest": ModeStyle(INK),
     "sliding without rolling": ModeStyle("#882255"),
-    "sliding without turning": ModeStyle("#882255", "/////", _DASHED),
+    "sliding without turning": ModeStyle("#882255", "/////", _DASHES),
     "spinning": ModeStyle("#999933", ".....", (0.0, (4.0, 1.2, 1.0, 1.2))),
 }
 

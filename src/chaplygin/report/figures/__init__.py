@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 
 from ...geometry.mesh import BodyMesh
 from ...geometry.surface import SurfaceGround
-from ..drawing.dataset_access import NEEDED, title_of
+from ..drawing.dataset_access import VARIABLES, title_of
 from ..drawing.files import FORMATS, page_svg, page_svgs, save, svg_file, svg_text
 from ..drawing.shading import Ground
 from ..drawing.style import STYLE
@@ -66,7 +66,7 @@ __all__ = [
 
 def all_figures(
     dataset: xr.Dataset,
-    drawn: tuple[BodyMesh, Ground] | None = None,
+    bodies: tuple[BodyMesh, Ground] | None = None,
     weight: float | None = None,
 ) -> dict[str, Figure]:
     """Every figure the trajectory has the variables for.
@@ -74,7 +74,7 @@ def all_figures(
     Parameters
     ----------
     dataset : xarray.Dataset
-    drawn : tuple of Outline and PlaneGround or SphereGround, optional
+    bodies : tuple of Outline and PlaneGround or SphereGround, optional
         Shape of the body and what it rolls on; without them there is neither scene nor path of
         the contact point.
     weight : float, optional
@@ -88,12 +88,14 @@ def all_figures(
         `drift`, in this order.  There is no normal force where the surface never presses or pulls,
         and no friction ratio without a weight.
     """
-    possible = {name for name, needed in NEEDED.items() if all(item in dataset for item in needed)}
+    possible = {
+        name for name, needed in VARIABLES.items() if all(item in dataset for item in needed)
+    }
     figures: dict[str, Figure] = {}
-    if "scene" in possible and drawn is not None:
-        figures["scene"] = scene(dataset, *drawn)
-    if "contact_path" in possible and drawn is not None:
-        figures["contact_path"] = contact_path(dataset, drawn[1])
+    if "scene" in possible and bodies is not None:
+        figures["scene"] = scene(dataset, *bodies)
+    if "contact_path" in possible and bodies is not None:
+        figures["contact_path"] = contact_path(dataset, bodies[1])
     if "normal_on_sphere" in possible:
         figures["normal_on_sphere"] = normal_on_sphere(dataset)
     if "attitude" in possible:
@@ -117,7 +119,7 @@ def _forces(dataset: xr.Dataset, weight: float | None) -> dict[str, Figure]:
 
 
 def state_figures(
-    dataset: xr.Dataset, names: Sequence[str], recorded: Sequence[str] = ()
+    dataset: xr.Dataset, names: Sequence[str], records: Sequence[str] = ()
 ) -> dict[str, Figure]:
     """The figures of a system without ω and γ: its state in time, and the drift.
 
@@ -126,18 +128,18 @@ def state_figures(
     dataset : xarray.Dataset
     names : sequence of str
         The variables of the state.
-    recorded : sequence of str, optional
+    records : sequence of str, optional
         Further variables, for a figure of their own.
 
     Returns
     -------
     dict
         Figures by the names of the functions that make them: `state`, `drift`, in this order;
-        between them `recorded`, if there is anything to draw in it.
+        between them `records`, if there is anything to draw in it.
     """
     figures = {"state": state(dataset, names)}
-    if recorded:
-        figures["recorded"] = state(dataset, recorded)
+    if records:
+        figures["recorded"] = state(dataset, records)
         figures["recorded"].set_label(f"Recorded against time: {title_of(dataset)}")
     if drifts(dataset):
         figures["drift"] = drift(dataset)

@@ -22,7 +22,7 @@ from .time_series import angular_velocity, attitude, normal_force
 
 def contact_figures(
     dataset: xr.Dataset,
-    drawn: tuple[BodyMesh, Ground],
+    bodies: tuple[BodyMesh, Ground],
     body: Body,
     limits: FrictionLimits,
     weight: float | None = None,
@@ -32,7 +32,7 @@ def contact_figures(
     Parameters
     ----------
     dataset : xarray.Dataset
-    drawn : tuple of BodyMesh and PlaneGround or SphereGround
+    bodies : tuple of BodyMesh and PlaneGround or SphereGround
         Shape of the body, and its support.
     body : Body
         Its mass and inertia divide the energy.
@@ -49,7 +49,7 @@ def contact_figures(
     """
     pressing = bool(presses(dataset).any())
     rubs = limits.mu is not None or bool(values_of(dataset, "friction_force").any())
-    near = near_support(dataset, drawn)
+    near = near_support(dataset, bodies)
     charts = {
         "slip_and_spin": slip_and_spin(dataset),
         "energy_stack": energy_stack(dataset, body),
@@ -65,8 +65,8 @@ def contact_figures(
     for figure in charts.values():
         add_mode_bars(figure, dataset)
     figures = {
-        "scene": scene(near, *drawn),
-        "contact_path": contact_path(near, drawn[1]),
+        "scene": scene(near, *bodies),
+        "contact_path": contact_path(near, bodies[1]),
         "normal_on_sphere": normal_on_sphere(dataset),
     }
     if np.nanmax(np.abs(values_of(dataset, "slip")), initial=0.0) > NOTHING:
@@ -76,12 +76,12 @@ def contact_figures(
     return figures | charts
 
 
-def near_support(dataset: xr.Dataset, drawn: tuple[BodyMesh, Ground]) -> xr.Dataset:
+def near_support(dataset: xr.Dataset, bodies: tuple[BodyMesh, Ground]) -> xr.Dataset:
     """The part of a motion before the body has left a sphere by its own diameter.
 
     Above a plane it is the whole motion.
     """
-    outline, ground = drawn
+    outline, ground = bodies
     away = values_of(dataset, "gap") > outline.diameter
     if isinstance(ground, PlaneGround) or not away.any():
         return dataset

@@ -24,7 +24,7 @@ from ..drawing.modes import MODE_STYLES, mode_runs, present_modes, sample_modes
 from ..drawing.style import FAINT, INK, QUIET, STYLE, WIDTH
 from .mode_bar import key
 
-_NEEDED = ("mode", "event_time", "attitude", "gamma")
+_VARIABLES = ("mode", "event_time", "attitude", "gamma")
 #: Vectors of sliding that turn by more than this (rad) from one sample to the next are no chord.
 _TURN = 0.05
 #: What is allowed, behind the curves.
@@ -53,7 +53,7 @@ def friction_cone(dataset: xr.Dataset, limits: FrictionLimits) -> Figure:
     InputError
         If the dataset lacks a variable.
     """
-    require_all(dataset, "friction_cone", (*_NEEDED, "friction_force", "friction_couple"))
+    require_all(dataset, "friction_cone", (*_VARIABLES, "friction_force", "friction_couple"))
     force, struck = relative_friction(dataset, limits), relative_impulses(dataset, limits)
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(WIDTH if limits.arm else 4.2, 3.5), layout="constrained")
@@ -69,11 +69,11 @@ def friction_cone(dataset: xr.Dataset, limits: FrictionLimits) -> Figure:
 
 
 def _from_above(
-    axes: Axes, dataset: xr.Dataset, force: FloatArray, struck: FloatArray, limits: FrictionLimits
+    axes: Axes, dataset: xr.Dataset, force: FloatArray, impulses: FloatArray, limits: FrictionLimits
 ) -> None:
     axes.set_aspect("equal")
     _cross(axes)
-    shown = np.concatenate([force[np.isfinite(force).all(axis=1)], struck])
+    shown = np.concatenate([force[np.isfinite(force).all(axis=1)], impulses])
     largest = float(np.max(np.linalg.norm(shown, axis=1), initial=0.0))
     under = "N"
     if limits.mu is not None:
@@ -82,9 +82,9 @@ def _from_above(
         axes.add_patch(Circle((0.0, 0.0), 1.0, fill=False, edgecolor=INK, linewidth=0.7))
         largest = max(largest, 1.0)
     _runs(axes, dataset, force, 0.7, turning=True)
-    if len(struck):
+    if len(impulses):
         axes.plot(
-            *struck.T,
+            *impulses.T,
             "D",
             color=INK,
             markerfacecolor="#ffffff",
@@ -144,7 +144,7 @@ def slip_hodograph(dataset: xr.Dataset) -> Figure:
     InputError
         If the dataset lacks a variable.
     """
-    require_all(dataset, "slip_hodograph", (*_NEEDED, "slip", "event_impulse"))
+    require_all(dataset, "slip_hodograph", (*_VARIABLES, "slip", "event_impulse"))
     slip = tangential(dataset, "slip")
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(4.6, 3.6), layout="constrained")

@@ -32,8 +32,8 @@ from ..drawing.style import COMPONENTS, FAINT, INK, QUIET, STYLE, WIDTH
 from .time_axis import legend_above, marker, time_chart, time_label, widen
 
 #: Colours of stored energy, and of what it was lost to, whose areas are striped.
-_STORED = ("#004488", "#ddaa33")
-_LOST = ("#cc6677", "#999933", "#117733", "#aa4499", "#44aa99", "#88ccee")
+_STORE_COLOURS = ("#004488", "#ddaa33")
+_LOSS_COLOURS = ("#cc6677", "#999933", "#117733", "#aa4499", "#44aa99", "#88ccee")
 
 #: What takes energy, by the ends of the names of variables.
 LOSSES = {
@@ -61,13 +61,13 @@ class EnergyPart:
     words : str
     values : array (n,)
         In J.
-    lost : bool
+    is_loss : bool
         Whether the body has lost it.
     """
 
     words: str
     values: FloatArray
-    lost: bool
+    is_loss: bool
 
 
 def energy_parts(dataset: xr.Dataset, body: Body) -> list[EnergyPart]:
@@ -132,14 +132,14 @@ def energy_stack(dataset: xr.Dataset, body: Body) -> Figure:
     with mpl.rc_context(STYLE):
         figure, axes = time_chart(dataset, 3.3, "What became of the energy")
         above, below = np.zeros_like(times), np.zeros_like(times)
-        colours = {False: iter(_STORED), True: iter(_LOST)}
+        colours = {False: iter(_STORE_COLOURS), True: iter(_LOSS_COLOURS)}
         for part in shown:
             positive = float(np.nanmin(part.values)) >= -NOTHING * size
             up, down = np.fmax(part.values, 0.0), np.fmin(part.values, 0.0)
-            colour = next(colours[part.lost])
+            colour = next(colours[part.is_loss])
             _area(axes, times, above, above + up, part, colour)
             if not positive:
-                _area(axes, times, below, below + down, part, colour, labelled=False)
+                _area(axes, times, below, below + down, part, colour, with_label=False)
             above, below = above + up, below + down
         axes.plot(times, total, color=INK, linewidth=1.1, label="total")
         low, high = float(np.nanmin(below)), float(np.nanmax(above))
@@ -156,7 +156,7 @@ def _area(
     high: FloatArray,
     part: EnergyPart,
     colour: str,
-    labelled: bool = True,
+    with_label: bool = True,
 ) -> None:
     axes.fill_between(
         times,
@@ -165,8 +165,8 @@ def _area(
         facecolor=colour,
         edgecolor="#ffffff",
         linewidth=0.0,
-        hatch="////" if part.lost else "",
-        label=part.words if labelled else "",
+        hatch="////" if part.is_loss else "",
+        label=part.words if with_label else "",
         zorder=2,
     )
 

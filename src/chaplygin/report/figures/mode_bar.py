@@ -84,10 +84,10 @@ def key(figure: Figure, modes: list[str]) -> None:
     )
 
 
-def _add_bar(axes: Axes, dataset: xr.Dataset, named: bool) -> None:
+def _add_bar(axes: Axes, dataset: xr.Dataset, with_name: bool) -> None:
     """The bar under one plot, in the room between it and its axis of time."""
     events = event_times(dataset)
-    names = named and len(events) > 0
+    names = with_name and len(events) > 0
     low, high = axes.get_xlim()
     across = _inches_below(axes)
     bottom, top = -(_SPACE + _BAR) * _POINT, -_SPACE * _POINT

@@ -30,7 +30,7 @@ def branch(orbits: Branch, title: str) -> Figure:
     sizes = [np.sort(np.abs(orbit.multipliers.values)) for orbit in orbits.orbits]
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(WIDTH, 4.4), layout="constrained")
-        figure.set_label(f"Periodic orbits against {orbits.varied}: {title}")
+        figure.set_label(f"Periodic orbits against {orbits.parameter}: {title}")
         above, below = figure.subplots(2, sharex=True)
         above.set_title(title)
         above.plot(places, [orbit.duration for orbit in orbits.orbits], color=SERIES[0])
@@ -41,7 +41,7 @@ def branch(orbits: Branch, title: str) -> Figure:
             below.plot(places, column, color=SERIES[number % len(SERIES)])
         below.axhline(1.0, color=QUIET, linewidth=0.6)
         below.set_ylabel("modulus of the multipliers")
-        below.set_xlabel(typeset(orbits.varied))
+        below.set_xlabel(typeset(orbits.parameter))
         for kind in dict.fromkeys(event.kind for event in orbits.events):
             events = [event for event in orbits.events if event.kind == kind]
             above.plot(

@@ -155,7 +155,7 @@ def _films(
     chosen = list(range(0, len(times), every))
     units = unit_of(dataset, "time")
 
-    def drawn() -> Iterator[Picture]:
+    def draw_each() -> Iterator[Picture]:
         with mpl.rc_context(STYLE):
             for index in chosen:
                 figure = Figure(figsize=(size[0] / _DOTS, size[1] / _DOTS), dpi=_DOTS)
@@ -164,7 +164,7 @@ def _films(
                 draw(sheet, max(index, 1))
                 yield _pixels(figure, sheet, window, index, f"{times[index]:.2f} {units}")
 
-    return len(chosen), drawn()
+    return len(chosen), draw_each()
 
 
 def _pixels(figure: Figure, sheet: Canvas, window: _Window, index: int, words: str) -> Picture:

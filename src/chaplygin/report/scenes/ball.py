@@ -86,80 +86,80 @@ def _view(track: Track, normals: FloatArray) -> View:
     return View(float(np.arctan2(facing[1], facing[0])) + 0.4, 0.42)
 
 
-def paint_ball_scene(sheet: Canvas, seen: Crossings, track: Track, outline: BodyMesh) -> None:
+def paint_ball_scene(sheet: Canvas, layers: Crossings, track: Track, outline: BodyMesh) -> None:
     """Paint surface, path and ball, from the farthest to the nearest."""
     body = outline.in_space(track.rotation[-1], track.centre[-1])
     times, path = smooth_curve(track.times, track.contact, CURVE_POINTS)
     fractions = time_shares(times)
     ball = float(sheet.view.depth(track.centre[-1]))
     radius = outline.diameter / 2
-    behind, before = seen.depth <= ball, seen.depth > ball
-    hidden = _hidden_points(sheet.view, seen, path, 0.12 * radius)
+    behind, before = layers.depth <= ball, layers.depth > ball
+    hidden = _hidden_points(sheet.view, layers, path, 0.12 * radius)
     near = sheet.view.depth(path) > ball
-    colours = _colours(seen, sheet.view, track.centre[-1], radius)
+    colours = _colours(layers, sheet.view, track.centre[-1], radius)
     # what is opaque is painted twice, lest a seam be seen where both parts meet
-    _image(sheet, seen, colours, behind | _opaque(seen, sheet.view))
+    _image(sheet, layers, colours, behind | _opaque(layers, sheet.view))
     _strokes(sheet, path, fractions, ~hidden & ~near, 2.0, 1.0)
     if not near[0]:
         _mark_start(sheet, path[0], bool(hidden[0]))
     draw_body(sheet, body, track)
-    _image(sheet, seen, colours, before)
+    _image(sheet, layers, colours, before)
     _strokes(sheet, path, fractions, ~hidden & near, 2.0, 1.0)
     _strokes(sheet, path, fractions, hidden, 0.9, 0.45)
     if near[0]:
         _mark_start(sheet, path[0], bool(hidden[0]))
 
 
-def _mark_start(sheet: Canvas, place: FloatArray, hidden: bool) -> None:
+def _mark_start(sheet: Canvas, place: FloatArray, is_hidden: bool) -> None:
     """A ring, pale where the surface stands before it."""
-    sheet.dot(place, "none" if hidden else "white", QUIET if hidden else INK, 4.5)
+    sheet.dot(place, "none" if is_hidden else "white", QUIET if is_hidden else INK, 4.5)
 
 
 def _strokes(
     sheet: Canvas,
     path: FloatArray,
     fractions: FloatArray,
-    chosen: BoolArray,
+    mask: BoolArray,
     width: float,
     alpha: float,
 ) -> None:
-    for run in runs(chosen[1:] | chosen[:-1]):
+    for run in runs(mask[1:] | mask[:-1]):
         sheet.time_coloured(path[run], fractions[run], width, alpha)
 
 
-def _hidden_points(view: View, seen: Crossings, path: FloatArray, slack: float) -> BoolArray:
+def _hidden_points(view: View, layers: Crossings, path: FloatArray, slack: float) -> BoolArray:
     """Whether the surface stands before each point of a curve (n, 3) on it, opaque."""
-    left, right, bottom, top = seen.extent
-    rows, columns = seen.depth.shape[1:]
+    left, right, bottom, top = layers.extent
+    rows, columns = layers.depth.shape[1:]
     x, y = view.project(path).T
     column = np.clip(((x - left) / (right - left) * columns).astype(int), 0, columns - 1)
     row = np.clip(((y - bottom) / (top - bottom) * rows).astype(int), 0, rows - 1)
-    opaque = _opaque(seen, view)[:, row, column]
-    nearer = seen.depth[:, row, column] > view.depth(path) + slack
+    opaque = _opaque(layers, view)[:, row, column]
+    nearer = layers.depth[:, row, column] > view.depth(path) + slack
     return _without_short_runs(np.any(opaque & nearer, axis=0))
 
 
-def _without_short_runs(marked: BoolArray) -> BoolArray:
+def _without_short_runs(mask: BoolArray) -> BoolArray:
     """The marks without short runs, which are due to the raster at a border."""
-    long = np.zeros_like(marked)
-    for run in runs(marked[1:] & marked[:-1]):
+    long = np.zeros_like(mask)
+    for run in runs(mask[1:] & mask[:-1]):
         long[run] = run.stop - run.start > _SHORTEST
     return long
 
 
-def _opaque(seen: Crossings, view: View) -> BoolArray:
+def _opaque(layers: Crossings, view: View) -> BoolArray:
     """The crossings that show the side on which the ball rolls."""
-    return np.asarray(seen.met & view.faces_reader(seen.normals), dtype=np.bool_)
+    return np.asarray(layers.is_hit & view.faces_reader(layers.normals), dtype=np.bool_)
 
 
-def _colours(seen: Crossings, view: View, centre: FloatArray, radius: float) -> FloatArray:
+def _colours(layers: Crossings, view: View, centre: FloatArray, radius: float) -> FloatArray:
     """Colours of the ball's side at every crossing, with shadow and lines."""
-    shape = seen.depth.shape
-    light = 0.5 + 0.5 * np.clip(seen.normals @ view.light, -1.0, 1.0)
+    shape = layers.depth.shape
+    light = 0.5 + 0.5 * np.clip(layers.normals @ view.light, -1.0, 1.0)
     colours = GROUND_DARK + light[..., None] ** 0.8 * (GROUND_LIGHT - GROUND_DARK)
-    lines = _lines(seen)[..., None]
+    lines = _lines(layers)[..., None]
     colours = (1.0 - 0.75 * lines) * colours + 0.75 * lines * np.array(to_rgb(LINES))
-    away = centre - np.nan_to_num(seen.points)
+    away = centre - np.nan_to_num(layers.points)
     lamp = view.light + np.array([0.0, 0.0, 0.9])
     lamp = lamp / np.linalg.norm(lamp)
     along = away @ lamp
@@ -170,22 +170,22 @@ def _colours(seen: Crossings, view: View, centre: FloatArray, radius: float) -> 
     return np.asarray(colours * (1.0 - 0.35 * shade[..., None]), dtype=np.float64)
 
 
-def _lines(seen: Crossings) -> FloatArray:
+def _lines(layers: Crossings) -> FloatArray:
     """Strength from 0 to 1 of the cuts with planes x, y, z = const at every crossing."""
-    strengths = np.zeros(seen.depth.shape)
-    if not np.any(seen.met):
+    strengths = np.zeros(layers.depth.shape)
+    if not np.any(layers.is_hit):
         return strengths
-    sizes = np.ptp(seen.points[seen.met], axis=0)
+    sizes = np.ptp(layers.points[layers.is_hit], axis=0)
     spacing = _round_step(float(np.max(sizes)) / 12.0)
     for axis in range(3):
-        place = seen.points[..., axis] / spacing
+        place = layers.points[..., axis] / spacing
         with np.errstate(invalid="ignore"):
             width = np.maximum(*(np.abs(np.gradient(place, axis=a)) for a in (1, 2)))
             off = np.abs(place - np.round(place))
             line = np.clip(1.2 - off / np.clip(width, 1e-9, 0.5), 0.0, 1.0)
             line = np.where(width < 0.4, line, 0.0)
         # where the surface runs along such a plane the cut would be a blot
-        slant = np.clip((0.98 - np.abs(seen.normals[..., axis])) / 0.1, 0.0, 1.0)
+        slant = np.clip((0.98 - np.abs(layers.normals[..., axis])) / 0.1, 0.0, 1.0)
         strengths = np.maximum(strengths, np.nan_to_num(line) * slant)
     return strengths
 
@@ -195,13 +195,13 @@ def _round_step(size: float) -> float:
     return float(min(s for s in (*_LINE_STEPS, 10.0) if s * power >= size * (1 - 1e-9)) * power)
 
 
-def _image(sheet: Canvas, seen: Crossings, colours: FloatArray, chosen: BoolArray) -> None:
+def _image(sheet: Canvas, layers: Crossings, colours: FloatArray, mask: BoolArray) -> None:
     """Paint the chosen crossings, from the farthest to the nearest."""
-    rows, columns = seen.depth.shape[1:]
+    rows, columns = layers.depth.shape[1:]
     paint, cover = np.zeros((rows, columns, 3)), np.zeros((rows, columns, 1))
-    opaque = _opaque(seen, sheet.view)
-    for layer in reversed(range(len(seen.depth))):
-        share = np.where(opaque[layer], 1.0, _GLASS_SHARE) * (chosen[layer] & seen.met[layer])
+    opaque = _opaque(layers, sheet.view)
+    for layer in reversed(range(len(layers.depth))):
+        share = np.where(opaque[layer], 1.0, _GLASS_SHARE) * (mask[layer] & layers.is_hit[layer])
         share = share[..., None]
         colour = np.where(opaque[layer][..., None], colours[layer], _GLASS)
         total = share + cover * (1.0 - share)
@@ -209,4 +209,4 @@ def _image(sheet: Canvas, seen: Crossings, colours: FloatArray, chosen: BoolArra
         # where there is nothing, the colour counts for the soft border of what there is
         paint = np.where(total > 0.0, mixed / np.where(total > 0.0, total, 1.0), GROUND_LIGHT)
         cover = total
-    sheet.image(np.concatenate([paint, cover], axis=-1), seen.extent)
+    sheet.image(np.concatenate([paint, cover], axis=-1), layers.extent)

@@ -41,7 +41,7 @@ class Crossings:
     depth: FloatArray
 
     @property
-    def met(self) -> BoolArray:
+    def is_hit(self) -> BoolArray:
         """Whether each line of sight meets the surface so many times."""
         return np.asarray(np.isfinite(self.depth), dtype=np.bool_)
 
