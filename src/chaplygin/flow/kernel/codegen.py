@@ -59,18 +59,18 @@ def evaluate(
 
 
 def _compute(
-    arithmetic: Arithmetic, node: Term, product: int | None, computed: Mapping[int, Value]
+    arithmetic: Arithmetic, node: Term, product: int | None, numbers: Mapping[int, Value]
 ) -> Value:
     if product is not None:
-        other = computed[id(node.args[1 - product])]
-        a, b = (computed[id(x)] for x in node.args[product].args)
+        other = numbers[id(node.args[1 - product])]
+        a, b = (numbers[id(x)] for x in node.args[product].args)
         if node.kind == "sub":
             if product == 1:
                 a = arithmetic.neg(a)
             else:
                 other = arithmetic.neg(other)
         return arithmetic.multiply_add(a, b, other)
-    values = [computed[id(a)] for a in node.operands]
+    values = [numbers[id(a)] for a in node.operands]
     match node.kind:
         case "number":
             return arithmetic.number(node.args[0])
