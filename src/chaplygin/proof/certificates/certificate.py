@@ -50,7 +50,7 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
     -------
     Verdict
         Without a certificate where the law is undecided, or where none can be made: then
-        `uncertified` says why.
+        `no_certificate` says why.
 
     Raises
     ------
