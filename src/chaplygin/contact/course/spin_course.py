@@ -64,7 +64,7 @@ class SpinCourse(CourseState, ABC):
         self.mode = replace(self.mode, spinning=True)
         self._record("spin start", before)
         # it begins like the square of the time, and must not end at once by rounding
-        known = self._known()
+        known = self._numbers()
         fastest = max(self._speed / self._length, float(np.abs(self.state[OMEGA]).max()))
         size = 4 * float(np.finfo(float).eps) * fastest
         turn = self._spin_sign * size * known.gamma
