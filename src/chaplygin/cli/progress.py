@@ -54,7 +54,7 @@ def waiting(task: str) -> Iterator[None]:
 class _Silence:
     """No progress."""
 
-    def __call__(self, done: float, /) -> None:
+    def __call__(self, share: float, /) -> None:
         pass
 
     def say(self, what: str) -> None:
