@@ -156,6 +156,27 @@ with contextlib.redirect_stdout(io.StringIO()):
     assert (code, err) == (0, "")
 
 
+def test_what_listens_to_ctrl_c_is_itself_imported() -> None:
+    """An import was interrupted there, with a traceback."""
+    script = f"""{HEARING}
+import importlib.abc, sys, time
+class Slow(importlib.abc.MetaPathFinder):
+    def find_spec(self, name, path, target=None):
+        if name == "chaplygin.interruption":
+            print("ready", flush=True)
+            time.sleep(60)
+sys.meta_path.insert(0, Slow())
+from chaplygin.__main__ import main
+main()
+"""
+    code, _, err, seconds = interrupted(script)
+    assert (code, err) == (
+        130,
+        "interrupted: nothing was saved; the same command starts from the beginning\n",
+    )
+    assert seconds < 10
+
+
 @pytest.mark.slow
 def test_a_second_interruption_ends_at_once() -> None:
     script = block(f"""
@@ -196,6 +217,11 @@ COMMANDS = {
     "find": "find integrals chaplygin-ball --degree 4 --gamma-degree 4",
     "prove": "prove marble-ball-on-sphere --effort 3",
     "ensemble": "ensemble veselova -o e.zarr --starts 2000 --level energy=1 --set run.until=1e4",
+    "sweep": "sweep veselova --over I_1=1:2:400 -o w.zarr --set run.until=1e4",
+    "orbit": "orbit unbalanced-rubber-ball-centred --on gamma_1 --after 2000 --hold energy",
+    "bifurcation": "bifurcation veselova -o v.png",
+    "animate": "animate rattleback -o r.gif --width 1920 --height 1080",
+    "lab": "lab --port 0",
     "section": "section veselova --on gamma_3 -o s.zarr --starts 200 --points 4000",
     "lyapunov": "lyapunov rattleback --until 2e4",
     "chart": "chart rattleback --of lyapunov --x omega_1=0.1:1:40 --y omega_3=0:1:40 -o c.zarr",
@@ -203,6 +229,8 @@ COMMANDS = {
     "run with friction": f"run {BILLIARD} -o m.nc --set run.until=1e7 --set run.samples=9999",
     "study with friction": f"study {BILLIARD} -o s --set run.until=1e6",
     "ensemble with friction": f"ensemble {BILLIARD} -o e.zarr --draw mu=0.1:0.4 --starts 99999",
+    "chart with friction": f"chart {BILLIARD} --of energy_lost --x mu=0.1:0.3:60 "
+    "--y omega_1=0:60:60 -o c.zarr",
     "section with friction": f"section {BILLIARD} -o s.zarr --on omega_1 --until 1e8 --points 9999",
 }
 

@@ -12,6 +12,8 @@ import pytest
 import sympy as sp
 
 import chaplygin
+from chaplygin.contact import ContensouErismann, FrictionalContact
+from chaplygin.control import figure_of_eight
 from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError, RunError
 
@@ -351,6 +353,15 @@ MISTAKES: dict[str, Callable[[], Any]] = {
     "Separation": lambda: c.Separation("r", None, None),
     "subsample": lambda: T.subsample("x"),
     "subsample 0": lambda: T.subsample(0),
+    "section value nan": lambda: c.poincare_section(S, "gamma_3", float("nan")),
+    "section value inf": lambda: c.poincare_section(S, "gamma_3", float("inf")),
+    "figure_of_eight nan": lambda: figure_of_eight(float("nan"), 1.0, 1.0),
+    "figure_of_eight inf": lambda: figure_of_eight(1.0, float("inf"), 1.0),
+    "figure_of_eight period nan": lambda: figure_of_eight(1.0, 1.0, float("nan")),
+    "figure_of_eight period zero": lambda: figure_of_eight(1.0, 1.0, 0.0),
+    "patch larger than the disk": lambda: FrictionalContact(
+        c.Body(1.0, (0.3, 0.3, 0.5), c.Disk(1.0)), laws=(ContensouErismann(0.3, 1.1),)
+    ),
 }
 
 

@@ -4,13 +4,21 @@ from __future__ import annotations
 
 import os
 import signal
-import threading
-
-from .interruption import CODE, GRACE, interruptible
+import sys
+from types import FrameType
 
 
 def main() -> None:
     """Run the command line; see :func:`chaplygin.cli.main`."""
+    heard = signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    if heard:
+        signal.signal(signal.SIGINT, _end)
+    import threading
+
+    from .interruption import CODE, GRACE, interruptible
+
+    if heard:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         with interruptible():
             from .cli import main as command
@@ -26,6 +34,13 @@ def main() -> None:
     finally:
         # all is said and written: the interpreter needs a moment to end
         signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+def _end(number: int, frame: FrameType | None) -> None:
+    """End while what listens to Ctrl-C is itself being imported; the words are those it has."""
+    sys.stderr.write("interrupted: nothing was saved; the same command starts from the beginning\n")
+    sys.stderr.flush()
+    os._exit(128 + number)
 
 
 if __name__ == "__main__":

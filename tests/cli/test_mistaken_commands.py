@@ -142,6 +142,11 @@ sweep chaplygin-ball --over I_1=1,2 --over I_1=3,4 -o a.zarr
 sweep chaplygin-ball --over I_1=1,2 --draw q -o a.zarr
 sweep chaplygin-ball --over I_1=1,2 --figure a.txt -o a.zarr
 sweep chaplygin-ball --over I_1=1,200 -o a.zarr
+sweep chaplygin-ball --over I_1=1,1 -o a.zarr
+sweep chaplygin-ball --over I_1=1,inf -o a.zarr
+sweep chaplygin-ball-nd --over dimension=3,4 -o a.zarr
+ensemble chaplygin-ball-nd --over dimension=3:4:2 -o a.zarr
+ensemble chaplygin-ball --over I_1=1:1.1:3 --workers 100000 -o a.zarr
 section chaplygin-ball -o a.zarr
 section chaplygin-ball --on gama_3 -o a.zarr
 section chaplygin-ball --on "gamma_3 +" -o a.zarr
@@ -211,6 +216,34 @@ chart chaplygin-ball --of lyapunov --x "I_1=nan:2:3" --y "I_2=1:2:2" -o a.zarr
 audit --section 40
 audit --section two
 audit --workers 0
+audit --workers 100000
+audit --workers 1.5
+show rattleback --as wasm --json
+show rattleback --as julia --json
+show suslov-nd --as WASM
+study chaplygin-ball -o ""
+animate
+animate rattleback
+animate rattleback -o a.avi
+animate rattleback -o -
+animate rattleback -o no/a.gif
+animate rattleback -o a.gif --rate 0
+animate rattleback -o a.gif --rate 2.5
+animate rattleback -o a.gif --speed 0
+animate rattleback -o a.gif --speed nan
+animate rattleback -o a.gif --speed 1e-300
+animate rattleback -o a.gif --speed 1e300
+animate rattleback -o a.gif --width 10
+animate rattleback -o a.gif --height 100000
+animate chaplygin-bracket -o a.glb
+lab --port x
+lab --port -1
+lab --port 70000
+lab nosuch
+lab none.toml
+lab rattleback extra
+lab rattleback --set m=-1
+lab suslov-nd --set dimension=40
 audit --section 2 -o no/a.html
 audit extra
 """.strip().splitlines()
@@ -266,6 +299,21 @@ def test_one_sentence(line: str, ask: Ask) -> None:
         ("solve veselova -o a.txt", "a.txt: the name of a trajectory must end in .nc"),
         ("show ' '", "NAME|FILE is empty: a catalogue name or a file is needed"),
         ("ensemble veselova -o a.zarr --starts 0", "--starts 0: there must be one at least"),
+        (
+            "sweep chaplygin-ball-nd --over dimension=3,4 -o a.zarr",
+            "--over dimension: the equations depend on it, so that all motions have the same",
+        ),
+        ("sweep veselova --over I_1=1,1 -o a.zarr", "--over I_1=1,1: its values must be finite a"),
+        ("audit --workers 99999", "--workers 99999: it must be a whole number from 1 to"),
+        ("show rattleback --as c --json", "--as c and --json both print the system: choose one"),
+        ("study veselova -o ''", "--output is empty: the name of a folder is needed"),
+        ("animate coin -o a.gif --speed 0", "--speed 0: it must be a positive number"),
+        ("animate rattleback -o a.gif --speed 1e-300", "the film would have 2e+302 frames, and at"),
+        (
+            "animate rattleback -o a.gif --speed 1e300",
+            "--speed 1e+300: the motion of 8 s would be over before the second frame; it must be "
+            "at most 200",
+        ),
     ],
 )
 def test_what_is_wrong_where_and_what_is_allowed(line: str, words: str, ask: Ask) -> None:

@@ -62,7 +62,7 @@ def test_one_law_by_its_name(ask):
         (("prove", "veselow"), "did you mean 'veselova'"),
         (("prove", "veselova", "--effort", "0"), "must be a positive number"),
         (("audit", "--section", "13"), "sections 1 to 12"),
-        (("audit", "--workers", "0"), "at least one process"),
+        (("audit", "--workers", "0"), "--workers 0: it must be a whole number from 1 to"),
         (("audit", "-o", "missing/audit.html"), "no folder missing"),
         (("audit", "-o", "audit.txt"), "its name must end in .html"),
     ],

@@ -59,6 +59,11 @@ MISTAKES: dict[str, tuple[str, str]] = {
         "line 7, contact: mu must be positive and finite with patch, not inf; leave out patch for "
         "a contact at a point",
     ),
+    "patch larger than the ball": (
+        BALL + FRICTION + "mu = 0.3\npatch = 1.5\n" + CONTACT,
+        "line 10, contact.patch: patch = 1.5 m: a patch of contact lies within the body, so that "
+        "its radius is at most 1 m, half the largest breadth of the body",
+    ),
     "two resistances": (
         BALL + FRICTION + "rolling = 0.1\ncontour = 0.1\n" + CONTACT,
         "line 7, contact: rolling and contour exclude each other, as both resist to rolling; leave "

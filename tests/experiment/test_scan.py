@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from chaplygin.analysis.scans.grid import axis
 from chaplygin.experiment.file.models import loads
@@ -33,6 +34,20 @@ def test_other_systems_start_by_their_state() -> None:
     made = plane_of(study('[system]\nname = "neumann"\n'), axis("M_1=0:1:2"), axis("c=1:2:2"))
     assert made.original_system is made.system
     assert not made.cells(0, 2).reasons.any()
+
+
+@pytest.mark.parametrize("given", ["", "[start]\nfluid = [0.5, 0.0, 1.0]\n"])
+def test_the_motion_of_a_fluid_is_an_axis(given: str) -> None:
+    """The state with ω and γ did not have it, and every chart of a body with fluid failed."""
+    cavity = "cavity = { axes = [0.9, 0.7, 0.35], mass = 1.8 }\n"
+    text = f'[system]\nname = "veselova"\n{cavity}{given}'
+    made = plane_of(study(text), axis("fluid_1=-1:1:3"), axis("I_1=1:1.2:2"))
+    cells = made.cells(0, 6)
+    assert not cells.reasons.any()
+    # what is read back from the circulation N is the axis
+    xi = values(made.system, ["xi_1", "xi_3"], cells.starts, cells.parameters)
+    assert np.abs(xi[:, 0] - np.tile([-1.0, 0.0, 1.0], 2)).max() < 1e-14
+    assert np.abs(xi[:, 1] - (1.0 if given else 0.0)).max() < 1e-14
 
 
 def test_a_contact_that_is_to_hold_has_no_guard() -> None:

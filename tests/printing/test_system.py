@@ -70,7 +70,7 @@ GOLDEN = [
     (rdot, "ṙ", r"\dot{\mathbf{r}}"),
     (Vector("gammadot"), "γ̇", r"\dot{\boldsymbol{\gamma}}"),
     (Vector("Itilde"), "Ĩ", r"\tilde{\mathbf{I}}"),
-    (real_symbol("attitude_w"), "attitude_w", r"\text{attitude}_{w}"),
+    (real_symbol("attitude_w"), "q_w", "q_{w}"),
     # rates and functions left open
     (Rate(x), "ẋ", r"\dot{x}"),
     (Rate(Rate(x)) / a, "ẍ / a", r"\frac{\ddot{x}}{a}"),
@@ -197,9 +197,9 @@ def test_rates_get_a_dot() -> None:
     assert rate(M, UNICODE) == "Ṁ"
     assert rate(real_symbol("theta"), UNICODE) == "θ̇"
     assert rate(real_symbol("thetadot"), UNICODE) == "θ̈"
-    assert rate(Vector("attitude", 4), UNICODE) == "d(attitude)/dt"
+    assert rate(Vector("attitude", 4), UNICODE) == "q̇"
     assert rate(gamma, LATEX) == r"\dot{\boldsymbol{\gamma}}"
-    assert rate(Vector("attitude", 4), LATEX) == r"\frac{d\,\text{attitude}}{dt}"
+    assert rate(Vector("attitude", 4), LATEX) == r"\dot{\mathbf{q}}"
 
 
 def test_accents_take_no_column() -> None:
@@ -347,6 +347,15 @@ def well_formed(fragment: str) -> ET.Element:
 
 
 @pytest.mark.slow
+def test_a_factor_before_a_function_is_set_off() -> None:
+    """It read usin(φ) for u sin(φ)."""
+    space = '<mspace width="0.17em"/>'
+    written = mathml(r"u \sin(\varphi) - 2 \cos x \sin x + \sin(x)")
+    assert written.count(space) == 3
+    assert f"<mi>u</mi>{space}<mi>sin</mi>" in written
+    assert f"<mn>2</mn>{space}<mi>cos</mi>" in written
+
+
 @pytest.mark.parametrize("case", CASES, ids="-".join)
 def test_latex_becomes_mathml(case: tuple[str, str, str]) -> None:
     system = laden(*case)

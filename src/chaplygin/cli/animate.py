@@ -45,12 +45,11 @@ def command(
     overrides: Override = None,
     force: Force = False,
 ) -> None:
-    """Write the motion as a film, or as a model in space that moves (.glb); needs no browser.
+    r"""Write the motion as a film, or as a model in space that moves (.glb); needs no browser.
 
-    .mp4 (H.264) and .webm (VP9) need the extra: pip install 'chaplygin[film]'.
+    .mp4 (H.264) and .webm (VP9) need the extra: pip install 'chaplygin\[film]'.
     """
     from ..errors import InputError
-    from ..report.film.encode import require_encoder
 
     suffix = output.suffix.lower()
     if output == STANDARD_OUTPUT or suffix not in ENDINGS:
@@ -66,14 +65,22 @@ def command(
         raise InputError(f"--speed {speed:g}: it must be a positive number")
     check_output("--output", output, force, False, what)
     if suffix != ".glb":
+        from ..report.film.encode import require_encoder
+
         require_encoder(suffix)
     study = study_of(what, overrides)
-    steps = max(1, round(abs(study.until) / speed * rate))
-    if steps > MOST_FRAMES:
+    count = abs(study.until) / speed * rate
+    if count > MOST_FRAMES:
         raise InputError(
-            f"the film would have {steps:,} frames, and at most {MOST_FRAMES:,} are drawn: a "
+            f"the film would have {count:.6g} frames, and at most {MOST_FRAMES:,} are drawn: a "
             "shorter motion (--set run.until=…), a larger --speed or a smaller --rate has fewer"
         )
+    if count < 1:
+        raise InputError(
+            f"--speed {speed:g}: the motion of {abs(study.until):g} s would be over before the "
+            f"second frame; it must be at most {abs(study.until) * rate:g}"
+        )
+    steps = round(count)
     with ending(NOTHING), progress(f"integrating: {study.system.title}") as report:
         if suffix == ".glb":
             _model(study, steps, output)

@@ -11,6 +11,7 @@ from ..interruption import CODE, concluding, say
 from .common import Force, Json, console, inform, print_json
 from .output_destination import STANDARD_OUTPUT, beside, check_output, name_of, output_file
 from .progress import progress, waiting
+from .stores import require_processes
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -40,8 +41,8 @@ def command(
     """Judge every claim of Borisov and Mamaev (2008); exit 1 if a corrected one is refuted."""
     from ..errors import InputError
 
-    if workers is not None and workers < 1:
-        raise InputError(f"--workers {workers}: at least one process is needed")
+    if workers is not None:
+        require_processes(workers)
     if output is not None:
         check_output("--output", output, force, json, binary=False)
         if output.suffix != ".html" and output != STANDARD_OUTPUT:

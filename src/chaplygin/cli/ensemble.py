@@ -17,6 +17,7 @@ from .stores import (
     device_of,
     level_of,
     outcomes,
+    require_parameter,
     resumable,
     vacate,
 )
@@ -220,6 +221,7 @@ def _members(study: Study, starts: int, level: str | None, seed: int, over: list
         raise InputError(f"--starts {starts}: they are drawn on a level; --level is needed")
     for text in over:
         chosen = axis(text, "--over")
+        require_parameter("--over", chosen.name, study)
         values = np.linspace(chosen.first, chosen.last, chosen.count)
         everyone = everyone * grid(**{chosen.name: values})
     return everyone

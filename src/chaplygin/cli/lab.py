@@ -30,12 +30,13 @@ def command(
     show: Annotated[bool, typer.Option("--open", help="Open the page in the browser.")] = False,
     overrides: Override = None,
 ) -> None:
-    """Serve the laboratory to the browser of this machine until Ctrl-C.
+    r"""Serve the laboratory to the browser of this machine until Ctrl-C.
 
-    The page plays and computes by itself; the server adds what needs Python: proofs,
-    the search for laws, closed forms, periodic orbits, long charts, files. It reads and
-    writes experiment files in the folder of FILE, or else in the present one, and
-    nothing elsewhere. Needs the extra: pip install 'chaplygin[lab]'.
+    The page plays and computes by itself; the server adds what needs Python:
+    proofs, the search for laws, closed forms, periodic orbits, long charts, files.
+    It reads and writes experiment files in the folder of FILE, or else in the
+    present one, and nothing elsewhere. Needs the extra: pip install
+    'chaplygin\[lab]'.
     """
     from ..errors import InputError
 

@@ -43,6 +43,8 @@ def command(
 
     if form not in FORMS:
         raise InputError(f"--as {form}: it must be one of {', '.join(FORMS)}")
+    if json and form != "text":
+        raise InputError(f"--as {form} and --json both print the system: choose one of them")
     if laws and (form != "text" or json):
         raise InputError("--laws prints a text: leave out --as and --json, which has all laws")
     if form == "wasm":

@@ -14,6 +14,7 @@ from ..interruption import NOTHING, ending
 if TYPE_CHECKING:
     import xarray as xr
 
+    from ..experiment.study import Study
     from ..flow.devices.graphics import Device
     from ..flow.ensemble.task import Progress
 
@@ -23,6 +24,9 @@ Workers = Annotated[
         metavar="N|ADDRESS", help="Number of processes, or the address of a Dask scheduler."
     ),
 ]
+
+#: Processes for each processor at most; each takes some hundred megabytes.
+MOST_PROCESSES = 4
 
 OnDevice = Annotated[
     str,
@@ -139,7 +143,52 @@ def check_workers(workers: str | None) -> str | int | None:
             f"--workers {workers}: it must be a whole number from 1 on, or an address such as "
             "tcp://host:8786"
         )
+    require_processes(int(workers))
     return int(workers)
+
+
+def require_processes(count: int) -> None:
+    """Refuse more processes than a machine has use and memory for.
+
+    Raises
+    ------
+    InputError
+        If there are less than one, or more than four for each processor.
+    """
+    import os
+
+    from ..errors import InputError
+
+    processors = os.cpu_count() or 1
+    most = MOST_PROCESSES * processors
+    if not 1 <= count <= most:
+        raise InputError(
+            f"--workers {count}: it must be a whole number from 1 to {most}, "
+            f"{MOST_PROCESSES} for each of the {processors} processors of this machine"
+        )
+
+
+def require_parameter(option: str, name: str, study: Study) -> None:
+    """Refuse to vary what is no parameter of the system.
+
+    Raises
+    ------
+    InputError
+        If the equations have no parameter of this name.
+    """
+    from ..catalogue import CATALOGUE
+    from ..errors import InputError
+
+    known = [str(parameter.symbol) for parameter in study.system.parameters]
+    if name in known:
+        return
+    item = CATALOGUE.get(study.system.name)
+    wrong = (
+        f"the equations depend on it, so that all motions have the same (--set {name}=…)"
+        if item is not None and item.family is not None and name in item.family.settings
+        else f"no parameter of {study.system.name}"
+    )
+    raise InputError(f"{option} {name}: {wrong}; allowed: {', '.join(known) or 'none'}")
 
 
 @contextmanager

@@ -17,8 +17,13 @@ from .words.results import results
 def command(
     what: What,
     output: Annotated[
-        Path | None,
-        typer.Option("-o", "--output", help="Folder to write; default: named after NAME|FILE."),
+        str | None,
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="FOLDER",
+            help="Folder to write; default: named after NAME|FILE.",
+        ),
     ] = None,
     overrides: Override = None,
     precision: Precision = None,
@@ -40,11 +45,13 @@ def command(
     from ..errors import InputError, InterruptionError
     from ..report.study_folder import check_folder, is_begun
 
-    if output == STANDARD_OUTPUT:
+    if output == "":
+        raise InputError("--output is empty: the name of a folder is needed")
+    if output == str(STANDARD_OUTPUT):
         raise InputError("--output -: a study is a folder; it cannot go to standard output")
     if quick and effort is not None:
         raise InputError("--quick leaves out the proofs that --effort is for: choose one of them")
-    folder = output or Path(Path(what).stem)
+    folder = Path(output or Path(what).stem)
     check_folder(folder, force, what)
     allowed = None if effort is None else operations(effort)
     study = study_of(what, overrides, precision)

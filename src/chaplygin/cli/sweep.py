@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -11,7 +12,16 @@ from .common import Force, Json, Override, What, inform, print_json, study_of
 from .ensemble import given_start
 from .output_destination import check_figure
 from .progress import progress
-from .stores import Workers, check_picture, check_store, check_workers, outcomes, resumable, vacate
+from .stores import (
+    Workers,
+    check_picture,
+    check_store,
+    check_workers,
+    outcomes,
+    require_parameter,
+    resumable,
+    vacate,
+)
 
 
 def command(
@@ -59,7 +69,6 @@ def command(
     study = study_of(what, overrides)
     from dataclasses import replace
 
-    from ..errors import InputError
     from ..experiment.without_lift import without_reconstruction
     from ..flow.ensemble.computation import compute
     from ..flow.ensemble.members import grid, single
@@ -68,11 +77,9 @@ def command(
     from ..report.figures.sweep import sweep as drawn
 
     system = without_reconstruction(study)
-    known = [str(parameter.symbol) for parameter in system.parameters]
     everyone = single(**given_start(study))
     for name, numbers in values:
-        if name not in known:
-            raise InputError(f"--over {name}: no parameter of {system.name}: {', '.join(known)}")
+        require_parameter("--over", name, study)
         everyone = everyone * grid(**{name: numbers})
     label = str(system.symbols[0]) if draw is None else draw
     task = ensemble_task(
@@ -127,12 +134,15 @@ def values_of(text: str) -> tuple[str, list[float]]:
     try:
         if not name.isidentifier():
             raise ValueError
-        return name, [float(part) for part in span.split(",")]
+        numbers = [float(part) for part in span.split(",")]
     except ValueError:
         raise InputError(
             f"--over {text}: it is written NAME=VALUE,VALUE,… or NAME=FIRST:LAST:COUNT, such as "
             "m=1,1.5,2 or m=1:2:5"
         ) from None
+    if not all(map(math.isfinite, numbers)) or len(set(numbers)) < len(numbers):
+        raise InputError(f"--over {text}: its values must be finite and differ from one another")
+    return name, numbers
 
 
 def _require_drawable(label: str, symbols: list[str], records: list[Any]) -> None:

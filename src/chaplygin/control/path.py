@@ -130,7 +130,7 @@ def figure_of_eight(length: float, width: float, period: float) -> PlanePath:
     Raises
     ------
     InputError
-        If the period is not positive, or both extents are zero.
+        If a number is not finite, the period is not positive, or both extents are zero.
 
     Examples
     --------
@@ -138,6 +138,11 @@ def figure_of_eight(length: float, width: float, period: float) -> PlanePath:
     >>> round(figure_of_eight(4.0, 2.0, 10.0).diameter, 3)
     4.0
     """
+    for name, number in (("length", length), ("width", width)):
+        if not math.isfinite(number):
+            raise InputError(f"figure of eight: the {name} {number} must be a finite number")
+    if not (math.isfinite(period) and period > 0):
+        raise InputError(f"figure of eight: the period {period} must be a positive finite number")
     s = 2 * sp.pi * TIME / exact_number(period)
     tau = s - sp.sin(s)
     half = [exact_number(x) / 2 for x in (length, width)]

@@ -97,8 +97,8 @@ def page_module(study: Study) -> PageModule:
     """
     if study.subject.changes_equations:
         raise InputError(
-            f"{study.system.name}: with friction the equations of motion change at events, and a "
-            "page shows the recorded motion alone"
+            f"{study.system.name}: with friction the equations of motion change at events, and no "
+            "module follows them; the equations of sliding are printed as text, latex, julia or c"
         )
     system, reduced = page_system(study), reduced_system(study)
     whole = system.lifted() if system.reconstruction else system

@@ -70,6 +70,10 @@ CONTACT_NAMES = {
 }
 
 
+#: Vectors whose names are words, with the letter of each, which their components have too.
+WORDS = {"attitude": "q", "position": "x"}
+
+
 def letter_of(name: str) -> SymbolName:
     """The letter that a name in code spells."""
     if name in CONTACT_NAMES:
@@ -86,7 +90,7 @@ def letter_of(name: str) -> SymbolName:
     parts = [part for part in (number, *(sub or "").split("_")) if part]
     subscript = ",".join(parts)
     if accent is None:
-        return SymbolName(base, subscript=subscript)
+        return SymbolName(WORDS.get(base, base), subscript=subscript)
     if accent.startswith("prime"):
         return SymbolName(base, primes=int(primes or 1), subscript=subscript)
     return SymbolName(base, (accent,), subscript=subscript)

@@ -76,10 +76,12 @@ def axis(text: str, where: str = "") -> Axis:
         )
     first, last = (float(parse(part, {}, where)) for part in parts[:2])
     if not parts[2].strip().isdecimal() or not 1 <= int(parts[2]) <= MOST:
-        raise InputError(f"{text}: the number of cells is a whole number from 1 to {MOST}", where)
+        raise InputError(
+            f"{text}: the last number, the count, must be a whole number from 1 to {MOST}", where
+        )
     if (first == last) != (int(parts[2]) == 1):
         raise InputError(
-            f"{text}: several cells need two ends that differ, one cell one end", where
+            f"{text}: a count above 1 needs two ends that differ, and a count of 1 one end", where
         )
     return Axis(name, first, last, int(parts[2]))
 
@@ -309,7 +311,7 @@ def _by_velocity(system: System, start: Mapping[str, npt.ArrayLike]) -> System:
     """The system with the state ω, γ, from which the other variables follow."""
     follow = [(name, value) for name, value in system.start if name in system.state]
     words = {str(name): name for name, _ in system.definitions}
-    words |= {str(name): name for name in system.state}
+    words |= {str(name): name for name in (*system.state, *system.start_vectors)}
     names = [words[name] for name in start if name in words]
     missing = {*system.state} - {*names, *(name for name, _ in follow)}
     if missing:

@@ -10,8 +10,10 @@ from ...arguments import arguments_checked
 from ...errors import InputError
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces
+from ...mechanics.rolling.gauss_map import half_breadth
 from ...mechanics.rolling.surfaces import Plane, Sphere, Surface
 from ..friction.compatible_laws import require_compatible
+from ..friction.dry_friction import ContensouErismann
 from ..friction.friction_law import FrictionLaw
 
 Law = TypeVar("Law", bound=FrictionLaw)
@@ -35,7 +37,8 @@ class FrictionalContact:
     Raises
     ------
     InputError
-        If two laws exclude each other, or there is a potential on a sphere.
+        If two laws exclude each other, a patch is larger than the body, or there is a potential on
+        a sphere.
 
     Examples
     --------
@@ -60,6 +63,12 @@ class FrictionalContact:
             raise InputError(
                 "cavity: a body with fluid inside rolls by a marble or rubber contact alone; with "
                 "friction there may be none"
+            )
+        patch = self.law(ContensouErismann)
+        if patch is not None and patch.patch > (size := half_breadth(self.body.shape)):
+            raise InputError(
+                f"patch = {patch.patch:g} m: a patch of contact lies within the body, so that its "
+                f"radius is at most {size:g} m, half the largest breadth of the body"
             )
         if self.field.potential != 0 and isinstance(self.surface, Sphere):
             raise InputError(

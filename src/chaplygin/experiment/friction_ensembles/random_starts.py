@@ -69,9 +69,12 @@ def random_numbers(count: int, ranges: Mapping[str, Range], seed: int = 0) -> Me
         if span is None and name not in DIRECTIONS:
             raise InputError(f"{name}: it needs a range; only gamma and attitude are drawn without")
         if span is not None and name in DIRECTIONS:
-            raise InputError(f"{name}: it is drawn without a range, over all directions")
+            raise InputError(f"{name}: it is drawn over all directions, so without a range")
         if span is not None and not (np.isfinite(span).all() and span[0] < span[1]):
-            raise InputError(f"{name}: from {span[0]:g} to {span[1]:g} is no range to draw from")
+            raise InputError(
+                f"{name}: {span[0]:g} to {span[1]:g} is no range to draw from; it needs two finite "
+                "numbers, the smaller one first"
+            )
     widths = [1 if span else 2 * DIRECTIONS[name] for name, span in ranges.items()]
     uniform = np.random.default_rng(seed).random((count, sum(widths)))
     values: dict[str, FloatArray] = {}

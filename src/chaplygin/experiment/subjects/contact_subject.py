@@ -50,7 +50,8 @@ _LEGEND = (
     "support, r from the centre of mass to the contact point, slip velocity of the contact point "
     "over the support, u its length, spin angular velocity about γ, rolling the rest of ω, ωₜ its "
     "length, N normal force, friction tangential force and couple couple of the support, W the "
-    "work lost to each law; position is that of the centre of mass in space."
+    "work lost to each law; q is the attitude, a unit quaternion that turns body axes into space "
+    "axes, and x the position of the centre of mass in space (in files attitude and position)."
 )
 
 _ONE_MODE = (

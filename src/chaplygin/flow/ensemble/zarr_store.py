@@ -373,8 +373,9 @@ def _difference(name: str, task: Task, group: zarr.Group) -> str:
     if not attribute:
         return f"its {name} is another one; {_CHOICE}"
     called = attribute.replace("section_value", "section").replace("_", " ")
-    stored = str(group.attrs.get(attribute))
-    wanted = str(task.attributes.get(attribute))
+    stored, wanted = str(group.attrs.get(attribute)), str(task.attributes.get(attribute))
+    if attribute not in group.attrs or attribute not in task.attributes:
+        return f"it is of another kind, as only one of them has a {called}; {_CHOICE}"
     if "\n" in stored + wanted:
         return f"its {called} is another one; {_CHOICE}"
     return f"its {called} is {stored}, not {wanted}; {_CHOICE}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -68,6 +69,8 @@ def poincare_section(
     >>> ch.batch_integrator(ball, section=section).crossings(starts, 10).states.shape
     (4, 10, 6)
     """
+    if not math.isfinite(value):
+        raise InputError(f"value = {value}: it must be a finite number")
     if direction not in (-1, 0, 1):
         raise InputError(f"direction = {direction}: it must be 1 (rising), -1 (falling) or 0")
     difference = formula(system, quantity) - sp.sympify(value)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 
 import numpy as np
 import sympy as sp
@@ -52,6 +53,17 @@ def contact_points(shape: Shape) -> Callable[[FloatArray], FloatArray]:
         return points
 
     return points
+
+
+@lru_cache(maxsize=64)
+def half_breadth(shape: Shape) -> float:
+    """Half the largest distance of two points with opposite normals, by many tangent planes."""
+    if isinstance(shape, Ball):
+        return float(shape.radius)
+    normals = directions(PLANES)
+    points = contact_points(shape)
+    chords = points(normals) - points(-normals)
+    return float(np.nanmax(np.linalg.norm(chords, axis=1))) / 2
 
 
 def centre_outside(shape: Shape) -> bool:
