@@ -39,7 +39,7 @@ def test_other_systems_start_by_their_state() -> None:
 @pytest.mark.parametrize("given", ["", "[start]\nfluid = [0.5, 0.0, 1.0]\n"])
 def test_the_motion_of_a_fluid_is_an_axis(given: str) -> None:
     """The state with ω and γ did not have it, and every chart of a body with fluid failed."""
-    cavity = "cavity = { axes = [0.9, 0.7, 0.35], mass = 1.8 }\n"
+    cavity = "[body.cavity]\naxes = [0.9, 0.7, 0.35]\nmass = 1.8\n"
     text = f'[system]\nname = "veselova"\n{cavity}{given}'
     made = plane_of(study(text), axis("fluid_1=-1:1:3"), axis("I_1=1:1.2:2"))
     cells = made.cells(0, 6)

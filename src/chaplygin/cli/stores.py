@@ -178,6 +178,7 @@ def require_parameter(option: str, name: str, study: Study) -> None:
     """
     from ..catalogue import CATALOGUE
     from ..errors import InputError
+    from ..experiment.file.tables import OF_A_DIMENSION
 
     known = [str(parameter.symbol) for parameter in study.system.parameters]
     if name in known:
@@ -185,7 +186,7 @@ def require_parameter(option: str, name: str, study: Study) -> None:
     item = CATALOGUE.get(study.system.name)
     wrong = (
         f"the equations depend on it, so that all motions have the same (--set {name}=…)"
-        if item is not None and item.family is not None and name in item.family.settings
+        if item is not None and item.family is not None and name in OF_A_DIMENSION
         else f"no parameter of {study.system.name}"
     )
     raise InputError(f"{option} {name}: {wrong}; allowed: {', '.join(known) or 'none'}")

@@ -90,8 +90,8 @@ def _start(study: Study, system: System) -> dict[str, float | Sequence[float]]:
     """The start by ω and γ where the state follows from these, else by the state."""
     follow = {str(name) for name, _ in system.start} | study.start_values.keys()
     if study.subject.starts_by_velocity and all(str(name) in follow for name in system.state):
-        further = {str(name): (0.0, 0.0, 0.0) for name in system.start_vectors}
-        names = ("omega", "gamma", *further)
-        return {name: study.start_values.get(name, further.get(name)) for name in names}
+        # a fluid of which nothing is said is at rest in the body
+        names = ("omega", "gamma", *map(str, system.start_vectors))
+        return {name: study.start_values.get(name, (0.0, 0.0, 0.0)) for name in names}
     numbers = iter([float(value) for value in study.start])
     return {str(name): [next(numbers) for _ in flat([name])] for name in system.state}

@@ -230,6 +230,8 @@ def gauss_integrator(
         raise InputError(
             f"{system.name}: the start has the shape {point.shape}; one state is needed, {order}"
         )
+    if not np.isfinite(point).all():
+        raise InputError(f"{system.name}: all numbers of the start must be finite")
     constants = parameter_rows(system, parameters, 1)[0]
     names = () if digits == 30 else _conserved_names(system, tuple(point), tuple(constants))
     return _compiled_integrator(system, digits, backward, names)

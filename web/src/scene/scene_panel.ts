@@ -137,7 +137,9 @@ export function scenePanel(lab: Lab): ScenePanel | null {
 /** Whether there is anything to draw: a body that turns, a mechanism, a way. */
 function drawable(lab: Lab): boolean {
   const { columns } = lab.shown.value.motion;
-  return columns["attitude"] !== undefined || lab.model.scene.path !== null || columns["contact"] !== undefined;
+  const { body, links, path } = lab.model.scene;
+  // the attitude of a body in n dimensions is no picture
+  return columns["contact"] !== undefined || path !== null || ((body !== null || links.length > 0) && columns["attitude"] !== undefined);
 }
 
 function symbol(vector: SceneVector): Node {

@@ -198,7 +198,7 @@ class Family(ABC):
         if (
             isinstance(dimension, bool)
             or not isinstance(dimension, int | float)
-            or dimension != int(dimension)
+            or not (isinstance(dimension, int) or dimension.is_integer())
         ):
             count = 0
         else:

@@ -16,6 +16,7 @@ from ...core.overview import Overview, WithOverview, WithShortRepr
 from ...core.system import System
 from ...errors import InputError
 from ...flow.trajectory import by_name
+from ...formulas.array_evaluation import as_float_array
 
 #: The largest phase Ωt in double precision; its digits are lost beyond 1e15.
 LATEST = 1e13
@@ -143,7 +144,9 @@ def times_in_range(times: FloatArray, pace: float) -> FloatArray:
     InputError
         If one is not finite, or the phases there are beyond `LATEST`.
     """
-    if not np.all(np.isfinite(times)) or np.any(np.abs(times) * pace > LATEST):
+    if not np.all(np.isfinite(times)):
+        raise InputError("times: all of them must be finite numbers")
+    if np.any(np.abs(times) * pace > LATEST):
         raise InputError(
             f"times: in double precision they must be within ±{LATEST / (pace or 1.0):.3g}, beyond "
             "which the phase of the motion is lost; evaluation with error bounds (--digits, "
@@ -222,5 +225,5 @@ class Solution(WithOverview):
         InputError
             If a time is not finite, or so large that doubles lose the phase.
         """
-        moments = times_in_range(np.atleast_1d(np.asarray(times, dtype=float)), self.pace)
+        moments = times_in_range(np.atleast_1d(as_float_array("times", times)), self.pace)
         return States(self.system, moments, self.states(moments))
