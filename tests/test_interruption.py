@@ -17,7 +17,7 @@ from chaplygin.interruption import ending, interruptible
 HEARING = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
 BEGIN = f"""{HEARING}
 import hashlib, sys, time
-from chaplygin.interruption import concluding, ending, say, watched
+from chaplygin.interruption import concluding, ending, interruptible, say
 
 def ready():
     print("ready", flush=True)
@@ -26,7 +26,7 @@ def machine_code(count):
     # machine code that lets Python act on nothing until it is done
     hashlib.pbkdf2_hmac("sha256", b"", b"", count)
 
-with watched():
+with interruptible():
 """
 LONG = 2 * 10**9
 

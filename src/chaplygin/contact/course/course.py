@@ -276,7 +276,7 @@ class Course(RollingCourse):
 
     def _rebound(self, kind: EventKind, before: FloatArray, result: Impact) -> None:
         """Fly on or stay after an impact."""
-        known = self._known()
+        known = self._numbers()
         rebound = float(known.mobility.gamma @ result.contact_velocity)
         if rebound > self._last_rebound():
             self.mode = FLIGHT
