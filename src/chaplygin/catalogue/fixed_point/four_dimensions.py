@@ -23,7 +23,7 @@ from itertools import combinations
 import sympy as sp
 
 from ...core.laws import Integral, Measure
-from ...core.system import Parameter, System
+from ...core.system import Parameter, System, Theorem
 from ...core.vectors import real_symbol
 from ...mechanics.rolling.body import check_mass
 from ..entry import Entry, Numbers, Start
@@ -87,6 +87,11 @@ def _solution(matrix: sp.Matrix, right: sp.Matrix) -> dict[sp.Symbol, sp.Expr]:
         **dict(zip(f, right, strict=True)),
         **dict(zip(u, named.adjugate() * f / Delta, strict=True)),
     }
+
+
+#: B is positive definite: of the ball E and Σ mR²/I_ij (u∧γ)_ij², of Veselova's body γγᵀ and an
+#: inertia.
+_POSITIVE = Theorem((), "the matrix B is positive definite", tuple, (Delta,))
 
 
 # --- the ball ------------------------------------------------------------------------------
@@ -162,6 +167,7 @@ def ball(numbers: Numbers) -> System:
             ),
             Measure("measure", {Delta: -HALF}, "invariant measure", source=SOURCE),
         ),
+        theorems=(_POSITIVE,),
     )
 
 
@@ -207,6 +213,7 @@ def veselova(numbers: Numbers) -> System:
             ),
             Measure("measure", {Delta: -HALF}, "invariant measure", source=SOURCE),
         ),
+        theorems=(_POSITIVE,),
     )
 
 

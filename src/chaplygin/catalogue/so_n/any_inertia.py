@@ -30,6 +30,9 @@ and energy of the marble ball stay, and the energy of the rubber ball too.  The 
 (1 − ε)ku more in ṗ, k = I(u∧γ), whose divergence is (1 − ε) Σ (I(eᵢ∧γ), Seᵢ∧u), the sum above: the
 exponent becomes 1/(2ε) − 1.
 
+On the level k = p∧γ, ṗ = −ωp, what belongs to k is Σ (S(eₐ∧γ), p∧eₐ) + Σ (S(eₐ∧p), eₐ∧γ) instead,
+zero as S is symmetric: the density stays, in p and γ.
+
 These arguments hold for every n.  `chaplygin_ball` and `veselova` write the whole residual for one
 n, derivatives taken entry by entry, as a law of a system without motion, which
 :func:`chaplygin.prove` certifies.
@@ -103,35 +106,14 @@ def chaplygin_ball(n: int, exponent: sp.Rational = -HALF) -> System:
     places = pairs(n)
     k, omega, gamma = Skew("k", n), Skew("omega", n), Column("gamma", n)
     S = _named_operator("S", len(places))
-    K, W, y = (sp.Matrix(to_components(name)) for name in (k, omega, gamma))
-    around = y * y.T
-    residual = sp.S.Zero
+    K, W = (sp.Matrix(to_components(name)) for name in (k, omega))
+    residual = _of_the_normal(omega, gamma, S, exponent)
     # ∂/∂k of [k, ω], with ∂ω/∂k = S
     for row, place in enumerate(places):
         unit = _bivector(n, place)
-        turned = sp.zeros(n)
-        for column, other in enumerate(places):
-            turned += S[column, row] * _bivector(n, other)
+        turned = _skew(n, S.col(row))
         rate = unit * W - W * unit + K * turned - turned * K
         residual += rate[place]
-    slopes = []
-    for i in range(n):
-        around_i = around.diff(y[i])
-        columns = [
-            _above(D * (unit * around_i + around_i * unit))
-            for unit in (_bivector(n, place) for place in places)
-        ]
-        slopes.append(sp.Matrix(columns).T)
-    # ∂/∂γ of −ωγ, with ∂ω/∂γᵢ = −S ∂ᵢA ω; the factor γ itself gives tr ω = 0
-    for i, slope in enumerate(slopes):
-        change = -(S * (slope * sp.Matrix(_above(W))))
-        matrix = sp.zeros(n)
-        for value, place in zip(change, places, strict=True):
-            matrix += value * _bivector(n, place)
-        residual -= (matrix * y)[i]
-    velocity = -W * y
-    for i, slope in enumerate(slopes):
-        residual += exponent * velocity[i] * (S * slope).trace()
     return System(
         name="chaplygin-ball-measure",
         title=f"The measure of the Chaplygin ball in {n} dimensions",
@@ -147,6 +129,81 @@ def chaplygin_ball(n: int, exponent: sp.Rational = -HALF) -> System:
             ),
         ),
     )
+
+
+def chaplygin_ball_on_level(n: int, exponent: sp.Rational = -HALF) -> System:
+    """The residual of the density (det ∂k/∂ω)^exponent in p and γ, on the level k = p∧γ.
+
+    Parameters
+    ----------
+    n : int
+        The dimension of space.
+    exponent : sympy.Rational
+        −1/2 in the law that holds.
+
+    Returns
+    -------
+    System
+        p, ω, γ and the entries of S are independent; its law ``measure`` is the identity.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ch.prove(chaplygin_ball_on_level(3), "measure").decision
+    'proven'
+    """
+    p, omega, gamma = Column("p", n), Skew("omega", n), Column("gamma", n)
+    S = _named_operator("S", len(pairs(n)))
+    x, y = (sp.Matrix(to_components(name)) for name in (p, gamma))
+    residual = _of_the_normal(omega, gamma, S, exponent)
+    # ∂/∂p of −ωp and ∂/∂γ of −ωγ, as far as ω = S(p∧γ) moves with k
+    for a in range(n):
+        e = _unit(n, a)
+        residual -= (_skew(n, S * sp.Matrix(_above(e * y.T - y * e.T))) * x)[a]
+        residual -= (_skew(n, S * sp.Matrix(_above(x * e.T - e * x.T))) * y)[a]
+    return System(
+        name="chaplygin-ball-measure-on-level",
+        title=f"The measure of the Chaplygin ball on k = p∧γ in {n} dimensions",
+        field={name: _still(name) for name in (p, omega, gamma)},
+        parameters=(
+            *_parameters(S, "entry of the inverse of the operator from ω to k"),
+            Parameter(m, "mass", 1.0, "kg"),
+            Parameter(R, "radius", 1.0, "m"),
+        ),
+        laws=(
+            Identity(
+                "measure", residual, "divergence and rate of the density cancel", source=SOURCE
+            ),
+        ),
+    )
+
+
+def _of_the_normal(omega: Skew, gamma: Column, S: sp.Matrix, exponent: sp.Rational) -> sp.Expr:
+    """What ∂ω/∂γ at fixed k and the rate of (det ∂k/∂ω)^exponent add to the residual of a ball."""
+    n = int(gamma.shape[0])
+    W, y = (sp.Matrix(to_components(name)) for name in (omega, gamma))
+    slopes = []
+    for i in range(n):
+        around = (y * y.T).diff(y[i])
+        columns = [
+            _above(D * (unit * around + around * unit))
+            for unit in (_bivector(n, place) for place in pairs(n))
+        ]
+        slopes.append(sp.Matrix(columns).T)
+    residual, velocity = sp.S.Zero, -W * y
+    # ∂/∂γ of −ωγ, with ∂ω/∂γᵢ = −S ∂ᵢA ω; the factor γ itself gives tr ω = 0
+    for i, slope in enumerate(slopes):
+        residual += (_skew(n, S * (slope * sp.Matrix(_above(W)))) * y)[i]
+        residual += exponent * velocity[i] * (S * slope).trace()
+    return residual
+
+
+def _skew(n: int, entries: sp.MatrixBase) -> sp.Matrix:
+    """The skew matrix with these entries above the diagonal."""
+    matrix = sp.zeros(n)
+    for value, place in zip(entries, pairs(n), strict=True):
+        matrix += value * _bivector(n, place)
+    return matrix
 
 
 def veselova(n: int, exponent: sp.Expr = -HALF, ratio: sp.Expr = sp.S.One) -> System:
@@ -189,12 +246,8 @@ def veselova(n: int, exponent: sp.Expr = -HALF, ratio: sp.Expr = sp.S.One) -> Sy
     vanishing += ratio * (x.T * y)[0] * inverse.trace()
     # ∂/∂p of (1 − ε) I(u∧γ) u, with ∂u/∂p = S
     turns = [_above(_unit(n, b) * y.T - y * _unit(n, b).T) for b in range(n)]
-    planes = [_bivector(n, place) for place in places]
     for b, turn in enumerate(turns):
-        image = inertia * sp.Matrix(turn)
-        matrix = sp.zeros(n)
-        for value, plane in zip(image, planes, strict=True):
-            matrix += value * plane
+        matrix = _skew(n, inertia * sp.Matrix(turn))
         residual += (1 - ratio) * (inverse.row(b) * matrix * x)[0]
     return System(
         name="veselova-measure",

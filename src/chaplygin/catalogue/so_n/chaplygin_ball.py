@@ -97,7 +97,7 @@ def by_mass_tensor(inertia: MassTensor) -> tuple[Pairs, Pairs]:
     return definitions, ((k, T * omega + omega * T), (T, tensor))
 
 
-def _velocity_steps(inertia: Inertia) -> tuple[Pairs, Pairs]:
+def velocity_steps(inertia: Inertia) -> tuple[Pairs, Pairs]:
     """ω by the momentum: the steps, and what a page shows of them."""
     match inertia:
         case MassTensor():
@@ -129,7 +129,7 @@ class ChaplyginBall(Family):
         """The equations reduced by the translations, in k and γ."""
         n = inertia.dimension
         k, omega, gamma = momentum_of(n), omega_of(n), gamma_of(n)
-        solved, page = _velocity_steps(inertia)
+        solved, page = velocity_steps(inertia)
         named, integrals = invariants(k, gamma)
         energy = HALF * MatrixProduct(k, omega)
         laws: tuple[Law, ...] = (
@@ -164,7 +164,7 @@ BALL = ChaplyginBall(
     name="chaplygin-ball-nd",
     title="Chaplygin ball in n dimensions",
     summary="A balanced, dynamically asymmetric ball in n-dimensional space rolls on a hyperplane "
-    "without slipping.",
+    "without slipping. Without momentum in planes across γ it is chaplygin-ball-on-level-nd.",
     rolls=True,
 )
 

@@ -95,3 +95,27 @@ def invariants_of_ball(n: int) -> System:
         definitions=definitions,
         laws=laws,
     )
+
+
+def momentum_on_level(n: int) -> System:
+    """The Chaplygin ball on the level k = p∧γ with ω left arbitrary, and its constant p².
+
+    Parameters
+    ----------
+    n : int
+        The dimension of space.
+
+    Returns
+    -------
+    System
+        p moves, the entries of ω are parameters.
+    """
+    p, omega = Column("p", n), Skew("omega", n)
+    law = Integral("momentum", norm_squared(p), "square of the momentum", source=SOURCE)
+    return System(
+        name="chaplygin-ball-momentum-on-level",
+        title=f"The momentum of the Chaplygin ball on k = p∧γ in {n} dimensions",
+        field={p: -omega * p},
+        parameters=tuple(Parameter(s, "angular velocity", 1.0, "rad/s") for s in omega.symbols),
+        laws=(law,),
+    )

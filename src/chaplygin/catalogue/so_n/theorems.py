@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from typing import TypeAlias
 
 import sympy as sp
 
@@ -16,18 +17,21 @@ from ...core.system import System, Theorem
 from ...core.vectors import real_symbol
 from .any_inertia import (
     chaplygin_ball,
+    chaplygin_ball_on_level,
     energy_of_ball,
     energy_of_veselova,
     momentum_of_veselova,
     veselova,
 )
-from .invariants import invariants_of_ball
-from .mass_tensor_identities import rate_of_pencil
+from .invariants import invariants_of_ball, momentum_on_level
 
 WORDS = "theorem for every operator of inertia (docs/n-dimensions.md)"
 
 
-def _together(*makers: Callable[[], System]) -> tuple[System, ...]:
+Identities: TypeAlias = Callable[[], System]
+
+
+def _together(*makers: Identities) -> tuple[System, ...]:
     return tuple(make() for make in makers)
 
 
@@ -52,8 +56,26 @@ def of_ball(n: int, determinant: sp.Symbol, invariants: tuple[str, ...]) -> tupl
     )
 
 
-def of_veselova(n: int, determinant: sp.Symbol, quadratic: tuple[str, ...]) -> tuple[Theorem, ...]:
-    """Energy, measure and quadratic integrals of the Veselova system and the rubber ball.
+def of_ball_on_level(n: int, determinant: sp.Symbol) -> tuple[Theorem, ...]:
+    """Energy, momentum and measure of the Chaplygin ball on the level k = p∧γ.
+
+    Parameters
+    ----------
+    n : int
+        The dimension of space.
+    determinant : Symbol
+        That of the operator from ω to k, or of a positive definite one in proportion to it.
+    """
+    measure = partial(chaplygin_ball_on_level, n)
+    return (
+        Theorem(("energy",), WORDS, partial(_together, partial(energy_of_ball, n))),
+        Theorem(("momentum",), WORDS, partial(_together, partial(momentum_on_level, n))),
+        Theorem(("measure",), WORDS, partial(_together, measure), (determinant,)),
+    )
+
+
+def of_veselova(n: int, determinant: sp.Symbol) -> tuple[Theorem, ...]:
+    """Energy, momentum and measure of the Veselova system and the rubber ball.
 
     Parameters
     ----------
@@ -61,18 +83,26 @@ def of_veselova(n: int, determinant: sp.Symbol, quadratic: tuple[str, ...]) -> t
         The dimension of space.
     determinant : Symbol
         That of the operator from u to p.
-    quadratic : tuple of str
-        The names of the laws that are quadratic integrals of a body with a mass tensor.
     """
-    found = [
+    return (
         Theorem(("energy",), WORDS, partial(_together, partial(energy_of_veselova, n))),
         Theorem(("momentum",), WORDS, partial(_together, partial(momentum_of_veselova, n))),
         Theorem(("measure",), WORDS, partial(_together, partial(veselova, n)), (determinant,)),
-    ]
-    if quadratic:
-        words = "theorem for every mass tensor and dimension (docs/quadratic-integrals.md)"
-        found.append(Theorem(quadratic, words, partial(_together, rate_of_pencil)))
-    return tuple(found)
+    )
+
+
+def of_quadratic_integrals(names: tuple[str, ...], identities: Identities) -> tuple[Theorem, ...]:
+    """Quadratic integrals where k = p∧γ.
+
+    Parameters
+    ----------
+    names : tuple of str
+        The names of these laws, perhaps none.
+    identities : callable
+        () ↦ System: `rate_of_pencil`, of a body with a mass tensor that does not twist, or `lemma`.
+    """
+    words = "theorem for every dimension (docs/quadratic-integrals.md)"
+    return (Theorem(names, words, partial(_together, identities)),) if names else ()
 
 
 def of_rubber_ball_on_sphere(n: int, determinant: sp.Symbol) -> tuple[Theorem, ...]:

@@ -41,8 +41,10 @@ from .entry_of_dimension import (
     momentum_and_direction,
 )
 from .inertia import SMALLEST, Inertia, MassTensor, Moments, pairs
+from .mass_tensor_identities import rate_of_pencil
 from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
-from .theorems import of_veselova
+from .theorems import of_quadratic_integrals, of_veselova
+from .weighted_integrals import lemma, weighted_integrals
 
 HALF = sp.Rational(1, 2)
 DENSITY = "invariant measure; Δ up to a constant factor"
@@ -76,13 +78,17 @@ def operator(inertia: Inertia, shift: sp.Expr) -> sp.Matrix:
 
 
 def quadratic_integrals(inertia: Inertia, p: Column) -> tuple[Pairs, tuple[Integral, ...]]:
-    """Those that a mass tensor adds to energy and momentum, with what they are written in.
+    """Those besides energy and momentum for k = p∧γ, with what they are written in.
 
-    Σ (Jᵃp, ωJᵇγ) over a + b = m, m = 2, …, n − 2, are coefficients of the pencil of
-    :mod:`chaplygin.catalogue.so_n.quadratic_pencil`.
+    With a mass tensor Σ (Jᵃp, ωJᵇγ) over a + b = m, m = 2, …, n − 2, are coefficients of the pencil
+    of :mod:`chaplygin.catalogue.so_n.quadratic_pencil`; moments have those of
+    :mod:`chaplygin.catalogue.so_n.weighted_integrals`, if any.
     """
+    if isinstance(inertia, Moments):
+        k = wedge(p, gamma_of(inertia.dimension))
+        return (), weighted_integrals(inertia, omega_of(inertia.dimension), sp.Matrix(k))
     if not isinstance(inertia, MassTensor):
-        return (), ()
+        raise TypeError(type(inertia).__name__)
     n, J = inertia.dimension, inertia.matrix
     omega, definitions = omega_of(n), []
     powers: dict[str, list[Column]] = {"g": [gamma_of(n)], "h": [p]}
@@ -176,7 +182,13 @@ class Veselova(Family):
             observables=(angular_velocity(n),),
             reconstruction=motion_in_space(n, R if self.rolls else None),
             start={p: inertia.image(omega) * gamma + added * (omega * gamma)},
-            theorems=of_veselova(n, Delta, tuple(law.name for law in quadratic)),
+            theorems=(
+                *of_veselova(n, Delta),
+                *of_quadratic_integrals(
+                    tuple(law.name for law in quadratic),
+                    rate_of_pencil if isinstance(inertia, MassTensor) else lemma,
+                ),
+            ),
         )
 
 
