@@ -6,6 +6,7 @@ so that they print as ``k ω − ω k``, and `to_components` turns them into sca
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import combinations, combinations_with_replacement, product
 from typing import Self, TypeAlias
 
@@ -151,6 +152,47 @@ class Image(MatrixExpr):
     def as_explicit(self) -> Components:
         """The n × n matrix of scalars."""
         return Components(self.args[2])
+
+    def _latex(self, printer: LatexPrinter) -> str:
+        return formula_latex(self)
+
+
+class Blocks(MatrixExpr):
+    """A matrix shown by its blocks, such as ``[0, w; −wᵀ, 0]``.
+
+    Parameters
+    ----------
+    rows : sequence of sequences of MatrixExpr or sympy.Expr
+        The blocks; a scalar stands for a single entry.
+    """
+
+    def __new__(cls, rows: Sequence[Sequence[sp.Basic]]) -> Blocks:
+        """Make the node as it stands, without evaluation."""
+        node: Blocks = sp.Basic.__new__(cls, sp.Tuple(*(sp.Tuple(*row) for row in rows)))
+        return node
+
+    @property
+    def rows_of_blocks(self) -> tuple[tuple[sp.Basic, ...], ...]:
+        """The blocks."""
+        return tuple(tuple(row) for row in self.args[0])
+
+    @property
+    def shape(self) -> tuple[sp.Expr, sp.Expr]:
+        """Rows and columns."""
+        explicit = self.as_explicit()
+        return sp.Integer(explicit.rows), sp.Integer(explicit.cols)
+
+    def doit(self, **_: object) -> Blocks:
+        """Stay as written."""
+        return self
+
+    def as_explicit(self) -> Components:
+        """The matrix of scalars."""
+        rows = (
+            sp.Matrix.hstack(*(sp.Matrix([to_components(block)]) for block in row))
+            for row in self.rows_of_blocks
+        )
+        return Components(sp.Matrix.vstack(*rows))
 
     def _latex(self, printer: LatexPrinter) -> str:
         return formula_latex(self)

@@ -27,7 +27,7 @@ from sympy.matrices.expressions import (
 )
 
 from ..core.laws import Rate
-from ..core.matrices import Image, Jacobian, MatrixProduct, Pfaffian
+from ..core.matrices import Blocks, Image, Jacobian, MatrixProduct, Pfaffian
 from ..core.vectors import Cross, Dot, Gradient
 from .notation import LATEX, UNICODE, Fragment, Notation, Precedence
 from .ordering import (
@@ -305,6 +305,10 @@ class _Writer:
                 operator, argument, _ = formula.args
                 head = notation.letter(letter_of(str(operator)), bold=True).text
                 return Fragment(f"{head}{notation.brackets(self.piece(argument).text)}")
+            case Blocks():
+                return notation.matrix(
+                    [[self.piece(block).text for block in row] for row in formula.rows_of_blocks]
+                )
             case Identity():
                 return notation.letter(SymbolName("E"), bold=True)
             case ZeroMatrix():

@@ -54,7 +54,7 @@ def test_a_theorem_counts_only_with_its_identities(monkeypatch):
         replace(t, words="a slip", identities=lambda: (rate_of_pencil(sign=-1),))
         for t in system.theorems
     )
-    verdict = prove(replace(system, theorems=theorems), "quadratic_2", effort=100_000)
+    verdict = prove(replace(system, theorems=theorems), "quadratic2", effort=100_000)
     assert verdict.decision == "undecided"
 
 

@@ -343,6 +343,30 @@ def momentum_of_veselova(n: int) -> System:
     )
 
 
+def suslov(n: int) -> System:
+    """The rates of energy and of (j, Bw) in Suslov's problem, B ẇ = f, for every B.
+
+    As B is constant, that of ½(Bw, w) is (w, f), and that of (j, Bw) is (j, f).
+
+    Parameters
+    ----------
+    n : int
+        The dimension of space.
+    """
+    j, w, f = (Column(name, n - 1) for name in ("j", "w", "f"))
+    fall = dot(j, f) - dot(j, w) ** 2 + norm_squared(j) * norm_squared(w)
+    return System(
+        name="suslov-rates",
+        title=f"Energy and momentum of Suslov's problem in {n} dimensions",
+        field={name: _still(name) for name in (j, w)},
+        definitions=((f, dot(j, w) * w - norm_squared(w) * j),),
+        laws=(
+            Identity("energy", dot(w, f), "the energy is constant", source=SOURCE),
+            Identity("monotone", fall, "the momentum along j never grows", source=SOURCE),
+        ),
+    )
+
+
 def _operator_of_planes(inertia: sp.Matrix, y: sp.Matrix) -> sp.Matrix:
     """B with (Bx, z) = (I(x∧γ), z∧γ) + (x, γ)(z, γ)."""
     n = len(y)

@@ -19,13 +19,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import combinations
 from typing import Any
 
 import sympy as sp
 
 from ...core.laws import Identity, Integral, Law, Measure, Rate
-from ...core.matrices import Column, SymmetricMatrix
+from ...core.matrices import Blocks, Column, SymmetricMatrix
 from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
 from ...core.vectors import Components, dot, norm_squared, to_components
@@ -34,6 +33,7 @@ from .elimination import elimination
 from .entry_of_dimension import SOURCE, Family, cycle, direction
 from .inertia import Inertia, MassTensor, Moments
 from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
+from .theorems import of_suslov
 
 HALF = sp.Rational(1, 2)
 
@@ -92,15 +92,14 @@ class Suslov(Family):
             observables=(angular_velocity(n),),
             reconstruction=motion_in_space(n),
             start={w: Components([omega.entries[i, n - 1] for i in range(n - 1)])},
+            theorems=of_suslov(n) if isinstance(inertia, MassTensor) else (),
         )
 
 
 def _spin_shown(omega: sp.MatrixSymbol, w: Column) -> Pairs:
     """ω with its only column w."""
-    n = int(omega.shape[0])
-    last = sp.ImmutableDenseMatrix([*w.symbols, 0])
-    axis = sp.ImmutableDenseMatrix([*([0] * (n - 1)), 1])
-    return ((omega, last * axis.T - axis * last.T),)
+    size = int(omega.shape[0]) - 1
+    return ((omega, Blocks([[sp.ZeroMatrix(size, size), w], [-w.T, sp.S.Zero]])),)
 
 
 def _volume(on: tuple[sp.Expr, ...]) -> Measure:
@@ -133,21 +132,23 @@ def _by_mass_tensor(
         (B, block),
         (M, B * w),
     )
-    squares = (
-        (j.symbols[a] * w.symbols[b] - j.symbols[b] * w.symbols[a]) ** 2
-        for a, b in combinations(range(n - 1), 2)
-    )
     laws = (
         _energy(HALF * dot(M, w)),
         Identity(
             "monotone",
-            Rate(dot(j, M)) + sp.Add(*squares),
+            Rate(dot(j, M)) - dot(j, w) ** 2 + norm_squared(j) * norm_squared(w),
             "the momentum along j never grows",
             source=SOURCE,
         ),
         _volume(tuple(entries[: n - 1, n - 1])),
     )
-    page = (*first[:2], (B * acceleration, torque), first[2])
+    upper, last = SymmetricMatrix("A", n - 1), entries[n - 1, n - 1]
+    page = (
+        (inertia.matrix, Blocks([[upper, j], [j.T, last]])),
+        (B, upper + last * sp.Identity(n - 1)),
+        (B * acceleration, torque),
+        first[2],
+    )
     return (*first, *steps), page, acceleration, laws
 
 

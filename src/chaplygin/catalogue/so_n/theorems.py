@@ -21,6 +21,7 @@ from .any_inertia import (
     energy_of_ball,
     energy_of_veselova,
     momentum_of_veselova,
+    suslov,
     veselova,
 )
 from .invariants import invariants_of_ball, momentum_on_level
@@ -103,6 +104,18 @@ def of_quadratic_integrals(names: tuple[str, ...], identities: Identities) -> tu
     """
     words = "theorem for every dimension (docs/quadratic-integrals.md)"
     return (Theorem(names, words, partial(_together, identities)),) if names else ()
+
+
+def of_suslov(n: int) -> tuple[Theorem, ...]:
+    """Energy and decreasing momentum of Suslov's problem with a mass tensor.
+
+    Parameters
+    ----------
+    n : int
+        The dimension of space.
+    """
+    words = "theorem for every mass tensor (docs/n-dimensions.md)"
+    return (Theorem(("energy", "monotone"), words, partial(_together, partial(suslov, n))),)
 
 
 def of_rubber_ball_on_sphere(n: int, determinant: sp.Symbol) -> tuple[Theorem, ...]:

@@ -98,7 +98,7 @@ def quadratic_integrals(inertia: Inertia, p: Column) -> tuple[Pairs, tuple[Integ
             definitions.append((vectors[-1], J * vectors[-2]))
     laws = (
         Integral(
-            f"quadratic_{m}",
+            f"quadratic{m}",
             sp.Add(*(dot(powers["h"][a], omega * powers["g"][m - a]) for a in range(m + 1))),
             f"quadratic integral {m} of a rigid body",
             source="docs/quadratic-integrals.md",

@@ -69,7 +69,7 @@ def weighted_integrals(inertia: Moments, omega: Skew, k: sp.MatrixBase) -> tuple
     n, spin = inertia.dimension, to_components(omega)
     return tuple(
         Integral(
-            f"quadratic_{number}",
+            f"quadratic{number}",
             sp.Add(*(K[i, j] * spin[i, j] * k[i, j] for i, j in pairs(n))),
             f"quadratic integral {number} by weights of the planes",
             on=_conditions(inertia, K),
