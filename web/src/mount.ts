@@ -108,7 +108,7 @@ function build(target: HTMLElement, holder: HTMLElement, { lab, choices }: Opene
   const pictures: Panel[] = [{ name: "plots", title: "Over time", content: plots.element }];
   const section = sectionPanel(lab);
   if (section !== null) pictures.push({ name: "section", title: "Section", content: section.element, shown: () => section.shown() });
-  const chart = chartPanel(lab, section === null ? null : () => section.setting());
+  const chart = chartPanel(lab, section);
   if (chart !== null) pictures.push({ name: "chart", title: "Chart", content: chart.element, shown: () => chart.shown() });
   const bifurcation = bifurcationPanel(lab, ask);
   if (bifurcation !== null) pictures.push({ name: "bifurcation", title: "Bifurcation diagram", content: bifurcation.element, shown: () => bifurcation.shown() });

@@ -8,7 +8,7 @@ import { indicatorScale, onScale, palette } from "../page/palette";
 import { megnoShare, megnoWords } from "../page/indicator";
 import { SERIF } from "../page/type";
 import { unitText } from "../page/units";
-import type { SectionSetting } from "../section/orbits";
+import type { SectionPanel } from "../section/section_panel";
 import { rangeAround } from "../controls/slider";
 import { Sheet, type Place } from "../sheet/sheet";
 import type { Frame, Range } from "../sheet/frame";
@@ -36,7 +36,7 @@ interface Choice {
 }
 
 /** The panel; null where nothing can be computed. */
-export function chartPanel(lab: Lab, section: (() => SectionSetting) | null): ChartPanel | null {
+export function chartPanel(lab: Lab, section: SectionPanel | null): ChartPanel | null {
   const { engine, model } = lab;
   // a chart takes thousands of motions: only a page that computes itself draws one
   if (engine === null || model.wasm === null) return null;
@@ -59,7 +59,7 @@ class Panel implements ChartPanel {
   constructor(
     private readonly lab: Lab,
     private readonly choices: readonly Choice[],
-    private readonly section: (() => SectionSetting) | null,
+    private readonly section: SectionPanel | null,
   ) {
     this.setting = this.opening();
     this.sheet = new Sheet({
@@ -77,6 +77,17 @@ class Panel implements ChartPanel {
 
   shown(): void {
     this.sheet.repaint();
+    void this.followSection();
+  }
+
+  /** Take the plane and the ranges of the section, as long as no chart of it is drawn. */
+  private async followSection(): Promise<void> {
+    if (this.section === null || this.setting.x !== null || this.drawn !== null) return;
+    await this.section.prepared();
+    if (this.setting.x !== null || this.drawn !== null) return;
+    const { x, y } = this.sectionRange();
+    this.setting = { ...this.setting, xRange: x, yRange: y };
+    this.axes();
   }
 
   private opening(): ChartSetting {
@@ -127,6 +138,7 @@ class Panel implements ChartPanel {
     }
     this.drawn = null;
     this.axes();
+    void this.followSection();
   }
 
   private choice(name: string | null): Choice | undefined {
@@ -139,17 +151,14 @@ class Panel implements ChartPanel {
   }
 
   private sectionRange(): { x: Range; y: Range } {
-    const setting = this.section?.();
-    const quantity = (name: string | undefined): Range => {
-      const found = this.lab.model.quantities.find((each) => each.name === name);
-      return found?.angle === true ? [-Math.PI, Math.PI] : [-1, 1];
-    };
-    return { x: quantity(setting?.x), y: quantity(setting?.y) };
+    const unit: Range = [-1, 1];
+    const frame = this.section?.sheet.frame;
+    return { x: frame?.x.range ?? unit, y: frame?.y.range ?? unit };
   }
 
   private axes(): void {
     const label = (name: string | null, key: "x" | "y"): string => {
-      const section = this.section?.();
+      const section = this.section?.setting();
       if (name !== null || section === undefined) return this.choice(name)?.text ?? "";
       const quantity = this.lab.model.quantities.find((each) => each.name === section[key]);
       return quantity?.mathml ? plain(quantity.mathml) : section[key];
@@ -167,7 +176,7 @@ class Panel implements ChartPanel {
     const { state, experiment } = this.lab.shown.value;
     if (state === null) return;
     const setting = { ...this.setting };
-    const ground: ChartGround = { model: this.lab.model, experiment, reference: state, section: this.section?.() ?? null };
+    const ground: ChartGround = { model: this.lab.model, experiment, reference: state, section: this.section?.setting() ?? null, orbits: [...(this.section?.orbits() ?? [])] };
     const picture = document.createElement("canvas");
     picture.width = picture.height = setting.size;
     this.go.textContent = "Stop";

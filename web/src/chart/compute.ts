@@ -3,7 +3,7 @@
 import type { Engine, State } from "../engine/engine";
 import type { PageModel } from "../model";
 import type { Experiment } from "../page/experiment";
-import type { SectionSetting } from "../section/orbits";
+import { nearestState, type Orbit, type SectionSetting } from "../section/orbits";
 import { workerCount, workerEngine, type WorkerEngine } from "../sources/workers";
 import { coarseFirst, middle, type Cell } from "./grid";
 import { rotationNumber } from "./rotation_number";
@@ -27,7 +27,12 @@ export interface ChartGround {
   /** The state of the motion in the scene. */
   reference: Float64Array;
   section: SectionSetting | null;
+  /** Orbits of the section: from their points the way to others is shortest. */
+  orbits: Orbit[];
 }
+
+/** States found for cells this coarse help to find those of finer ones. */
+const HELPFUL = 4;
 
 /** Cells that a worker is given at a time. */
 const TILE = 8;
@@ -38,7 +43,9 @@ export async function cellStart(engine: Engine, ground: ChartGround, setting: Ch
   if (setting.x === null || setting.y === null) {
     if (section === null) return { message: "There is no section." };
     const { on, value, direction } = section;
-    const task = { parameters: experiment.parameters, reference, section: { on, value, direction, x: section.x, y: section.y }, x, y };
+    const { xRange, yRange } = setting;
+    const near = nearestState(ground.orbits, model.reduced, { x, y }, xRange[1] - xRange[0], yRange[1] - yRange[0]);
+    const task = { parameters: experiment.parameters, reference: near ?? reference, section: { on, value, direction, x: section.x, y: section.y }, x, y };
     const found = await engine.startOnLevel(task);
     return "message" in found ? found : { experiment: { ...experiment, start: { state: Array.from(found.state) } }, state: found.state };
   }
@@ -52,8 +59,9 @@ export async function cellStart(engine: Engine, ground: ChartGround, setting: Ch
 }
 
 /** The values of cells; not a number where there is none. */
-export async function cellValues(engine: Engine, ground: ChartGround, setting: ChartSetting, places: readonly [number, number][]): Promise<number[]> {
+export async function cellValues(engine: Engine, ground: ChartGround, setting: ChartSetting, places: readonly [number, number][], helpful = false): Promise<number[]> {
   const starts = await Promise.all(places.map(([x, y]) => cellStart(engine, ground, setting, x, y)));
+  if (helpful && setting.x === null) ground.orbits.push(...starts.flatMap((start, k) => ("message" in start ? [] : [pointOf(start.state, places[k] ?? [0, 0], ground.model)])));
   const { kind, until } = setting;
   if (kind === "rotation") return Promise.all(starts.map((start) => cellRotation(engine, ground, setting, start)));
   const found = starts.map((start, k) => ("message" in start ? -1 : k)).filter((k) => k >= 0);
@@ -65,6 +73,11 @@ export async function cellValues(engine: Engine, ground: ChartGround, setting: C
   const result = starts.map(() => NaN);
   found.forEach((k, j) => (result[k] = values[j] ?? NaN));
   return result;
+}
+
+/** A state that was found, as an orbit of one point. */
+function pointOf(state: Float64Array, [x, y]: readonly [number, number], { reduced }: PageModel): Orbit {
+  return { start: state, x: Float64Array.of(x), y: Float64Array.of(y), rows: state.slice(0, reduced), number: 0, until: 0, indicator: null };
 }
 
 async function cellRotation(engine: Engine, ground: ChartGround, setting: ChartSetting, start: Awaited<ReturnType<typeof cellStart>>): Promise<number> {
@@ -102,7 +115,7 @@ export function chartRun(ground: ChartGround, setting: ChartSetting, progress: (
       const tile = cells.slice(next, next + TILE);
       next += tile.length;
       const places = tile.map(({ column, row }): [number, number] => [middle(setting.xRange, column, size), middle(setting.yRange, row, size)]);
-      const found = await cellValues(engine, ground, setting, places).catch(() => tile.map(() => NaN));
+      const found = await cellValues(engine, ground, setting, places, (tile[0]?.side ?? 1) >= HELPFUL).catch(() => tile.map(() => NaN));
       if (stopped) return;
       tile.forEach(({ column, row }, k) => (values[row * size + column] = found[k] ?? NaN));
       finished += tile.length;

@@ -23,6 +23,8 @@ export interface SectionPanel {
   sheet: Sheet;
   /** The panel has come into sight. */
   shown(): void;
+  /** Settled when the section of the motion in the scene is known. */
+  prepared(): Promise<void>;
   orbits(): readonly Orbit[];
   setting(): SectionSetting;
   /** The plane, where the reader has chosen it, as text for an address; else nothing. */
@@ -49,6 +51,7 @@ class Panel implements SectionPanel {
   /** Time in which a motion has so many points, with much to spare. */
   private longest = Infinity;
   private placed = false;
+  private opening: Promise<void> = Promise.resolve();
   /** Whether the reader has chosen the plane. */
   private own = false;
   private current = "";
@@ -90,6 +93,11 @@ class Panel implements SectionPanel {
   shown(): void {
     this.visible = true;
     this.follow();
+  }
+
+  async prepared(): Promise<void> {
+    this.shown();
+    await this.opening;
   }
 
   orbits(): readonly Orbit[] {
@@ -154,7 +162,7 @@ class Panel implements SectionPanel {
     this.list = [];
     this.serial = 0;
     this.next();
-    void this.open(state);
+    this.opening = this.open(state);
   }
 
   /** Show the section of a motion; the first time, where the motion passes. */
@@ -184,16 +192,17 @@ class Panel implements SectionPanel {
     const count = passes(this.chosen.on, this.chosen.value);
     this.longest = count === 0 ? 20 * span : (5 * span * Math.max(this.points, 1000)) / count;
     const orbit = await this.trace(state, true);
-    if (orbit !== null && opening) this.spread(orbit);
+    if (orbit !== null && opening && this.spread(orbit)) await this.opening;
   }
 
   /** Choose other quantities than those that a section holds constant, such as the longitude at γ₁ = 0. */
-  private spread(orbit: Orbit): void {
+  private spread(orbit: Orbit): boolean {
     const plane = spreadPlane(this.lab.model, this.chosen, orbit);
-    if (plane === this.chosen) return;
+    if (plane === this.chosen) return false;
     this.chosen = plane;
     this.tools.write(plane);
     this.clear();
+    return true;
   }
 
   /** What is still being computed is of no use any more. */
