@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { coarseFirst, middle, quantile } from "../src/chart/grid";
-import { rotationNumber } from "../src/chart/rotation_number";
+import { anglesAbout, rotationNumber } from "../src/chart/rotation_number";
 import { megnoShare } from "../src/page/indicator";
 import { crossings, longer, middleOf, nearest, nearestState, wrapped, type Orbit } from "../src/section/orbits";
 import { Frame, zoomedRange } from "../src/sheet/frame";
@@ -76,6 +76,10 @@ test("the rotation number of a rigid turn, of a perturbed one and of none", () =
   const bent = angles.map((angle) => angle + 0.4 * Math.sin(angle));
   assert.ok(Math.abs(rotationNumber(bent) - (golden - 1)) < 1e-5);
   assert.equal(rotationNumber(new Float64Array(100).fill(1.3)), 0);
+  // the same motion on an ellipse, about its middle
+  const turned = Array.from({ length: 600 }, (_, k) => 2 * Math.PI * k * golden);
+  const about = anglesAbout(turned.map((angle) => 5 + 3 * Math.cos(angle)), turned.map((angle) => 0.1 * Math.sin(angle)));
+  assert.ok(Math.abs(rotationNumber(about) - (golden - 1)) < 1e-4);
   let seed = 1;
   const scattered = Float64Array.from({ length: 400 }, () => (seed = (seed * 16807) % 2147483647));
   assert.ok(Number.isNaN(rotationNumber(scattered)));
@@ -85,5 +89,6 @@ test("the rotation number of a rigid turn, of a perturbed one and of none", () =
 test("the scale of MEGNO begins at regular motions", () => {
   assert.equal(megnoShare(2), 0);
   assert.equal(megnoShare(32), 1);
+  assert.equal(megnoShare(4, 4), 1);
   assert.ok(megnoShare(4) > 0);
 });

@@ -220,7 +220,7 @@ class Panel implements ChartPanel {
     const { size, kind } = drawn.setting;
     const pen = drawn.picture.getContext("2d");
     if (pen === null) return;
-    drawn.scale = kind === "megno" ? [0, 1] : [quantile(drawn.values, 0.02), quantile(drawn.values, 0.98)];
+    drawn.scale = kind === "megno" ? [2, Math.min(32, Math.max(4, quantile(drawn.values, 0.98)))] : [quantile(drawn.values, 0.02), quantile(drawn.values, 0.98)];
     const image = pen.createImageData(size, size);
     for (const side of [16, 8, 4, 2, 1]) {
       for (let row = 0; row < size; row += side) {
@@ -244,15 +244,15 @@ class Panel implements ChartPanel {
 
   private share(value: number): number {
     const { drawn } = this;
-    if (drawn?.setting.kind === "megno") return megnoShare(value);
     const [low, high] = drawn?.scale ?? [0, 1];
+    if (drawn?.setting.kind === "megno") return megnoShare(value, high);
     return high > low ? (value - low) / (high - low) : 0.5;
   }
 
   private writeKey(): void {
     const { drawn } = this;
     if (drawn === null) return;
-    const [low, high] = drawn.setting.kind === "megno" ? ["MEGNO 2, regular", "32 and more, chaotic"] : drawn.scale.map((value) => readable(value, 3));
+    const [low, high] = drawn.setting.kind === "megno" ? ["MEGNO 2, regular", `${readable(drawn.scale[1], 3)} and more`] : drawn.scale.map((value) => readable(value, 3));
     const scale = element("i", { style: `background:linear-gradient(90deg,${indicatorScale().join(",")})` });
     this.key.replaceChildren(element("span", {}, low ?? ""), scale, element("span", {}, high ?? ""), element("span", {}, "blank: no such motion"));
   }

@@ -6,7 +6,7 @@ import type { Experiment } from "../page/experiment";
 import { nearestState, type Orbit, type SectionSetting } from "../section/orbits";
 import { workerCount, workerEngine, type WorkerEngine } from "../sources/workers";
 import { coarseFirst, middle, type Cell } from "./grid";
-import { rotationNumber } from "./rotation_number";
+import { anglesAbout, rotationNumber } from "./rotation_number";
 
 /** What a chart shows: over two parameters or start inputs, or over the points of a section. */
 export interface ChartSetting {
@@ -85,12 +85,14 @@ async function cellRotation(engine: Engine, ground: ChartGround, setting: ChartS
   const { parameters } = start.experiment;
   const { section, model } = ground;
   if (section === null) return NaN;
-  const index = model.quantities.findIndex(({ name }) => name === section.x);
+  const [across, up] = [section.x, section.y].map((name) => model.quantities.findIndex((quantity) => quantity.name === name));
   const { rows, dimension } = await engine.section({ parameters, start: start.state, on: section.on, value: section.value, direction: section.direction, points: 300, until: setting.until });
   if (rows.length === 0) return NaN;
   const values = await engine.quantities(parameters, rows, dimension);
   const width = model.quantities.length;
-  return rotationNumber(Float64Array.from({ length: values.length / width }, (_, k) => values[k * width + index] ?? NaN));
+  const column = (index: number | undefined): Float64Array => Float64Array.from({ length: values.length / width }, (_, k) => values[k * width + (index ?? 0)] ?? NaN);
+  const isAngle = model.quantities[across ?? -1]?.angle === true;
+  return rotationNumber(isAngle ? column(across) : anglesAbout(column(across), column(up)));
 }
 
 /** A chart being computed. */

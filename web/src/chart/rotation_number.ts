@@ -1,4 +1,4 @@
-/** Rotation numbers, from the values of an angle at the points of a section. */
+/** Rotation numbers, from an angle at the points of a section. */
 
 const TURN = 2 * Math.PI;
 
@@ -28,6 +28,19 @@ export function rotationNumber(angles: ArrayLike<number>): number {
   }
   const mean = sum / weights;
   return mean - Math.round(mean);
+}
+
+/** Angles of points about their mean, each coordinate in units of its spread. */
+export function anglesAbout(x: ArrayLike<number>, y: ArrayLike<number>): Float64Array {
+  const [across, up] = [centred(x), centred(y)];
+  return Float64Array.from(across, (value, k) => Math.atan2(up[k] ?? NaN, value));
+}
+
+function centred(values: ArrayLike<number>): Float64Array {
+  const list = Float64Array.from(values);
+  const mean = list.reduce((sum, value) => sum + value, 0) / list.length;
+  const spread = Math.sqrt(list.reduce((sum, value) => sum + (value - mean) ** 2, 0) / list.length);
+  return list.map((value) => (value - mean) / (spread || 1));
 }
 
 /** The middle of the greatest gap between advances on the circle; not a number where none stands out. */

@@ -3,9 +3,9 @@
 import { indicatorScale, onScale } from "./palette";
 import { readable } from "./numbers";
 
-/** Share of the scale for a MEGNO: it tends to 2 on regular motions and grows with chaos. */
-export function megnoShare(value: number): number {
-  return Math.log2(Math.max(1, value) / 2) / 4;
+/** Share of a scale from 2 to `high` for a MEGNO: it tends to 2 on regular motions and grows with chaos. */
+export function megnoShare(value: number, high = 32): number {
+  return Math.log2(Math.max(1, value) / 2) / Math.log2(high / 2);
 }
 
 /** Colour of a MEGNO, red, green and blue. */
