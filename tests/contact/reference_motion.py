@@ -298,6 +298,17 @@ class Motion:
 
         return values
 
+    def spin_left(self) -> Callable[[Response], float]:
+        """Watched value for the end of the spin; one that begins is zero, but for rounding."""
+        sign, turns = self.mode.sign, [False]
+
+        def value(found: Response) -> float:
+            spin = float(sign * found.spin)
+            turns[0] = turns[0] or spin > 1e-12
+            return spin if turns[0] else 0.0
+
+        return value
+
     def move(self) -> None:
         """Contact with no velocity about to vanish."""
         problem, law, mode = self.problem, self.problem.law, self.mode
@@ -321,13 +332,7 @@ class Motion:
         if kinked:
             names.extend(["kink", "kink"])
         kink = self.kink()
-        turns = [False]
-
-        def spin_left(found: Response) -> float:
-            # a spin that begins is zero, but for rounding
-            value = float(mode.sign * found.spin)
-            turns[0] = turns[0] or value > 1e-12
-            return value if turns[0] else 0.0
+        spin_left = self.spin_left()
 
         def rate(t: float, z: Array) -> Array:
             return np.array(problem.rate(z.tolist(), mode))
@@ -372,6 +377,17 @@ class Motion:
             self.y[:3] = minus(self.y[:3], times(gap, n))
             self.mode, self.dying = Mode(contact=False), None
             self.record("lift-off", before)
+        elif name == "spin stop" and mode.slide_held:
+            # a couple of the other sign may ask for more friction than there is
+            self.settled(True, True, mode.turn_held)
+            if not self.mode.contact:
+                return
+            if self.mode.spin_held:
+                self.record("spin stop", before)
+            elif not self.mode.slide_held:
+                self.record("direct restart", before)
+            else:
+                self.remarks.append(f"spin passes through zero at {self.t!r}")
         elif name == "spin stop":
             given = (
                 Direction()
@@ -419,7 +435,7 @@ class Motion:
         if kinked:
             names.extend(["kink", "kink"])
         armed = [False, False]
-        start = self.t
+        start, spin_left = self.t, self.spin_left()
 
         def unit(z: list[float]) -> list[float]:
             """Direction without the parts that rounding has put along the normal.
@@ -462,7 +478,7 @@ class Motion:
                 found.normal,
             ]
             if spinning:
-                values.append(mode.sign * found.spin)
+                values.append(spin_left(found))
             values += self.limits(found, mode)
             if kinked:
                 e = unit(z)

@@ -19,6 +19,7 @@ from chaplygin.contact import (
     FrictionalContact,
     RollingResistance,
     Rules,
+    UserFriction,
     contact_motion,
     start_in_contact,
     start_in_space,
@@ -395,3 +396,24 @@ def test_an_impact_without_collision_gives_back_what_it_stored() -> None:
     assert impulses[0] == pytest.approx(0.291526, abs=2e-5)
     assert impulses[1] == pytest.approx(1.5 * impulses[0], rel=1e-12)
     assert motion.observables()["gap"][-1] > 1e-6
+
+
+@pytest.mark.parametrize(
+    ("force", "couple", "variables"),
+    [
+        ("0.2 + 0.1*slip_speed*spin", "0", "force depends on spin"),
+        ("0.2", "0.01 + 0.02*spin", "couple depends on spin"),
+    ],
+)
+def test_an_impact_with_friction_that_has_no_meaning_in_it(
+    force: str, couple: str, variables: str
+) -> None:
+    ball = ch.Body(1.0, (0.4, 0.4, 0.4), ch.Ball(1.0))
+    contact = FrictionalContact(ball, laws=(UserFriction(force, couple),), field=GRAVITY)
+    motion = contact_motion(contact, drop(1.5, (1, 0, 0), (0, 0, 1)), [0.0, 1.0])
+    assert motion.ending == "impact"
+    assert motion.reason == (
+        f"the friction of an impact is not known: {variables}, and impacts follow formulas in "
+        "slip_speed alone, with a constant couple"
+    )
+    assert motion.end_time == pytest.approx(math.sqrt(2 * 0.5 / G), rel=1e-12)

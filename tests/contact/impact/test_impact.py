@@ -7,9 +7,11 @@ import dataclasses
 import mpmath
 import numpy as np
 import pytest
+import sympy as sp
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
+from chaplygin.contact.friction.symbols import slip_speed
 from chaplygin.contact.impact.friction_response import response_with_spin_at_rest
 from chaplygin.contact.impact.impact import impact, normal_response, zeno_closure
 from chaplygin.contact.impact.impact_slide import (
@@ -480,7 +482,8 @@ def test_a_restitution_below_rounding_ends_the_impact() -> None:
     normal = Linear(0.0, 1.47917328, beta)
     ends = Ends(False, 1.0, 0.0, 0.0, -6.955714613867327e-19, None, None)
     slip = np.array([-0.91422412, 8.71702432])
-    result = slide(slide_integrator(False), beta, A, SlidingFriction(0.08582), slip, normal, ends)
+    law = SlidingFriction(0.08582)
+    result = slide(slide_integrator(law), beta, A, law, slip, normal, ends)
     assert result.event == "returned"
     assert abs(result.clock) < 1e-8
 
@@ -494,16 +497,21 @@ def test_viscous_friction_in_proportion_to_the_normal_force() -> None:
     assert result.normal_impulse == pytest.approx(3.0, abs=1e-14)
 
 
+@pytest.mark.parametrize(
+    "formula", [None, 0.1 + 0.2 * sp.exp(-slip_speed / sp.Float(0.5)), 0.1 / (1 + slip_speed)]
+)
 @pytest.mark.parametrize("order", [0.5, 1.0, 2.0])
-def test_dry_and_viscous_friction_in_an_impact(order: float) -> None:
+def test_dry_and_viscous_friction_in_an_impact(order: float, formula: sp.Expr | None) -> None:
     """Against steps of Runge and Kutta in the normal impulse."""
     body = mobility(1.3, [0.3, 0.5, 0.4], [0.3, -0.4, -0.8], [0, 0, 1])
-    mu, nu, slip = 0.1, 0.4, np.array([1.5, -0.4])
-    result = impact(body, [*slip, -1.0], mu=mu, viscous=nu, order=order)
+    nu, slip = 0.4, np.array([1.5, -0.4])
+    dry = sp.lambdify(slip_speed, sp.Float(0.1) if formula is None else formula)
+    mu = float(dry(0.0))
+    result = impact(body, [*slip, -1.0], mu=mu, viscous=nu, order=order, force=formula)
 
     def rate(P: float, u: np.ndarray) -> np.ndarray:
         s = np.hypot(u[0], u[1])
-        force = -(mu + nu * s**order) * u[:2] / s
+        force = -(dry(s) + nu * s**order) * u[:2] / s
         return body.A @ np.array([*force, 1.0])
 
     def compressed(P: float, u: np.ndarray) -> float:
@@ -539,7 +547,7 @@ def test_a_slide_whose_speed_hardly_changes_goes_on() -> None:
     friction = SlidingFriction(0.25473419904639666)
     clock, events = 0.0, []
     while "compressed" not in events and len(events) < 20:
-        part = slide(slide_integrator(False), beta, A, friction, slip, normal, ends)
+        part = slide(slide_integrator(friction), beta, A, friction, slip, normal, ends)
         slip = part.speed * part.direction
         normal = Linear(normal.at(part.clock, part.friction), normal.normal, normal.friction)
         clock += part.clock

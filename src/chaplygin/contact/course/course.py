@@ -292,6 +292,7 @@ class Course(RollingCourse):
                 spin_arm=self._dry.spin_arm,
                 viscous=self._dry.viscous,
                 order=self._dry.order,
+                force=self._dry.force,
             )
             self._push(impulse, couple)
         self._stay(kind, before, result)

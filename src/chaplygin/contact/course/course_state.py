@@ -270,6 +270,12 @@ class CourseState:
 
     def _collide(self) -> Impact:
         known = self._numbers()
+        if self._dry.unknown_in_impacts:
+            raise EndError(
+                "impact",
+                f"the friction of an impact is not known: {self._dry.unknown_in_impacts}, and "
+                "impacts follow formulas in slip_speed alone, with a constant couple",
+            )
         receding = float(known.mobility.gamma @ known.slip)
         result = impact(
             known.mobility,
@@ -279,6 +285,7 @@ class CourseState:
             spin_arm=self._dry.spin_arm,
             viscous=self._dry.viscous,
             order=self._dry.order,
+            force=self._dry.force,
             restitution=self.rules.restitution,
             law=self.rules.impact_law,
         )

@@ -19,6 +19,7 @@ Ending = Literal[
     "singular",
     "guard",
     "failure",
+    "impact",
 ]
 
 #: Endings in words, in the order of their codes in datasets.
@@ -36,6 +37,7 @@ ENDINGS: Mapping[Ending, str] = {
     "singular": "the state stops being a number",
     "guard": "the equations of motion end",
     "failure": "the integration failed",
+    "impact": "the friction of an impact is not known",
 }
 
 SINGULAR = "the motion comes to a singular end: its state stops being a number"

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+import sympy as sp
 
 from ...core.arrays import FloatArray
 from ..equations.situation import FrictionalContact
@@ -53,6 +54,10 @@ class DryFriction:
         Coefficient of static friction, at least `mu`.
     viscous, order : float
         ν and p of the friction ν|u|ᵖ per normal force, which counts in impacts.
+    force : sympy.Expr or None
+        A formula in the slip speed in place of `mu`, likewise.
+    unknown_in_impacts : str
+        Why friction in impacts is not known, in words.
     """
 
     mu: float
@@ -62,6 +67,8 @@ class DryFriction:
     static_mu: float
     viscous: float = 0.0
     order: float = 1.0
+    force: sp.Expr | None = None
+    unknown_in_impacts: str = ""
 
     @property
     def never_slips(self) -> bool:
@@ -73,11 +80,13 @@ def dry_friction(situation: FrictionalContact) -> DryFriction:
     """The thresholds of a situation."""
     arm = max((law.spin_arm for law in situation.laws), default=0.0)
     viscous, order = next((law.power for law in situation.laws if law.power[0]), (0.0, 1.0))
+    force = next((f for law in situation.laws if (f := law.force_of_slip) is not None), None)
+    unknown = "; ".join(filter(None, (law.unknown_in_impacts for law in situation.laws)))
     for law in situation.laws:
         if law.static_mu is not None and law.kinetic_mu is not None:
             mu, patch, static = law.kinetic_mu, law.patch_radius, law.static_mu
-            return DryFriction(mu, patch, arm, law.name, static, viscous, order)
-    return DryFriction(0.0, 0.0, arm, "", 0.0, viscous, order)
+            return DryFriction(mu, patch, arm, law.name, static, viscous, order, force, unknown)
+    return DryFriction(0.0, 0.0, arm, "", 0.0, viscous, order, force, unknown)
 
 
 def frozen_slip(numbers: ContactNumbers, dry: DryFriction, spin_sign: float) -> FrozenSlip:

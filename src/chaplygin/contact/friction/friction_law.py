@@ -117,6 +117,16 @@ class FrictionLaw(ABC):
         return 0.0, 1.0
 
     @property
+    def force_of_slip(self) -> sp.Expr | None:
+        """Force per normal force as a formula in the slip speed; None where `power` says it."""
+        return None
+
+    @property
+    def unknown_in_impacts(self) -> str:
+        """What of its formulas has no meaning in an impact, in words; empty if all has."""
+        return ""
+
+    @property
     def spin_arm(self) -> float:
         """Greatest couple per normal force (m) that holds the spin by itself, whatever the slip."""
         return 0.0

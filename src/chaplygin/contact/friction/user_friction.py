@@ -149,6 +149,20 @@ class UserFriction(FrictionLaw):
         """The couple at zero spin."""
         return self._spin_limit
 
+    @property
+    def force_of_slip(self) -> sp.Expr | None:
+        """The force, unless it is the same at each slip."""
+        force = self.force.xreplace(self._numbers)
+        return force if force.has(slip_speed) and not self.unknown_in_impacts else None
+
+    @property
+    def unknown_in_impacts(self) -> str:
+        """Variables other than the slip speed in `force`, and any in `couple`."""
+        others = [name for name, s in VARIABLES["force"].items() if self.force.has(s)]
+        others = [f"force depends on {name}" for name in others if name != "slip_speed"]
+        couple = [name for name, s in VARIABLES["couple"].items() if self.couple.has(s)]
+        return "; ".join([*others, *(f"couple depends on {name}" for name in couple)])
+
     def _require_dissipation(self, key: str) -> None:
         variables = VARIABLES[key]
         formula = getattr(self, key).xreplace(self._numbers)

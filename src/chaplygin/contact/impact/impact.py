@@ -18,6 +18,7 @@ from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
+import sympy as sp
 
 from ...core.arrays import FloatArray
 from ...errors import InputError
@@ -87,6 +88,7 @@ def impact(
     spin_arm: float = 0.0,
     viscous: float = 0.0,
     order: float = 1.0,
+    force: sp.Expr | None = None,
     restitution: float = 0.0,
     law: ImpactLaw = "stronge",
 ) -> Impact:
@@ -109,6 +111,8 @@ def impact(
         Greatest couple of spin friction per normal force (a length).
     viscous, order : float
         ν and p of the friction ν|u|ᵖ per normal force, besides μ.
+    force : sympy.Expr, optional
+        Friction per normal force as a formula in the slip speed, in place of μ, its limit at rest.
     restitution : float
         Between 0 and 1.
     law : str
@@ -140,7 +144,7 @@ def impact(
     ['sliding', 'sticking']
     """
     u = _checked_input(velocity, spin, mu, spin_arm, restitution, law)
-    friction_law = _sliding_friction(mu, viscous, order)
+    friction_law = _sliding_friction(mu, viscous, order, force)
     approach = float(mobility.gamma @ u)
     scale = float(np.linalg.norm(u))
     if approach > 1e-14 * scale:
@@ -212,6 +216,7 @@ def zeno_closure(
     spin_arm: float = 0.0,
     viscous: float = 0.0,
     order: float = 1.0,
+    force: sp.Expr | None = None,
 ) -> tuple[FloatArray, float]:
     """Impulse (3,) and couple impulse that take away a small normal velocity of the contact.
 
@@ -227,7 +232,7 @@ def zeno_closure(
     velocity : (3,) array
         Of the touching particle relative to the support, body axes; its normal part may have
         either sign.
-    spin, mu, spin_arm, viscous, order
+    spin, mu, spin_arm, viscous, order, force
         As of :func:`impact`.
 
     Raises
@@ -236,7 +241,7 @@ def zeno_closure(
         If sliding friction turns a normal impulse into approach (B ≤ 0).
     """
     u = _checked_input(velocity, spin, mu, spin_arm, 0.0, "stronge")
-    sliding = _sliding_friction(mu, viscous, order)
+    sliding = _sliding_friction(mu, viscous, order, force)
     gamma, tangents = mobility.gamma, mobility.tangents
     slip = tangents @ u
     if spin_arm and spin == 0:
@@ -259,13 +264,15 @@ def zeno_closure(
     return pressure * (gamma + force @ tangents), pressure * couple
 
 
-def _sliding_friction(mu: float, viscous: float, order: float) -> SlidingFriction:
+def _sliding_friction(
+    mu: float, viscous: float, order: float, force: sp.Expr | None
+) -> SlidingFriction:
     if not (0 <= viscous < np.inf and 0 < order < np.inf):
         raise InputError(
             f"viscous {viscous}, order {order}: the first must be zero or positive and finite, the "
             "second positive and finite"
         )
-    return SlidingFriction(mu, viscous, order)
+    return SlidingFriction(mu, viscous, order, force)
 
 
 def _checked_input(

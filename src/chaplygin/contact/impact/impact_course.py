@@ -94,7 +94,7 @@ class ImpactCourse:
         self._first_speed = 0.0
         self._at_rest = response_with_spin_at_rest(mobility)
         self._spinning: dict[float, FrictionResponse] = {}
-        self._integrator = slide_integrator(bool(friction.viscous))
+        self._integrator = slide_integrator(friction)
         self._decide()
 
     def run(self) -> None:
@@ -164,7 +164,7 @@ class ImpactCourse:
                 beta, A = response.tangential
                 self._sticks = False
                 self._straight = least_motion_force(A, beta, self.mu)
-                if self._law.viscous and self._weight:
+                if self._law.varies and self._weight:
                     self._start_against_viscosity(beta)
 
     def _start_against_viscosity(self, beta: FloatArray) -> None:
@@ -194,7 +194,7 @@ class ImpactCourse:
         direction: FloatArray | None
         if self._sticks:
             force, direction = holding_force(response), None
-        elif self.mu == 0 and not self._law.viscous:
+        elif self.mu == 0 and not self._law.varies:
             force, direction = np.zeros(2), None
         elif self._straight is not None:
             force, direction = self._straight, -self._straight / np.hypot(*self._straight)
@@ -204,7 +204,7 @@ class ImpactCourse:
             along, across, straight = turning_rate(response, weight, self._friction, direction)
             # going straight from here misplaces the end by what the slide would turn yet
             missed = speed * min(1.0, abs(across / along)) if along < 0 else np.inf
-            if self._law.viscous and weight:
+            if self._law.varies and weight:
                 straight, missed = False, speed if along < 0 else np.inf
             if not straight and missed >= STOP * self._first_speed:
                 return None

@@ -9,16 +9,21 @@ from __future__ import annotations
 
 import copy
 import threading
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Literal
 
 import heyoka as hy
 import numpy as np
+import sympy as sp
 
 from ...core.arrays import FloatArray
+from ...core.system import System
 from ...errors import RunError
+from ...flow.heyoka_expressions import Translator
 from ...flow.kernel import code_cache
+from ..friction.symbols import slip_speed
 
 #: A slide is followed down to this part of its speed in one go.
 LEAST = float(np.exp(-8.0))
@@ -48,30 +53,44 @@ _EVENTS: tuple[SlideEvent | None, ...] = (
     None,
 )
 
-_PARAMETERS = 24
+_PARAMETERS = 26
 
 
 @dataclass(frozen=True)
 class SlidingFriction:
-    """Friction for each unit of normal force while a contact slides, μ + ν sᵖ at the speed s.
+    """Friction for each unit of normal force while a contact slides, F(s) + ν sᵖ at the speed s.
 
     Attributes
     ----------
     mu : float
-        μ; it may be infinite.
+        μ, the limit of F(s) at rest; it may be infinite.
     viscous : float
         ν ((s/m)^p).
     order : float
         p.
+    force : sympy.Expr or None
+        F as a formula in the slip speed; None: it is μ at every speed.
     """
 
     mu: float
     viscous: float = 0.0
     order: float = 1.0
+    force: sp.Expr | None = None
+
+    @property
+    def varies(self) -> bool:
+        """Whether friction depends on the speed."""
+        return bool(self.viscous) or self.force is not None
+
+    @cached_property
+    def _force(self) -> Callable[[float], float]:
+        function: Callable[[float], float] = sp.lambdify(slip_speed, self.force, "numpy")
+        return function
 
     def at(self, speed: float) -> float:
         """Friction at a speed (m/s)."""
-        return self.mu + (self.viscous * speed**self.order if self.viscous else 0.0)
+        dry = self.mu if self.force is None else float(self._force(speed))
+        return dry + (self.viscous * speed**self.order if self.viscous else 0.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,20 +168,19 @@ class Ends:
     couple: FloatArray | None
 
 
-def slide_integrator(viscous: bool) -> hy.taylor_adaptive:
+def slide_integrator(friction: SlidingFriction) -> hy.taylor_adaptive:
     """The compiled equations of a slide, for `slide` to change their state; one in each thread.
 
     Parameters
     ----------
-    viscous : bool
-        Whether friction depends on the speed.
+    friction : SlidingFriction
     """
-    return _integrator_of_thread(viscous, threading.get_ident())
+    return _integrator_of_thread(friction.varies, friction.force, threading.get_ident())
 
 
 @lru_cache(maxsize=64)
-def _integrator_of_thread(viscous: bool, _: int) -> hy.taylor_adaptive:
-    return copy.copy(_integrator(viscous))
+def _integrator_of_thread(varies: bool, force: sp.Expr | None, _: int) -> hy.taylor_adaptive:
+    return copy.copy(_integrator(varies, force))
 
 
 def slide(
@@ -216,7 +234,9 @@ def slide(
         pars[15:19] = _coefficients(ends.spin, clock, force, size)
     if ends.couple is not None:
         pars[19:22] = ends.couple
-    pars[22:] = (mu - friction.mu) / mu if friction.viscous else 0.0, friction.order
+    # parts of μ or of the formula, and of the power of the speed, in the friction at the start
+    power = friction.viscous * speed**friction.order if friction.viscous else 0.0
+    pars[22:] = power / mu if mu else 0.0, friction.order, speed, 1 / mu if mu else 0.0
     integrator.reset_cooldowns()
     integrator.time = 0.0
     integrator.pars[:] = pars[: len(integrator.pars)]
@@ -242,17 +262,18 @@ def _coefficients(quantity: Linear, clock: float, force: float, scale: float) ->
     return np.array(terms) / scale
 
 
-@lru_cache(maxsize=2)
-def _integrator(viscous: bool) -> hy.taylor_adaptive:
-    name = code_cache.code_name("impact slide", "3", str(viscous))
-    return code_cache.remember(name, lambda: _compile_integrator(viscous))[0]
+@lru_cache(maxsize=64)
+def _integrator(varies: bool, force: sp.Expr | None) -> hy.taylor_adaptive:
+    name = code_cache.code_name("impact slide", "4", str(varies), sp.srepr(force))
+    return code_cache.remember(name, lambda: _compile_integrator(varies, force))[0]
 
 
-def _compile_integrator(viscous: bool) -> hy.taylor_adaptive:
+def _compile_integrator(varies: bool, force: sp.Expr | None) -> hy.taylor_adaptive:
     names = n1, n2, w, p, f1, f2, work = hy.make_vars("n1", "n2", "w", "p", "f1", "f2", "work")
     q = [hy.par[i] for i in range(_PARAMETERS)]
     # the friction relative to that at the start, against the direction n
-    share = 1.0 - q[22] + q[22] * hy.exp(q[23] * hy.log(w)) if viscous else hy.expression(1.0)
+    dry = 1.0 - q[22] if force is None else q[25] * _in_speed(force, q[24] * w)
+    share = dry + q[22] * hy.exp(q[23] * hy.log(w)) if varies else hy.expression(1.0)
     f, g = share * n1, share * n2
     x = q[0] - q[2] * f - q[3] * g
     y = q[1] - q[4] * f - q[5] * g
@@ -269,10 +290,17 @@ def _compile_integrator(viscous: bool) -> hy.taylor_adaptive:
         LEAST - w,
         w - MOST,
     ]
+    count = _PARAMETERS if force is not None else _PARAMETERS - (2 if varies else 4)
     return hy.taylor_adaptive(
         list(zip(names, rates, strict=True)),
         [1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0],
         tol=1e-16,
-        pars=[0.0] * (_PARAMETERS if viscous else _PARAMETERS - 2),
+        pars=[0.0] * count,
         t_events=[hy.t_event(e, direction=hy.event_direction.positive) for e in rising],
     )
+
+
+def _in_speed(force: sp.Expr, speed: hy.expression) -> hy.expression:
+    """A formula in the slip speed as a heyoka expression."""
+    translate = Translator(System("speed", "Slip speed", field={slip_speed: sp.S.Zero}))
+    return hy.subs(translate(force), {translate.variables[0]: speed})

@@ -137,7 +137,8 @@ def _stop_at_point(slip: PointSlip, n: FloatArray, size: float) -> Stop:
     unit = _greatest_rate(slip, 2)
     steady = (constant * slip.tangential + pressing * beta) / unit
     matrix = (np.outer(slip.tangential, slope) + pressing * A) / unit
-    integrator, friction_law = slide_integrator(viscous=False), SlidingFriction(slip.mu)
+    friction_law = SlidingFriction(slip.mu)
+    integrator = slide_integrator(friction_law)
     logarithm, clock, friction = 0.0, 0.0, np.zeros(2)
     last = min(END - float(np.log(size)), 0.0)
     while True:
