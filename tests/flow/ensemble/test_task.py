@@ -52,7 +52,7 @@ def test_a_store_is_read_by_others(tmp_path: Path) -> None:
     assert read.orbit.attrs == {"long_name": "a made-up orbit", "units": "1", "source": ""}
     assert set(read.coords) == {"time", "space", "mass"}
     assert read.attrs == {"system": "made up", "seed": 1, "tolerance": 1e-13}
-    assert read.complete.all()
+    assert read.done.all()
 
 
 def test_blocks_are_chunks(tmp_path: Path) -> None:
