@@ -97,7 +97,7 @@ def _one(system: System, law: Law, seconds: int) -> dict[str, Any]:
     except InputError as error:
         record |= {"decision": "", "why": str(error)}
     else:
-        record |= {"decision": verdict.decision, "why": verdict.uncertified or verdict.reason}
+        record |= {"decision": verdict.decision, "why": verdict.no_certificate or verdict.reason}
         if verdict.certificate is not None:
             record["bytes"] = len(json.dumps(verdict.certificate))
     finally:

@@ -168,7 +168,7 @@ def compute(name: str, what: str, store: Path) -> None:
         laws=tuple(
             (
                 str(getattr(law, "meaning", "")) or law.name,
-                verdicts[law.name].stated if verdicts else "",
+                verdicts[law.name].statement if verdicts else "",
                 law.source,
                 law_html(law, system),
             )

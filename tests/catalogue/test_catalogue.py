@@ -95,9 +95,9 @@ def test_the_nearest_parameter_is_offered():
     with pytest.raises(InputError) as caught:
         from_catalogue("ball-on-sphere", I1=1.0)
     assert str(caught.value) == (
-        "no parameter 'I1' in ball-on-sphere (did you mean 'I_1'?); it has m, I_1, I_2, I_3, R, a"
+        "ball-on-sphere: no parameter I1 (did you mean I_1?); it has m, I_1, I_2, I_3, R, a"
     )
-    with pytest.raises(InputError, match=r"no parameter 'friction' in veselova; it has"):
+    with pytest.raises(InputError, match="veselova: no parameter friction; it has"):
         from_catalogue("veselova", friction=0.1)
 
 

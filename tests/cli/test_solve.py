@@ -143,7 +143,7 @@ def test_a_motion_without_closed_form_is_refused_in_one_line(ask: Ask) -> None:
         (["--figure", "curve.gif"], "its name must end in .png, .svg, .pdf"),
         (["-o", "no/where.nc"], "there is no folder no"),
         (["--set", "start.omega=[0,0,1]"], "the nearest admissible omega is"),
-        (["--set", "system.parameters.q=1"], "no parameter 'q' in veselova"),
+        (["--set", "system.parameters.q=1"], "veselova: no parameter q"),
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else "",
 )

@@ -332,7 +332,7 @@ SYSTEM = '[system]\nname = "{name}"\n[system.parameters]\n{parameters}\n'
         (
             SYSTEM.format(name="heavy-disk", parameters="I_2 = 1.0"),
             "body.toml, line 3, system.parameters: ",
-            "no parameter 'I_2' in heavy-disk (did you mean 'I_",
+            "heavy-disk: no parameter I_2 (did you mean I_",
         ),
         (
             SYSTEM.format(name="heavy-disk", parameters="I_3 = 5.0"),

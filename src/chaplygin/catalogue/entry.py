@@ -10,6 +10,7 @@ from typing import Any, Protocol, SupportsFloat, TypeAlias
 import sympy as sp
 
 from ..core.laws import Law
+from ..core.parameters import require_parameters
 from ..core.system import System
 from ..errors import InputError
 from ..mechanics.ball.ball import RollingBall
@@ -137,12 +138,8 @@ class Entry:
         if self.family is not None:
             return dict(self.member(parameters).defaults)
         replacements: dict[str, float] = {}
+        require_parameters(self.name, self.defaults, parameters or {})
         for name, value in (parameters or {}).items():
-            if name not in self.defaults:
-                raise InputError(
-                    f"no parameter {name!r} in {self.name}{_nearest(name, self.defaults)}; it has "
-                    f"{', '.join(self.defaults)}"
-                )
             if not isinstance(value, SupportsFloat):
                 raise InputError(f"{name}: must be a number, not {value!r}")
             replacements[name] = value  # type: ignore[assignment]

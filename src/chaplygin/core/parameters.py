@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import math
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
@@ -43,7 +44,11 @@ def require_parameters(owner: str, parameters: Iterable[object], names: Iterable
     allowed = list(map(str, parameters))
     for name in names:
         if str(name) not in allowed:
-            raise InputError(f"{owner}: no parameter {name}; it has {', '.join(allowed) or 'none'}")
+            close = difflib.get_close_matches(str(name), allowed, n=1)
+            guess = f" (did you mean {close[0]}?)" if close else ""
+            raise InputError(
+                f"{owner}: no parameter {name}{guess}; it has {', '.join(allowed) or 'none'}"
+            )
 
 
 def parameters_by_symbol(

@@ -97,7 +97,7 @@ def test_mistakes_are_told():
     across = PoincareMap(flow, poincare_section(flow, "beta", angle=True))
     with pytest.raises(InputError, match="delta is not a state variable"):
         Circle(across, "delta", "lambda", {})
-    with pytest.raises(InputError, match="varied: no parameter mu"):
+    with pytest.raises(InputError, match="no parameter mu; it has"):
         Circle(across, "alpha", "mu", {})
     with pytest.raises(InputError, match="angles: delta is not"):
         ReturnMap(across, {"delta": 1.0})

@@ -174,8 +174,7 @@ class Circle:
         for name in (self.angle, *self.state):
             _require_variable(self.section, name, "state")
         known = [str(symbol) for symbol in self.section.system.defaults]
-        if self.parameter not in known:
-            raise InputError(f"varied: no parameter {self.parameter}; there are {', '.join(known)}")
+        require_parameters(self.section.system.name, known, [self.parameter])
 
     def __call__(self, turns: FloatArray, values: FloatArray, count: int) -> FloatArray:
         """Lifts of orbits, (n, count + 1) turns; see :mod:`.arnold_tongues`."""

@@ -8,10 +8,10 @@ from collections.abc import Mapping, Sequence, Sized
 from dataclasses import dataclass
 from typing import Any
 
+from ...core.parameters import require_parameters
 from ...core.system import Parameter, System
 from ...core.vectors import real_symbol
 from ...errors import InputError
-from ...parsing import nearest
 from ..entry import Entry, Numbers, Start, Values
 from .inertia import (
     LARGEST,
@@ -106,10 +106,7 @@ class Family(ABC):
         n = inertia.dimension
         if settings:
             known = [*self.settings, *(["mass", "radius"] if self.rolls else [])]
-            wrong = next(iter(settings))
-            raise InputError(
-                f"no parameter {wrong!r} in {self.name}{nearest(wrong, [*known, *numbers])}"
-            )
+            require_parameters(self.name, [*known, *numbers], settings)
 
         def build(values: Numbers) -> System:
             return self._system(type(inertia)(n, values), values)
@@ -163,10 +160,7 @@ class Family(ABC):
             values = generic_moments(n) if moments is None else numbers_of("moments", moments)
             numbers = checked_moments(n, values)
         for name, value in entries.items():
-            if name not in numbers:
-                raise InputError(
-                    f"no parameter {name!r} in {self.name}; it has {', '.join(numbers)}"
-                )
+            require_parameters(self.name, numbers, [name])
             numbers[name] = value
         if entries and by_tensor:
             full = [

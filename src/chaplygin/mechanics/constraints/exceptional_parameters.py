@@ -18,6 +18,7 @@ import sympy as sp
 from flint import nmod, nmod_poly
 
 from ...core.named_formulas import expand
+from ...core.parameters import require_parameters
 from ...errors import InputError
 from ...formulas.taylor import PRIMES, IrrationalError, Modular
 from ..lagrangian.mechanism import Mechanism
@@ -69,11 +70,7 @@ def exceptional(
     """
     admissible = mechanism if isinstance(mechanism, Distribution) else distribution(mechanism)
     names = [s for s, _ in admissible.constants]
-    if parameter not in names:
-        raise InputError(
-            f"{admissible.name} has no parameter {parameter}; its parameters are "
-            f"{', '.join(map(str, names)) or 'none'}"
-        )
+    require_parameters(admissible.name, names, [parameter])
     if any(parameter in expand(r, admissible.steps).free_symbols for r in admissible.relations):
         raise InputError(
             f"{admissible.name}: the configuration space itself depends on {parameter}"

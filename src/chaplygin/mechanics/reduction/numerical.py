@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import sympy as sp
 
+from ...core.parameters import parameter_values
 from ...errors import InputError
 from .rational_evaluation import circle
 
@@ -101,13 +102,4 @@ def integral_of_gyroscopic(
 def _parameter_values(
     form: ChaplyginForm, values: Mapping[sp.Symbol, float] | None
 ) -> dict[sp.Symbol, float]:
-    known = {s: float(v) for s, v in form.system.defaults.items()}
-    numbers = {} if values is None else dict(values)
-    for symbol, value in numbers.items():
-        if symbol not in known:
-            raise InputError(
-                f"{form.system.name}: {symbol} is no parameter; its parameters are "
-                f"{', '.join(map(str, known))}"
-            )
-        known[symbol] = float(value)
-    return known
+    return {s: float(v) for s, v in parameter_values(form.system, values).items()}
