@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import sympy as sp
 
-from ...core.parameters import parameter_values
+from ...core.parameters import require_parameters
 from ...errors import InputError
 from .rational_evaluation import circle
 
@@ -102,4 +102,6 @@ def integral_of_gyroscopic(
 def _parameter_values(
     form: ChaplyginForm, values: Mapping[sp.Symbol, float] | None
 ) -> dict[sp.Symbol, float]:
-    return {s: float(v) for s, v in parameter_values(form.system, values).items()}
+    require_parameters(form.system.name, form.system.defaults, values or {})
+    numbers = {str(s): float(v) for s, v in (values or {}).items()}
+    return {s: numbers.get(str(s), float(v)) for s, v in form.system.defaults.items()}
