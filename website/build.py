@@ -8,28 +8,41 @@ is an error. `--exhibits 12` builds a gallery of twelve exhibits only, for a qui
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+import claims
+import gallery
 from exhibits import exhibits
-from gallery import pages as gallery_pages
 from links import faults
 
+import reference
+from chaplygin import audit
 from chaplygin.core.source_digest import package_digest
+from chaplygin.experiment.file.schema import experiment_schema
 
 HOME = Path(__file__).parent
 ROOT = HOME.parent
 BUILD = ROOT / "build"
-SOURCE, LIVE, SITE = BUILD / "site-source", BUILD / "site-files" / "live", BUILD / "site"
+SOURCE, FILES, SITE = BUILD / "site-source", BUILD / "site-files", BUILD / "site"
 #: What was computed, kept for as long as the program is the same.
 STORE = BUILD / "site-cache" / package_digest()[:16]
 #: Pages of the repository that are pages of the site, beside docs/.
-PAGES = ("CONTRIBUTING.md", "CHANGELOG.md", "benchmarks/README.md")
+PAGES = (
+    *("CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "CODE_OF_CONDUCT.md"),
+    "benchmarks/README.md",
+)
 #: What they link to, and the examples that cells read, which are run in the folder of their page.
-LINKED = ("src", "tests", "examples", *(f"docs{at}/examples" for at in ("", "/start", "/course")))
+LINKED = (
+    "src",
+    "tests",
+    "examples",
+    *(f"docs{at}/examples" for at in ("", "/start", "/course", "/compare")),
+)
 
 
 def main() -> int:
@@ -38,6 +51,8 @@ def main() -> int:
     options.add_argument("--exhibits", type=int, help="so many exhibits of the gallery at most")
     chosen, further = options.parse_known_args()
     lay_out(chosen.exhibits)
+    # cells run the command line of this environment
+    os.environ["PATH"] = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     code = subprocess.call(
         [sys.executable, "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-q",
          "-c", str(HOME), *further, str(SOURCE), str(SITE)]
@@ -74,8 +89,22 @@ def written() -> Iterator[tuple[Path, bytes]]:
 def generated(most: int | None) -> Iterator[tuple[str, str]]:
     """Pages that the program writes."""
     store = STORE / "gallery"
-    found = list(exhibits(store, most, lambda what: print(what, file=sys.stderr)))
-    yield from gallery_pages(found, store, LIVE)
+    found = list(exhibits(store, most, say))
+    yield from gallery.pages(found, store, FILES / "live")
+    say("audit of the paper")
+    judgements, left = audit()
+    if left:
+        sys.exit("interrupted: the same command resumes")
+    yield from claims.pages(judgements)
+    schema = experiment_schema()
+    (FILES / "schema").mkdir(parents=True, exist_ok=True)
+    (FILES / "schema" / "experiment.schema.json").write_text(json.dumps(schema, indent=1))
+    yield from reference.pages(schema)
+
+
+def say(what: str) -> None:
+    """Say what is being done."""
+    print(what, file=sys.stderr, flush=True)
 
 
 def files(folder: Path) -> list[Path]:

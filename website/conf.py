@@ -20,17 +20,17 @@ version = release = __version__
 extensions = [
     "myst_nb",
     "sphinx.ext.autodoc",
-    "sphinx.ext.autosummary",
     "numpydoc",
     "sphinx_design",
     "sphinx_copybutton",
     "sphinxcontrib.bibtex",
     "fences",
     "formulas",
+    "names",
 ]
 exclude_patterns = ["src", "tests", "examples", "**/examples"]
 nitpicky = True
-suppress_warnings = ["myst.header"]
+suppress_warnings = ["myst.header", "bibtex.missing_field"]
 
 # --- pages --------------------------------------------------------------------------------------
 
@@ -53,8 +53,8 @@ nb_mime_priority_overrides = [("html", "text/html", 0)]
 
 # --- reference ----------------------------------------------------------------------------------
 
-autosummary_generate = True
-autodoc_typehints = "signature"
+# the docstrings name the types, in words
+autodoc_typehints = "none"
 autodoc_member_order = "bysource"
 numpydoc_show_class_members = False
 numpydoc_xref_param_type = False

@@ -284,7 +284,7 @@ def counts(judgements: Iterable[Judgement]) -> dict[str, dict[Decision, int]]:
 # --- the page ------------------------------------------------------------------------------
 
 
-def _typeset(statement: str) -> str:
+def typeset(statement: str) -> str:
     """Words with LaTeX between dollar signs as HTML."""
     parts = re.split(r"\$\$(.+?)\$\$|\$(.+?)\$", statement, flags=re.S)
     pieces = []
@@ -308,7 +308,7 @@ def page(judgements: Sequence[Judgement], section: int | None = None) -> str:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters["typeset"] = lambda text: Markup(_typeset(text))
+    environment.filters["typeset"] = lambda text: Markup(typeset(text))
     sections: dict[int, list[Judgement]] = {}
     for judgement in judgements:
         sections.setdefault(judgement.section, []).append(judgement)

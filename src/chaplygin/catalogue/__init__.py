@@ -1,6 +1,6 @@
 """The catalogue: one file per system of Borisov and Mamaev (2008), each described once.
 
-A file offers its systems as ``ENTRIES``; :data:`CATALOGUE` collects them by name.
+A file offers its systems as ``ENTRIES``; :data:`~chaplygin.CATALOGUE` collects them by name.
 
 Examples
 --------
@@ -69,7 +69,7 @@ def from_catalogue(name: str, **parameters: Setting) -> System:
     Parameters
     ----------
     name : str
-        Such as ``"chaplygin-ball"``; :data:`CATALOGUE` has all of them.
+        Such as ``"chaplygin-ball"``; :data:`~chaplygin.CATALOGUE` has all of them.
     **parameters : float
         Values, in SI units, that replace the defaults: ``I_1=1.2``.  The systems of n dimensions
         also take ``dimension``, ``moments`` or ``mass_tensor``, and balls ``mass`` and ``radius``.

@@ -17,6 +17,15 @@ if TYPE_CHECKING:
 FORMS = ("text", "latex", "julia", "c", "toml", "javascript", "wasm")
 
 
+def _print_schema(asked: bool) -> None:
+    """Print the schema and end, whatever else is asked for."""
+    if asked:
+        from ..experiment.file.schema import experiment_schema
+
+        print_json(experiment_schema())
+        raise typer.Exit
+
+
 def command(
     what: What,
     overrides: Override = None,
@@ -32,6 +41,15 @@ def command(
         bool, typer.Option("--laws", help="Print only the known laws of the system.")
     ] = False,
     json: Json = False,
+    schema: Annotated[
+        bool,
+        typer.Option(
+            "--schema",
+            is_eager=True,
+            callback=_print_schema,
+            help="Print the JSON Schema of experiment files, for editors; needs no NAME|FILE.",
+        ),
+    ] = False,
 ) -> None:
     """Print equations, parameters, laws and source of a system, and its place in the hierarchy.
 

@@ -78,7 +78,7 @@ def reversors(system: System) -> tuple[Reversor, ...]:
     ----------
     system : System
         Conditions are found among its parameters; those that hold at given values are chosen by
-        :meth:`Reversor.holds`.
+        :meth:`~chaplygin.analysis.orbits.reversing_symmetries.Reversor.holds`.
 
     Returns
     -------

@@ -12,12 +12,15 @@ from typing import Annotated, Self
 
 from pydantic import (
     Field,
+    GetJsonSchemaHandler,
     PlainValidator,
     Strict,
     field_validator,
     model_serializer,
     model_validator,
 )
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema
 
 from .number_lists import given_numbers
 from .table import FORMULA, THREE, Table, Vector
@@ -44,9 +47,12 @@ def _number(value: object) -> float | tuple[float, ...]:
 
 
 #: A formula, for a table of them by name.
-FormulaValue = Annotated[str, PlainValidator(_formula)]
+FormulaValue = Annotated[str, PlainValidator(_formula, json_schema_input_type=str)]
 Formulas = dict[str, FormulaValue]
-NumberValue = Annotated[float | tuple[float, ...], PlainValidator(_number)]
+NumberValue = Annotated[
+    float | tuple[float, ...],
+    PlainValidator(_number, json_schema_input_type=float | tuple[float, ...]),
+]
 
 
 class _ValueWithNotes(Table):
@@ -56,6 +62,16 @@ class _ValueWithNotes(Table):
     @classmethod
     def _value_alone(cls, value: object) -> object:
         return value if isinstance(value, dict | cls) else {"value": value}
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, core: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> JsonSchemaValue:
+        """The value alone, or the table."""
+        table = handler(core)
+        described = handler.resolve_ref_schema(table)
+        value = described["properties"]["value"]
+        return {"description": described["description"], "anyOf": [value, table]}
 
     @model_serializer(mode="wrap")
     def _as_given(self, serialise: Callable[[Self], Tables]) -> object:

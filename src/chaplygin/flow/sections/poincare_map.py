@@ -224,7 +224,7 @@ class PoincareMap:
 
     @arguments_checked
     def within(self, quantity: Quantity, width: float) -> PoincareMap:
-        """A section of the section: its returns to a slab |quantity| < width.
+        """A section of the section: its returns to a slab ``|quantity| < width``.
 
         Points of a map jump, so that they do not cross a second surface; what they do is come near
         to it.  The returns to a thin slab about it ("double section", after F. C. Moon and
@@ -263,7 +263,7 @@ class PoincareMap:
 
 
 def slab(section: Section, quantity: sp.Expr, width: float) -> Section:
-    """The section with the condition |quantity| < width; see `PoincareMap.within`.
+    """The section with the condition ``|quantity| < width``; see `PoincareMap.within`.
 
     Raises
     ------

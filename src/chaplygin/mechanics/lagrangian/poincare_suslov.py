@@ -89,7 +89,7 @@ def equations(mechanism: Mechanism) -> System:
     Raises
     ------
     InputError
-        As :func:`derive`.
+        As :func:`~chaplygin.mechanics.lagrangian.poincare_suslov.derive`.
 
     Examples
     --------

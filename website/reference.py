@@ -1,0 +1,166 @@
+"""Reference pages: public names, the command line, the keys of the experiment file."""
+
+from __future__ import annotations
+
+import html
+import inspect
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import chaplygin
+
+#: The folders of the package by what their names are for, in the order of a study.
+SUBJECTS = {
+    "mechanics": "Bodies, surfaces, mechanisms",
+    "catalogue": "The catalogue",
+    "core": "Systems and laws",
+    "proof": "Proofs",
+    "search": "Searches",
+    "measures": "Measures",
+    "explicit": "Closed forms",
+    "flow": "Motions",
+    "analysis": "Order and chaos",
+    "experiment": "Experiments and files",
+    "printing": "Formulas as code",
+    "borisov_mamaev": "The paper",
+    "errors": "Errors",
+}
+
+
+def pages(schema: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """The pages by their places.
+
+    Parameters
+    ----------
+    schema : mapping
+        That of experiment files.
+    """
+    groups = names_by_subject()
+    yield "reference/names.md", names_page(groups)
+    for name in (name for listed in groups.values() for name in listed):
+        yield f"reference/names/{name}.md", name_page(name)
+    yield "reference/command-line.md", commands_page()
+    yield "reference/experiment-keys.md", keys_page(schema)
+
+
+def names_by_subject() -> dict[str, list[str]]:
+    """The public names by the folder that they come from."""
+    groups: dict[str, list[str]] = {folder: [] for folder in SUBJECTS}
+    for name in sorted(set(chaplygin.__all__) - {"__version__", "CATALOGUE"}, key=str.lower):
+        thing = getattr(chaplygin, name)
+        if not inspect.ismodule(thing):
+            groups[inspect.unwrap(thing).__module__.split(".")[1]].append(name)
+    return groups
+
+
+def names_page(groups: Mapping[str, list[str]]) -> str:
+    """The public names in groups, each with the first line of its docstring."""
+    parts = [
+        "# Public names\n",
+        "`import chaplygin as ch` makes all of them available as `ch.NAME`. `ch.CATALOGUE` is the "
+        "dictionary of the catalogue's entries by name; the [gallery](/gallery/index.md) shows "
+        "them.\n",
+    ]
+    for folder, listed in groups.items():
+        if listed:
+            rows = "\n".join(
+                f"| [{name}](names/{name}.md) | {first_line(name)} |" for name in listed
+            )
+            parts.append(f"## {SUBJECTS[folder]}\n\n| | |\n|---|---|\n{rows}\n")
+    parts.append("```{toctree}\n:hidden:\n:glob:\n\nnames/*\n```\n")
+    return "\n".join(parts)
+
+
+def first_line(name: str) -> str:
+    """The first line of the docstring of a public name."""
+    return (inspect.getdoc(inspect.unwrap(getattr(chaplygin, name))) or "").partition("\n")[0]
+
+
+def name_page(name: str) -> str:
+    """The docstring of a public name, and of its public methods."""
+    thing = inspect.unwrap(getattr(chaplygin, name))
+    if inspect.isclass(thing):
+        members = "\n   :members:\n   :undoc-members:" if not issubclass(thing, Exception) else ""
+        directive = f".. autoclass:: {name}{members}"
+    else:
+        directive = f".. autofunction:: {name}"
+    return f"# {name}\n\n```{{eval-rst}}\n.. currentmodule:: chaplygin\n\n{directive}\n```\n"
+
+
+def commands_page() -> str:
+    """The command line, from what the program says of itself."""
+    import typer
+
+    from chaplygin.cli import app
+
+    group: Any = typer.main.get_command(app)
+    parts = ["# The command line\n", group.help + "\n"]
+    for name, command in group.commands.items():
+        context = command.make_context(f"chaplygin {name}", [], resilient_parsing=True)
+        parts.append(f"## chaplygin {name}\n\n{command.help}\n")
+        parts.append(f"```text\n{command.get_usage(context).removeprefix('Usage: ')}\n```\n")
+        records = [parameter.get_help_record(context) for parameter in command.params]
+        rows = "\n".join(
+            f"<tr><td><code>{html.escape(left)}</code></td><td>{html.escape(right)}</td></tr>"
+            for left, right in filter(None, records)
+        )
+        parts.append(
+            f"```{{raw}} html\n<div class='wide'><table class='keys'>{rows}</table></div>\n```\n"
+        )
+    return "\n".join(parts)
+
+
+def keys_page(schema: Mapping[str, Any]) -> str:
+    """The tables of the experiment file with their keys."""
+    tables: Mapping[str, Any] = schema["$defs"]
+    kinds = [form["$ref"].split("/")[-1] for form in schema["anyOf"]]
+    parts = [
+        "# Keys of the experiment file\n",
+        "From the schema by which files are checked; "
+        "[The experiment file](/docs/experiment-file.md) "
+        "explains them. An editor completes keys and marks mistakes if the schema lies beside the "
+        "file and the file begins with its name, where the editor reads such a line (Even Better "
+        "TOML, Taplo):\n",
+        "```sh\nchaplygin show --schema > experiment.schema.json\n```\n",
+        "```toml\n#:schema experiment.schema.json\n```\n",
+        "```{raw} html\n<p><a href='../schema/experiment.schema.json' download>"
+        "Download the schema</a></p>\n```\n",
+    ]
+    for heading, chosen in (
+        ("Kinds of experiments", kinds),
+        ("Tables", sorted(set(tables) - set(kinds))),
+    ):
+        parts.append(f"## {heading}\n")
+        for name in chosen:
+            table = next(
+                (t for t in tables[name].get("anyOf", ()) if "properties" in t), tables[name]
+            )
+            if "properties" not in table:
+                continue
+            rows = "\n".join(
+                f"<tr><td><code>{key}</code></td><td>{html.escape(_words(value))}</td>"
+                f"<td>{html.escape(_default(key, value, table))}</td></tr>"
+                for key, value in table["properties"].items()
+            )
+            parts.append(
+                f"### {name}\n\n{table.get('description', '')}\n\n"
+                "```{raw} html\n<div class='wide'>"
+                f"<table class='keys'><tr><th>key</th><th>is</th><th>default</th></tr>{rows}"
+                "</table></div>\n```\n"
+            )
+    return "\n".join(parts)
+
+
+def _words(value: Mapping[str, Any]) -> str:
+    """What a key is: its description, or its one value."""
+    return str(value.get("description") or value.get("const") or value.get("type", ""))
+
+
+def _default(key: str, value: Mapping[str, Any], table: Mapping[str, Any]) -> str:
+    """The default of a key."""
+    import json
+
+    if key in table.get("required", ()):
+        return "required"
+    default = value.get("default")
+    return "" if default in (None, "", {}, []) else json.dumps(default, ensure_ascii=False)
