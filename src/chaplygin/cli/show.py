@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 FORMS = ("text", "latex", "julia", "c", "toml", "javascript", "wasm")
 
 
-def _print_schema(asked: bool) -> None:
+def _print_schema(wanted: bool) -> None:
     """Print the schema and end, whatever else is asked for."""
-    if asked:
+    if wanted:
         from ..experiment.file.schema import experiment_schema
 
         print_json(experiment_schema())
