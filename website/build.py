@@ -51,7 +51,8 @@ def main() -> int:
     options.add_argument("--exhibits", type=int, help="so many exhibits of the gallery at most")
     chosen, further = options.parse_known_args()
     lay_out(chosen.exhibits)
-    # cells run the command line of this environment
+    # cells run the command line of this environment, which colours nothing in a page
+    os.environ |= {"NO_COLOR": "1", "TERM": "dumb", "COLUMNS": "80"}
     os.environ["PATH"] = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     code = subprocess.call(
         [sys.executable, "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-q",

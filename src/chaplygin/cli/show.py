@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 FORMS = ("text", "latex", "julia", "c", "toml", "javascript", "wasm")
 
 
-def _print_schema(wanted: bool) -> None:
+def _print_schema(now: bool) -> None:
     """Print the schema and end, whatever else is asked for."""
-    if wanted:
+    if now:
         from ..experiment.file.schema import experiment_schema
 
         print_json(experiment_schema())

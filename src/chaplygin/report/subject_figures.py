@@ -42,5 +42,6 @@ def subject_figures(
             return contact_figures(dataset, drawn, contact.body, limits, subject.weight)
         case _:
             pictures = {} if plan is None else {"plan_view": figures.plan_view(dataset, plan)}
-            names = subject.state_names, subject.recorded_names
-            return pictures | figures.state_figures(dataset, *names)
+            # a horizontal place is recorded as part of the centre
+            names = [name for name in subject.state_names if name in dataset]
+            return pictures | figures.state_figures(dataset, names, subject.recorded_names)
