@@ -15,7 +15,7 @@ import { tabs, type Panel } from "./page/tabs";
 import { plotsPanel } from "./plots/plots_panel";
 import { pose, type Pose } from "./playback/motion";
 import { transport } from "./playback/transport";
-import { scenePanel } from "./scene/scene_panel";
+import { drawable, scenePanel } from "./scene/scene_panel";
 import { sectionPanel } from "./section/section_panel";
 import { pythonPanel } from "./python/python_panel";
 import { askOf } from "./sources/ask";
@@ -131,7 +131,7 @@ function build(target: HTMLElement, holder: HTMLElement, { lab, choices }: Opene
     event.preventDefault();
     void (event.shiftKey ? lab.redo() : lab.undo());
   });
-  if (scene === null && lab.shown.value.motion.columns["attitude"] !== undefined && lab.message.value === "") {
+  if (scene === null && drawable(lab) && lab.message.value === "") {
     lab.say("This browser draws no scene, as it offers no WebGL; everything else works.");
   }
 }

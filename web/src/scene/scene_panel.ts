@@ -135,7 +135,8 @@ export function scenePanel(lab: Lab): ScenePanel | null {
 }
 
 /** Whether there is anything to draw: a body that turns, a mechanism, a way. */
-function drawable(lab: Lab): boolean {
+/** Whether the system has something to be drawn in space. */
+export function drawable(lab: Lab): boolean {
   const { columns } = lab.shown.value.motion;
   const { body, links, path } = lab.model.scene;
   // the attitude of a body in n dimensions is no picture
