@@ -7,7 +7,6 @@ time; the same command goes on from there.  A system whose share of processor se
 left where it is, and a later call with a larger share takes it further.
 
     nice python benchmarks/drift_catalogue.py build/drift --share 60
-    nice python benchmarks/drift_catalogue.py build/drift --method gauss --only rattleback
     python benchmarks/drift_catalogue.py build/drift --table
 """
 
@@ -17,25 +16,22 @@ import argparse
 import json
 import time
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
 from chaplygin import CATALOGUE, RunError, Study, Trajectory, integrate, prepare
 from chaplygin.experiment.file.models import catalogue_experiment
 
-Method = Literal["taylor", "gauss"]
-
 UNTIL = 1e5
 PIECE = 500.0
 SAMPLES = 51
 
 
-def begun(study: Study, method: Method) -> dict[str, Any]:
+def begun(study: Study) -> dict[str, Any]:
     """What is known of a system before the first step."""
     return {
         "system": study.system.name,
-        "method": method,
         "time": 0.0,
         "state": [float(x) for x in study.start],
         "first": {},
@@ -74,18 +70,12 @@ def taken_further(
     }
 
 
-def carried_on(study: Study, path: Path, share: float, method: Method) -> None:
-    """Integrate a system until its share of seconds is spent or the time is over.
-
-    What was begun by one method goes on by it.
-    """
-    found = json.loads(path.read_text()) if path.exists() else begun(study, method)
-    used = found.get("method", "taylor")
+def carried_on(study: Study, path: Path, share: float) -> None:
+    """Integrate a system until its share of seconds is spent or the time is over."""
+    found = json.loads(path.read_text()) if path.exists() else begun(study)
     while found["time"] < UNTIL and not found["end"] and found["seconds"] < share:
         # first as far as the catalogue suggests, since some motions end soon after
         last = min(found["time"] + PIECE, UNTIL) if found["time"] else study.until
-        # collocation knows no limit of time; there the share ends between two pieces
-        limit = {} if used == "gauss" else {"time_limit": share - found["seconds"]}
         began = time.process_time()
         try:
             motion = integrate(
@@ -93,8 +83,7 @@ def carried_on(study: Study, path: Path, share: float, method: Method) -> None:
                 found["state"],
                 np.linspace(found["time"], last, SAMPLES),
                 on_liftoff="warn",
-                method=used,
-                **limit,
+                time_limit=share - found["seconds"],
             )
             failure = ""
         except RunError as error:
@@ -123,10 +112,9 @@ def table(folder: Path) -> str:
             found = json.loads(path.read_text())
             size, worst = relative(found)
             told = (f"{size:.1e}", worst.replace("_", " ")) if worst else ("—", "")
-            way = ", by collocation" if found.get("method") == "gauss" else ""
             lines.append(
                 f"| {name} | {found['time']:.6g} | {len(found['drift'])} | {told[0]} | {told[1]} | "
-                f"{found['steps']} | {found['seconds']:.3g}{way} |"
+                f"{found['steps']} | {found['seconds']:.3g} |"
             )
     return "\n".join(lines)
 
@@ -135,7 +123,6 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=Path)
     parser.add_argument("--share", type=float, default=60.0, help="processor seconds for a system")
-    parser.add_argument("--method", choices=("taylor", "gauss"), default="taylor")
     parser.add_argument("--only", nargs="*", default=list(CATALOGUE), help="systems")
     parser.add_argument("--table", action="store_true", help="print the table of what is there")
     options = parser.parse_args()
@@ -146,7 +133,7 @@ def main() -> None:
     for number, name in enumerate(options.only, 1):
         path = options.folder / f"{name}.json"
         print(f"{number}/{len(options.only)} {name}", end=" ", flush=True)
-        carried_on(prepare(catalogue_experiment(name)), path, options.share, options.method)
+        carried_on(prepare(catalogue_experiment(name)), path, options.share)
         found = json.loads(path.read_text())
         print(f"t = {found['time']:g}, drift {relative(found)[0]:.1e} {found['end']}", flush=True)
 
