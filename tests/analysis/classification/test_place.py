@@ -408,6 +408,20 @@ def test_a_root_by_which_the_equations_divide_is_positive() -> None:
     assert sign(RankSample(whole), [s]) == "unknown"
 
 
+@pytest.mark.parametrize(("number", "found"), [(0.0, "kept"), (0.5, "changes")])
+def test_a_variable_whose_coefficient_is_zero_is_no_variable(number: float, found: str) -> None:
+    s, q, v, w, k = (real_symbol(name) for name in "sqvwk")
+    system = System(
+        "circle",
+        "Circle",
+        {q: v, v: -q, w: w * sp.S.Zero},
+        parameters=(Parameter(k, "coupling", number),),
+        definitions={s: 2 + q + k * w},
+        relations=(q**2 + v**2 - 1,),
+    )
+    assert sign(RankSample(system), [s]) == found
+
+
 def test_a_place_out_of_reach_says_why() -> None:
     q, w = real_symbol("q"), real_symbol("w")
     steady = Integral("steady", w)

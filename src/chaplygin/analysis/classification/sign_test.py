@@ -99,6 +99,8 @@ def _is_covered(sample: RankSample, formula: sp.Expr, expansion: sp.Expr) -> boo
     bounds = _bounds(sample, names)
     if not names <= set(bounds):
         return False
+    # a variable whose coefficient is zero for these numbers is named in the formula alone
+    formula = formula if _variables(sample, formula) <= set(bounds) else expansion
     order = sorted(bounds, key=str)
     conditions = [c for c in sample.level_set.moving if c.free_symbols <= set(bounds)]
     # a little wider than the bound itself, which need not be a binary fraction
@@ -114,6 +116,17 @@ def _is_covered(sample: RankSample, formula: sp.Expr, expansion: sp.Expr) -> boo
             if not _is_nonzero_on(sample, formula, values):
                 waiting += _halves(box)
     return False
+
+
+def _variables(sample: RankSample, formula: sp.Expr) -> set[sp.Basic]:
+    """The variables of the state that a formula names, or a definition that it uses."""
+    steps = dict(sample.system.scalar_definitions)
+    waiting, visited = set(formula.free_symbols), set[sp.Basic]()
+    while waiting:
+        symbol = waiting.pop()
+        visited.add(symbol)
+        waiting |= sp.sympify(steps.get(symbol, sp.S.Zero)).free_symbols - visited
+    return visited & set(sample.system.symbols)
 
 
 def _is_nonzero_on(sample: RankSample, formula: sp.Expr, values: Mapping[str, arb]) -> bool:
