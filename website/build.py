@@ -8,6 +8,7 @@ is an error. `--exhibits 12` builds a gallery of twelve exhibits only, for a qui
 from __future__ import annotations
 
 import argparse
+import hashlib
 import json
 import os
 import subprocess
@@ -31,6 +32,8 @@ BUILD = ROOT / "build"
 SOURCE, FILES, SITE = BUILD / "site-source", BUILD / "site-files", BUILD / "site"
 #: What was computed, kept for as long as the program is the same.
 STORE = BUILD / "site-cache" / package_digest()[:16]
+#: An exhibit is another also where another thing is asked of the program.
+EXHIBITED = hashlib.sha256((HOME / "exhibits.py").read_bytes()).hexdigest()[:8]
 #: Pages of the repository that are pages of the site, beside docs/.
 PAGES = (
     *("CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "CODE_OF_CONDUCT.md"),
@@ -51,16 +54,29 @@ def main() -> int:
     options.add_argument("--exhibits", type=int, help="so many exhibits of the gallery at most")
     chosen, further = options.parse_known_args()
     lay_out(chosen.exhibits)
-    # cells run the command line of this environment, which colours nothing in a page
-    os.environ |= {"NO_COLOR": "1", "TERM": "dumb", "COLUMNS": "80"}
+    # cells run the command line of this environment
     os.environ["PATH"] = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     code = subprocess.call(
         [sys.executable, "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-q",
-         "-c", str(HOME), *further, str(SOURCE), str(SITE)]
+         "-c", str(HOME), "-d", str(BUILD / "site-doctrees"), *further, str(SOURCE), str(SITE)]
     )  # fmt: skip
+    for path in (SITE / name for name in pages_of(SITE) - pages_of(SOURCE)):
+        path.unlink()
     wrong = faults(SITE)
     print("\n".join(wrong), file=sys.stderr)
     return code or bool(wrong)
+
+
+def pages_of(folder: Path) -> set[Path]:
+    """The pages below a folder, sources or built, without those that are copied as they are."""
+    found = (path.relative_to(folder) for path in files(folder))
+    return {
+        place.with_suffix(".html")
+        for place in found
+        if place.suffix in (".md", ".html")
+        and len(place.parts) > 1
+        and place.parts[0] not in ("_static", "live")
+    }
 
 
 def lay_out(most: int | None) -> None:
@@ -89,7 +105,7 @@ def written() -> Iterator[tuple[Path, bytes]]:
 
 def generated(most: int | None) -> Iterator[tuple[str, str]]:
     """Pages that the program writes."""
-    store = STORE / "gallery"
+    store = STORE / f"gallery-{EXHIBITED}"
     found = list(exhibits(store, most, say))
     yield from gallery.pages(found, store, FILES / "live")
     say("audit of the paper")

@@ -38,7 +38,7 @@ class Exhibit:
         Its classes in the hierarchy, in a few words each; `known` what else is proven of it.
     equations : str
         HTML.
-    laws : tuple of (meaning, verdict, source, HTML)
+    laws : tuple of (name, verdict, HTML)
     place : tuple of (level, rows), rows of (heading, sentences)
     closed_form : str
         What is known of one.
@@ -59,7 +59,7 @@ class Exhibit:
     classes: tuple[str, ...]
     known: tuple[str, ...]
     equations: str
-    laws: tuple[tuple[str, str, str, str], ...]
+    laws: tuple[tuple[str, str, str], ...]
     place: tuple[tuple[str, tuple[tuple[str, tuple[str, ...]], ...]], ...]
     closed_form: str
     experiment: str

@@ -11,13 +11,25 @@ import re
 from typing import Any
 
 HEADER = "---\nfile_format: mystnb\nkernelspec: {name: python3}\n---\n"
-SHELL = "%%sh\n"
+#: Around the lines of a shell, so that Python runs them and prints what they say at once, in 80
+#: columns and without the colours for which Jupyter asks.
+BEFORE = """import os, subprocess
+environment = {k: v for k, v in os.environ.items() if "COLOR" not in k} | {"COLUMNS": "80"}
+print(subprocess.run(["sh", "-ec", r'''
+"""
+AFTER = """'''], check=True, text=True, env=environment, stdout=-1, stderr=-2).stdout.rstrip())
+"""
 
 
 def with_cells(text: str) -> str:
     """A page of Markdown as a notebook of MyST; one without cells stays as it is."""
     cells = re.sub(r"^```python$", "```{code-cell} ipython3", text, flags=re.M)
-    cells = re.sub(r"^```sh run\n", f"```{{code-cell}} ipython3\n{SHELL}", cells, flags=re.M)
+    cells = re.sub(
+        r"^```sh run\n(.*?)^```$",
+        lambda found: f"```{{code-cell}} ipython3\n{BEFORE}{found[1]}{AFTER}```",
+        cells,
+        flags=re.M | re.S,
+    )
     cells = re.sub(r"^```python not-run$", "```python", cells, flags=re.M)
     # an arrow a line is readable as it is
     cells = cells.replace("```mermaid\n", "```text\n")
@@ -44,8 +56,8 @@ def _name_shells(app: Any, tree: Any) -> None:
     from docutils import nodes
 
     for block in tree.findall(nodes.literal_block):
-        if block.astext().startswith(SHELL):
-            text = block.astext().removeprefix(SHELL).lstrip("\n")
+        if block.astext().startswith(BEFORE):
+            text = block.astext().removeprefix(BEFORE).removesuffix(AFTER.rstrip()).rstrip()
             block.replace_self(nodes.literal_block(text, text, language="sh"))
 
 

@@ -69,8 +69,8 @@ def pages(exhibits: list[Exhibit], store: Path, live: Path) -> Iterator[tuple[st
 
 
 def folder(exhibit: Exhibit) -> str:
-    """The folder of a page: systems of the catalogue, or examples."""
-    return "examples" if "/" in exhibit.what else "systems"
+    """The folder of a page: systems of the catalogue, or experiments of examples/."""
+    return "experiments" if "/" in exhibit.what else "systems"
 
 
 def facets(exhibits: Iterable[Exhibit]) -> list[tuple[str, list[str]]]:

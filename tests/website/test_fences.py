@@ -35,11 +35,14 @@ def website(monkeypatch: pytest.MonkeyPatch) -> Any:
     return import_module
 
 
-def test_fences_of_python_are_cells(website: Any) -> None:
+def test_fences_of_python_are_cells(website: Any, capsys: pytest.CaptureFixture[str]) -> None:
     cells = website("fences").with_cells(PAGE)
     assert cells.startswith("---\nfile_format: mystnb\n")
     assert "```{code-cell} ipython3\nprint(1)\n```" in cells
-    assert "```{code-cell} ipython3\n%%sh\nls\n```" in cells
+    fences = website("fences")
+    assert f"```{{code-cell}} ipython3\n{fences.BEFORE}ls\n{fences.AFTER}```" in cells
+    exec(fences.BEFORE + "echo rolls\n" + fences.AFTER, {})
+    assert capsys.readouterr().out == "rolls\n"
     assert "```python\nforever()\n```" in cells
     assert website("fences").with_cells("# Words\n") == "# Words\n"
 

@@ -6,7 +6,7 @@ coordinate may be fixed, or solved for on a level of an integral: so the Andoyer
 integral::
 
     variables = chart(system, "andoyer-ratio")
-    plane = variables.fixed({"g": pi / 2, "H": 0.3}).without_coordinate("G", "energy", 1.0)
+    plane = variables.with_fixed({"g": pi / 2, "H": 0.3}).without_coordinate("G", "energy", 1.0)
     states = plane.state([[0.5, 0.1]])
 
 If there is no state, or none that formulas determine (G = |L|), the result is not-a-number;
@@ -246,7 +246,7 @@ def chart(
         raise InputError(f"no coordinates {name!r}; there are {', '.join(CHARTS)}")
     if level and name != "directions":
         raise InputError(
-            f"coordinates {name!r} are those of all states: use .fixed({{'H': ...}}) and "
+            f"coordinates {name!r} are those of all states: use .with_fixed({{'H': ...}}) and "
             ".without_coordinate('G', 'energy', ...) for a level"
         )
     return CHARTS[name](system, dict(level or {}), dict(parameters or {}))
