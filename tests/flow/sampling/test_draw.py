@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from scipy import integrate, special, stats
+from scipy import integrate as quadrature, special, stats
 
 from chaplygin.catalogue import CATALOGUE, from_catalogue
 from chaplygin.core.laws import Integral, Law, Measure
@@ -19,6 +19,7 @@ from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import Diagonal, cross, dot, norm_squared, vectors
 from chaplygin.errors import InputError
 from chaplygin.flow.batch import batch_integrator
+from chaplygin.flow.integrator import integrate
 from chaplygin.flow.sampling.draw import LevelSampler, level_sampler, sample_level
 from chaplygin.formulas.array_evaluation import values
 from spread import spread
@@ -76,9 +77,9 @@ def bands(axes: Any) -> Any:
             x, y = r * np.cos(t), r * np.sin(t)
             return float(a * b * c * np.sqrt((x / a) ** 2 + (y / b) ** 2 + (z / c) ** 2))
 
-        return float(integrate.quad(element, 0, 2 * np.pi, epsrel=1e-7)[0])
+        return float(quadrature.quad(element, 0, 2 * np.pi, epsrel=1e-7)[0])
 
-    areas = [integrate.quad(band, *ends, epsrel=1e-6)[0] for ends in pairwise(EDGES)]
+    areas = [quadrature.quad(band, *ends, epsrel=1e-6)[0] for ends in pairwise(EDGES)]
     return np.array(areas) / sum(areas)
 
 
@@ -232,7 +233,7 @@ def test_other_parameters() -> None:
         ("chaplygin-ball", {}, "the level of no integral is not bounded"),
         ("chaplygin-ball", {"spin": 1.0}, "no integral 'spin'; it has energy, area, momentum"),
         ("chaplygin-ball", {"energy": float("nan")}, "energy = nan: a finite number is needed"),
-        ("ball-around-sphere", {"energy": 1.0, "linear": 0.1}, "only where k \\+ 1 = 0"),
+        ("ball-on-sphere", {"energy": 1.0, "linear": 0.1}, "no integral 'linear'"),
         (
             "clebsch",
             {"energy": 1.0, "area": 0.1, "neumann": 1.0, "bruns": 1.0},
@@ -243,6 +244,17 @@ def test_other_parameters() -> None:
 def test_refusals(name: str, level: dict[str, float], said: str) -> None:
     with pytest.raises(InputError, match=said):
         sample_level(from_catalogue(name), 1, level)
+
+
+def test_conditions_on_quantities_that_are_defined_by_parameters() -> None:
+    # k = a/(a − R) is −1 for R = 2a alone
+    hollow = from_catalogue("ball-around-sphere")
+    level = {"energy": 1.0, "linear": 0.1}
+    for state in sample_level(hollow, 3, level, seed=4):
+        motion = integrate(hollow, state, [0.0, 1.0])
+        np.testing.assert_allclose(motion["law_linear"], 0.1, rtol=1e-12)
+    with pytest.raises(InputError, match=r"linear is an integral only where k \+ 1 = 0"):
+        sample_level(hollow, 1, level, parameters={"R": 2.5})
 
 
 #: What no exact method here reaches, and why.

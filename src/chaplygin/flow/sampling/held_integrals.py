@@ -44,14 +44,14 @@ def _vanishes(
     system: System, formula: sp.Expr, level: Mapping[str, float], values: FloatArray
 ) -> bool:
     """Whether a formula is zero at these parameters, or an integral with value zero."""
-    written = to_components(formula)
+    written = system.expand(formula)
     parameters = [p.symbol for p in system.parameters]
     if written.free_symbols <= set(parameters):
         point = dict(zip(parameters, map(float, values), strict=True))
         size = sum(abs(float(term.subs(point))) for term in sp.Add.make_args(sp.expand(written)))
         return abs(float(written.subs(point))) <= _ROUNDING * size
     return any(
-        level.get(law.name) == 0 and sp.expand(to_components(law.value) - written) == 0
+        level.get(law.name) == 0 and sp.expand(system.expand(law.value) - written) == 0
         for law in system.integrals
     )
 
