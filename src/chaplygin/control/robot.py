@@ -205,7 +205,7 @@ class SphericalRobot:
     >>> from chaplygin.control import Rotor, SphericalRobot
     >>> axes = ((1, 0, 0), (0, 1, 0))
     >>> robot = SphericalRobot(1.0, (0.4, 0.5, 0.6), 1.0, tuple(Rotor(e, 0.1) for e in axes))
-    >>> robot.balanced
+    >>> robot.is_balanced
     True
     """
 

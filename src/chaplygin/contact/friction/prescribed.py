@@ -122,8 +122,8 @@ def prescribed_direction(law: FrictionLaw, span: Range = "") -> PrescribedDirect
     Examples
     --------
     >>> from chaplygin.contact.friction.dry_friction import Coulomb
-    >>> from chaplygin.contact.friction.prescribed import prescribed
-    >>> prescribed(Coulomb(0.3)).name
+    >>> from chaplygin.contact.friction.prescribed import prescribed_direction
+    >>> prescribed_direction(Coulomb(0.3)).name
     'coulomb'
     """
     return PrescribedDirection(law.name, span, law if isinstance(law, UserFriction) else None)
