@@ -167,9 +167,8 @@ def compute(name: str, what: str, store: Path) -> None:
         equations=system_html(replace(system, laws=(), summary="", source="")),
         laws=tuple(
             (
-                str(getattr(law, "meaning", "")) or law.name,
+                law.name,
                 verdicts[law.name].statement if verdicts else "",
-                law.source,
                 law_html(law, system),
             )
             for law in system.laws

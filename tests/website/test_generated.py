@@ -1,0 +1,65 @@
+"""Pages that the program writes: an exhibit, claims of the paper, names, commands, keys."""
+
+from __future__ import annotations
+
+import json
+import re
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import chaplygin
+from chaplygin.experiment.file.schema import experiment_schema
+
+WEBSITE = Path(__file__).parents[2] / "website"
+
+
+@pytest.fixture(autouse=True)
+def website(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(str(WEBSITE))
+
+
+@pytest.mark.slow(every=3)
+def test_an_exhibit_has_laws_file_and_live_page(tmp_path: Path) -> None:
+    exhibits, gallery = import_module("exhibits"), import_module("gallery")
+    store, live = tmp_path / "store", tmp_path / "live"
+    store.mkdir()
+    exhibits.compute("example-volterra", "examples/volterra.toml", store)
+    record = json.loads((store / "example-volterra.json").read_text(encoding="utf-8"))
+    written = dict(gallery.pages([exhibits.Exhibit(**record)], store, live))
+    page = written["gallery/experiments/example-volterra.md"]
+    assert page.count('class="verdict proven"') == 3
+    assert "<!-- live: example-volterra -->" in page
+    assert chaplygin.loads((live / "example-volterra.toml").read_text(encoding="utf-8"))
+    assert 'src="lab.js"' in (live / "example-volterra.html").read_text(encoding="utf-8")
+    assert 'href="experiments/example-volterra.html"' in written["gallery/index.md"]
+
+
+def test_every_system_and_every_experiment_is_an_exhibit() -> None:
+    names = [what for _, what in import_module("exhibits").sources()]
+    assert set(chaplygin.CATALOGUE) <= set(names)
+    files = {
+        p.relative_to(WEBSITE.parent).as_posix() for p in WEBSITE.parent.glob("examples/**/*.toml")
+    }
+    assert files <= set(names)
+
+
+@pytest.mark.slow
+def test_every_claim_has_an_anchor_of_its_own() -> None:
+    claims = import_module("claims")
+    judgements, _ = chaplygin.audit(section=11, workers=1)
+    written = dict(claims.pages(judgements))
+    anchors = re.findall(r'<li id="([^"]+)" class="claim"', written["audit/index.md"])
+    assert len(set(anchors)) == len(judgements)
+    wrong = re.findall(r'<li id="([^"]+)" class="claim"', written["audit/misprints.md"])
+    assert wrong and set(wrong) <= set(anchors)
+
+
+def test_the_reference_has_every_name_command_and_key() -> None:
+    written: dict[str, Any] = dict(import_module("reference").pages(experiment_schema()))
+    for name in ("roll", "integrate", "prove", "Body", "InputError"):
+        assert f"reference/names/{name}.md" in written
+    assert "## chaplygin section" in written["reference/command-line.md"]
+    assert "<code>keep_integrals</code>" in written["reference/experiment-keys.md"]
