@@ -34,7 +34,8 @@ def test_every_arrow_is_an_import_and_every_import_follows_from_arrows() -> None
 
 def test_every_room_has_a_line() -> None:
     rooms = {path.name for path in HOME.iterdir() if (path / "__init__.py").exists()}
-    listed = re.findall(r"^\| (`\w+`(?:, `\w+`)*) \|", PAGE, re.MULTILINE)
+    before, _, _ = PAGE.partition("## Tests that were removed")
+    listed = re.findall(r"^\| (`\w+`(?:, `\w+`)*) \|", before, re.MULTILINE)
     assert set(re.findall(r"\w+", " ".join(listed))) == rooms
 
 

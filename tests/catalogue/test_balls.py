@@ -109,7 +109,7 @@ def test_a_rubber_ball_in_a_pipe_falls():
 def test_the_ball_stays_in_touch_and_on_its_surface(name):
     found = trajectory(name)
     assert not found.events
-    gap = found.records["centre"] - found.recorded["contact"]
+    gap = found.records["centre"] - found.records["contact"]
     radius = CATALOGUE[name].defaults["b"]
     np.testing.assert_allclose(np.linalg.norm(gap, axis=1), radius, rtol=1e-12)
     turned = np.cross(found.records["omega"], gap)

@@ -73,7 +73,7 @@ def test_the_start_of_the_experiment(name: str, ask: Ask) -> None:
         (("-o", "a.zarr", "--starts", "3"), "--level is needed"),
         (("-o", "a.zarr", "--level", "energy"), "it is written NAME=VALUE"),
         (("-o", "a.zarr", "--over", "m"), "an axis is written NAME=FIRST:LAST:COUNT"),
-        (("-o", "a.zarr", "--over", "mass=1:2:3"), "there is no mass"),
+        (("-o", "a.zarr", "--over", "mass=1:2:3"), "no parameter of chaplygin-ball"),
         (("-o", "none/a.zarr"), "there is no folder none"),
     ],
     ids=["name", "level", "value", "axis", "parameter", "folder"],

@@ -206,7 +206,9 @@ def test_conditions_are_told_and_do_not_count_as_proven(ask, conditional):
 def test_show_names_the_conditions_and_counts_without_the_law(ask, conditional):
     _, out, _ = ask("show", "veselova", "--json")
     place = json.loads(out)["place"]
-    assert {"law": "momentum", "why": "proven where gamma_3 > 0, not k = 0"} in place["uncounted"]
+    assert {"law": "momentum", "why": "proven where gamma_3 > 0, not k = 0"} in place[
+        "ignored_laws"
+    ]
     assert "momentum" not in {fact["law"] for fact in place["integrals"]}
 
 

@@ -56,7 +56,10 @@ def test_every_combination_for_a_program(ask: Ask) -> None:
     [
         (("--over", "I_1"), "--over I_1: it is written NAME=VALUE,VALUE,"),
         (("--over", "I_1=a,b"), "--over I_1=a,b: it is written NAME=VALUE,VALUE,"),
-        (("--over", "q=1,2"), "--over q: no parameter of chaplygin-ball: m, I_1, I_2, I_3, R"),
+        (
+            ("--over", "q=1,2"),
+            "--over q: no parameter of chaplygin-ball; allowed: m, I_1, I_2, I_3, R",
+        ),
         (("--over", "m=1,2", "--draw", "x"), "--draw x: it must be one of M_1, M_2, M_3, gamma_1"),
         (("--over", "m=1,2", "--figure", "a.gif"), "--figure a.gif: its name must end in .png"),
     ],

@@ -51,7 +51,7 @@ def test_a_parameter_of_a_file_alone_by_its_name(ask: Ask) -> None:
         ),
         (
             ("--set", "I_9=2"),
-            "--set I_9: unknown key, did you mean 'I_3'? allowed: title, system, start, run, m, I_",
+            "--set I_9: unknown key, did you mean 'I_3'? allowed: title, system, body, start, run",
         ),
         (
             ("--set", "until=3"),

@@ -420,7 +420,7 @@ MISTAKES: dict[str, tuple[Any, str]] = {
     ),
     "section at no number": (
         lambda: poincare_section(TURNING, x, float("nan")),
-        "nan: a number in a formula must be real and finite",
+        "value = nan: it must be a finite number",
     ),
 }
 

@@ -36,7 +36,7 @@ def test_axes_are_read() -> None:
         ("k=0:1:0", "a whole number from 1"),
         ("k=0:1:1000000", "a whole number from 1"),
         ("k=1:1:5", "two ends that differ"),
-        ("k=0:1:1", "one cell one end"),
+        ("k=0:1:1", "a count of 1 one end"),
         ("k=a:1:5", "unknown name 'a'"),
     ],
 )
@@ -143,7 +143,7 @@ def test_what_is_held_is_not_moved() -> None:
         ("k=0:1:2", "d=0:1:2", {"formulas": {"k": "2"}}, "k: it is an axis"),
         ("k=0:1:2", "q=0:1:2", {"formulas": {"n_7": "q"}}, "n_7: .* neither parameter, variable"),
         ("k=0:1:2", "q=0:1:2", {"formulas": {"n_1": "q + w"}}, "unknown name 'w'"),
-        ("k=0:1:2", "d=0:1:2", {"held": ["p"]}, "p: no variable of the start"),
+        ("k=0:1:2", "d=0:1:2", {"fixed": ["p"]}, "p: no variable of the start"),
     ],
 )
 def test_mistakes(x: str, y: str, more: dict[str, object], message: str) -> None:

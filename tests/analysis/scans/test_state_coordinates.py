@@ -121,7 +121,7 @@ def test_a_state_depends_on_its_point_alone() -> None:
     ("make", "said"),
     [
         (lambda: chart(BALL, "polar"), f"no coordinates 'polar'; there are {', '.join(CHARTS)}"),
-        (lambda: chart(BALL, "andoyer", {"energy": 1.0}), "use .fixed"),
+        (lambda: chart(BALL, "andoyer", {"energy": 1.0}), "use .with_fixed"),
         (lambda: chart(VESELOVA, "andoyer"), "need a momentum and a unit vector"),
         (
             lambda: chart(BALL, "andoyer").with_fixed({"x": 1.0}),

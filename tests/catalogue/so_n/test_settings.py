@@ -76,7 +76,7 @@ def test_a_diagonal_mass_tensor_is_moments_of_sums(name):
         ("suslov-nd", {"mass_tensor": [[1, 0, 0], [0, -2, 0], [0, 0, 1]]}, "must be positive"),
         ("suslov-nd", {"dimension": 4, "mass_tensor": [[1, 0], [0, 1]]}, "4 rows of 4 numbers"),
         ("chaplygin-ball-nd", {"radius": 0.0}, "radius 0.0: it must be a positive finite number"),
-        ("chaplygin-ball-nd", {"moment": 1.0}, "did you mean 'moments'"),
+        ("chaplygin-ball-nd", {"moment": 1.0}, "did you mean moments"),
         ("special-veselova-nd", {"factors": [1.0, 1.0, 2.0]}, "different from each other"),
         ("special-rubber-ball-nd", {"factors": [0.5, 1.0, 2.0]}, "greater than m R^2 = 1"),
         ("special-chaplygin-ball-nd", {"factors": [0.5, 1.0, 2.0]}, "less than m R^2 = 1"),

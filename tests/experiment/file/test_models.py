@@ -416,7 +416,8 @@ def test_a_body_or_a_system() -> None:
         "[equations] instead of it"
     )
     said = refused(ROLLING, "system.name=veselova")
-    for name in ("body", "surface", "contact", "field"):
+    assert "body: gyrostat must be absent, as the table [system] decides the body" in said
+    for name in ("surface", "contact", "field"):
         assert f"{name}: must be absent, as the table [system] decides the {name}" in said
     assert "system.name: missing; it must be the name of a system" in refused("[system]")
     assert "system.parameters.m: must be a finite number, not the text" in refused(

@@ -183,7 +183,7 @@ def test_other_mistakes(billiard: Study) -> None:
         contact_ensemble_task(billiard, grid(mass=[-1.0, 1.0]))
     with pytest.raises(InputError, match="no spinn to be recorded"):
         contact_ensemble_task(billiard, grid(mu=[0.1]), record=["spinn"])
-    with pytest.raises(InputError, match="from 2 to 1 is no range"):
+    with pytest.raises(InputError, match="mu: 2 to 1 is no range"):
         random_numbers(2, {"mu": (2.0, 1.0)})
     with pytest.raises(InputError, match="mu: it needs a range"):
         random_numbers(2, {"mu": None})

@@ -443,7 +443,10 @@ def test_a_place_where_nothing_can_be_written() -> None:
     [
         (task(seed=2), "its seed is 1, not 2"),
         (task(size=36), "its size is another one"),
-        (replace(task(), attributes={"seed": 1, "system": "made up"}), "its tolerance is 1e-13,"),
+        (
+            replace(task(), attributes={"seed": 1, "system": "made up"}),
+            "only one of them has a tolerance",
+        ),
         (replace(task(), work=counted.Counted(3)), "its seed of the work is another one"),
         (replace(task(), work=counted_rows), "its function of the work is another one"),
         (replace(task(), member="cell"), "its leading axis is another one"),
@@ -456,7 +459,8 @@ def test_a_store_of_another_experiment(changed: Task, difference: str, tmp_path:
     compute(task(), place)
     with pytest.raises(InputError) as error:
         compute(changed, place)
-    assert str(error.value).startswith(f"{place} holds another experiment: {difference}")
+    assert str(error.value).startswith(f"{place} holds another experiment: ")
+    assert difference in str(error.value)
     assert str(error.value).endswith(
         "; choose another name for the store, or remove it (commands: --force)"
     )

@@ -669,4 +669,4 @@ def test_scalars_of_one_letter_share_a_panel(data):
         r"$\kappa$  (m)",
     ]
     labels = [line.get_label() for line in panels[3].lines]
-    assert labels == [rf"$\text{{attitude}}_{{{index}}}$" for index in "wxyz"]
+    assert labels == [rf"$q_{{{index}}}$" for index in "wxyz"]

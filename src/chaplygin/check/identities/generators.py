@@ -218,10 +218,10 @@ class _Solver(Point):
     def _value_of(self, word: str) -> Number:
         if word in self._places:
             names, number = self._places[word]
-            return _inverse_entry([self._value_of(n) for n in names], number)
+            return _inverse_entry([self._symbol_value(n) for n in names], number)
         if word in self._parameters:
             change = self._parameters[word]
-            difference = add(self._value_of(change.name), multiply(arb(-1), self(change.rest)))
+            difference = add(self._symbol_value(change.name), multiply(arb(-1), self(change.rest)))
             return difference / arb(fmpq(change.factor.numerator, change.factor.denominator))
         if word in self._generators.settled_formulas:
             return self(self._generators.settled_formulas[word])
