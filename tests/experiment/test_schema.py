@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from jsonschema import Draft202012Validator
 
 from chaplygin.cli import app
 from chaplygin.experiment.file.schema import experiment_schema
@@ -17,7 +18,7 @@ EXAMPLES = sorted((Path(__file__).parents[2] / "examples").rglob("*.toml"))
 
 @pytest.fixture(scope="module")
 def validator() -> Any:
-    return pytest.importorskip("jsonschema").Draft202012Validator(experiment_schema())
+    return Draft202012Validator(experiment_schema())
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
