@@ -19,6 +19,7 @@ from pathlib import Path
 import claims
 import gallery
 from exhibits import exhibits
+from fences import live_pages
 from links import faults
 
 import reference
@@ -106,7 +107,8 @@ def written() -> Iterator[tuple[Path, bytes]]:
 def generated(most: int | None) -> Iterator[tuple[str, str]]:
     """Pages that the program writes."""
     store = STORE / f"gallery-{EXHIBITED}"
-    found = list(exhibits(store, most, say))
+    asked = {name for _, page in written() for name in live_pages(page.decode(errors="ignore"))}
+    found = list(exhibits(store, most, asked, say))
     yield from gallery.pages(found, store, FILES / "live")
     say("audit of the paper")
     judgements, left = audit()

@@ -11,7 +11,7 @@ import gzip
 import io
 import json
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict, dataclass, replace
 from multiprocessing import get_context
@@ -67,7 +67,10 @@ class Exhibit:
 
 
 def exhibits(
-    store: Path, most: int | None, report: Callable[[str], object] = print
+    store: Path,
+    most: int | None,
+    needed: Collection[str] = (),
+    report: Callable[[str], object] = print,
 ) -> Iterator[Exhibit]:
     """All exhibits: the systems of the catalogue, then the examples that are experiments.
 
@@ -77,11 +80,14 @@ def exhibits(
         Folder for a JSON file, a picture and a model for each.
     most : int, optional
         How many at most, spread over the whole.
+    needed : collection of str
+        Names of exhibits that there must be besides.
     report : callable
         Is told what is computed.
     """
     subjects = list(sources())
-    subjects = subjects[:: -(-len(subjects) // (most or len(subjects)))]
+    sample = {name for name, _ in subjects[:: -(-len(subjects) // (most or len(subjects)))]}
+    subjects = [(name, what) for name, what in subjects if name in sample | {*needed}]
     missing = [s for s in subjects if not (store / f"{s[0]}.json").exists()]
     store.mkdir(parents=True, exist_ok=True)
     with ProcessPoolExecutor(os.cpu_count() or 1, mp_context=get_context("spawn")) as pool:

@@ -10,6 +10,8 @@ from __future__ import annotations
 import re
 from typing import Any
 
+#: A live page of the gallery, with its address inside.
+LIVE = r"^<!-- live: ([\w-]+)(#\S*)? -->$"
 HEADER = "---\nfile_format: mystnb\nkernelspec: {name: python3}\n---\n"
 #: Around the lines of a shell, so that Python runs them and prints what they say at once, in 80
 #: columns and without the colours for which Jupyter asks.
@@ -44,7 +46,12 @@ def with_live_pages(text: str, up: str) -> str:
         rf'</iframe><figcaption><a href="{up}live/\1.html\2">In a page of its own</a>'
         "</figcaption></figure>\n```"
     )
-    return re.sub(r"^<!-- live: ([\w-]+)(#\S*)? -->$", frame, text, flags=re.M)
+    return re.sub(LIVE, frame, text, flags=re.M)
+
+
+def live_pages(text: str) -> list[str]:
+    """Names of the live pages that a page asks for."""
+    return [name for name, _ in re.findall(LIVE, text, flags=re.M)]
 
 
 def _read(app: Any, name: str, source: list[str]) -> None:
