@@ -18,11 +18,11 @@ from pathlib import Path
 
 import claims
 import gallery
+import reference_pages
 from exhibits import exhibits
 from fences import live_pages
 from links import faults
 
-import reference
 from chaplygin import audit
 from chaplygin.core.source_digest import package_digest
 from chaplygin.experiment.file.schema import experiment_schema
@@ -118,7 +118,7 @@ def generated(most: int | None) -> Iterator[tuple[str, str]]:
     schema = experiment_schema()
     (FILES / "schema").mkdir(parents=True, exist_ok=True)
     (FILES / "schema" / "experiment.schema.json").write_text(json.dumps(schema, indent=1))
-    yield from reference.pages(schema)
+    yield from reference_pages.pages(schema)
 
 
 def say(what: str) -> None:

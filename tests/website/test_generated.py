@@ -58,7 +58,7 @@ def test_every_claim_has_an_anchor_of_its_own() -> None:
 
 
 def test_the_reference_has_every_name_command_and_key() -> None:
-    written: dict[str, Any] = dict(import_module("reference").pages(experiment_schema()))
+    written: dict[str, Any] = dict(import_module("reference_pages").pages(experiment_schema()))
     for name in ("roll", "integrate", "prove", "Body", "InputError"):
         assert f"reference/names/{name}.md" in written
     assert "## chaplygin section" in written["reference/command-line.md"]
