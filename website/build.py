@@ -107,7 +107,12 @@ def written() -> Iterator[tuple[Path, bytes]]:
 def generated(most: int | None) -> Iterator[tuple[str, str]]:
     """Pages that the program writes."""
     store = STORE / f"gallery-{EXHIBITED}"
-    asked = {name for _, page in written() for name in live_pages(page.decode(errors="ignore"))}
+    asked = {
+        name
+        for place, page in written()
+        if place.suffix == ".md"
+        for name in live_pages(page.decode())
+    }
     found = list(exhibits(store, most, asked, say))
     yield from gallery.pages(found, store, FILES / "live")
     say("audit of the paper")

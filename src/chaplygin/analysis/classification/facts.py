@@ -12,7 +12,7 @@ from ...printing.laws import heading
 from ...proof.prover import prove
 from ...proof.verdict import NOT_TRIED, Verdict
 
-NOT_TRIED = f"{NOT_TRIED}, as the effort for all laws together was spent"
+EFFORT_SPENT = f"{NOT_TRIED}, as the effort for all laws together was spent"
 """Why a law is left undecided that no work was left for."""
 LEFT_OUT = f"{NOT_TRIED}, as proofs were left out"
 """Why a law is left undecided where none was to be tried."""
@@ -91,7 +91,7 @@ class ProofBudget:
     def verdict(self, system: System, law: Law) -> Verdict:
         """The verdict on a law with the effort allowed."""
         if self.over:
-            reason = NOT_TRIED if self.altogether else LEFT_OUT
+            reason = EFFORT_SPENT if self.altogether else LEFT_OUT
             return Verdict(law.name, "undecided", reason=reason)
         self.report(f"{law.name} of {system.title}")
         try:

@@ -32,8 +32,18 @@ WORDS = "theorem for every operator of inertia (docs/n-dimensions.md)"
 Identities: TypeAlias = Callable[[], System]
 
 
-def _together(*makers: Identities) -> tuple[System, ...]:
-    return tuple(make() for make in makers)
+def _single(make: Identities) -> tuple[System]:
+    return (make(),)
+
+
+def _theorem(
+    laws: tuple[str, ...],
+    identities: Identities,
+    *positive: sp.Expr,
+    words: str = WORDS,
+) -> Theorem:
+    """The theorem that one system of identities proves, where some formulas are positive."""
+    return Theorem(laws, words, partial(_single, identities), positive)
 
 
 def of_ball(n: int, determinant: sp.Symbol, invariants: tuple[str, ...]) -> tuple[Theorem, ...]:
@@ -49,11 +59,9 @@ def of_ball(n: int, determinant: sp.Symbol, invariants: tuple[str, ...]) -> tupl
         The names of the laws that hold whatever ω is.
     """
     return (
-        Theorem(invariants, WORDS, partial(_together, partial(invariants_of_ball, n))),
-        Theorem(("energy",), WORDS, partial(_together, partial(energy_of_ball, n))),
-        Theorem(
-            ("measure",), WORDS, partial(_together, partial(chaplygin_ball, n)), (determinant,)
-        ),
+        _theorem(invariants, partial(invariants_of_ball, n)),
+        _theorem(("energy",), partial(energy_of_ball, n)),
+        _theorem(("measure",), partial(chaplygin_ball, n), determinant),
     )
 
 
@@ -69,9 +77,9 @@ def of_ball_on_level(n: int, determinant: sp.Symbol) -> tuple[Theorem, ...]:
     """
     measure = partial(chaplygin_ball_on_level, n)
     return (
-        Theorem(("energy",), WORDS, partial(_together, partial(energy_of_ball, n))),
-        Theorem(("momentum",), WORDS, partial(_together, partial(momentum_on_level, n))),
-        Theorem(("measure",), WORDS, partial(_together, measure), (determinant,)),
+        _theorem(("energy",), partial(energy_of_ball, n)),
+        _theorem(("momentum",), partial(momentum_on_level, n)),
+        _theorem(("measure",), measure, determinant),
     )
 
 
@@ -86,9 +94,9 @@ def of_veselova(n: int, determinant: sp.Symbol) -> tuple[Theorem, ...]:
         That of the operator from u to p.
     """
     return (
-        Theorem(("energy",), WORDS, partial(_together, partial(energy_of_veselova, n))),
-        Theorem(("momentum",), WORDS, partial(_together, partial(momentum_of_veselova, n))),
-        Theorem(("measure",), WORDS, partial(_together, partial(veselova, n)), (determinant,)),
+        _theorem(("energy",), partial(energy_of_veselova, n)),
+        _theorem(("momentum",), partial(momentum_of_veselova, n)),
+        _theorem(("measure",), partial(veselova, n), determinant),
     )
 
 
@@ -103,7 +111,7 @@ def of_quadratic_integrals(names: tuple[str, ...], identities: Identities) -> tu
         () ↦ System: `rate_of_pencil`, of a body with a mass tensor that does not twist, or `lemma`.
     """
     words = "theorem for every dimension (docs/quadratic-integrals.md)"
-    return (Theorem(names, words, partial(_together, identities)),) if names else ()
+    return (_theorem(names, identities, words=words),) if names else ()
 
 
 def of_suslov(n: int) -> tuple[Theorem, ...]:
@@ -115,7 +123,7 @@ def of_suslov(n: int) -> tuple[Theorem, ...]:
         The dimension of space.
     """
     words = "theorem for every mass tensor (docs/n-dimensions.md)"
-    return (Theorem(("energy", "monotone"), words, partial(_together, partial(suslov, n))),)
+    return (_theorem(("energy", "monotone"), partial(suslov, n), words=words),)
 
 
 def of_rubber_ball_on_sphere(n: int, determinant: sp.Symbol) -> tuple[Theorem, ...]:
@@ -131,6 +139,6 @@ def of_rubber_ball_on_sphere(n: int, determinant: sp.Symbol) -> tuple[Theorem, .
     ratio = real_symbol("epsilon")
     measure = partial(veselova, n, 1 / (2 * ratio) - 1, ratio)
     return (
-        Theorem(("energy",), WORDS, partial(_together, partial(energy_of_veselova, n))),
-        Theorem(("measure",), WORDS, partial(_together, measure), (determinant,)),
+        _theorem(("energy",), partial(energy_of_veselova, n)),
+        _theorem(("measure",), measure, determinant),
     )

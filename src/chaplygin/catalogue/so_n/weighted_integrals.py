@@ -39,8 +39,7 @@ def further_weights(inertia: Moments) -> tuple[sp.ImmutableMatrix, ...]:
     for (i, j), value in zip(places, own, strict=True):
         matrix[i, j] = matrix[j, i] = value
     known = [[sp.S.One] * len(places), own]
-    rows = sp.Matrix(known).rref()[0]
-    pivots = sp.Matrix(known).rref()[1]
+    rows, pivots = sp.Matrix(known).rref()
     found = []
     for weights in conserved_weights(matrix):
         row = sp.Matrix([[weights[i, j] for i, j in places]])

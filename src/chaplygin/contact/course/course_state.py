@@ -45,7 +45,7 @@ LAST_BOUNCE = 1e-7
 _LEAST_PROGRESS = 1e-12
 
 #: So many events without progress of time end a motion.
-_MOST_EVENTS = 60
+_MOST_AT_ONE_INSTANT = 60
 
 #: After so many steps in one mode Python says how far the motion has come, and acts on Ctrl-C.
 _STRETCH = 2000
@@ -142,7 +142,7 @@ class CourseState:
             if jams(integrator, self._numbers(), self.state):
                 return "paradox"
             raise EndError("singular", "; ".join(filter(None, (SINGULAR, self._extremes()))))
-        if self._idle > _MOST_EVENTS or len(self.events) > self.rules.most_events:
+        if self._idle > _MOST_AT_ONE_INSTANT or len(self.events) > self.rules.most_events:
             raise EndError(
                 "many events", f"{len(self.events)} events up to t = {self.time:.9g}: too many"
             )
