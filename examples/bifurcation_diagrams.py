@@ -34,7 +34,7 @@ def table(diagram: Diagram) -> str:
     lines = [diagram.plane.title]
     for region in diagram.regions:
         for family in region.families:
-            components = ", ".join(f"ν_{i}" for i in family.kept) or "no component"
+            components = ", ".join(f"ν_{i}" for i in family.nonvanishing) or "no component"
             lines.append(
                 f"  region {region.number}: {family.tori} tori, z_1 in {family.first.text}, "
                 f"z_2 in {family.second.text}; {components} keeps its sign"

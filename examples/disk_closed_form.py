@@ -62,13 +62,13 @@ def main(arguments: Sequence[str] | None = None) -> None:
     output = parser.parse_args(arguments).output
     solution = closed_form()
     print(solution.form.motion)
-    for figure in solution.form.figures:
-        print(f"{figure.meaning:40s} {figure.value.str(20, radius=False)} {figure.unit}")
+    for constant in solution.form.constants:
+        print(f"{constant.meaning:40s} {constant.value.str(20, radius=False)} {constant.unit}")
     print("omega and gamma at t = 10^12 s:")
     print("  ", ", ".join(ball.str(12) for ball in solution.rigorous(10**12, 20)[:6]))
     output.mkdir(parents=True, exist_ok=True)
     paths(solution).savefig(output / "paths.svg")
-    h, K = (float(figure.value) for figure in solution.form.figures[:2])
+    h, K = (float(constant.value) for constant in solution.form.constants[:2])
     diagram = revolution_diagram(DISK, np.linspace(0.05, 5.0, 120))
     diagram_of_revolution(diagram, [(h, K)]).savefig(output / "diagram.svg")
 

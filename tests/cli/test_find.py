@@ -174,7 +174,9 @@ def test_special_parameters_are_searched_as_they_are(find: Ask) -> None:
     code, out, err = find(*asked)
     assert code == 0
     assert "where I₁ = I₂" in out
-    assert "searched where I_1 = I_2, as the parameters are; --at none searches at any" in err
+    assert (
+        "searched where I_1 = I_2, as the parameters are; --at none searches for arbitrary" in err
+    )
     code, out, err = find(*asked, "--at", "none")
     assert code == 1
     assert "where" not in out + err

@@ -115,7 +115,7 @@ def test_a_motion_that_ends_early(ask: Ask) -> None:
 def test_errors_as_large_as_the_rates_decide_nothing(ask: Ask) -> None:
     code, out, _ = ask("rattleback")
     assert code == 0
-    assert "nothing can be told yet; follow the motion longer (--until)" in out
+    assert "concluded yet; integrate for longer (--until)" in out
     assert "regular" not in out
     assert "come in pairs" not in out
 

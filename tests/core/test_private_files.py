@@ -247,7 +247,7 @@ for turn in range(60):
     value = (name.encode() * 40_000, turn % 3)
     made, found = cache.remember(name, lambda: value)
     assert made == value, turn
-    verdict = Verdict(name, "proven", shown=name * 20_000, effort=1)
+    verdict = Verdict(name, "proven", finding=name * 20_000, effort=1)
     memory.store_verdict(name, verdict)
     kept = memory.load_verdict(name)
     assert kept == verdict, turn

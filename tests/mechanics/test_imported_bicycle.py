@@ -47,7 +47,7 @@ def test_the_same_eigenvalues(bicycle: ModuleType, kane: System):
     wheels = {"u3": -1 / bicycle.VALUES["R_R"], "u6": -1 / bicycle.VALUES["R_F"]}
     state |= {name: 5 * rate for name, rate in wheels.items()}
     found = linear_stability(kane, state, bicycle.VALUES, along=[wheels], digits=20).eigenvalues
-    ours = bicycle.near(5).eigenvalues
+    ours = bicycle.linearisation_near(5).eigenvalues
     assert len(found) == 4
     assert all(abs(a - b) < 1e-17 for a, b in zip(found, ours, strict=True))
 

@@ -120,7 +120,7 @@ def test_the_page_of_a_bouncing_ball(tmp_path: Path) -> None:
     assert float(impulses[1]) <= 0.25 * normal * (1 + 1e-4)
     assert "gives back 0.25 of the work" in page
     words = re.sub(r"<style.*?</style>|<svg.*?</svg>|<pre>.*?</pre>", "", page, flags=re.S)
-    (energy,) = re.findall(r'<table id="energy">.*?</table>', words, re.S)
+    (energy,) = re.findall(r'<table id="energy" class="short">.*?</table>', words, re.S)
     rows = [re.findall(r"<td.*?>(.*?)</td>", row) for row in energy.split("<tr>")[2:]]
     assert [row[0] for row in rows][-1] == "together"
     assert float(rows[-1][1]) == pytest.approx(float(rows[-1][2]), rel=1e-5)

@@ -278,7 +278,8 @@ def _summary(trajectory: ContactTrajectory) -> str:
     if not count:
         return "The contact does not change during this motion."
     if count == 1:
-        return f"One event, at t = {number(trajectory.changes[0].time, 9)} s."
+        (event,) = trajectory.changes
+        return f"One event, at t = {number(event.time, 9)} s: {event.kind}, then {event.mode}."
     kinds = ", ".join(f"{many} × {kind}" for kind, many in trajectory.kinds.items())
     return f"{count} events: {kinds}."
 

@@ -195,5 +195,5 @@ def test_the_report_shows_the_state_in_time_and_no_rolling_body(name: str, tmp_p
     assert {path.stem for path in (tmp_path / "figures").iterdir()} == {"state", "drift"}
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert 'id="state"' in page
-    assert 'class="scene"' not in page
+    assert '<div class="chaplygin-still"></div>' in page
     assert "contact point" not in page

@@ -72,7 +72,7 @@ def _evaluated(arithmetic: Any, terms: Sequence[Term], point: Sequence[float]) -
 def test_formulas_are_right_to_rounding(
     arithmetic: Any, formulas: list[sp.Expr], point: list[float]
 ) -> None:
-    """Against SymPy at 50 digits; allowed is what rounding to a few bits less can do."""
+    """Against SymPy at 400 digits; allowed is what rounding to a few bits less can do."""
     assume(not any(formula.has(sp.zoo, sp.nan, sp.oo) for formula in formulas))
     reader = Reader(TRIAL, Graph())
     terms = [reader(formula) for formula in formulas]
@@ -82,9 +82,9 @@ def test_formulas_are_right_to_rounding(
     assume(all(b == 0 or abs(b) > 1e-60 for b in everything))
     found = _evaluated(arithmetic, terms, point)
     where = {s: sp.Rational(value) for s, value in zip((x, y, z), point, strict=True)}
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(400):
         for formula, bound, words in zip(formulas, bounds, found, strict=True):
-            right = mpmath.mpf(str(sp.sympify(formula).subs(where).evalf(50)))
+            right = mpmath.mpf(str(sp.sympify(formula).subs(where).evalf(400)))
             assert abs(exact(words) - right) <= mpmath.mpf(bound.rad().str(30, radius=False))
 
 
