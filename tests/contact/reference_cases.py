@@ -30,8 +30,8 @@ from contact.reference_bodies import rotation, transposed
 from contact.reference_motion import Motion
 
 FILE = Path(__file__).with_name("reference_cases.json")
-SPINNING = Path(__file__).with_name("spinning_cases.json")
-"""Motions drawn at random in which the spin couple does something rare, without results."""
+RARE = Path(__file__).with_name("rare_cases.json")
+"""Motions drawn at random in which something rare happens, without results."""
 
 PLANE = {"kind": "plane"}
 
@@ -357,7 +357,7 @@ def cases() -> list[dict[str, Any]]:
         case("rattleback", RATTLEBACK, PLANE, {"mu": 0.3}, rocking, 0.5),
         *(case(f"direct restart {seed}", *loaded_ball(seed), 0.6) for seed in (12, 115, 144)),
         *(case(f"drawn {seed}", *drawn(seed), 2.0) for seed in DRAWN),
-        *json.loads(SPINNING.read_text()),
+        *json.loads(RARE.read_text()),
     ]
 
 

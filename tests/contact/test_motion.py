@@ -106,6 +106,23 @@ def test_bounces_end_and_the_energy_balance_holds(loaded: CompiledContact) -> No
     assert np.all(values["normal_force"][~flying] > 0) and not values["normal_force"][flying].any()
 
 
+@pytest.mark.parametrize("restitution", [0.5, 0.9])
+def test_a_ball_bounces_at_the_known_times(restitution: float) -> None:
+    """Landings at √(2h/g)(1 + 2e + 2e² + ...), with their end at √(2h/g)(1 + e)/(1 − e)."""
+    ball = ch.Body(1.0, (0.4, 0.4, 0.4), ch.Ball(1.0))
+    ground = FrictionalContact(ball, laws=(Coulomb(0.3),), field=GRAVITY)
+    height, end = 0.5, math.sqrt(1.0 / G) * (1 + restitution) / (1 - restitution)
+    given = Rules(restitution=restitution)
+    motion = contact_motion(ground, drop(1 + height, (0, 0, 0), (0, 0, 1)), [0.0, end + 1], given)
+    *landings, rest = motion.events
+    powers = restitution ** np.arange(1, len(landings))
+    expected = math.sqrt(2 * height / G) * np.cumsum([1.0, *(2 * powers)])
+    np.testing.assert_allclose([e.time for e in landings], expected, rtol=0, atol=1e-12)
+    assert [e.mode for e in landings] == ["flight"] * len(landings)
+    assert rest.mode != "flight"
+    assert rest.time == pytest.approx(end, abs=1e-12)
+
+
 def test_intervals_cover_the_time(loaded: CompiledContact) -> None:
     state = drop(1.5, (1.0, 0.5, 0.0), (3.0, -2.0, 1.0))
     motion = contact_motion(loaded, state, [0.0, 2.0], Rules(restitution=0.3))

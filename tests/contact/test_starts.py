@@ -14,7 +14,7 @@ from chaplygin.contact.course.compiled import NORMAL, OMEGA, POSITION, VELOCITY,
 from chaplygin.contact.equations.equations_of_motion import equations_of_motion
 from chaplygin.contact.equations.situation import FrictionalContact
 from chaplygin.contact.friction.dry_friction import Coulomb, SpinFriction
-from chaplygin.contact.friction.modes import FLIGHT
+from chaplygin.contact.friction.modes import Mode
 from chaplygin.contact.nearest_point import nearest_normal
 from chaplygin.contact.starts import clearance, start_in_contact, start_in_space
 from chaplygin.core.arrays import FloatArray
@@ -91,7 +91,7 @@ def test_heading_turns_the_body_about_the_normal() -> None:
 def test_a_state_has_all_columns(laws: tuple[Coulomb, ...], surface: ch.Plane) -> None:
     contact = replace(pebble(surface), laws=laws)
     state = start_in_contact(contact, (0, 0, 1), (0, 0, 1))
-    assert len(state) == len(equations_of_motion(contact, FLIGHT).symbols)
+    assert len(state) == len(equations_of_motion(contact, Mode()).symbols)
 
 
 def distance(contact: FrictionalContact, position: FloatArray, Q: FloatArray) -> float:

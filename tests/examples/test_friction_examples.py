@@ -237,7 +237,9 @@ def test_the_superball_comes_back(examples: dict[str, ModuleType]) -> None:
     assert first.time == pytest.approx(math.sqrt(2 * 0.775 / 9.81), rel=1e-14)
     end = math.sqrt(2 * 0.775 / 9.81) * 19
     rest = next(e for e in run.changes if e.mode != "flight")
-    assert rest.time == pytest.approx(end, abs=1e-6)
+    assert rest.time == pytest.approx(end, abs=1e-12)
+    assert f"{rest.time:.12f}" == said("7.552399352768")
+    assert f"{len(run.changes) - 1} landings" == said("194 landings")
     assert run.records["velocity"][-1] == pytest.approx([-7.5 / 7, 0.0, 0.0], abs=1e-12)
 
 

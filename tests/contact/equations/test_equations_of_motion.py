@@ -14,6 +14,7 @@ from chaplygin.contact.equations.situation import FrictionalContact
 from chaplygin.contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
 from chaplygin.contact.friction.modes import FLIGHT, Mode
 from chaplygin.contact.friction.rolling_friction import RollingResistance
+from chaplygin.contact.friction.symbols import height
 from chaplygin.contact.friction.viscous_friction import NormalViscous, Viscous
 from chaplygin.core.vectors import real_symbol
 from chaplygin.mechanics.rolling.body import Body
@@ -41,9 +42,11 @@ def state_of(system, y, gamma):
 def test_all_modes_have_the_same_columns():
     columns = {
         equations_of_motion(FrictionalContact(BALL, laws=LAWS, field=GRAVITY), mode).symbols
-        for mode in (*MODES, Mode(sliding=False, spinning=False, rolling=False), FLIGHT)
+        for mode in (*MODES, Mode(sliding=False, spinning=False, rolling=False))
     }
     (names,) = columns
+    flight = equations_of_motion(FrictionalContact(BALL, laws=LAWS, field=GRAVITY), FLIGHT)
+    assert flight.symbols == (*names, height)
     assert [str(s) for s in names[4:]] == [
         *(f"position_{i}" for i in (1, 2, 3)),
         *(f"v_{i}" for i in (1, 2, 3)),
@@ -182,7 +185,8 @@ def test_rest_needs_no_motion():
 def test_the_gap_of_a_body_in_flight(surface):
     situation = FrictionalContact(BALL, surface, LAWS, GRAVITY)
     system = equations_of_motion(situation, FLIGHT)
-    gap = numeric(system, [system.guards[0].value])
+    value = next(item.value for item in system.observables if item.name == "gap")
+    gap = numeric(system, [value])
     random = np.random.default_rng(6)
     y, gamma = random_state(situation, FLIGHT, random)
     assert float(gap(state_of(system, y, gamma))[0]) == pytest.approx(0.3, rel=1e-13)

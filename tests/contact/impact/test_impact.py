@@ -13,7 +13,7 @@ from scipy.linalg import expm
 
 from chaplygin.contact.friction.symbols import slip_speed
 from chaplygin.contact.impact.friction_response import response_with_spin_at_rest
-from chaplygin.contact.impact.impact import impact, normal_response, zeno_closure
+from chaplygin.contact.impact.impact import impact, normal_response
 from chaplygin.contact.impact.impact_slide import (
     Ends,
     Linear,
@@ -382,45 +382,6 @@ def test_continuity_at_small_slips() -> None:
 
 
 # --- the end of bouncing ----------------------------------------------------------------------
-
-
-def test_closure_removes_the_normal_velocity_alone() -> None:
-    rng = np.random.default_rng(9)
-    for _ in range(10):
-        c = collision(rng)
-        m, eps = c.mobility, 1e-6
-        sliding = m.tangents.T @ rng.normal(size=2)
-        for slip, spin, arm in (
-            (sliding, 0.4, 0.1),
-            (0 * sliding, 0.4, 0.1),
-            (0 * sliding, 0.0, 0.1),
-            (0 * sliding, 0.4, 0.0),
-        ):
-            u = slip + eps * m.gamma
-            J, K = zeno_closure(m, u, spin, mu=0.1 if slip.any() else np.inf, spin_arm=arm)
-            new = u + m.A @ J + K * m.spin_force
-            assert abs(new @ m.gamma) < 1e-14 * np.abs(m.A).max()
-            N = J @ m.gamma
-            if slip.any():
-                np.testing.assert_allclose(
-                    m.tangents @ J,
-                    -0.1 * N * (m.tangents @ slip) / np.linalg.norm(slip),
-                    atol=1e-20,
-                )
-            else:
-                assert np.abs(new).max() < 1e-20 + 1e-14 * eps * np.abs(m.A).max()
-            if spin:
-                assert pytest.approx(-arm * N) == K
-            else:
-                assert abs(m.spin_force @ J + m.spin * K) < 1e-14 * eps * np.abs(m.A).max()
-
-
-def test_closure_without_a_couple_goes_along_the_inverse_mobility() -> None:
-    c = collision(np.random.default_rng(10))
-    J, K = zeno_closure(c.mobility, 1e-3 * c.gamma, mu=np.inf)
-    along = np.linalg.solve(c.mobility.A, c.gamma)
-    np.testing.assert_allclose(J, -1e-3 * along / (along @ c.mobility.A @ c.gamma), rtol=1e-12)
-    assert K == 0
 
 
 def test_the_spin_at_rest_stays() -> None:

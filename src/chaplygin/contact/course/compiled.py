@@ -32,6 +32,7 @@ from ..friction.symbols import (
     free_turn,
     gamma,
     gammadot,
+    height,
     normal_rate,
     r,
     rolling,
@@ -137,7 +138,8 @@ class CompiledContact:
         # equations are prepared once for all situations that differ in parameters alone
         self._defaults = {str(p.symbol): float(p.default) for p in free_body_parameters(situation)}
         self._modes: dict[tuple[FrictionalContact, Mode], ModeIntegrator] = {}
-        self._names = [str(name) for name in self.mode(FLIGHT).system.symbols]
+        flight = self.mode(FLIGHT).system.symbols
+        self._names = [str(name) for name in flight if name != height]
         self.size = len(self._names)
         self._numbers = _prepared_numbers(SharedEquations(situation))
         self._values = self._numbers.values_of(self._values_of(situation))
@@ -164,6 +166,8 @@ class CompiledContact:
         columns: dict[str, slice] = {}
         first = 0
         for name in self.mode(FLIGHT).system.state:
+            if name == height:
+                continue
             size = len(flat([name]))
             columns[str(name)] = slice(first, first + size)
             first += size

@@ -12,7 +12,7 @@ from ...core.arrays import FloatArray
 from ...errors import InputError, RunError
 from ..friction.contensou import held_range_of
 from ..friction.modes import FLIGHT, Mode, Range
-from ..impact.impact import Impact, zeno_closure
+from ..impact.impact import Impact
 from ..slip.stopping import WEAK, finish_stop
 from .beginning import Beginning, beginning
 from .course_state import NO_SLIP, SLIP_FLOOR
@@ -80,7 +80,7 @@ class Course(RollingCourse):
         # the end of another motion, or decimals of a file, may miss the contact by rounding
         slow = abs(normal) <= _LEVEL * self._speed
         if known.gap > (_LEVEL if slow else 1e-12) * self._length:
-            self.mode = FLIGHT
+            self.mode, self._height = FLIGHT, known.gap
         elif slow:
             self._stay(None, self.state)
         elif normal > 0:
@@ -214,9 +214,8 @@ class Course(RollingCourse):
 
     def _take_beginning(self, slide: Beginning) -> None:
         end = self.time + slide.duration
-        count = int(np.searchsorted(self.moments, end, side="right"))
-        wanted = list(self.moments[self._next_moment : count])
-        self._add_piece(slide.integrator, end, slide.samples(self.time, self.state, wanted))
+        samples = slide.samples(self.time, self.state, self._moments_until(end))
+        self._add_piece(slide.integrator, end, samples)
         self.time, self.state = end, slide.state
         self._floor_factor = 1.0
         self._slide()
@@ -272,30 +271,24 @@ class Course(RollingCourse):
             # a grazing contact
             self._stay("landing", before)
             return
-        self._rebound("landing", before, self._collide())
+        self._rebound("landing", before, self._collide(self.rules.restitution))
 
     def _rebound(self, kind: EventKind, before: FloatArray, result: Impact) -> None:
         """Fly on or stay after an impact."""
         known = self._numbers()
         rebound = float(known.mobility.gamma @ result.contact_velocity)
-        if rebound > self._last_rebound():
+        approach = -float(known.mobility.gamma @ self.contact.numbers(before).contact_velocity)
+        ratio = rebound / approach if approach > 0 else math.inf
+        if rebound > self._least_rebound(ratio) or (rebound > 0 and known.unheld_rise >= 0):
             self.mode = FLIGHT
             self._rise()
             self._record(kind, before, result)
             return
-        if rebound > 0:
-            impulse, couple = zeno_closure(
-                known.mobility,
-                result.contact_velocity,
-                result.spin,
-                mu=self._dry.mu,
-                spin_arm=self._dry.spin_arm,
-                viscous=self._dry.viscous,
-                order=self._dry.order,
-                force=self._dry.force,
-            )
-            self._push(impulse, couple)
-        self._stay(kind, before, result)
+        if rebound <= 0:
+            self._stay(kind, before, result)
+            return
+        self._pass_bounces(rebound, ratio)
+        self._stay(kind, before, result, self._collide(0.0))
 
     def _stay(self, kind: EventKind | None, before: FloatArray, *impacts: Impact) -> None:
         """Go on in contact without normal velocity."""
@@ -392,7 +385,7 @@ class Course(RollingCourse):
             raise EndError("paradox", _PARADOX)
         before = self.state
         self.mode = replace(self.mode, rolling=True)
-        result = self._collide()
+        result = self._collide(self.rules.restitution)
         if result.normal_impulse <= 0:
             raise EndError("paradox", _PARADOX)
         self._rebound("impact without collision", before, result)

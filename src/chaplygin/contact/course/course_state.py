@@ -13,7 +13,7 @@ from ...core.arrays import FloatArray
 from ...flow.cost import Pace, TooMuchError
 from ...flow.validation import extremes_in_words
 from ..friction.contensou import held_range_of, range_of
-from ..friction.modes import Mode, Range
+from ..friction.modes import FLIGHT, Mode, Range
 from ..impact.impact import Impact, impact
 from .compiled import (
     ATTITUDE,
@@ -38,8 +38,19 @@ from .rules import Rules
 #: logarithmic time, and below which there is no slip.
 SLIP_FLOOR, NO_SLIP = 1e-8, 1e-12
 
-#: Likewise of a bounce that is the last one.
+#: Likewise of a bounce that is the last one, though those to come would be no lower.
 LAST_BOUNCE = 1e-7
+
+#: Other last bounces are so low that a body falling freely in their time sinks by so little,
+#: relative to its size.
+_SUNK = 1e-14
+
+#: A body that begins to fly has risen for this part of its hop, or by this part of its size, which
+#: hides the rounding of its velocity.
+_RISEN = 1e-20
+
+#: heyoka misses a landing that comes very early in a step: the first step lasts so many hops.
+_HOPS = 4
 
 #: So much of the time must be made in a stretch.
 _LEAST_PROGRESS = 1e-12
@@ -98,6 +109,7 @@ class CourseState:
         self.events: list[ContactEvent] = []
         self.steps, self.reason, self._pace = 0, "", Pace()
         self.ending: Ending = ""
+        self._height, self._hop = 0.0, math.inf
         self._dry = dry_friction(contact.situation)
         self._spin_sign = 1.0
         self._next_moment = self._idle = 0
@@ -127,9 +139,11 @@ class CourseState:
     def _integrate(self) -> str:
         """Integrate in the present mode up to the next event or pause; return its guard."""
         integrator = self._integrator(self.mode)
-        wanted = self.moments[self._next_moment :]
         last = float(self.moments[-1])
-        outcome = integrator.advance(self.time, self.state, list(wanted), last, _STRETCH)
+        end = min(last, self.time + _HOPS * self._hop)
+        state, wanted = self._with_height(self.state), self._moments_until(end)
+        outcome = integrator.advance(self.time, state, wanted, end, _STRETCH)
+        self._hop = math.inf
         self._add_piece(integrator, outcome.time, outcome.samples)
         # towards a singularity the steps tend to zero
         least = _LEAST_PROGRESS * max(abs(self.time), min(last - self.time, self._usual_time))
@@ -137,7 +151,9 @@ class CourseState:
         stalls = outcome.guard == PAUSE and progress <= least
         self.steps += outcome.steps
         self._idle = 0 if outcome.time > self.time else self._idle + 1
-        self.time, self.state = outcome.time, outcome.state
+        self.time, self.state = outcome.time, outcome.state[: len(self.state)]
+        if not self.mode.touching:
+            self._height = float(outcome.state[-1])
         if outcome.guard == "failure" or stalls:
             if jams(integrator, self._numbers(), self.state):
                 return "paradox"
@@ -155,7 +171,7 @@ class CourseState:
         if length:
             done = (self.time - float(self.moments[0])) / length
             self._pace.check(done, f"to follow a motion for {length:g} s")
-        return outcome.guard
+        return outcome.guard or (PAUSE if self.time < last else "")
 
     @property
     def _usual_time(self) -> float:
@@ -166,14 +182,24 @@ class CourseState:
         """The numbers that make a step impossible, in words; empty once there was one."""
         if self.time > self.moments[0]:
             return ""
-        integrator, size = self._integrator(self.mode), len(self.state)
+        integrator, state = self._integrator(self.mode), self._with_height(self.state)
+        size = len(state)
         names = [*map(str, integrator.system.symbols), *integrator.places]
 
         def finite(numbers: Sequence[float]) -> bool:
             values = np.array(numbers)
             return integrator.has_step(values[:size], values[size:])
 
-        return extremes_in_words(names, [*self.state, *integrator.values], finite)
+        return extremes_in_words(names, [*state, *integrator.values], finite)
+
+    def _moments_until(self, end: float) -> list[float]:
+        """The sample times to come, up to an end."""
+        count = int(np.searchsorted(self.moments, end, side="right"))
+        return list(self.moments[self._next_moment : count])
+
+    def _with_height(self, state: FloatArray) -> FloatArray:
+        """A state (size,) with the variable that flight has besides."""
+        return state if self.mode.touching else np.append(state, self._height)
 
     def _add_piece(self, integrator: ModeIntegrator, end: float, states: FloatArray) -> None:
         times = self.moments[self._next_moment : self._next_moment + len(states)]
@@ -250,25 +276,53 @@ class CourseState:
         N = float(values["normal_force"])
         return N, float(values["gamma"] @ (values["friction_couple"] - N * self._numbers().q))
 
-    def _last_rebound(self) -> float:
+    def _least_rebound(self, ratio: float) -> float:
         """Normal velocity of the bounces that are taken together with all that follow them.
 
-        Their heights must stay above rounding, which otherwise drives them on for ever.
+        Parameters
+        ----------
+        ratio : float
+            Of the normal velocities after and before the present bounce.
         """
-        length = self._length + float(np.abs(self.state[POSITION]).max())
-        height = 100 * np.finfo(float).eps * length
-        rising = math.sqrt(2 * height * abs(self._numbers().unheld_rise))
-        return max(LAST_BOUNCE * self._speed, rising)
+        if not ratio < 1:
+            return LAST_BOUNCE * self._speed
+        depth = _SUNK * self._length * abs(self._numbers().unheld_rise)
+        return max((1 - ratio) * math.sqrt(depth), NO_SLIP * self._speed)
+
+    def _pass_bounces(self, rebound: float, ratio: float) -> None:
+        """Pass the time of infinitely many bounces, which tend to rest as a geometric series.
+
+        The body falls freely all the time, and an impact at the end gives it the impulses of all
+        bounces.  Bounces that do not become lower count as one.
+        """
+        fall = -self._numbers().unheld_rise
+        end = self.time + 2 * rebound / (fall * (1 - ratio if ratio < 1 else 1))
+        flight = self._integrator(FLIGHT)
+        state, wanted = flight.state_of_system(self.state), self._moments_until(end)
+        outcome = flight.advance(self.time, state, wanted, end)
+        self.mode = FLIGHT
+        self._add_piece(flight, end, outcome.samples)
+        self.time, self.state = end, outcome.state[: len(self.state)]
 
     def _rise(self) -> None:
-        """Put a flying body above the support, by more than its height is rounded."""
+        """Let a body begin to fly; its height is zero but for a start above the support."""
         known = self._numbers()
-        rise = 2e-15 * (self._length + float(np.abs(self.state[POSITION]).max()))
+        length = self._length + float(np.abs(self.state[POSITION]).max())
+        if known.gap > 1e-14 * length:
+            self._height = known.gap
+            return
         up = Rotation.from_quat(self.state[ATTITUDE], scalar_first=True).apply(known.mobility.gamma)
         self.state = self.state.copy()
-        self.state[POSITION] += max(0.0, rise - known.gap) * up
+        self.state[POSITION] -= known.gap * up
+        rising = float(known.mobility.gamma @ known.contact_velocity)
+        if rising > NO_SLIP * self._speed and known.unheld_rise < 0:
+            self._hop = -2 * rising / known.unheld_rise
+            self._height = _RISEN * rising * self._hop
+        else:
+            # where the normal force falls to zero the height grows as slowly as t³
+            self._height = _RISEN * self._length
 
-    def _collide(self) -> Impact:
+    def _collide(self, restitution: float) -> Impact:
         known = self._numbers()
         if self._dry.unknown_in_impacts:
             raise EndError(
@@ -286,7 +340,7 @@ class CourseState:
             viscous=self._dry.viscous,
             order=self._dry.order,
             force=self._dry.force,
-            restitution=self.rules.restitution,
+            restitution=restitution,
             law=self.rules.impact_law,
         )
         self._push(result.impulse, result.couple_impulse)

@@ -85,7 +85,7 @@ class CrossingCourse(Course):
         integrator, begin, state, mode = (
             self._integrator(self.mode),
             self.time,
-            self.state.copy(),
+            self._with_height(self.state.copy()),
             self.mode.name,
         )
         guard = super()._integrate()

@@ -67,10 +67,10 @@ class ModeIntegrator:
     columns: Mapping[str, tuple[int, int]]
     places: Mapping[str, int]
 
-    def state_of_system(self, state: FloatArray) -> FloatArray:
-        """The state with all variables of its system; those of its own at their ends, 1."""
-        more = len(self.system.symbols) - len(state)
-        return np.append(state, np.ones(max(more, 0)))
+    def state_of_system(self, states: FloatArray) -> FloatArray:
+        """States (..., size) with all variables of the system; those of its own are 1."""
+        more = len(self.system.symbols) - states.shape[-1]
+        return np.concatenate([states, np.ones((*states.shape[:-1], max(more, 0)))], axis=-1)
 
     def outputs(self, states: FloatArray) -> dict[str, FloatArray]:
         """Observables at a state (size,) or at states (n, size), by name."""
@@ -96,7 +96,8 @@ class ModeIntegrator:
 
     def _numbers(self, states: FloatArray) -> FloatArray:
         function = self.code.outputs
-        columns = np.ascontiguousarray(states.T[: len(self.system.symbols)], dtype=float)
+        columns = self.state_of_system(states).T[: len(self.system.symbols)]
+        columns = np.ascontiguousarray(columns, dtype=float)
         values = self.values[: function.nparams]
         if columns.ndim == 2:
             values = np.tile(values[:, None], columns.shape[1])
@@ -105,7 +106,7 @@ class ModeIntegrator:
 
     def project(self, state: FloatArray) -> FloatArray:
         """The state moved onto the relations of the mode, along the shortest way."""
-        point = np.array(state, dtype=float)
+        point = self.state_of_system(state)
         for block in self.code.core:
             for _ in range(3):
                 defect = block.residual(point, pars=self.values[: block.residual.nparams])
@@ -114,7 +115,7 @@ class ModeIntegrator:
                 slope = block.slope(point, pars=self.values[: block.slope.nparams])
                 # dependent rows: the normal is tied to the attitude, and both have unit length
                 point -= np.linalg.pinv(slope.reshape(block.count, -1), rcond=1e-9) @ defect
-        return point
+        return point[: len(state)]
 
     def advance(
         self,

@@ -41,7 +41,7 @@ from ..friction.symbols import (
     free_turn,
     friction,
     gamma,
-    gap,
+    height,
     normal_response,
     omega,
     position,
@@ -93,7 +93,8 @@ def equations_of_motion(situation: FrictionalContact, mode: Mode) -> System:
     System
         State: attitude (quaternion), position of the centre of mass (space axes), its velocity v,
         ω and γ (body axes; r for an implicit shape), and the work lost to each law.  The states of
-        all modes have the same order.  Guards say when the mode ends.
+        all modes have the same order; in flight a last variable is the height above the support.
+        Guards say when the mode ends.
     """
     free = free_body(situation, mode.touching)
     definitions, powers, guards = _reaction(situation, mode, free)
@@ -115,6 +116,8 @@ def equations_of_motion(situation: FrictionalContact, mode: Mode) -> System:
         *work,
         *(pair for law in situation.laws for pair in law.clocks),
     )
+    if not mode.touching:
+        field += ((height, dot(gamma, contact_velocity)),)
     if at_rest:
         field = tuple((name, 0 * formula) for name, formula in field)
     energy = free.kinetic + free.potential
@@ -157,7 +160,7 @@ def _reaction(
     none = constant([0, 0, 0])
     if not mode.touching:
         definitions += ((reaction, none), (couple, none), (N, sp.S.Zero), (friction, none))
-        return definitions, powers, (Guard("landing", gap, "the body lands"),)
+        return definitions, powers, (Guard("landing", height, "the body lands"),)
     total = sum((law.reaction(mode) for law in laws), Reaction())
     definitions += tuple(pair for law in laws for pair in law.definitions(mode))
     if mode.rolling:

@@ -48,5 +48,9 @@ contact_velocity, gammadot, reach = (
 #: Centre of mass (space axes), its velocity (body axes), height of the body above the support.
 position, v, gap = Vector("position"), Vector("v"), real_symbol("gap")
 
+#: The same height, integrated from the normal velocity: bounces that the rounding of the position
+#: would hide keep all their digits.
+height = real_symbol("height")
+
 #: Rate of the normal velocity by a unit of normal force, friction included.
 normal_response = real_symbol("normal_response")

@@ -23,12 +23,9 @@ import sympy as sp
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from .friction_response import (
-    least_motion_force,
     response_while_spinning,
-    response_with_spin_at_rest,
 )
 from .impact_course import ImpactCourse, ImpactPhase
-from .impact_segments import ROUNDING
 from .impact_slide import SlidingFriction
 from .mobility import Mobility
 
@@ -205,63 +202,6 @@ def normal_response(
     tangential = mobility.tangents @ np.asarray(direction, dtype=float)
     e = tangential / np.hypot(*tangential)
     return response.normal[0] - mu * float(response.normal[1] @ e)
-
-
-def zeno_closure(
-    mobility: Mobility,
-    velocity: npt.ArrayLike,
-    spin: float = 0.0,
-    *,
-    mu: float,
-    spin_arm: float = 0.0,
-    viscous: float = 0.0,
-    order: float = 1.0,
-    force: sp.Expr | None = None,
-) -> tuple[FloatArray, float]:
-    """Impulse (3,) and couple impulse that take away a small normal velocity of the contact.
-
-    They stand for the bounces to come, whose impulse differs by a term of second order from what
-    the lasting contact gives in their time.  A contact that slides is given an impulse along
-    γ + p, one without tangential velocity (but for rounding) an impulse that leaves that zero,
-    along A⁻¹γ but for the spin couple, or the one nearest to this that friction allows; a spin
-    has the couple −μ_s sgn Ω, or the one that leaves it zero.
-
-    Parameters
-    ----------
-    mobility : Mobility
-    velocity : (3,) array
-        Of the touching particle relative to the support, body axes; its normal part may have
-        either sign.
-    spin, mu, spin_arm, viscous, order, force
-        As of :func:`impact`.
-
-    Raises
-    ------
-    InputError
-        If sliding friction turns a normal impulse into approach (B ≤ 0).
-    """
-    u = _checked_input(velocity, spin, mu, spin_arm, 0.0, "stronge")
-    sliding = _sliding_friction(mu, viscous, order, force)
-    gamma, tangents = mobility.gamma, mobility.tangents
-    slip = tangents @ u
-    if spin_arm and spin == 0:
-        response = response_with_spin_at_rest(mobility)
-    else:
-        response = response_while_spinning(mobility, -spin_arm * float(np.sign(spin)))
-    if np.hypot(*slip) <= ROUNDING * np.linalg.norm(u):
-        beta, A = response.tangential
-        force = least_motion_force(A, beta, mu)
-    elif np.isinf(mu):
-        raise InputError("mu inf: a contact that slides has no finite friction")
-    else:
-        speed = float(np.hypot(*slip))
-        force = -sliding.at(speed) * slip / speed
-    B = response.normal[0] + float(response.normal[1] @ force)
-    if B <= 0:
-        raise InputError(f"B = {B:.6g}: it must be positive for the contact to last")
-    pressure = -float(gamma @ u) / B
-    couple = response.couple[0] + float(response.couple[1] @ force)
-    return pressure * (gamma + force @ tangents), pressure * couple
 
 
 def _sliding_friction(
