@@ -43,11 +43,11 @@ LAST_BOUNCE = 1e-7
 
 #: Other last bounces are so low that a body falling freely in their time sinks by so little,
 #: relative to its size.
-_SUNK = 1e-14
+_LEAST_DEPTH = 1e-14
 
 #: A body that begins to fly has risen for this part of its hop, or by this part of its size, which
 #: hides the rounding of its velocity.
-_RISEN = 1e-20
+_FIRST_RISE = 1e-20
 
 #: heyoka misses a landing that comes very early in a step: the first step lasts so many hops.
 _HOPS = 4
@@ -286,7 +286,7 @@ class CourseState:
         """
         if not ratio < 1:
             return LAST_BOUNCE * self._speed
-        depth = _SUNK * self._length * abs(self._numbers().unheld_rise)
+        depth = _LEAST_DEPTH * self._length * abs(self._numbers().unheld_rise)
         return max((1 - ratio) * math.sqrt(depth), NO_SLIP * self._speed)
 
     def _pass_bounces(self, rebound: float, ratio: float) -> None:
@@ -317,10 +317,10 @@ class CourseState:
         rising = float(known.mobility.gamma @ known.contact_velocity)
         if rising > NO_SLIP * self._speed and known.unheld_rise < 0:
             self._hop = -2 * rising / known.unheld_rise
-            self._height = _RISEN * rising * self._hop
+            self._height = _FIRST_RISE * rising * self._hop
         else:
             # where the normal force falls to zero the height grows as slowly as t³
-            self._height = _RISEN * self._length
+            self._height = _FIRST_RISE * self._length
 
     def _collide(self, restitution: float) -> Impact:
         known = self._numbers()
