@@ -6,8 +6,8 @@ import pytest
 import sympy as sp
 from flint import arb, ctx
 
+from chaplygin.core.named_formulas import needed_steps
 from chaplygin.formulas.balls import array_function, ball, ball_function, ball_values
-from chaplygin.formulas.program import needed_steps
 
 x, y, z = sp.symbols("x y z")
 

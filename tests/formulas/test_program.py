@@ -6,9 +6,10 @@ import pytest
 import sympy as sp
 from flint import acb, arb, ctx, fmpq
 
+from chaplygin.core.named_formulas import needed_steps
 from chaplygin.errors import InputError
 from chaplygin.formulas.balls import ball_function
-from chaplygin.formulas.program import ANALYTIC, ENTIRE, REAL, StraightLineProgram, needed_steps
+from chaplygin.formulas.program import ANALYTIC, ENTIRE, REAL, StraightLineProgram
 
 x, y, z = sp.symbols("x y z", real=True)
 

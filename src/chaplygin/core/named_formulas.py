@@ -7,6 +7,8 @@ from typing import TypeAlias
 
 import sympy as sp
 
+from .vectors import to_components
+
 #: Named quantities (symbols, vectors, tensors) with a formula for each.
 Pairs: TypeAlias = tuple[tuple[sp.Basic, sp.Basic], ...]
 
@@ -48,6 +50,36 @@ def expand(
     while formula.free_symbols & values.keys():
         formula = formula.xreplace(values)
     return formula
+
+
+def needed_steps(
+    steps: Sequence[tuple[sp.Symbol, sp.Expr]],
+    formulas: Iterable[sp.Expr],
+    inputs: Iterable[sp.Symbol] = (),
+) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+    """The steps on which scalar or vector formulas depend, in order; `inputs` are known."""
+    known = set(inputs)
+    wanted = {s for formula in formulas for s in formula.free_symbols} - known
+    chosen = []
+    for symbol, value in reversed(steps):
+        if symbol in wanted:
+            chosen.append((symbol, value))
+            wanted |= value.free_symbols - known
+    return tuple(reversed(chosen))
+
+
+def by_dependence(definitions: Pairs, symbols: Iterable[sp.Symbol]) -> tuple[Pairs, Pairs]:
+    """Definitions that do not depend on any of the symbols, and those that do."""
+    moving = set(symbols)
+    before: Pairs = ()
+    after: Pairs = ()
+    for pair in definitions:
+        if to_components(pair[1]).free_symbols & moving:
+            moving.update(scalar_names((pair,)))
+            after += (pair,)
+        else:
+            before += (pair,)
+    return before, after
 
 
 def scalar_names(pairs: Pairs) -> list[sp.Symbol]:

@@ -15,7 +15,7 @@ from ..arguments import Formula, NamedFormulas, arguments_checked
 from ..errors import InputError
 from .display import Displayed
 from .laws import Integral, Law
-from .named_formulas import Pairs, as_pairs, expand
+from .named_formulas import Pairs, as_pairs, expand, needed_steps
 from .vectors import Diagonal, Symmetric, Vector, to_components
 
 Name: TypeAlias = Vector | sp.Symbol
@@ -133,11 +133,6 @@ class Reconstruction:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "field", as_pairs(self.field))
-
-
-def _symbols_of(formula: sp.Basic) -> set[sp.Symbol]:
-    symbols: set[sp.Symbol] = to_components(formula).free_symbols
-    return symbols
 
 
 def flat(names: Iterable[Quantity]) -> tuple[sp.Symbol, ...]:
@@ -281,6 +276,12 @@ class System(Displayed):
         return flat(self.state)
 
     @cached_property
+    def slices(self) -> tuple[tuple[Name, slice], ...]:
+        """The variables of the state, each with its place in the flat order."""
+        ends = [len(flat(self.state[:i])) for i in range(len(self.state) + 1)]
+        return tuple((name, slice(*ends[i : i + 2])) for i, name in enumerate(self.state))
+
+    @cached_property
     def rates(self) -> tuple[sp.Expr, ...]:
         """Time derivatives of `symbols`, in terms of state, definitions and parameters."""
         return tuple(rate for _, rate in flat_pairs(self.field))
@@ -295,13 +296,7 @@ class System(Displayed):
         self, formulas: Iterable[Formula], inputs: Iterable[sp.Symbol] = ()
     ) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
         """The steps on which `formulas` depend, in order; `inputs` symbols are known."""
-        wanted = {s for formula in formulas for s in _symbols_of(formula)} - set(inputs)
-        chosen = []
-        for symbol, value in reversed(self.scalar_definitions):
-            if symbol in wanted:
-                chosen.append((symbol, value))
-                wanted |= value.free_symbols - set(inputs)
-        return tuple(reversed(chosen))
+        return needed_steps(self.scalar_definitions, map(to_components, formulas), inputs)
 
     @arguments_checked
     def expand(self, formula: Formula) -> sp.Expr:

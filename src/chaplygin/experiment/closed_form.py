@@ -15,6 +15,7 @@ from flint import arb
 from markupsafe import Markup
 
 from ..core.arrays import FloatArray
+from ..core.system import flat
 from ..core.vectors import real_symbol
 from ..errors import InputError, RunError
 from ..explicit.base.problem import Problem
@@ -131,8 +132,7 @@ def units(study: Study, solution: Solution) -> dict[sp.Symbol, str]:
     by_symbol: dict[sp.Symbol, str] = {}
     for name in solution.system.state:
         unit = str(variables[str(name)].units) if str(name) in variables else "m"
-        for symbol in (name,) if isinstance(name, sp.Symbol) else name.symbols:
-            by_symbol[symbol] = "" if unit in ("1", "unknown") else unit
+        by_symbol |= dict.fromkeys(flat([name]), "" if unit in ("1", "unknown") else unit)
     return by_symbol
 
 

@@ -12,7 +12,7 @@ from flint import acb_mat, arb, arb_mat, ctx
 from ..arguments import NumberOrText, Numbers, arguments_checked
 from ..core.arrays import FloatArray
 from ..core.system import System
-from ..core.vectors import Diagonal, Symmetric, Vector
+from ..core.vectors import Diagonal, Symmetric
 from ..errors import InputError
 from ..formulas.balls import ball, exact, number
 from ..mechanics.rolling.equations import Rolling
@@ -184,15 +184,12 @@ def _blocks(lifted: System, axes: arb_mat) -> arb_mat:
     """
     size = len(lifted.symbols)
     matrix = [[arb(int(i == j)) for j in range(size)] for i in range(size)]
-    first = 0
-    for name in lifted.state:
-        width = len(name.symbols) if isinstance(name, Vector) else 1
-        block = {SPACE: axes, QUATERNION: _times_conjugate(_quaternion(axes))}.get(width)
+    blocks = {SPACE: axes, QUATERNION: _times_conjugate(_quaternion(axes))}
+    for _, place in lifted.slices:
+        block = blocks.get(place.stop - place.start)
         if block is not None:
-            for i in range(width):
-                for j in range(width):
-                    matrix[first + i][first + j] = block[i, j]
-        first += width
+            for i, row in enumerate(matrix[place]):
+                row[place] = block.table()[i]
     return arb_mat(matrix)
 
 

@@ -32,14 +32,11 @@ def by_name(system: System, states: npt.NDArray[Number], name: str) -> npt.NDArr
     KeyError
         If the system has no such variable.
     """
-    first = 0
-    for variable in system.state:
-        width = 1 if isinstance(variable, sp.Symbol) else len(variable.symbols)
+    for variable, columns in system.slices:
         if str(variable) == name:
-            block = states[:, first : first + width]
+            block = states[:, columns]
             column: npt.NDArray[Number] = block[:, 0]
             return column if isinstance(variable, sp.Symbol) else block
-        first += width
     raise KeyError(name)
 
 

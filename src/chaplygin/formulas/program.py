@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import sympy as sp
 from flint import acb, arb, fmpq
 
+from ..core.named_formulas import needed_steps
 from ..errors import InputError
 from ..parsing.exact_decimals import exact_number
 from .evaluation import Evaluation
@@ -222,14 +223,3 @@ class StraightLineProgram(Evaluation[int]):
         raise InputError(
             f"{formula}: closed forms are computed of {', '.join(others)} and {last} alone"
         )
-
-
-def needed_steps(steps: Steps, formulas: Sequence[sp.Expr]) -> Steps:
-    """Those steps alone on which formulas depend."""
-    symbols = set().union(*(formula.free_symbols for formula in formulas))
-    chain = []
-    for name, formula in reversed(steps):
-        if name in symbols:
-            chain.append((name, formula))
-            symbols |= formula.free_symbols
-    return tuple(reversed(chain))

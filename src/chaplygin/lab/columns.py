@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..core.system import System
+from ..core.system import System, flat
 from ..core.vectors import Vector, real_symbol, to_components
 from ..errors import InputError
 from ..experiment.section_coordinates import is_angle
@@ -112,7 +112,7 @@ def columns_of(study: Study) -> tuple[Column, ...]:
 
 def _of_state(study: Study, whole: System, variable: sp.Basic) -> Column:
     name = str(variable)
-    symbols = (variable,) if isinstance(variable, sp.Symbol) else tuple(variable.symbols)
+    symbols = flat([variable])
     meaning, unit, _, frame = variable_metadata(
         whole, name, len(symbols), study.variables.get(name)
     )

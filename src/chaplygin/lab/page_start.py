@@ -82,11 +82,8 @@ def _state_inputs(study: Study) -> list[Json]:
     whole = study.system.lifted() if study.system.reconstruction else study.system
     numbers = [float(x) for x in study.start]
     rows: list[Json] = []
-    first = 0
-    for variable in whole.state:
-        symbols = getattr(variable, "symbols", (variable,))
-        vector = numbers[first : first + len(symbols)]
-        first += len(symbols)
+    for variable, place in whole.slices:
+        symbols, vector = whole.symbols[place], numbers[place]
         meaning, unit, _, _ = variable_metadata(
             whole, str(variable), len(symbols), study.variables.get(str(variable))
         )

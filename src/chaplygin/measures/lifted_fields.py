@@ -18,6 +18,7 @@ from itertools import count
 
 import sympy as sp
 
+from ..core.named_formulas import expand
 from ..core.system import Parameter
 from ..core.vectors import real_symbol
 from ..errors import InputError
@@ -127,9 +128,7 @@ def _check_levels(
     for relation in restriction.mechanism.frame.relations:
         for field in fields:
             rate = sp.Add(*(sp.diff(relation, x) * value for x, value in field.items()))
-            while rate.free_symbols & set(steps):
-                rate = rate.xreplace(steps)
-            if sp.cancel(sp.together(rate)) != 0:
+            if sp.cancel(sp.together(expand(rate, steps))) != 0:
                 raise InputError(
                     f"{restriction.mechanism.name}: the frame is tangent to {relation} = 0 but "
                     "not to its other levels; write its rates so that the relation is constant "

@@ -4,16 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from ..core.named_formulas import Pairs
+from ..core.system import System, flat
 from ..core.vectors import Diagonal, Gradient, Symmetric, Vector, to_components
 from .laws import formulas
-
-if TYPE_CHECKING:
-    from ..core.system import System
 
 
 @dataclass(frozen=True)
@@ -85,8 +82,7 @@ def reconstruction_layout(system: System) -> Layout:
         system, system.reconstruction.field if system.reconstruction else ()
     )
     page = layout(system)
-    shown = {s for name in spelt_out for s in _scalars(name)}
-    shown |= {s for name, _ in (*page.where, *page.further) for s in _scalars(name)}
+    shown = set(flat([*spelt_out, *(name for name, _ in (*page.where, *page.further))]))
     steps = system.required_definitions(formula for _, formula in field)
     return Layout(field, tuple(pair for pair in steps if pair[0] not in shown), ())
 
@@ -106,10 +102,6 @@ def _with_rates_spelt_out(system: System, field: Pairs) -> tuple[Pairs, set[sp.B
     return tuple(pairs), names
 
 
-def _scalars(name: sp.Basic) -> set[sp.Symbol]:
-    return {name} if isinstance(name, sp.Symbol) else set(name.symbols)
-
-
 def _mentioned_symbols(formula: sp.Basic) -> set[sp.Symbol]:
     """Symbols on which a formula depends or whose name it shows, as ∂U/∂γ shows U."""
     shown: set[sp.Symbol] = {gradient.args[2] for gradient in formula.atoms(Gradient)}
@@ -121,7 +113,7 @@ def _needed_definitions(system: System, formulas: Iterable[sp.Basic]) -> Pairs:
     wanted = set().union(*map(_mentioned_symbols, formulas))
     chosen = []
     for name, formula in reversed(system.definitions):
-        if wanted & _scalars(name):
+        if not wanted.isdisjoint(flat([name])):
             chosen.append((name, formula))
             wanted |= _mentioned_symbols(formula)
     return tuple(reversed(chosen))

@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from itertools import product
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 
 from ..core.laws import PoissonStructure
+from ..core.system import Name, System, flat
 from ..core.vectors import Vector, real_symbol, to_components
 from .formula import latex, text
 from .notation import LATEX, UNICODE, Notation
-
-if TYPE_CHECKING:
-    from ..core.system import Name, System
 
 #: A left side, written; and a formula, or what is written already.
 Side: TypeAlias = tuple[str, sp.Basic | str]
@@ -36,9 +34,8 @@ def bracket_sides(law: PoissonStructure, system: System, notation: Notation) -> 
     write = text if notation is UNICODE else latex
     matrix = to_components(law.matrix)
     lines: list[Side] = []
-    places = _places(system)
-    for index, (one, rows) in enumerate(places):
-        for other, columns in places[index:]:
+    for index, (one, rows) in enumerate(system.slices):
+        for other, columns in system.slices[index:]:
             block = matrix[rows, columns]
             if any(entry != 0 for entry in block):
                 lines += _block(one, other, block, system, notation)
@@ -55,15 +52,6 @@ def bracket_sides(law: PoissonStructure, system: System, notation: Notation) -> 
         if law.rank is not None:
             lines[-1] = ("", rf"{lines[-1][1]}{',' if listed else ''}\; \text{{rank }} {law.rank}")
     return lines
-
-
-def _places(system: System) -> list[tuple[Name, slice]]:
-    places, first = [], 0
-    for name in system.state:
-        size = 1 if isinstance(name, sp.Symbol) else len(name.symbols)
-        places.append((name, slice(first, first + size)))
-        first += size
-    return places
 
 
 def _block(
@@ -125,9 +113,8 @@ def _component(name: Name, index: str, write: Callable[[sp.Basic], str]) -> str:
 
 def _entries(one: Name, other: Name, block: sp.MatrixBase, notation: Notation) -> list[Side]:
     write = text if notation is UNICODE else latex
-    names = [[name] if isinstance(name, sp.Symbol) else name.symbols for name in (one, other)]
     lines: list[Side] = []
-    for (i, left), (j, right) in product(*map(enumerate, names)):
+    for (i, left), (j, right) in product(enumerate(flat([one])), enumerate(flat([other]))):
         if block[i, j] != 0 and (one != other or i < j):
             lines.append((curly_brackets(f"{write(left)}, {write(right)}", notation), block[i, j]))
     return lines

@@ -19,7 +19,7 @@ from ..core.laws import (
     Symmetry,
 )
 from ..core.named_formulas import expand
-from ..core.system import System
+from ..core.system import System, flat
 from ..core.vectors import Vector, to_components
 from .fields.quotient_ring import Poly
 from .level.level_formulas import assumed_relations
@@ -129,8 +129,7 @@ def _formulas(formulas: Iterable[sp.Expr]) -> list[str]:
 def _pairs(pairs: Iterable[tuple[sp.Symbol | Vector, sp.Expr]]) -> list[list[str]]:
     texts = []
     for name, formula in pairs:
-        names = (name,) if isinstance(name, sp.Symbol) else name.symbols
-        texts += [[str(n), str(f)] for n, f in zip(names, scalars(formula), strict=True)]
+        texts += [[str(n), str(f)] for n, f in zip(flat([name]), scalars(formula), strict=True)]
     return texts
 
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 import sympy as sp
 
-from chaplygin.contact.equations.free_body import by_dependence, free_body
+from chaplygin.contact.equations.free_body import free_body
 from chaplygin.contact.equations.situation import FrictionalContact
 from chaplygin.contact.friction.dry_friction import Coulomb
+from chaplygin.core.named_formulas import by_dependence
 from chaplygin.core.vectors import Vector, cross, dot, real_symbol
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.named_formulas import Pairs
+from ...core.named_formulas import Pairs, by_dependence
 from ...core.system import Parameter
 from ...core.vectors import (
     Diagonal,
@@ -290,17 +289,3 @@ def _applied_forces(
         definitions=((U, value),),
         parameters=parameters,
     )
-
-
-def by_dependence(definitions: Pairs, symbols: Sequence[sp.Symbol]) -> tuple[Pairs, Pairs]:
-    """Definitions that do not depend on any of the symbols, and those that do."""
-    moving = set(symbols)
-    before: Pairs = ()
-    after: Pairs = ()
-    for name, formula in definitions:
-        if to_components(formula).free_symbols & moving:
-            moving |= {name} if isinstance(name, sp.Symbol) else set(name.symbols)
-            after += ((name, formula),)
-        else:
-            before += ((name, formula),)
-    return before, after

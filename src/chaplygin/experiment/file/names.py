@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
+from ...core.system import flat
 from ...core.vectors import Vector, real_symbol
 from ...errors import InputError
 from ...mechanics.lagrangian.mechanism import TIME
@@ -18,11 +19,6 @@ from .described_models import OwnExperiment
 
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _SIZE = re.compile(r"(.*?)(?:\[([234])\])?", re.DOTALL)
-
-
-def components(quantity: NamedQuantity) -> tuple[sp.Symbol, ...]:
-    """A named quantity by its scalars."""
-    return (quantity,) if isinstance(quantity, sp.Symbol) else tuple(quantity.symbols)
 
 
 @dataclass(frozen=True)
@@ -59,10 +55,10 @@ class Names:
                 "in brackets, as in gamma[3]",
                 *key,
             )
-        words = {*self.by_name, *(str(s) for n in self.by_name.values() for s in components(n))}
+        words = {*self.by_name, *map(str, flat(self.by_name.values()))}
         if name in RESERVED_WORDS | PRODUCTS | {str(TIME)} or keyword.iskeyword(name):
             raise self.error(f"the name '{name}' has a meaning already; choose another", *key)
-        for word in (name, *map(str, components(quantity))):
+        for word in (name, *map(str, flat([quantity]))):
             if word in words:
                 raise self.error(f"'{word}' stands for two things; rename one of them", *key)
         self.by_name[name] = quantity
@@ -73,7 +69,7 @@ class Names:
         quantities: dict[str, NamedQuantity] = {}
         for named in among:
             quantities[str(named)] = named
-            quantities |= {str(s): s for s in components(named)}
+            quantities |= {str(s): s for s in flat([named])}
         if name not in quantities:
             raise self.error(f"unknown name '{name}'{nearest(name, quantities)}", *key)
         return quantities[name]

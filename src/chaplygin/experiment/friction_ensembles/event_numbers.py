@@ -223,7 +223,7 @@ def formula_at(text: str, mode: ModeIntegrator, states: FloatArray, system: Syst
     function, used = _function(text, tuple(columns))
     needed = {columns[name][0] for name in used}
     absent = set(work_names(system)) - {str(name) for name in mode.system.state}
-    places = _state_places(mode.system)
+    places = {str(variable): columns.start for variable, columns in mode.system.slices}
     values = mode.outputs(states) if needed - places.keys() - absent else {}
     arguments = []
     for name in used:
@@ -238,16 +238,6 @@ def formula_at(text: str, mode: ModeIntegrator, states: FloatArray, system: Syst
     with np.errstate(all="ignore"):
         result: FloatArray = np.broadcast_to(function(*arguments), (len(states),))
     return result
-
-
-@lru_cache(maxsize=8)
-def _state_places(system: System) -> dict[str, int]:
-    """The first column of each variable of the state."""
-    places, first = {}, 0
-    for name in system.state:
-        places[str(name)] = first
-        first += len(flat([name]))
-    return places
 
 
 @lru_cache(maxsize=8)

@@ -10,7 +10,7 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import Integral, Law, Measure, Symmetry
-from ...core.system import Guard, Observable, Parameter, System
+from ...core.system import Guard, Observable, Parameter, System, flat
 from ...core.vectors import Diagonal, Vector, to_components
 from ...errors import InputError
 from ...mechanics.lagrangian.mechanism import TIME, Frame, Mechanism, euclidean, rotations
@@ -18,7 +18,7 @@ from ...mechanics.lagrangian.structure_functions import check_structure
 from ...parsing import Formula, NamedQuantity, nearest
 from ..file.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from ..file.mechanism_tables import NumberTable
-from ..file.names import Names, components
+from ..file.names import Names
 
 DEFAULT_TITLE = "Untitled system"
 
@@ -184,7 +184,7 @@ def _components(quantity: NamedQuantity, table: NumberTable) -> list[Parameter]:
     listed = values if isinstance(values, tuple) else (values,)
     return [
         Parameter(symbol, table.meaning, float(value or 0.0), table.unit)
-        for symbol, value in zip(components(quantity), listed, strict=True)
+        for symbol, value in zip(flat([quantity]), listed, strict=True)
     ]
 
 
@@ -249,7 +249,7 @@ def _positions(
     moving = set(frame.w)
     for named, value in definitions:
         if to_components(value).free_symbols & moving:
-            moving |= set(components(named))
+            moving |= set(flat([named]))
     positions = names.formulas(texts, *key)
     for text, value in zip(texts, positions, strict=True):
         wrong = sorted(map(str, to_components(value).free_symbols & moving))
@@ -263,7 +263,7 @@ def _positions(
 
 def _rate_of(names: Names, coordinate: NamedQuantity) -> NamedQuantity:
     """The velocity of a coordinate in its own frame, xdot of x."""
-    size = f"[{len(components(coordinate))}]" if isinstance(coordinate, Vector) else ""
+    size = f"[{len(flat([coordinate]))}]" if isinstance(coordinate, Vector) else ""
     return names.declare(f"{coordinate}dot{size}", "frame", "coordinates")
 
 
@@ -294,14 +294,14 @@ def _structure(
         return None
     commutators: Commutators = {}
     key = ("frame", "commutators")
-    flat = [s for named in velocities for s in components(named)]
+    scalars = flat(velocities)
     for pair, text in table.commutators.items():
         words = [word.strip() for word in pair.split(",")]
         if len(words) != 2:
             raise names.error('a commutator has two velocities, as in "u, v"', *key, pair)
-        u, v = (names.get(word, flat, *key, pair) for word in words)
+        u, v = (names.get(word, scalars, *key, pair) for word in words)
         value = to_components(names.scalar(text, *key, pair))
-        row = {w: sp.diff(value, w) for w in flat if value.has(w)}
+        row = {w: sp.diff(value, w) for w in scalars if value.has(w)}
         if sp.expand(value - sp.Add(*(w * c for w, c in row.items()))) != 0:
             raise names.error("must be linear and homogeneous in the velocities", *key, pair)
         commutators[u, v] = row

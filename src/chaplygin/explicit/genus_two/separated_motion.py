@@ -9,9 +9,10 @@ import sympy as sp
 from flint import arb
 
 from ...arguments import NumberOrText
+from ...core.named_formulas import by_dependence, needed_steps
 from ...core.system import flat_pairs
 from ...formulas.balls import Values, ball, ball_values, components
-from ...formulas.program import Steps, needed_steps
+from ...formulas.program import Steps
 from ..base.exact_start import on_phase_space
 from .curve import Curve
 from .separation import SeparatedSystem, nu, nuprime
@@ -101,17 +102,11 @@ def chain(
     steps : tuple of (Symbol, sympy.Expr)
         The state and those definitions that are needed, in order.
     """
-    moving = set(separable.system.symbols)
-    still, changing = [], []
-    for name, formula in separable.system.scalar_definitions:
-        # quantities of the parameters alone may be used by the formulas of the state
-        if formula.free_symbols & moving:
-            moving.add(name)
-            changing.append((name, formula))
-        else:
-            still.append((name, formula))
+    system = separable.system
+    # quantities of the parameters alone may be used by the formulas of the state
+    still, changing = by_dependence(system.scalar_definitions, system.symbols)
     steps = (*still, *flat_pairs(separable.state), *changing)
-    parameters = tuple(p.symbol for p in separable.system.parameters)
+    parameters = tuple(p.symbol for p in system.parameters)
     constants = tuple(name for name, _ in separable.constants)
     arguments = (*nu.symbols, *nuprime.symbols, *parameters, *constants)
     return arguments, needed_steps(steps, formulas)

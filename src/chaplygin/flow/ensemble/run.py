@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
-import sympy as sp
 
 from ...arguments import Numbers, Parameters, arguments_checked
 from ...core.system import System
@@ -209,8 +208,8 @@ def _variables(work: EnsembleWork, are_random: bool) -> dict[str, Variable]:
     if are_random:
         notes = cf_attributes("number of the start among those drawn", "1")
         variables["start"] = Variable(dtype="int64", attributes=notes, coordinate=True)
-    for item in system.state:
-        size = 1 if isinstance(item, sp.Symbol) else len(item.symbols)
+    for item, place in system.slices:
+        size = place.stop - place.start
         *about, frame = variable_metadata(system, str(item), size)
         variables[str(item)] = sampled_variable(moments, size, frame, *about)
     for item in quantities_by_name(system, work.record):

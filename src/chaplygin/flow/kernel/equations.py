@@ -182,12 +182,7 @@ def _variations(graph: Graph, rates: Sequence[Term], deviations: int) -> list[Te
 
 def groups(system: System) -> tuple[tuple[int, ...], ...]:
     """The places of the components of each vector of the state; scalars stand alone."""
-    blocks, first = [], 0
-    for variable in system.state:
-        width = 1 if isinstance(variable, sp.Symbol) else len(variable.symbols)
-        blocks.append(tuple(range(first, first + width)))
-        first += width
-    return tuple(blocks)
+    return tuple(tuple(range(place.start, place.stop)) for _, place in system.slices)
 
 
 def serial(equations: Equations) -> str:

@@ -23,7 +23,7 @@ import sympy as sp
 
 from ...arguments import arguments_checked
 from ...core.laws import Integral, Law
-from ...core.named_formulas import Pairs
+from ...core.named_formulas import Pairs, expand
 from ...core.system import Name, Observable, Reconstruction, System, flat
 from ...core.vectors import constant, to_components
 from ...errors import InputError
@@ -232,12 +232,7 @@ def _without_irrelevant(
     """A formula without definitions that depend on irrelevant coordinates."""
     steps = parts.tape.steps([to_components(formula)])
     far = {s: value for s, value in steps if _depends(parts, [value], irrelevant)}
-    if not far:
-        return formula
-    written = to_components(formula)
-    while written.free_symbols & far.keys():
-        written = written.xreplace(far)
-    return written
+    return expand(to_components(formula), far) if far else formula
 
 
 # --- laws and observables ------------------------------------------------------------------

@@ -14,7 +14,7 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ...core.named_formulas import Pairs
-from ...core.system import Guard, Name, Parameter
+from ...core.system import Guard, Parameter
 from ...core.vectors import (
     Symmetric,
     Vector,
@@ -23,7 +23,6 @@ from ...core.vectors import (
     dot,
     norm_squared,
     real_symbol,
-    to_components,
     zero,
 )
 from ...errors import InputError
@@ -272,18 +271,3 @@ def _on_surface(f: sp.Expr, x: Vector, shape: Implicit) -> sp.Expr:
     offset = shape.offset
     shift = (0, 0, 0) if not isinstance(offset, Vector) else offset.symbols
     return f.xreplace({s: t - d for s, t, d in zip(x.symbols, r.symbols, shift, strict=True)})
-
-
-def definitions_by_velocity(definitions: Pairs) -> tuple[Pairs, Pairs]:
-    """Definitions in the position alone, and those in the angular velocity."""
-    moving = set(omega.symbols)
-    before: list[tuple[Name, sp.Basic]] = []
-    after: list[tuple[Name, sp.Basic]] = []
-    for name, formula in definitions:
-        symbols = to_components(formula).free_symbols
-        if symbols & moving:
-            moving |= {name} if isinstance(name, sp.Symbol) else set(name.symbols)
-            after.append((name, formula))
-        else:
-            before.append((name, formula))
-    return tuple(before), tuple(after)

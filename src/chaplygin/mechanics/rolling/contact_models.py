@@ -14,10 +14,10 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import Integral
-from ...core.named_formulas import Pairs
+from ...core.named_formulas import Pairs, by_dependence
 from ...core.system import Guard, Observable, Parameter, System
 from ...core.vectors import Vector, cross, dot, norm_squared, real_symbol, zero
-from .contact import Contact, definitions_by_velocity
+from .contact import Contact
 from .fluid import Fluid, total
 from .motion_in_space import motion_in_space
 from .surfaces import Plane, Surface
@@ -82,7 +82,7 @@ def marble(balance: Balance, surface: Surface, name: str, title: str) -> System:
         + balance.torque
     )
     # definitions of the position that use ω come after it
-    before, after = definitions_by_velocity(touch.definitions)
+    before, after = by_dependence(touch.definitions, omega.symbols)
     at_start = total([fluid.C * fluid.initial for fluid in balance.fluids])
     tensors = tuple(pair for pair in balance.definitions if pair not in touch.definitions)
     body_tensors = tuple(pair for pair in tensors if pair[0] != U)

@@ -13,7 +13,7 @@ from __future__ import annotations
 import sympy as sp
 
 from ...arguments import arguments_checked
-from ...core.named_formulas import expand
+from ...core.named_formulas import by_dependence, expand
 from ...core.system import Guard, Parameter, flat_pairs
 from ...core.vectors import (
     Diagonal,
@@ -26,7 +26,7 @@ from ...core.vectors import (
     to_components,
 )
 from ..lagrangian.mechanism import Frame, Mechanism, StructureConstants, euclidean, rotations
-from .contact import contact as contact_of, definitions_by_velocity
+from .contact import contact as contact_of
 from .equations import Rolling
 from .fluid import Fluid, fluids_of
 from .surfaces import Plane
@@ -67,7 +67,7 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
     body, field = rolling.equivalent.body, rolling.field
     fluids = fluids_of(rolling.body)
     touch = contact_of(body.shape, rolling.surface)
-    place, moving = definitions_by_velocity(touch.definitions)
+    place, moving = by_dependence(touch.definitions, omega.symbols)
     swinging = dict(flat_pairs(moving))
     inertia = Diagonal("I") if body.principal else Symmetric("I")
     spin = inertia * omega

@@ -77,9 +77,7 @@ class LevelFormulas:
         remaining = []
         for condition in self.conditions:
             self._check_symbols(condition)
-            formula = condition
-            while formula.free_symbols & {*self._definitions, *settled}:
-                formula = formula.xreplace(self._definitions).xreplace(settled)
+            formula = expand(condition, {**self._definitions, **settled})
             choice = None
             if formula.free_symbols and formula.free_symbols <= parameters:
                 choice = _linear_in(sp.fraction(sp.together(formula))[0])

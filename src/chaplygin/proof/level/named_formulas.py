@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from ...core.laws import Identity, Reduction
+from ...core.system import flat
 from ...core.vectors import Vector, to_components
 from ...errors import InputError
 from .level_set import LevelSet
@@ -27,9 +28,8 @@ def components(
     """Pairs (name, formula) as scalar symbols with scalar formulas, rates written out."""
     formulas_by_symbol: dict[sp.Symbol, sp.Expr] = {}
     for name, formula in pairs:
-        symbols = (name,) if isinstance(name, sp.Symbol) else name.symbols
         formulas = (without_rates(scalar, level) for scalar in scalars(formula))
-        formulas_by_symbol.update(zip(symbols, formulas, strict=True))
+        formulas_by_symbol.update(zip(flat([name]), formulas, strict=True))
     return formulas_by_symbol
 
 
