@@ -16,8 +16,8 @@ from ..core.system import System
 from ..errors import InputError
 from ..formulas.balls import ball_values, components, number
 from .base.solution import ClosedForm, NamedConstant, Solution
-from .genus_two.reconstruction import Lift, lift, on_arrays
-from .genus_two.separated_motion import SeparatedMotion, separate
+from .genus_two.reconstruction import Lift, lift
+from .genus_two.separated_motion import SeparatedMotion, on_arrays, separate
 from .genus_two.separation import SeparatedSystem, nu
 from .genus_two.time_map import TimeMap, clock_of
 

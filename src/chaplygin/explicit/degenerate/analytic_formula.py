@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import sympy as sp
 
 from ...formulas.program import ANALYTIC, Steps, StraightLineProgram
+from ...mechanics.rolling.attitude import attitude
 from ..one_degree.vectors import cross
 
 root = ANALYTIC.root
@@ -41,26 +42,12 @@ def triad(first: Sequence[Any], second: Sequence[Any], sizes: tuple[Any, Any]) -
     return [one, cross(three, one), three]
 
 
-def velocity(
-    rates: Sequence[sp.Expr], names: Sequence[sp.Symbol]
-) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+def velocity(rates: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
     """The velocity in body axes, of which the rates of the place are two space components.
 
     Read off at two attitudes: upright, and one that takes the third body axis to the first one of
-    space.
-
-    Parameters
-    ----------
-    rates : two formulas
-        In the attitude and other things.
-    names : four Symbols
-        The attitude.
+    space.  Empty where there are no rates.
     """
-    upright: Mapping[Any, Any] = dict(zip(names, (1, 0, 0, 0), strict=True))
-    turned: Mapping[Any, Any] = dict.fromkeys(names, sp.Rational(1, 2))
-    first, second = (rate.xreplace(_exact(upright)) for rate in rates)
-    return first, second, rates[0].xreplace(_exact(turned))
-
-
-def _exact(values: Mapping[Any, Any]) -> dict[Any, Any]:
-    return {name: sp.sympify(value) for name, value in values.items()}
+    upright = dict(zip(attitude.symbols, (sp.S.One, *[sp.S.Zero] * 3), strict=True))
+    turned = dict.fromkeys(attitude.symbols, sp.S.Half)
+    return (*(rate.xreplace(upright) for rate in rates), *(r.xreplace(turned) for r in rates[:1]))

@@ -8,9 +8,10 @@ import numpy as np
 from flint import arb, arb_mat
 
 from ...formulas.relative_zero import vanishes
+from ..one_degree.functions import BALLS, DOUBLES
 from .elliptic_curve import Oval, oval_around
 from .exact_start import ExactStart
-from .theta_motion import Asymptotic, Periodic, direction, direction_array
+from .theta_motion import Asymptotic, Periodic, direction
 
 #: Step of difference quotients at the working precision.
 STEP = arb(2) ** (-140)
@@ -127,7 +128,7 @@ def _through(motion: Asymptotic, start: ExactStart) -> Asymptotic:
         np.linspace(0, 2 * np.pi, 121)[:-1], np.arange(-reach, reach, 0.1), indexing="ij"
     )
     phases = (U.ravel(), kappa.ravel())
-    nu, rates = direction_array(*motion.with_phases(*phases))
+    nu, rates = (np.array(x) for x in direction(DOUBLES, *motion.with_phases(*phases)))
     guesses = []
     for signs in product((1, -1), repeat=3):
         reflection = np.array(signs)[:, None]
@@ -152,7 +153,7 @@ def _gauss_newton(motion: Asymptotic, goals: list[arb], weights: list[arb]) -> l
     """The step in U and κ that brings the motion at τ = 0 nearest to the start."""
 
     def weighted_components(phase: arb, offset: arb) -> list[arb]:
-        nu, rate = direction(*motion.with_start(phase, offset).balls(arb(0)))
+        nu, rate = direction(BALLS, *motion.with_start(phase, offset).balls(arb(0)))
         return [w * x.mid() for w, x in zip(weights, [*nu, *rate], strict=True)]
 
     here = weighted_components(motion.phase, motion.offset)

@@ -20,10 +20,10 @@ import numpy as np
 from flint import acb, arb, ctx
 
 from ...core.arrays import FloatArray
-from ..one_degree.functions import B
+from ..one_degree.functions import B, N
 
 #: A function and its derivative.
-Pair: TypeAlias = tuple[B, B]
+Pair: TypeAlias = tuple[N, N]
 
 #: For each function: multiples of ½π by which its centres are moved, and whether signs alternate.
 _CENTRES = {1: (1, True), 2: (0, True), 3: (0, False), 4: (1, False)}
@@ -52,8 +52,10 @@ class Thetas:
         """θ_index(ζ)."""
         return self.pair(index, zeta)[0]
 
-    def pair(self, index: int, zeta: B) -> Pair[B]:
-        """θ_index and its derivative at ζ."""
+    def pair(self, index: int, zeta: N) -> Pair[N]:
+        """θ_index and its derivative at ζ; in doubles for an array."""
+        if isinstance(zeta, np.ndarray):
+            return self._doubles(index, zeta)
         pi = arb.pi()
         turns = _nearest(zeta / pi)
         reduced = zeta - turns * pi
@@ -117,8 +119,7 @@ class Thetas:
     def _ratio(self) -> float:
         return float(self.y.mid())
 
-    def doubles(self, index: int, zeta: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """θ_index and its derivative at real numbers, in double precision."""
+    def _doubles(self, index: int, zeta: FloatArray) -> Pair[FloatArray]:
         moved, alternating = _CENTRES[index]
         turns = np.rint(zeta / np.pi)
         reduced = (zeta - turns * np.pi)[..., None]

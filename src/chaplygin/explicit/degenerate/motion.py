@@ -13,18 +13,21 @@ from flint import arb, ctx
 
 from ...arguments import NumberOrText, Numbers, arguments_checked
 from ...core.arrays import FloatArray
-from ...core.system import System, flat_pairs
-from ...formulas.balls import array_function, ball_function, components, number
-from ...mechanics.rolling.attitude import attitude
+from ...core.system import System
+from ...formulas.balls import Values, components
+from ...mechanics.rolling.attitude import attitude, place_rates
 from ..genus_two.attitude import Triad
-from ..genus_two.separated_motion import chain
+from ..genus_two.separated_motion import on_arrays, on_balls
 from ..genus_two.separation import SeparatedSystem
+from ..one_degree.functions import BALLS, DOUBLES
 from .exact_start import ExactStart
 from .quadratures import AsymptoticQuadratures, Quadratures, quadratures_along
 from .quaternion_sign import Signs, continuous_signs
-from .theta_motion import Asymptotic, Periodic, direction, direction_array
+from .theta_motion import Asymptotic, Pair, Periodic, direction
 
-#: ν and ν′ (3, n), and further arrays ↦ the values (m, n) of formulas.
+#: ν or ν′.
+Arrays: TypeAlias = Sequence[FloatArray]
+#: ν and ν′, and further arrays ↦ the values (m, n) of formulas.
 ArrayFunction: TypeAlias = Callable[..., FloatArray]
 
 #: Bits in which the gain of the clock in a period is computed, and what it may miss.
@@ -60,27 +63,18 @@ class DegenerateMotion:
 
     # --- functions of ν and ν′ ---------------------------------------------------------------
 
-    def _arrays(
-        self, formulas: Sequence[sp.Expr], further: Sequence[sp.Symbol] = ()
-    ) -> ArrayFunction:
-        """Formulas of the system as a function of ν, ν′ (3, n) and `further` arrays."""
-        arguments, steps = chain(self.separable, formulas)
-        compiled = array_function((*arguments, *further), tuple(formulas), steps)
-        constants = [number(self.exact.values[s]) for s in arguments[6:]]
-
-        def function(nu: FloatArray, nuprime: FloatArray, *others: FloatArray) -> FloatArray:
-            values = compiled(*nu, *nuprime, *constants, *others)
-            return np.stack([np.broadcast_to(x, nu[0].shape) for x in values])
-
-        return function
+    @property
+    def values(self) -> Values:
+        """Parameters and constants in balls."""
+        return self.exact.values
 
     @cached_property
     def _state(self) -> ArrayFunction:
-        return self._arrays(self.separable.system.symbols)
+        return on_arrays(self, self.separable.system.symbols)
 
     @cached_property
     def _fixed_vectors(self) -> ArrayFunction:
-        return self._arrays([c for vector in self.separable.fixed for c in components(vector)])
+        return on_arrays(self, [c for vector in self.separable.fixed for c in components(vector)])
 
     @property
     def in_space(self) -> bool:
@@ -90,17 +84,13 @@ class DegenerateMotion:
     @cached_property
     def _integrands(self) -> ArrayFunction:
         """The rate of the clock, then the velocity in space, all in τ."""
-        clock = self._arrays(components(self.separable.clock))
-        motion = self.separable.system.reconstruction
-        if motion is None or not self.in_space:
+        clock = on_arrays(self, components(self.separable.clock))
+        rates = place_rates(self.separable.system)
+        if not (rates and self.in_space):
             return clock
-        pairs = flat_pairs(motion.field)
-        rates = [formula for name, formula in pairs if name not in attitude.symbols]
-        if not rates:
-            return clock
-        velocity = self._arrays(rates, attitude.symbols)
+        velocity = on_arrays(self, rates, attitude.symbols)
 
-        def integrands(nu: FloatArray, nuprime: FloatArray) -> FloatArray:
+        def integrands(nu: Arrays, nuprime: Arrays) -> FloatArray:
             rate = clock(nu, nuprime)
             turns = self._attitude(nu, nuprime).T
             return np.concatenate([rate, rate * velocity(nu, nuprime, *turns)])
@@ -117,13 +107,13 @@ class DegenerateMotion:
         quaternion = [float(x) for x in self.start[size : size + 4]]
         return Triad.through(six[:3, 0], six[3:, 0], quaternion)
 
-    def _attitude(self, nu: FloatArray, nuprime: FloatArray) -> FloatArray:
+    def _attitude(self, nu: Arrays, nuprime: Arrays) -> FloatArray:
         six = self._fixed_vectors(nu, nuprime)
         turns: FloatArray = self.triad.attitude(six[:3], six[3:])
         return turns
 
-    def _directions(self, tau: FloatArray, turns: FloatArray) -> tuple[FloatArray, FloatArray]:
-        return direction_array(*self.motion.doubles(tau, turns))
+    def _directions(self, tau: FloatArray, turns: FloatArray) -> Pair[FloatArray]:
+        return direction(DOUBLES, *self.motion.doubles(tau, turns))
 
     @cached_property
     def turn(self) -> arb:
@@ -133,20 +123,19 @@ class DegenerateMotion:
         doubled until it does not change any more.
         """
         motion = self.motion
-        arguments, steps = chain(self.separable, components(self.separable.clock))
-        clock = ball_function(arguments, components(self.separable.clock), steps)
-        constants = [self.exact.values[s] for s in arguments[6:]]
+        clock = on_balls(self, components(self.separable.clock))
         with ctx.workprec(BITS):
             periodic = motion.limit(1) if isinstance(motion, Asymptotic) else motion
             period = periodic.period
 
             def total(numbers: range, count: int) -> arb:
                 points = (arb(k) / count * period for k in numbers)
-                return sum((clock(*directions(tau), *constants)[0] for tau in points), arb(0))
+                return sum((clock(*directions(tau))[0] for tau in points), arb(0))
 
             def directions(tau: arb) -> list[arb]:
                 # exact numbers: a ball around zero has no even power in python-flint
-                return [x.mid() for vector in direction(*periodic.balls(tau)) for x in vector]
+                nu, nuprime = direction(BALLS, *periodic.balls(tau))
+                return [x.mid() for x in (*nu, *nuprime)]
 
             count = 16
             last = total(range(count), count)

@@ -7,7 +7,7 @@ polynomial on each of many panels within.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple, TypeAlias
@@ -18,10 +18,11 @@ from flint import arb
 from ...core.arrays import BoolArray, FloatArray
 from ..genus_two.phases import halves, phase_at
 from ..one_degree.angles import ComplexArray
-from .theta_motion import Asymptotic, Periodic, direction_array
+from ..one_degree.functions import DOUBLES
+from .theta_motion import Asymptotic, Periodic, direction
 
 #: The integrands at ν, ν′ (3, n): an array (m, n), the clock first.
-Integrands: TypeAlias = Callable[[FloatArray, FloatArray], FloatArray]
+Integrands: TypeAlias = Callable[[Sequence[FloatArray], Sequence[FloatArray]], FloatArray]
 
 #: |κ| beyond which e^{−|κ|} is lost in a double.
 LARGEST_KAPPA = 38.0
@@ -128,7 +129,7 @@ def _periodic(motion: Periodic, integrands: Integrands, turn: arb) -> PeriodicQu
     count = 64
     while True:
         tau = np.arange(count, dtype=float) * (period / count)
-        nu, rate = direction_array(*motion.doubles(tau, 0.0))
+        nu, rate = direction(DOUBLES, *motion.doubles(tau, 0.0))
         waves = np.fft.rfft(integrands(nu, rate)) / count
         size = np.abs(waves).max(-1, keepdims=True)
         # the clock and the velocities have different units
@@ -245,7 +246,7 @@ def _asymptotic(motion: Asymptotic, integrands: Integrands, turn: arb) -> Asympt
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
     half = np.diff(edges) / 2
     tau = (edges[:-1] + half) + np.multiply.outer(nodes, half)
-    nu, rate = direction_array(*motion.doubles(tau.ravel(), 0.0))
+    nu, rate = direction(DOUBLES, *motion.doubles(tau.ravel(), 0.0))
     values = integrands(nu, rate).reshape(-1, *tau.shape)
     order = np.arange(NODES)
     basis = np.polynomial.legendre.legvander(nodes, NODES - 1)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...core.arrays import FloatArray
+from ..genus_two.attitude import continuous_signs as agreeing_signs
 
 #: Points of a period in the table of quaternions.
 POINTS = 512
@@ -65,8 +66,7 @@ def continuous_signs(
     count = int(np.ceil((last - first) / step)) + 2 * POINTS
     tau = first - period + step * np.arange(count + 1, dtype=float)
     table = attitude(tau)
-    change = np.where(np.sum(table[1:] * table[:-1], axis=1) < 0, -1.0, 1.0)
-    table = table * np.concatenate([[1.0], np.cumprod(change)])[:, None]
+    table = table * agreeing_signs(table)[:, None]
     zero = round(-tau[0] / step)
     table = table * (1.0 if float(table[zero] @ start) > 0 else -1.0)
     flips = [np.sign(float(table[k] @ table[k + POINTS])) for k in (0, count - POINTS)]

@@ -18,12 +18,11 @@ import sympy as sp
 from flint import acb, arb, ctx
 
 from ...arguments import NumberOrText
-from ...core.system import flat_pairs
 from ...formulas.balls import ball, components
-from ...mechanics.rolling.attitude import attitude
+from ...mechanics.rolling.attitude import place_rates
 from ..genus_two.separated_motion import chain
 from ..one_degree.chebyshev_integrals import Integrals, integrals, working_bits
-from ..one_degree.functions import B
+from ..one_degree.functions import BALLS, B
 from ..one_degree.inverse import enclosed_root
 from ..one_degree.vectors import cross, dot, product
 from ..one_degree.working_precision import exact_time, working_digits
@@ -124,14 +123,8 @@ class Rigorous:
     def _rates(self) -> Callable[..., list[Any]]:
         """The clock, then the velocity in body axes."""
         clock = components(self.solution.separable.clock)
-        motion = self.solution.separable.system.reconstruction
-        if motion is None or not self.solution.in_space:
-            return self._function(clock)
-        pairs = flat_pairs(motion.field)
-        velocities = [formula for name, formula in pairs if name not in attitude.symbols]
-        return self._function(
-            [*clock, *(velocity(velocities, attitude.symbols) if velocities else ())]
-        )
+        rates = place_rates(self.solution.separable.system)
+        return self._function([*clock, *(velocity(rates) if self.solution.in_space else ())])
 
     @cached_property
     def _triad(self) -> Callable[..., list[list[Any]]]:
@@ -185,7 +178,7 @@ class Rigorous:
             return [a.union(b).union(c).union(d) for a, b, c, d in zip(*quarters, strict=True)]
 
         def on_box(sigma: acb) -> list[acb]:
-            nu, nuprime = direction(*numerators(sigma))
+            nu, nuprime = direction(BALLS, *numerators(sigma))
             clock, *velocity = self._rates(nu, nuprime)
             values = [clock]
             if velocity:
@@ -251,7 +244,7 @@ class Rigorous:
             small = acb(doubt * faint, doubt * faint)
             U = motion.phase + motion.speed * (edge + sigma) / self._speed
             down, up = (small, acb(1)) if after else (acb(1), small)
-            return motion.combination(U, down, up, acb(doubt, doubt))
+            return motion.combination(BALLS, U, down, up, acb(doubt, doubt))
 
         low, high = (arb(-7), arb("0.5")) if side < 0 else (arb(0), arb(7))
         rates = self._integrands(numerators)
@@ -299,7 +292,7 @@ class Rigorous:
     def state(self, time: arb) -> tuple[arb, ...]:
         """The lifted state at a time (arb)."""
         sigma, turns = self._phase(time)
-        nu, nuprime = direction(*self._numerators(sigma))
+        nu, nuprime = direction(BALLS, *self._numerators(sigma))
         reduced = self._reduced_state(nu, nuprime)
         if not self.solution.in_space:
             return tuple(reduced)

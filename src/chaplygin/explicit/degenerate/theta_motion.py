@@ -25,13 +25,12 @@ import numpy as np
 from flint import arb
 
 from ...core.arrays import FloatArray
-from ..one_degree.divided_differences import analytic_root
-from ..one_degree.functions import B
+from ..one_degree.functions import BALLS, DOUBLES, B, Functions, N
 from ..one_degree.vectors import dot
 from .jacobi_theta import Thetas
 
 #: N and N′, or ν and ν′.
-Pair: TypeAlias = tuple[list[B], list[B]]
+Pair: TypeAlias = tuple[list[N], list[N]]
 
 
 class Numerators(ABC):
@@ -50,8 +49,8 @@ class Numerators(ABC):
         """N and N′ at τ."""
 
     @abstractmethod
-    def doubles(self, tau: FloatArray, turns: FloatArray | float) -> tuple[FloatArray, FloatArray]:
-        """N and N′ (3, n) at the times τ + turns · period, in double precision."""
+    def doubles(self, tau: FloatArray, turns: FloatArray | float) -> Pair[FloatArray]:
+        """N and N′ at the times τ + turns · period, in double precision."""
 
 
 @dataclass(frozen=True)
@@ -85,25 +84,20 @@ class Periodic(Numerators):
 
     def balls(self, tau: B) -> Pair[B]:
         """N and N′ at τ."""
-        v = self.phase + self.speed * tau
-        pairs = [
-            (c * value, c * self.turn * slope)
-            for c, (value, slope) in zip(
-                self.amplitudes, (self.thetas.pair(i, v) for i in self.indices), strict=True
-            )
-        ]
-        return [value for value, _ in pairs], [slope for _, slope in pairs]
+        return self._values(BALLS, tau)
 
-    def doubles(self, tau: FloatArray, turns: FloatArray | float) -> tuple[FloatArray, FloatArray]:
-        """N and N′ (3, n) in double precision."""
-        turn = float(self.turn)
-        v = float(self.phase) + float(self.speed) * tau
+    def doubles(self, tau: FloatArray, turns: FloatArray | float) -> Pair[FloatArray]:
+        """N and N′ in double precision."""
+        return self._values(DOUBLES, tau)
+
+    def _values(self, F: Functions[N], tau: N) -> Pair[N]:
+        v, turn = F.number(self.phase) + F.number(self.speed) * tau, F.number(self.turn)
         values, slopes = [], []
-        for c, index in zip(self.amplitudes, self.indices, strict=True):
-            value, slope = self.thetas.doubles(index, v)
-            values.append(float(c) * value)
-            slopes.append(float(c) * turn * slope)
-        return np.array(values), np.array(slopes)
+        for amplitude, index in zip(self.amplitudes, self.indices, strict=True):
+            c, (value, slope) = F.number(amplitude), self.thetas.pair(index, v)
+            values.append(c * value)
+            slopes.append(c * turn * slope)
+        return values, slopes
 
 
 @dataclass(frozen=True)
@@ -150,14 +144,14 @@ class Asymptotic(Numerators):
         small = (-2 * kappa if after else 2 * kappa).exp()
         middle = (-kappa if after else kappa).exp()
         one = 0 * small + 1
-        return self.combination(U, *((small, one) if after else (one, small)), middle)
+        return self.combination(BALLS, U, *((small, one) if after else (one, small)), middle)
 
-    def combination(self, U: B, down: B, up: B, middle: B) -> Pair[B]:
+    def combination(self, F: Functions[N], U: N, down: N, up: N, middle: N) -> Pair[N]:
         """N and N′ with the factors of θ(U − s), θ(U + s) and of the component that dies out."""
-        pair, s = self.thetas.pair, self.shift
-        speed, growth = self.turn
+        pair, s = self.thetas.pair, F.number(self.shift)
+        speed, growth = (F.number(x) for x in self.turn)
         values, slopes = [], []
-        for c, index in zip(self.amplitudes, self.indices, strict=True):
+        for amplitude, index in zip(self.amplitudes, self.indices, strict=True):
             if index == 0:
                 value, slope = pair(1, U)
                 value, slope = middle * value, middle * speed * slope
@@ -166,39 +160,23 @@ class Asymptotic(Numerators):
                 (one, one_slope), (two, two_slope) = pair(index, U - s), pair(index, U + s)
                 value = down * one + sign * up * two
                 slope = down * (speed * one_slope - growth * one)
-                slope += sign * up * (speed * two_slope + growth * two)
-            values.append(c * value)
-            slopes.append(c * slope)
+                slope = slope + sign * up * (speed * two_slope + growth * two)
+            values.append(F.number(amplitude) * value)
+            slopes.append(F.number(amplitude) * slope)
         return values, slopes
 
-    def doubles(self, tau: FloatArray, turns: FloatArray | float) -> tuple[FloatArray, FloatArray]:
-        """N and N′ (3, n) in double precision."""
+    def doubles(self, tau: FloatArray, turns: FloatArray | float) -> Pair[FloatArray]:
+        """N and N′ in double precision."""
         growth = float(self.growth)
         U = float(self.phase) + float(self.speed) * tau
         kappa = float(self.offset) + growth * tau + growth * float(self.period) * turns
         return self.with_phases(U, kappa)
 
-    def with_phases(self, U: FloatArray, kappa: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """N and N′ (3, n) for given U and κ (arrays)."""
-        speed, growth = (float(x) for x in self.turn)
-        s = float(self.shift)
+    def with_phases(self, U: FloatArray, kappa: FloatArray) -> Pair[FloatArray]:
+        """N and N′ for given U and κ (arrays)."""
         size = np.abs(kappa)
         down, up, middle = np.exp(-kappa - size), np.exp(kappa - size), np.exp(-size)
-        values, slopes = [], []
-        for c, index in zip(self.amplitudes, self.indices, strict=True):
-            if index == 0:
-                value, slope = self.thetas.doubles(1, U)
-                value, slope = middle * value, middle * speed * slope
-            else:
-                sign = -1 if index == 1 else 1
-                one, one_slope = self.thetas.doubles(index, U - s)
-                two, two_slope = self.thetas.doubles(index, U + s)
-                value = down * one + sign * up * two
-                slope = down * (speed * one_slope - growth * one)
-                slope = slope + sign * up * (speed * two_slope + growth * two)
-            values.append(float(c) * value)
-            slopes.append(float(c) * slope)
-        return np.array(values), np.array(slopes)
+        return self.combination(DOUBLES, U, down, up, middle)
 
     def limit(self, side: int) -> Periodic:
         """The periodic motion that is approached as κ → ∞ (`side` 1) or −∞ (−1)."""
@@ -216,16 +194,9 @@ class Asymptotic(Numerators):
         return replace(self, phase=phase, offset=offset, amplitudes=reflected)
 
 
-def direction(values: Sequence[B], slopes: Sequence[B]) -> Pair[B]:
-    """ν and ν′ from N and N′, not finite where the square root of N² may be cut."""
-    length = analytic_root(dot(values, values))
+def direction(F: Functions[N], values: Sequence[N], slopes: Sequence[N]) -> Pair[N]:
+    """ν and ν′ from N and N′; in balls not finite where the square root of N² may be cut."""
+    length = F.sqrt(dot(values, values))
     nu = [n / length for n in values]
     along = dot(nu, slopes)
     return nu, [(d - v * along) / length for v, d in zip(nu, slopes, strict=True)]
-
-
-def direction_array(values: FloatArray, slopes: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """ν and ν′ (3, n) from N and N′."""
-    length = np.sqrt((values**2).sum(0))
-    nu = values / length
-    return nu, (slopes - nu * (nu * slopes).sum(0)) / length

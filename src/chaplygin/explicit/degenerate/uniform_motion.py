@@ -15,15 +15,16 @@ import sympy as sp
 from flint import arb, ctx
 
 from ...arguments import NumberOrText
-from ...core.system import System, flat_pairs
+from ...core.system import System
 from ...core.vectors import Vector, to_components
 from ...formulas.balls import ball, ball_values, exact
 from ...formulas.relative_zero import SizedNumber, state_sizes, values_with_sizes, vanishes
-from ...mechanics.rolling.attitude import attitude
+from ...mechanics.rolling.attitude import place_rates
 from ..base.exact_start import on_phase_space
 from ..base.solution import ClosedForm, NamedConstant
 from ..one_degree.uniform import Rotation, UniformSolution
 from ..one_degree.vectors import cross, dot, product
+from .analytic_formula import velocity
 from .exact_start import PRECISION, with_definitions
 
 #: Angles of a turn about ω at which the field is compared with that turn.
@@ -175,6 +176,7 @@ def _solution(
     omega: Balls,
 ) -> UniformSolution:
     size = len(system.symbols)
+    known = with_definitions(system, values, start)
     in_space = system.reconstruction is not None
     length = sum((q * q for q in start[size : size + 4]), arb(0)).sqrt()
     # exact numbers: their radii, near 1e-120, would hide that a difference is zero
@@ -202,24 +204,6 @@ def _solution(
         precession=precession,
         closed_form=form,
         attitude=[q / length for q in start[size : size + 4]] if in_space else [],
-        velocity=_velocity(system, values, start) if in_space else [],
+        velocity=ball_values(velocity(place_rates(system)), known),
         position=start[size + 4 :],
     )
-
-
-def _velocity(system: System, values: Values, start: Balls) -> Balls:
-    """The velocity in body axes, read off the rates of the position at two attitudes."""
-    assert system.reconstruction is not None
-    rates = [
-        f for name, f in flat_pairs(system.reconstruction.field) if name not in attitude.symbols
-    ]
-    if not rates:
-        return ()
-    known = with_definitions(system, values, start)
-    half = arb("0.5")
-    upright = dict(zip(attitude.symbols, (arb(1), arb(0), arb(0), arb(0)), strict=True))
-    # this attitude takes the third body axis to the first one of space
-    rotated = dict.fromkeys(attitude.symbols, half)
-    first, second = ball_values(rates, {**known, **upright})
-    third, _ = ball_values(rates, {**known, **rotated})
-    return (first, second, third)

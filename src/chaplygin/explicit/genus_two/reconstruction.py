@@ -11,38 +11,21 @@ import numpy as np
 import sympy as sp
 
 from ...core.arrays import FloatArray
-from ...core.system import flat_pairs
 from ...core.vectors import vectors
 from ...errors import InputError
-from ...formulas.balls import array_function, components, number
-from ...mechanics.rolling.attitude import attitude
+from ...formulas.balls import components, number
+from ...mechanics.rolling.attitude import attitude, place_rates
 from .attitude import Cover, Triad, cover
 from .attitude_one_axis import farthest, references, spinning
 from .floquet_attitude import FloquetReduction, reduction
 from .phases import phase_grid
 from .quadrature import Quadrature, quadrature, series
-from .separated_motion import SeparatedMotion, chain
-from .separation import SeparatedSystem
+from .separated_motion import SeparatedMotion, on_arrays
 from .third_frequency import Turning, turning
 from .time_map import TimeMap, TorusPoint
 
 #: Points per phase at which the directions of two vectors are compared.
 _COARSE = 24
-
-
-def on_arrays(
-    motion: SeparatedMotion, formulas: Sequence[sp.Expr], further: Sequence[sp.Symbol] = ()
-) -> Callable[..., FloatArray]:
-    """Formulas as a function of ν, ν′, each (3, n), and of `further` arrays (n,)."""
-    arguments, steps = chain(motion.separable, formulas)
-    evaluate = array_function((*arguments, *further), tuple(formulas), steps)
-    fixed = [number(motion.values[s]) for s in arguments[6:]]
-
-    def function(direction: FloatArray, turning: FloatArray, *others: FloatArray) -> FloatArray:
-        values = evaluate(*direction, *turning, *fixed, *others)
-        return np.stack([np.broadcast_to(x, direction[0].shape) for x in values])
-
-    return function
 
 
 @dataclass(frozen=True)
@@ -77,9 +60,8 @@ class Lift(ABC):
     @cached_property
     def _places(self) -> Callable[..., FloatArray]:
         """Rates, per unit of t, of what the motion has besides the attitude."""
-        return on_arrays(
-            self.separated_motion, place_rates(self.separated_motion.separable), attitude.symbols
-        )
+        system = self.separated_motion.separable.system
+        return on_arrays(self.separated_motion, place_rates(system), attitude.symbols)
 
     def _quadrature(self, function: Callable[[FloatArray], FloatArray]) -> tuple[Quadrature, ...]:
         torus = self.separated_motion.torus
@@ -95,13 +77,6 @@ def spinning_pair(motion: SeparatedMotion) -> tuple[sp.MatrixExpr, sp.MatrixExpr
     directions = [on_arrays(motion, components(e.vector))(*at_grid) for e in choice]
     best = choice[farthest(fixed, directions)]
     return of.fixed[0], best.vector, spinning(of, best)
-
-
-def place_rates(of: SeparatedSystem) -> list[sp.Expr]:
-    """Rates of the variables of the motion in space, the attitude left out."""
-    motion = of.system.reconstruction
-    pairs = () if motion is None else flat_pairs(motion.field)
-    return [formula for name, formula in pairs if name not in attitude.symbols]
 
 
 @dataclass(frozen=True)

@@ -2,16 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any, Protocol
 
+import numpy as np
 import sympy as sp
 from flint import arb
 
 from ...arguments import NumberOrText
+from ...core.arrays import FloatArray
 from ...core.named_formulas import by_dependence, needed_steps
 from ...core.system import flat_pairs
-from ...formulas.balls import Values, ball, ball_values, components
+from ...formulas.balls import (
+    Values,
+    array_function,
+    ball,
+    ball_function,
+    ball_values,
+    components,
+    number,
+)
 from ...formulas.program import Steps
 from ..base.exact_start import on_phase_space
 from .curve import Curve
@@ -110,3 +121,40 @@ def chain(
     constants = tuple(name for name, _ in separable.constants)
     arguments = (*nu.symbols, *nuprime.symbols, *parameters, *constants)
     return arguments, needed_steps(steps, formulas)
+
+
+class MotionValues(Protocol):
+    """A separable system with the parameters and constants of one motion."""
+
+    @property
+    def separable(self) -> SeparatedSystem:
+        """The formulas."""
+
+    @property
+    def values(self) -> Values:
+        """Parameters and constants in balls."""
+
+
+def on_balls(motion: MotionValues, formulas: Sequence[sp.Expr]) -> Callable[..., tuple[Any, ...]]:
+    """Formulas as a function of the six components of ν and ν′, in balls."""
+    arguments, steps = chain(motion.separable, formulas)
+    evaluate = ball_function(arguments, tuple(formulas), steps)
+    fixed = [motion.values[s] for s in arguments[6:]]
+    return lambda *six: evaluate(*six, *fixed)
+
+
+def on_arrays(
+    motion: MotionValues, formulas: Sequence[sp.Expr], further: Sequence[sp.Symbol] = ()
+) -> Callable[..., FloatArray]:
+    """Formulas as a function of ν, ν′, each three arrays (n,), and of `further` arrays (n,)."""
+    arguments, steps = chain(motion.separable, formulas)
+    evaluate = array_function((*arguments, *further), tuple(formulas), steps)
+    fixed = [number(motion.values[s]) for s in arguments[6:]]
+
+    def function(
+        direction: Sequence[FloatArray], turning: Sequence[FloatArray], *others: FloatArray
+    ) -> FloatArray:
+        values = evaluate(*direction, *turning, *fixed, *others)
+        return np.stack([np.broadcast_to(x, direction[0].shape) for x in values])
+
+    return function

@@ -8,10 +8,10 @@ import numpy as np
 from flint import arb, ctx
 
 from ...core.arrays import FloatArray
-from ...formulas.balls import array_function, ball_function, components, number
+from ...formulas.balls import components, number
 from .phases import halves, phase_at
 from .quadrature import Quadrature, quadrature, series
-from .separated_motion import SeparatedMotion, chain
+from .separated_motion import SeparatedMotion, on_arrays, on_balls
 from .torus_average import mean
 
 #: Newton steps for the clock; it takes four or five.
@@ -92,20 +92,10 @@ def clock_of(motion: SeparatedMotion, bits: int) -> TimeMap:
     """
     torus = motion.torus
     rate = components(motion.separable.clock)
-    arguments, steps = chain(motion.separable, rate)
-    exact = [motion.values[s] for s in arguments[6:]]
-    rounded = [number(x) for x in exact]
-    on_arrays = array_function(arguments, rate, steps)
-    on_balls = ball_function(arguments, rate, steps)
-
-    def rates(v: FloatArray) -> FloatArray:
-        direction, turning = torus.values(v)
-        (values,) = on_arrays(*direction, *turning, *rounded)
-        return np.broadcast_to(values, direction.shape[1:])[None]
-
+    rates, exact = on_arrays(motion, rate), on_balls(motion, rate)
     v_0 = np.array([number(x) for x in torus.v_0])
-    (rough,) = series(rates)
-    average = mean(torus, lambda *six: on_balls(*six, *exact)[0], rough)
+    (rough,) = series(lambda v: rates(*torus.values(v)))
+    average = mean(torus, lambda *six: exact(*six)[0], rough)
     flow = quadrature(rough, torus.V, v_0, None if average is None else number(average))
     if average is None:
         average = arb(flow.mean)

@@ -13,7 +13,7 @@ from ...arguments import NumberOrText
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...formulas.balls import ball, components, number
-from ..genus_two.separated_motion import SeparatedMotion, chain, separate
+from ..genus_two.separated_motion import SeparatedMotion, separate
 from .branch_formula import Branch, direction
 from .quadrature import RigorousQuadrature, bits_for, quadratures, speed_of
 from .reconstruction import Pair, PathRates, Turn, path_rates
@@ -54,12 +54,7 @@ class RigorousMotion:
 
     @cached_property
     def _state(self) -> Branch:
-        symbols = self.separated_motion.separable.system.symbols
-        return Branch(
-            symbols,
-            self.separated_motion.values,
-            chain(self.separated_motion.separable, symbols)[1],
-        )
+        return Branch.of(self.separated_motion, self.separated_motion.separable.system.symbols)
 
     @cached_property
     def _pair(self) -> Pair | None:
@@ -168,8 +163,7 @@ def rigorous_motion(solution: TorusMotion, digits: int, until: NumberOrText) -> 
     start: Sequence[NumberOrText] = solution.start[: len(own.separable.system.symbols)]
     with ctx.workprec(bits_for(digits, turns) + _GUARD_BITS):
         exact = separate(own.separable, solution.parameters, start)
-        rate = components(own.separable.clock)
-        branch = Branch(rate, exact.values, chain(own.separable, rate)[1])
+        branch = Branch.of(exact, components(own.separable.clock))
     (clock,) = quadratures(exact.torus, branch, digits, reach)
     return RigorousMotion(solution, exact, clock, digits, reach)
 

@@ -12,9 +12,9 @@ from flint import arb, arb_mat
 from ...core.arrays import FloatArray
 from ...core.vectors import real_symbol
 from ...formulas.balls import components
-from ...mechanics.rolling.attitude import attitude
+from ...mechanics.rolling.attitude import attitude, place_rates
 from ..genus_two.attitude_one_axis import rotated_triad
-from ..genus_two.reconstruction import place_rates, spinning_pair
+from ..genus_two.reconstruction import spinning_pair
 from ..genus_two.separated_motion import SeparatedMotion, chain
 from .branch_formula import Branch
 
@@ -56,9 +56,7 @@ class Pair:
     def turning(self, separated_motion: SeparatedMotion) -> Branch:
         """The rate in τ, as a function of ν and ν′."""
         formula = components(separated_motion.separable.clock)[0] * self.rate
-        return Branch(
-            [formula], separated_motion.values, chain(separated_motion.separable, [formula])[1]
-        )
+        return Branch.of(separated_motion, [formula])
 
 
 @dataclass(frozen=True)
@@ -85,9 +83,7 @@ class Turn:
         quaternion: Sequence[arb],
     ) -> Turn:
         """The triad of a start with ν, ν′ and the attitude (w, x, y, z, body to space)."""
-        formulas = list(_triad(pair.first, pair.second))
-        _, steps = chain(separated_motion.separable, formulas)
-        body = Branch(formulas, separated_motion.values, steps)
+        body = Branch.of(separated_motion, list(_triad(pair.first, pair.second)))
         rows = arb_mat(3, 3, body.at(*there))
         length = sum((x * x for x in quaternion), arb(0)).sqrt()
         return cls(body, rows * _matrix([x / length for x in quaternion]).transpose())
@@ -165,7 +161,7 @@ def path_rates(separated_motion: SeparatedMotion, pair: Pair) -> PathRates | Non
     the torus that at most changes its sign with the periods, which the rate itself need not.
     """
     names = attitude.symbols
-    rates = place_rates(separated_motion.separable)
+    rates = place_rates(separated_motion.separable.system)
     if not rates:
         return None
     products = quaternion_products((_AXES.T * _TRIAD).tolist())

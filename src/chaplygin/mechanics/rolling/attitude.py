@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.system import Observable
+from ...core.system import Observable, System, flat_pairs
 from ...core.vectors import Vector, constant, to_components
 
 attitude = Vector("attitude", 4)
@@ -62,3 +62,10 @@ def attitude_observable() -> Observable:
         frame="quaternion",
         source="(1.13)",
     )
+
+
+def place_rates(system: System) -> list[sp.Expr]:
+    """Rates of the variables of the motion in space, the attitude left out."""
+    motion = system.reconstruction
+    pairs = () if motion is None else flat_pairs(motion.field)
+    return [formula for name, formula in pairs if name not in attitude.symbols]
