@@ -177,12 +177,24 @@ class Motion:
                     continue
                 self.mode, self.dying = mode, dying
                 return
-        free = probe if not slide_zero else self.problem.response(self.y, Mode(), IN_BETWEEN)
-        if free.normal <= 0.0:
-            self.mode, self.dying = Mode(contact=False), None
-            self.record("lift-off", list(self.y))
-            return
-        raise ArithmeticError(f"no mode is consistent at t = {self.t}")
+        self.leave()
+
+    def leave(self) -> None:
+        """Fly, if the body without any force of the support rises; else there is no motion."""
+        before, h = list(self.y), 1e-5 * math.sqrt(self.problem.body.size / self.problem.gravity)
+        rate = self.problem.rate(self.y, Mode(contact=False))
+        ahead, behind = (
+            normal_velocity(
+                self.problem, [a + s * h * b for a, b in zip(self.y, rate, strict=True)]
+            )
+            for s in (1.0, -1.0)
+        )
+        if ahead - behind < -2e-6 * h * self.problem.gravity:
+            raise ArithmeticError(f"neither contact nor flight is possible at t = {self.t}")
+        _, n, gap, _, _ = self.problem.geometry(self.y)
+        self.y[:3] = minus(self.y[:3], times(gap, n))
+        self.mode, self.dying = Mode(contact=False), None
+        self.record("lift-off", before)
 
     def exit(self, mode: Mode, kind: str) -> list[float] | None:
         """Attracting direction in which a zero velocity grows, with the motion frozen."""
@@ -373,10 +385,7 @@ class Motion:
             size = root((x @ x).item())
             self.dying = Dying(name, logarithm(size), (x / size).tolist())
         elif name == "lift-off":
-            _, n, gap, _, _ = self.problem.geometry(self.y)
-            self.y[:3] = minus(self.y[:3], times(gap, n))
-            self.mode, self.dying = Mode(contact=False), None
-            self.record("lift-off", before)
+            self.leave()
         elif name == "spin stop" and mode.slide_held:
             # a couple of the other sign may ask for more friction than there is
             self.settled(True, True, mode.turn_held)
@@ -639,7 +648,12 @@ class Motion:
         _, x = pass_with(w)
         along = zero_w[0] @ x
         if along[2] <= 0.0:
-            raise ArithmeticError(f"sliding that begins at t = {self.t} does not grow")
+            # slips nearby turn away from this direction: another one grows at once
+            e = self.exit(mode, kind)
+            if e is None:
+                raise ArithmeticError(f"sliding that begins at t = {self.t} does not grow")
+            self.mode, self.dying = mode, Dying(kind, LAST + math.log(SMALL), e)
+            return
         growing = Series(along[: TERMS - 2])
         for k in range(TERMS - 5, TERMS - 2):
             if along[k] != 0.0:

@@ -24,6 +24,7 @@ from chaplygin.contact import (
     start_in_contact,
     start_in_space,
 )
+from contact.reference import placed, simulate
 from contact.situations import CASES, rules, situation, start
 
 G = 9.81
@@ -356,6 +357,20 @@ def test_a_body_at_rest_on_a_turntable_turns_with_it() -> None:
     assert motion.intervals == (type(motion.intervals[0])("rest", 0.0, 2.0),)
     place = 0.5 * np.array([math.cos(2.4), math.sin(2.4)])
     np.testing.assert_allclose(motion.end_state[4:6], place, atol=1e-14)
+
+
+def test_friction_without_the_normal_force_may_lift_a_body_that_cannot_fly() -> None:
+    """A body leaves where it would rise without its support; the reference finds the same end."""
+    body, slip = CASES["loaded ball"]["body"], [-5.0, 1.0, 0.0]
+    begin = placed(body, {"kind": "plane"}, [1.0, 0.2, 0.3, -0.4], [3.0, -2.0, 5.0], slip)
+    case = {**CASES["loaded ball"], "contact": {"viscous": 4.2}, "start": begin}
+    motion = motion_of(case)
+    assert (motion.ending, motion.events) == ("lifted", ())
+    assert motion.end_time == pytest.approx(0.33553560703527, abs=1e-13)
+    with pytest.raises(
+        ArithmeticError, match=r"neither contact nor flight .* t = 0\.33553560703527"
+    ):
+        simulate(body, {"kind": "plane"}, {"viscous": 4.2}, begin, 1.0)
 
 
 def jamming(rules: Rules, times: Any) -> Any:

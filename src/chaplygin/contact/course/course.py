@@ -20,7 +20,13 @@ from .endings import SINGULAR, EndError
 from .events import EventKind
 from .jam import after_jam
 from .mode_integrator import PAUSE
-from .near_rest import departure, first_direction, frozen_slip, state_after_stop
+from .near_rest import (
+    departure,
+    first_direction,
+    frozen_slip,
+    state_after_stop,
+    sudden_direction,
+)
 from .rolling_course import RollingCourse
 
 #: Gaps, normal velocities and normal accelerations below this part of the typical ones are none.
@@ -340,14 +346,12 @@ class Course(RollingCourse):
         values = self._integrator(self.mode).outputs(self.state)
         N, couple = self._normal_force_and_couple(self.mode)
         direction = first_direction(self._dry, N, values["friction_force"], couple)
-        if self._dry.static_mu > self._dry.mu:
-            # friction falls at once, and sliding begins where its acceleration points
+        if not self._dry.patch:
             sign = self._spin_sign if self.mode.spinning else 0.0
-            moving = replace(self._dry, static_mu=self._dry.mu)
-            choice = departure(self._numbers(), moving, sign)
-            if choice is None or choice.holds:
+            sudden = sudden_direction(self._numbers(), self._dry, sign, direction)
+            if sudden is None:
                 raise EndError("no beginning", "static friction ends, but sliding cannot begin")
-            direction = choice.direction
+            direction = sudden
         spinning = self.mode.spinning or bool(self._dry.patch)
         self.mode = Mode(spinning=spinning, rolling=self.mode.rolling)
         self._record("slip", before)

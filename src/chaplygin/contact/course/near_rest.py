@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import sympy as sp
@@ -25,6 +25,9 @@ from ..slip.stopping import Stop
 from .compiled import OMEGA, VELOCITY, ContactNumbers
 
 _HERTZ = Hertz()
+
+#: Friction so close to its limit is at it, and directions as close are one.
+_AT_LIMIT = 1e-6
 
 
 def _force_factor(k: float) -> float:
@@ -239,6 +242,35 @@ def first_direction(dry: DryFriction, N: float, force: FloatArray, couple: float
     angle = math.atan(k)
     along = -math.sin(angle) * force / size if size else np.zeros(3)
     return np.append(along, -math.copysign(math.cos(angle), couple))
+
+
+def sudden_direction(
+    numbers: ContactNumbers, dry: DryFriction, spin_sign: float, direction: FloatArray
+) -> FloatArray | None:
+    """Direction (3,) in which a point at its limit of friction slides; None if it cannot.
+
+    Static friction above that of sliding falls to it, and the slip grows at once.  Otherwise the
+    slip begins gently against the force, if nearby slips turn towards this direction.  If they
+    turn away, which needs a normal force that depends on friction, the slip grows at once in
+    another direction, as it already could while friction held the contact.
+
+    Parameters
+    ----------
+    numbers : ContactNumbers
+    dry : DryFriction
+    spin_sign : float
+        Of the spin; 0 where a couple holds it.
+    direction : array (3,)
+        Against the friction at its limit, body axes.
+    """
+    falls = dry.static_mu > dry.mu
+    # a hold that has reached its limit is none, whatever rounding says
+    limit = dry.mu if falls else (1 - _AT_LIMIT) * dry.mu
+    choice = departure(numbers, replace(dry, static_mu=limit), spin_sign)
+    if choice is None or choice.holds:
+        return None if falls else direction
+    gently = not falls and float(choice.direction @ direction) > 1 - _AT_LIMIT
+    return direction if gently else choice.direction
 
 
 def state_after_stop(
