@@ -404,6 +404,9 @@ def test_a_dynamic_jam_ends_in_finite_time() -> None:
     assert np.linalg.norm(again.events[0].impulse) > 0
     energies = [motion.observables()["energy"][0], again.observables()["energy"][-1]]
     assert energies[1] < energies[0]
+    for each in (motion, again):
+        balance = each.observables()["energy"] + each.states[:, 16:].sum(axis=1)
+        assert np.ptp(balance) < 1e-15 * energies[0]
 
 
 def test_an_impact_without_collision_gives_back_what_it_stored() -> None:

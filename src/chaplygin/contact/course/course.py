@@ -15,6 +15,7 @@ from ..friction.modes import FLIGHT, Mode, Range
 from ..impact.impact import Impact
 from ..slip.stopping import WEAK, finish_stop
 from .beginning import Beginning, beginning
+from .compiled import WORK
 from .course_state import NO_SLIP, SLIP_FLOOR
 from .endings import SINGULAR, EndError
 from .events import EventKind
@@ -311,7 +312,7 @@ class Course(RollingCourse):
 
     def _stick(self) -> None:
         """Complete a stop, and hold the contact or leave zero in another direction."""
-        before, known = self.state, self._numbers()
+        before, known, balance = self.state, self._numbers(), self._balance()
         spin_at_rest = not self.mode.spinning
         slip = frozen_slip(known, self._dry, 0.0 if spin_at_rest else self._spin_sign)
         x = known.mobility.tangents @ known.slip
@@ -337,7 +338,7 @@ class Course(RollingCourse):
         self.time += stop.duration
         self._project(self._mode_at_rest(spin_at_rest))
         column = self.contact.work_column(self._dry.law)
-        self.state[column] += known.energy - self._numbers().energy
+        self.state[column] += balance - self._balance()
         self._leave_rest("stick", before, spin_at_rest=spin_at_rest)
 
     def _slip(self) -> None:
@@ -382,9 +383,13 @@ class Course(RollingCourse):
         part = 1.0 if self.rules.on_paradox == "stop" else 2.0
         jam = after_jam(self._integrator(self.mode), self._numbers(), self.state, self._speed, part)
         if jam is not None:
+            balance = self._balance()
+            column = WORK + int(np.abs(jam[0][WORK:] - self.state[WORK:]).argmax())
             self.state = jam[0]
             self.time += jam[1]
             self._project(self.mode)
+            # the work of so great a force changes with the slip, which it stops
+            self.state[column] += balance - self._balance()
         if self.rules.on_paradox == "stop":
             raise EndError("paradox", _PARADOX)
         before = self.state

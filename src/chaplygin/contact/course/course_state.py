@@ -223,6 +223,10 @@ class CourseState:
             return self.contact.without_rolling(known)
         return known
 
+    def _balance(self) -> float:
+        """Energy with all work lost."""
+        return self._numbers().energy + float(self.state[WORK:].sum())
+
     def _project(self, mode: Mode) -> None:
         self.state = self._integrator(mode).project(self.state)
 
