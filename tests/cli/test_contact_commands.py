@@ -60,8 +60,32 @@ def test_show_says_which_equations_it_shows(ask: Ask, billiard: Path) -> None:
     assert 'impact_law = "stronge"' in output
 
 
+def test_what_friction_keeps_is_proved(ask: Ask, billiard: Path) -> None:
+    code, output, _ = ask("prove", billiard, "--json")
+    verdicts = {item["law"]: item["verdict"] for item in json.loads(output)}
+    assert code == 0
+    assert set(verdicts.values()) == {"proven"}
+    assert set(verdicts) == {
+        *("jellett", "momentum_x", "momentum_y", "momentum_z", "direction_x", "direction_y"),
+        *("power", "coulomb_power"),
+    }
+    code, output, _ = ask("show", "--laws", billiard)
+    assert code == 0
+    assert "Homogeneous ball under any force against its slip" in output
+    assert "Jellett's integral" in output
+    assert output.splitlines()[-1].endswith("billiard.toml proves them.")
+
+
+def test_a_contact_without_known_laws_is_told(ask: Ask, tmp_path: Path) -> None:
+    case = CASES["ball in a bowl"]
+    turning = {**case, "surface": {**case["surface"], "turntable": 1.0}}
+    (tmp_path / "bowl.toml").write_text(experiment_text(turning))
+    for command in (["prove", "bowl.toml"], ["show", "--laws", "bowl.toml"]):
+        code, output, _ = ask(*command)
+        assert (code, output.splitlines()[-1]) == (0, "No laws of it are known.")
+
+
 OTHERS = """\
-prove {}
 find integrals {}
 lyapunov {}
 solve {}
@@ -81,7 +105,7 @@ def test_other_commands_say_that_they_cannot(
     assert line.startswith("error: billiard.toml, line ")
     assert line.endswith(
         "contact.model: with friction the equations of motion change at events, and only show, "
-        "run, study, ensemble, chart and section follow such a motion"
+        "prove, run, study, ensemble, chart and section take such a file"
     )
     assert [path.name for path in tmp_path.iterdir()] == ["billiard.toml"]
 

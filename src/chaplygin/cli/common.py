@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from ..experiment.study import Study
 
+NO_LAWS = "No laws of it are known."
 PRECISIONS = ("double", "quad")
 
 What = Annotated[

@@ -9,6 +9,7 @@ import typer
 
 from ..interruption import CODE, concluding, say
 from .common import (
+    NO_LAWS,
     Effort,
     Force,
     Json,
@@ -110,10 +111,8 @@ def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool)
 def _claims(what: str, overrides: list[str] | None) -> list[tuple[System, Law]]:
     """The laws of the system, and of its general form if it has one."""
     from ..catalogue import CATALOGUE
-    from ..experiment.without_lift import single_system
 
-    system = single_system(study_of(what, overrides))
-    claims = [(system, law) for law in system.laws]
+    claims = list(study_of(what, overrides).claims)
     general = CATALOGUE[what].general if what in CATALOGUE else None
     if general is not None:
         wide = general()
@@ -186,6 +185,9 @@ def _print(attempts: list[_Attempt]) -> None:
     from ..printing.laws import condition_text
 
     shown = console()
+    if not attempts:
+        shown.print(NO_LAWS)
+        return
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
     table.add_column("Law", style="bold", no_wrap=True)
     table.add_column("What it states")

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import sys
 import textwrap
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from .common import Json, Override, What, print_json, study_of
+from .common import NO_LAWS, Json, Override, What, print_json, study_of
 
 if TYPE_CHECKING:
+    from ..core.laws import Law
+    from ..core.system import System
     from ..experiment.study import Study
 
 FORMS = ("text", "latex", "julia", "c", "toml", "javascript", "wasm")
@@ -85,9 +88,13 @@ def command(
     if laws:
         from ..printing.system import laws_text
 
-        typer.echo(f"{system.title}\n\n{laws_text(system) or 'No laws of it are known.'}")
-        if not study.subject.changes_equations:
-            typer.echo(f"\nchaplygin prove {what} proves them.")
+        typer.echo(system.title)
+        for each in _systems_with_laws(study):
+            if study.subject.changes_equations:
+                typer.echo(f"\n{each.title}")
+            typer.echo(f"\n{laws_text(each)}")
+        known = f"chaplygin prove {what} proves them." if study.claims else NO_LAWS
+        typer.echo(f"\n{known}")
         return
     if json:
         from ..printing.formula import latex
@@ -147,6 +154,14 @@ def command(
         typer.echo(f"\n{place}")
         if any("effort" in entry.why for entry in place.ignored_laws):
             typer.echo(f"\nMore effort may decide the undecided laws: chaplygin prove {what}")
+
+
+def _systems_with_laws(study: Study) -> list[System]:
+    """The systems of which laws can be proved, each with those laws."""
+    laws: dict[System, list[Law]] = {}
+    for system, law in study.claims:
+        laws.setdefault(system, []).append(law)
+    return [replace(system, laws=tuple(of_it)) for system, of_it in laws.items()]
 
 
 def _require_no_terminal(what: str) -> None:

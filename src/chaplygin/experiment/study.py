@@ -12,7 +12,9 @@ import numpy as np
 import xarray as xr
 
 from ..arguments import arguments_checked
+from ..contact.invariants.provable_laws import provable_laws
 from ..core.arrays import FloatArray
+from ..core.laws import Law
 from ..core.overview import Overview, WithOverview
 from ..core.system import System
 from ..errors import InputError
@@ -29,7 +31,7 @@ from .file.models import Experiment
 from .file.rolling_model import FrictionExperiment, RollingExperiment
 from .subjects.ball_subject import ball_subject
 from .subjects.catalogue_system import body_of_catalogue, system_of_catalogue
-from .subjects.contact_subject import contact_subject
+from .subjects.contact_subject import ContactSubject, contact_subject
 from .subjects.described_system import equations_subject, mechanism_subject
 from .subjects.initial_state import StartValues, normalised_vectors, on_level
 from .subjects.rolling_subject import rolling_subject
@@ -62,6 +64,13 @@ class Study(WithOverview):
     def system(self) -> System:
         """The system, with every integral that the catalogue knows of it."""
         return self.subject.system
+
+    @property
+    def claims(self) -> tuple[tuple[System, Law], ...]:
+        """The laws that can be proved, each with the system that it is a law of."""
+        if isinstance(self.subject, ContactSubject):
+            return provable_laws(self.subject.contact)
+        return tuple((self.system, law) for law in self.system.laws)
 
     @property
     def rolling(self) -> Rolling | None:

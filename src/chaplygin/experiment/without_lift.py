@@ -19,8 +19,8 @@ def single_system(study: Study) -> System:
     """
     if study.subject.changes_equations:
         raise InputError(
-            "with friction the equations of motion change at events, and only show, run, study, "
-            "ensemble, chart and section follow such a motion",
+            "with friction the equations of motion change at events, and only show, prove, run, "
+            "study, ensemble, chart and section take such a file",
             study.experiment.where("contact", "model"),
         )
     return study.system
