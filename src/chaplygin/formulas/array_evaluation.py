@@ -16,7 +16,7 @@ from ..core.vectors import to_components
 from ..errors import InputError
 from ..parsing import parse_formula
 from .digest import canonical
-from .graph import Reader, Term, of_system, topological_order
+from .graph import Reader, Term, of_system, term_values, topological_order
 
 
 def _positive(test: FloatArray, yes: FloatArray, no: FloatArray) -> FloatArray:
@@ -212,17 +212,14 @@ def _in_order(terms: tuple[Term, ...]) -> tuple[Term, ...]:
 
 def numbers(terms: Sequence[Term], states: FloatArray, parameters: FloatArray) -> FloatArray:
     """Terms at states (..., size) with parameters (..., parameters): (..., terms)."""
-    known: dict[int, FloatArray | np.float64] = {}
+
+    def leaf(node: Term) -> FloatArray | np.float64:
+        if node.number is not None:
+            return np.float64(float(node.number))
+        return (states if node.kind == "state" else parameters)[..., node.args[0]]
+
     with np.errstate(all="ignore"):
-        for node in _in_order(tuple(terms)):
-            if node.kind == "number":
-                known[id(node)] = np.float64(float(node.args[0]))
-            elif node.kind == "state":
-                known[id(node)] = states[..., node.args[0]]
-            elif node.kind == "parameter":
-                known[id(node)] = parameters[..., node.args[0]]
-            else:
-                known[id(node)] = NUMPY[node.kind](*(known[id(a)] for a in node.operands))
+        known = term_values(_in_order(tuple(terms)), leaf, NUMPY)
     result = np.empty((*states.shape[:-1], len(terms)))
     for i, term in enumerate(terms):
         result[..., i] = known[id(term)]

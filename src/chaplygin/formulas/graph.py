@@ -16,7 +16,7 @@ import sympy as sp
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
-from .evaluation import Evaluation, numerator_and_denominator
+from .evaluation import Evaluation, N, numerator_and_denominator
 
 #: Functions of one variable that the machine code knows, by SymPy's name for them.
 FUNCTIONS: Mapping[Any, str] = {
@@ -283,6 +283,31 @@ def topological_order(
                     pending.append((node, True))
                     pending.extend((a, False) for a in reversed(node.operands))
     return order
+
+
+def term_values(
+    order: Iterable[Term],
+    leaf: Callable[[Term], N],
+    operations: Mapping[str, Callable[..., N]],
+) -> dict[int, N]:
+    """The values of terms, by their identity, in numbers of any kind.
+
+    Parameters
+    ----------
+    order : iterable of Term
+        Operands first.
+    leaf : callable
+        The value of a state variable, a parameter or a number.
+    operations : mapping of str to callable
+        What the other kinds of terms do.
+    """
+    values: dict[int, N] = {}
+    for node in order:
+        operands = node.operands
+        values[id(node)] = (
+            operations[node.kind](*(values[id(a)] for a in operands)) if operands else leaf(node)
+        )
+    return values
 
 
 class Reader(Evaluation[Term]):

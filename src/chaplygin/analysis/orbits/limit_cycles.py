@@ -10,7 +10,8 @@ P′ > 1, it has one that repels.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import operator
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,7 +20,7 @@ from flint import arb, ctx
 from ...core.parameters import require_parameters
 from ...core.system import System
 from ...errors import InputError
-from ...formulas.graph import Term, of_system, topological_order
+from ...formulas.graph import Term, of_system, term_values, topological_order
 
 #: Bits of the numbers: the polygons are much rougher than these.
 _BITS = 64
@@ -61,38 +62,22 @@ class _Slope:
 
     def __call__(self, alpha: arb, beta: arb) -> tuple[arb, arb, arb]:
         state = dict(zip(self.places, (alpha, beta), strict=True))
-        known: dict[int, arb] = {}
-        for node in self.nodes:
-            known[id(node)] = self._value(node, [known[id(a)] for a in node.operands], state)
+
+        def leaf(node: Term) -> arb:
+            if node.number is not None:
+                return arb(node.number.numerator) / node.number.denominator
+            return state[node.args[0]] if node.kind == "state" else self.constants[node.args[0]]
+
+        known = term_values(self.nodes, leaf, _OPERATIONS)
         slope, bend, clock = (known[id(term)] for term in self.terms)
         return slope, bend, clock
 
-    def _value(self, node: Term, operands: list[arb], state: Mapping[int, arb]) -> arb:
-        value: arb
-        match node.kind:
-            case "state":
-                value = state[node.args[0]]
-            case "parameter":
-                value = self.constants[node.args[0]]
-            case "number":
-                value = arb(node.args[0].numerator) / node.args[0].denominator
-            case "recip":
-                value = 1 / operands[0]
-            case "neg":
-                value = -operands[0]
-            case "add":
-                value = operands[0] + operands[1]
-            case "sub":
-                value = operands[0] - operands[1]
-            case "mul":
-                value = operands[0] * operands[1]
-            case function:
-                value = getattr(operands[0], function)()
-        return value
 
-
-_OPERATIONS = {"state", "parameter", "number", "recip", "neg", "add", "sub", "mul"}
-_FUNCTIONS = {"sqrt", "sin", "cos", "exp", "log"}
+_OPERATIONS: Mapping[str, Callable[..., arb]] = {
+    "recip": lambda x: 1 / x,
+    **{name: getattr(operator, name) for name in ("neg", "add", "sub", "mul")},
+    **{name: getattr(arb, name) for name in ("sqrt", "sin", "cos", "exp", "log")},
+}
 
 
 def _slope(
@@ -111,7 +96,7 @@ def _slope(
     terms = (slope, graph.directional_derivative([slope], unit)[0], rates[places[1]])
     nodes = topological_order(terms)
     for node in nodes:
-        if node.kind not in _OPERATIONS | _FUNCTIONS:
+        if node.operands and node.kind not in _OPERATIONS:
             raise InputError(f"{system.name}: {node.kind} is not known to ball arithmetic")
     constants = [
         _ball(name, parameters.get(name, repr(default))) for name, default in known.items()

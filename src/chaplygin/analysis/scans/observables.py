@@ -122,16 +122,8 @@ class Maximum:
 
 
 @dataclass(frozen=True)
-class Minimum:
+class Minimum(Maximum):
     """The least value of a formula among samples of a motion; see `Maximum`."""
-
-    system: System
-    until: float
-    formula: sp.Expr
-    samples: int = 2048
-    tolerance: float = 1e-12
-    device: Device = "cpu"
-    further: ClassVar[Mapping[str, str]] = {}
 
     def __call__(
         self, starts: FloatArray, parameters: Parameters

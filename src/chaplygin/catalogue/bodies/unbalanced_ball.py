@@ -1,48 +1,48 @@
-"""A dynamically asymmetric ball with displaced centre of mass, marble contact (§10.1)."""
+"""A dynamically asymmetric ball with displaced centre of mass (§10): marble and rubber contact."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from functools import partial
 
 from ...core.laws import Integral
 from ...core.system import System
-from ...core.vectors import dot, norm_squared, real_symbol, vectors
+from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Rolling
+from ...mechanics.rolling.equations import ContactModel, Rolling
 from ...mechanics.rolling.shapes import Ball
-from ...mechanics.rolling.surfaces import Sphere
+from ...mechanics.rolling.surfaces import Plane, Sphere
 from ..entry import Entry, Numbers, Start
 
-M, omega, r = vectors("M omega r")
-m = real_symbol("m")
+M, omega, gamma, r, c = vectors("M omega gamma r c")
+m, R = real_symbol("m"), real_symbol("R")
 
 
-def build(p: Numbers) -> Rolling:
-    """A ball whose geometric centre is c away from its centre of mass."""
+def build(p: Numbers, contact: ContactModel = "marble") -> Rolling:
+    """A ball whose geometric centre is at c from its centre of mass; on a sphere if a is given."""
     centre = (p["c_1"], p["c_2"], p["c_3"])
-    return Rolling(Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), Ball(p["R"], centre=centre)))
-
-
-def build_on_sphere(p: Numbers) -> Rolling:
-    """The ball on a sphere of signed radius a."""
-    return replace(build(p), surface=Sphere.of_signed_radius(p["a"]))
-
-
-def is_free_unbalanced_ball(rolling: Rolling) -> bool:
-    """Whether a ball with a displaced centre of mass rolls without forces and rotors."""
-    body, field = rolling.body, rolling.field
-    ball = isinstance(body.shape, Ball) and any(body.shape.centre)
-    return bool(ball and field.gravity == 0 and field.potential == 0 and not any(body.gyrostat))
+    body = Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), Ball(p["R"], centre=centre))
+    surface = Sphere.of_signed_radius(p["a"]) if "a" in p else Plane()
+    return Rolling(body, surface, contact)
 
 
 def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
-    """M² − m r²(M, ω) of a free ball, on a plane or a sphere: ṙ is orthogonal to ω on both."""
-    if not (is_free_unbalanced_ball(rolling) and rolling.contact == "marble"):
+    """The quadratic integral of a free ball: marble on a plane or a sphere, or rubber on a plane.
+
+    M² − m r²(M, ω) of a marble ball, since ṙ is orthogonal to ω; (10.5) of a rubber ball, with
+    c = −a from the centre of mass to the geometric centre.
+    """
+    body, field = rolling.body, rolling.field
+    ball = isinstance(body.shape, Ball) and any(body.shape.centre)
+    if not ball or field.gravity != 0 or field.potential != 0 or any(body.gyrostat):
         return ()
-    value = norm_squared(M) - m * norm_squared(r) * dot(M, omega)
-    return (
-        Integral("quadratic", value, "quadratic integral", source="(10.3)", unit="kg^2 m^4/s^2"),
-    )
+    if rolling.contact == "marble":
+        source, value = "(10.3)", norm_squared(M) - m * norm_squared(r) * dot(M, omega)
+    elif rolling.surface == Plane():
+        turning = 2 * m * R * dot(gamma, c) * dot(M, omega)
+        source, value = "(10.5)", norm_squared(cross(M, gamma)) + turning
+    else:
+        return ()
+    return (Integral("quadratic", value, "quadratic integral", source=source, unit="kg^2 m^4/s^2"),)
 
 
 _DEFAULTS = {
@@ -55,30 +55,54 @@ _DEFAULTS = {
     "c_2": 0.05,
     "c_3": 0.2,
 }
-_START = Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=100.0)
+_GAMMA = (0.2, -0.3, 0.93)
+_MARBLE = Start(omega=(0.7, 0.4, 1.1), gamma=_GAMMA, until=100.0)
+_RUBBER = Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=_GAMMA, until=100.0)
 
-BALL = "A dynamically asymmetric ball whose centre of mass is not at its geometric centre rolls"
+_BALL = "A dynamically asymmetric ball whose centre of mass is not at its geometric centre rolls"
 
 ENTRIES = (
     Entry(
         name="unbalanced-ball",
         title="Unbalanced ball",
-        summary=f"{BALL} on a horizontal plane without slipping, in the absence of gravity.",
+        summary=f"{_BALL} on a horizontal plane without slipping, in the absence of gravity.",
         source="§10.1, (10.1)–(10.3)",
         defaults=_DEFAULTS,
         build=build,
-        start=_START,
+        start=_MARBLE,
         laws=laws,
     ),
     Entry(
         name="unbalanced-ball-on-sphere",
         title="Unbalanced ball on a sphere",
-        summary=f"{BALL} without slipping on a fixed sphere of radius a, outside (a > 0) or inside "
-        "(a < 0, |a| > R).",
+        summary=f"{_BALL} without slipping on a fixed sphere of radius a, outside (a > 0) or "
+        "inside (a < 0, |a| > R).",
         source="§10.1, after (10.3)",
         defaults={**_DEFAULTS, "a": 2.0},
-        build=build_on_sphere,
-        start=_START,
+        build=build,
+        start=_MARBLE,
+        laws=laws,
+    ),
+    Entry(
+        name="unbalanced-rubber-ball",
+        title="Unbalanced ball with rubber contact",
+        summary=f"{_BALL} on a horizontal plane with neither slipping nor spinning, in the absence "
+        "of gravity.",
+        source="§10.2, (10.4), (10.5)",
+        defaults=_DEFAULTS,
+        build=partial(build, contact="rubber"),
+        start=_RUBBER,
+        laws=laws,
+    ),
+    Entry(
+        name="unbalanced-rubber-ball-on-sphere",
+        title="Unbalanced rubber ball on a sphere",
+        summary=f"{_BALL} with neither slipping nor spinning on a fixed sphere of radius a; the "
+        "energy is the only integral known.",
+        source="§1.4, (1.23); §10.2",
+        defaults={**_DEFAULTS, "a": 2.0},
+        build=partial(build, contact="rubber"),
+        start=_RUBBER,
         laws=laws,
     ),
 )

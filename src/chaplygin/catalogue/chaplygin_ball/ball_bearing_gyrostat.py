@@ -11,28 +11,16 @@ from dataclasses import replace
 import sympy as sp
 
 from ...core.laws import Integral, Law, Measure
-from ...core.system import Observable, Parameter, System
-from ...core.vectors import (
-    Diagonal,
-    Symmetric,
-    cross,
-    dot,
-    norm_squared,
-    real_symbol,
-    to_components,
-    vectors,
-)
-from ...mechanics.rolling.body import check_inertia
-from ..e3 import inertia_parameters
+from ...core.system import System
+from ...core.vectors import Diagonal, cross, dot, real_symbol, vectors
 from ..entry import Entry, Numbers
 from ..parameter_conditions import holding
 from ..rotors_and_field import rotors_and_field
 from . import ball_bearing
-from .ball_bearing import MOMENTUM, SUPPORTS, tensor
+from .ball_bearing import MOMENTUM
 
 M, omega, alpha, beta, gamma, k = vectors("M omega alpha beta gamma k")
 I = Diagonal("I")
-B, C = Symmetric("B"), Symmetric("C")
 K, Delta = real_symbol("K"), real_symbol("Delta")
 HALF = sp.Rational(1, 2)
 
@@ -76,43 +64,18 @@ def laws() -> tuple[Law, ...]:
 
 
 def build(p: Numbers) -> System:
-    """The ball on three supporting balls."""
-    moments = (p["I_1"], p["I_2"], p["I_3"])
-    check_inertia(moments)
-    return System(
+    """The ball on three supporting balls, with rotors, in the field."""
+    ball = ball_bearing.build(p)
+    torque = cross(M, omega) + cross(k, omega) + K * cross(gamma, I * gamma)
+    return replace(
+        ball,
         name="ball-bearing-gyrostat-bruns",
         title=TITLE,
         summary=SUMMARY,
         source=SOURCE,
-        parameters=(
-            *inertia_parameters(moments),
-            *(
-                Parameter(
-                    weight,
-                    f"d R²/ρ² of supporting ball {i}",
-                    p[str(weight)],
-                    "kg m^2",
-                    (weight >= 0,),
-                )
-                for i, (weight, _) in enumerate(SUPPORTS, 1)
-            ),
-            *rotors_and_field(p),
-        ),
-        definitions={
-            B: tensor(),
-            C: to_components(B).adjugate(),
-            Delta: to_components(B).det(method="berkowitz"),
-            omega: C * M / Delta,
-        },
-        field={
-            M: cross(M, omega) + cross(k, omega) + K * cross(gamma, I * gamma),
-            alpha: cross(alpha, omega),
-            beta: cross(beta, omega),
-            gamma: cross(gamma, omega),
-        },
-        relations=(norm_squared(alpha) - 1, norm_squared(beta) - 1, norm_squared(gamma) - 1),
+        parameters=(*ball.parameters, *rotors_and_field(p)),
+        field={**dict(ball.field), M: torque},
         laws=holding(laws(), p),
-        observables=(Observable("omega", omega, "angular velocity", "rad/s", "body"),),
     )
 
 

@@ -114,20 +114,12 @@ def chaplygin_ball(n: int, exponent: sp.Rational = -HALF) -> System:
         turned = _skew(n, S.col(row))
         rate = unit * W - W * unit + K * turned - turned * K
         residual += rate[place]
-    return System(
-        name="chaplygin-ball-measure",
-        title=f"The measure of the Chaplygin ball in {n} dimensions",
-        field={name: _still(name) for name in (k, omega, gamma)},
-        parameters=(
-            *_parameters(S, "entry of the inverse of the operator from ω to k"),
-            Parameter(m, "mass", 1.0, "kg"),
-            Parameter(R, "radius", 1.0, "m"),
-        ),
-        laws=(
-            Identity(
-                "measure", residual, "divergence and rate of the density cancel", source=SOURCE
-            ),
-        ),
+    return _measure_of_ball(
+        "chaplygin-ball-measure",
+        f"The measure of the Chaplygin ball in {n} dimensions",
+        (k, omega, gamma),
+        S,
+        residual,
     )
 
 
@@ -161,20 +153,34 @@ def chaplygin_ball_on_level(n: int, exponent: sp.Rational = -HALF) -> System:
         e = _unit(n, a)
         residual -= (_skew(n, S * sp.Matrix(_above(e * y.T - y * e.T))) * x)[a]
         residual -= (_skew(n, S * sp.Matrix(_above(x * e.T - e * x.T))) * y)[a]
+    return _measure_of_ball(
+        "chaplygin-ball-measure-on-level",
+        f"The measure of the Chaplygin ball on k = p∧γ in {n} dimensions",
+        (p, omega, gamma),
+        S,
+        residual,
+    )
+
+
+def _measure_of_ball(
+    name: str,
+    title: str,
+    variables: tuple[Column | Skew, ...],
+    S: sp.Matrix,
+    residual: sp.Expr,
+) -> System:
+    """A system without motion whose law is that the residual vanishes."""
+    words = "divergence and rate of the density cancel"
     return System(
-        name="chaplygin-ball-measure-on-level",
-        title=f"The measure of the Chaplygin ball on k = p∧γ in {n} dimensions",
-        field={name: _still(name) for name in (p, omega, gamma)},
+        name=name,
+        title=title,
+        field={variable: _still(variable) for variable in variables},
         parameters=(
             *_parameters(S, "entry of the inverse of the operator from ω to k"),
             Parameter(m, "mass", 1.0, "kg"),
             Parameter(R, "radius", 1.0, "m"),
         ),
-        laws=(
-            Identity(
-                "measure", residual, "divergence and rate of the density cancel", source=SOURCE
-            ),
-        ),
+        laws=(Identity("measure", residual, words, source=SOURCE),),
     )
 
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 import numpy.typing as npt
-import sympy as sp
 
 from ..._version import __version__
 from ...analysis.scans.grid import NO_NUMBER, REASONS, Axis
@@ -16,11 +15,11 @@ from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...flow.ensemble.task import Coordinate, Task, Variable
 from ...flow.variable_metadata import cf_attributes
-from ...parsing import nearest, parse
+from ...parsing import nearest
 from ..study import Study
 from ..subjects.contact_subject import ContactSubject
 from .ensemble import mode_attributes, outcome_attributes
-from .event_numbers import EVENT_NUMBERS, MotionNumber, motion_number
+from .event_numbers import EVENT_NUMBERS, MotionNumber, motion_number, numerical_function
 from .file_numbers import FileNumbers
 from .members import friction_experiment, friction_subject, member_motion
 
@@ -81,33 +80,22 @@ class ContactChart:
     def values(self, place: Mapping[str, float]) -> Mapping[str, float | FloatArray]:
         """The numbers of the file at a place of the plane."""
         known = {**_file_numbers(self.experiment), **place}
-        given = {name for name, _ in self.formulas}
-        used = {name for _, text in self.formulas for name in _names_in(text, tuple(known))}
+        formulas = {
+            name: numerical_function(text, tuple(known), module="math")
+            for name, text in self.formulas
+        }
+        used = {name for _, names in formulas.values() for name in names}
         direct = {
             n: v for n, v in place.items() if n not in used or n in _file_numbers(self.experiment)
         }
-        formulas = {name: _formula(text, tuple(known)) for name, text in self.formulas}
         values = {name: float(f(*[known[n] for n in used])) for name, (f, used) in formulas.items()}
-        return {n: v for n, v in direct.items() if n not in given} | values
+        return {n: v for n, v in direct.items() if n not in formulas} | values
 
 
 @lru_cache(maxsize=8)
 def _file_numbers(experiment: str) -> dict[str, float]:
     """Numbers of the file that formulas may use."""
     return FileNumbers(friction_experiment(experiment)).values_by_name()
-
-
-@lru_cache(maxsize=256)
-def _formula(
-    text: str, names: tuple[str, ...], where: str = ""
-) -> tuple[Callable[..., float], list[str]]:
-    value = parse(text, {name: sp.Symbol(name, real=True) for name in names}, where)
-    used = sorted(value.free_symbols, key=str)
-    return sp.lambdify(used, value, "math"), [str(symbol) for symbol in used]
-
-
-def _names_in(text: str, names: tuple[str, ...], where: str = "") -> list[str]:
-    return _formula(text, names, where)[1]
 
 
 def contact_chart(
@@ -154,7 +142,8 @@ def contact_chart(
     numbers = FileNumbers(friction_experiment(experiment))
     texts = dict(formulas or {})
     names = (*numbers.values_by_name(), x.name, y.name)
-    used = {n for name, text in texts.items() for n in _names_in(text, names, f"{name} = {text}")}
+    read = (numerical_function(text, names, f"{name} = {text}") for name, text in texts.items())
+    used = {name for _, needed in read for name in needed}
     for name in texts:
         numbers.path(name)
     for item in (x, y):

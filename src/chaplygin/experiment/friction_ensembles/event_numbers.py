@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import get_args
+from typing import Any, get_args
 
 import numpy as np
 import sympy as sp
@@ -184,7 +184,7 @@ def motion_number(text: str, system: System) -> MotionNumber:
         if kind not in _KINDS:
             raise InputError(f"{text}: no event is called {subject}{nearest(subject, _KINDS)}")
         return MotionNumber(word, kind)
-    _function(subject, tuple(_columns(system)), text)
+    numerical_function(subject, tuple(_columns(system)), text)
     return MotionNumber(word, subject)
 
 
@@ -200,7 +200,7 @@ def recorded_values(motion: ContactMotion, system: System) -> dict[str, FloatArr
 def values_of_formula(text: str, motion: ContactMotion, system: System) -> FloatArray:
     """A formula at the samples of a motion, (n,)."""
     columns = _columns(system)
-    function, used = _function(text, tuple(columns))
+    function, used = numerical_function(text, tuple(columns))
     recorded = recorded_values(motion, system)
     arguments = []
     for name in used:
@@ -213,14 +213,14 @@ def values_of_formula(text: str, motion: ContactMotion, system: System) -> Float
 
 def require_formula(text: str, system: System) -> None:
     """Raise InputError unless a text is a formula in recorded quantities, and no constant."""
-    if not _function(text, tuple(_columns(system)), "quantity")[1]:
+    if not numerical_function(text, tuple(_columns(system)), "quantity")[1]:
         raise InputError(f"quantity {text}: it is the same at all times")
 
 
 def formula_at(text: str, mode: ModeIntegrator, states: FloatArray, system: System) -> FloatArray:
     """A formula in recorded quantities at states (n, columns) of a mode, (n,)."""
     columns = _columns(system)
-    function, used = _function(text, tuple(columns))
+    function, used = numerical_function(text, tuple(columns))
     needed = {columns[name][0] for name in used}
     absent = set(work_names(system)) - {str(name) for name in mode.system.state}
     places = {str(variable): columns.start for variable, columns in mode.system.slices}
@@ -267,12 +267,12 @@ def _units(system: System) -> dict[str, str]:
     return {name: unit or "1" for name, unit in units.items()}
 
 
-@lru_cache(maxsize=64)
-def _function(
-    text: str, names: tuple[str, ...], where: str = ""
-) -> tuple[Callable[..., FloatArray], list[str]]:
-    """A formula as a function of arrays, and the quantities that it uses in their order."""
+@lru_cache(maxsize=256)
+def numerical_function(
+    text: str, names: tuple[str, ...], where: str = "", module: str = "numpy"
+) -> tuple[Callable[..., Any], list[str]]:
+    """A formula as a function of numbers or arrays, and the quantities that it uses in order."""
     known = {name: sp.Symbol(name, real=True) for name in names}
     value = parse(text, known, where)
     used = sorted(value.free_symbols, key=str)
-    return sp.lambdify(used, value, "numpy"), [str(symbol) for symbol in used]
+    return sp.lambdify(used, value, module), [str(symbol) for symbol in used]

@@ -25,7 +25,7 @@ import sympy as sp
 from ...arguments import Parameters, arguments_checked
 from ...core.laws import Law, Symmetry
 from ...core.parameters import parameter_values
-from ...core.system import System
+from ...core.system import System, flat_pairs
 from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.multiprecision import number, slopes
@@ -319,13 +319,7 @@ def _rates(system: System, variables: Sequence[sp.Symbol]) -> list[sp.Expr]:
 
 def components(law: Symmetry, variables: Sequence[sp.Symbol]) -> list[sp.Expr]:
     """The components of a symmetry field along some state variables."""
-    named: dict[sp.Symbol, sp.Expr] = {}
-    for name, formula in law.field:
-        value = to_components(formula)
-        if isinstance(name, sp.Symbol):
-            named[name] = value
-        else:
-            named.update(zip(name.symbols, value, strict=True))
+    named = dict(flat_pairs(law.field))
     return [sp.sympify(named.get(s, 0)) for s in variables]
 
 

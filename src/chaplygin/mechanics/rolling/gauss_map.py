@@ -9,6 +9,7 @@ import numpy as np
 import sympy as sp
 
 from ...core.arrays import FloatArray
+from ...core.system import flat_pairs
 from ...core.vectors import Vector, to_components
 from ...errors import InputError
 from .implicit import Implicit
@@ -32,13 +33,7 @@ def contact_points(shape: Shape) -> Callable[[FloatArray], FloatArray]:
         return lambda gamma: centre + contact_points_of_normals(f, shape.coordinates, gamma)
     body = shape.gauss()
     gamma_symbols = Vector("gamma").symbols
-    steps: list[tuple[sp.Symbol, sp.Expr]] = []
-    for name, formula in body.definitions:
-        value = to_components(formula)
-        if isinstance(name, sp.Symbol):
-            steps.append((name, value))
-        else:
-            steps.extend(zip(name.symbols, name.independent(value), strict=True))
+    steps = list(flat_pairs(body.definitions))
     values = {p.symbol: p.default for p in body.parameters}
     reach = sp.lambdify(
         [*gamma_symbols, *values],
