@@ -9,7 +9,7 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from chaplygin.flow.kernel.arithmetic import Arithmetic, Value
+from chaplygin.flow.kernel.arithmetic import Arithmetic
 from chaplygin.flow.kernel.ir_writer import IRWriter
 from chaplygin.flow.kernel.jit import aligned_zeros, load_code
 
@@ -19,7 +19,7 @@ HEAD = "void @numbers(ptr %given, ptr %found, i64 %count)"
 def run(
     arithmetic: Callable[[IRWriter], Any],
     lanes: int,
-    build: Callable[[Arithmetic, Sequence[Value]], Sequence[Value]],
+    build: Callable[[Arithmetic[Any], Sequence[Any]], Sequence[Any]],
     given: np.ndarray,
 ) -> np.ndarray:
     """What instructions make of numbers.

@@ -7,7 +7,7 @@ so that the threads of a warp take their steps together.
 
 from __future__ import annotations
 
-from ..kernel.arithmetic import Arithmetic
+from ..kernel.arithmetic import Arithmetic, V
 from ..kernel.equations import Equations
 from ..kernel.runge_kutta import RungeKuttaLoop
 from ..kernel.tableaux import Explicit
@@ -30,7 +30,7 @@ attributes #1 = { nounwind noinline }
 """
 
 
-class _ThreadLoop(RungeKuttaLoop):
+class _ThreadLoop(RungeKuttaLoop[V]):
     """The loop of one thread."""
 
     def write(self) -> str:
@@ -57,7 +57,7 @@ class _ThreadLoop(RungeKuttaLoop):
         return self.w.emit("atomicrmw add ptr %counter, i64 1 monotonic, align 8")
 
 
-def thread_loop(arithmetic: type[Arithmetic], method: Explicit, equations: Equations) -> str:
+def thread_loop(arithmetic: type[Arithmetic[V]], method: Explicit, equations: Equations) -> str:
     """The text of the loop in LLVM's language.
 
     Parameters

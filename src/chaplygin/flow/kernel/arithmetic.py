@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any, Protocol, TypeAlias
+from typing import Protocol, TypeAlias, TypeVar
 
 from .ir_writer import IRWriter
 
 #: The name of one vector register, or of two that hold one number of twice the digits.
-Value: TypeAlias = Any
+V = TypeVar("V")
+#: The two registers of a number of twice the digits.
+Registers: TypeAlias = tuple[str, str]
 
 
-class Arithmetic(Protocol):
+class Arithmetic(Protocol[V]):
     """An arithmetic whose operations are written as vector instructions."""
 
     def __init__(self, writer: IRWriter) -> None: ...
@@ -22,67 +24,67 @@ class Arithmetic(Protocol):
     #: Bits of a number.
     bits: int
 
-    def number(self, value: Fraction) -> Value:
+    def number(self, value: Fraction) -> V:
         """A constant."""
         ...
 
-    def load(self, base: str, index: str | int) -> Value:
+    def load(self, base: str, index: str | int) -> V:
         """An element of an array."""
         ...
 
-    def store(self, value: Value, base: str, index: str | int) -> None:
+    def store(self, value: V, base: str, index: str | int) -> None:
         """Write an element of an array."""
         ...
 
-    def add(self, a: Value, b: Value) -> Value:
+    def add(self, a: V, b: V) -> V:
         """a + b."""
         ...
 
-    def sub(self, a: Value, b: Value) -> Value:
+    def sub(self, a: V, b: V) -> V:
         """a − b."""
         ...
 
-    def mul(self, a: Value, b: Value) -> Value:
+    def mul(self, a: V, b: V) -> V:
         """a b."""
         ...
 
-    def fma(self, a: Value, b: Value, c: Value) -> Value:
+    def fma(self, a: V, b: V, c: V) -> V:
         """a b + c."""
         ...
 
-    def plus(self, a: Value, b: Value) -> Value:
+    def plus(self, a: V, b: V) -> V:
         """a + b with an error measured by the larger of the two."""
         ...
 
-    def multiply_add(self, a: Value, b: Value, c: Value) -> Value:
+    def multiply_add(self, a: V, b: V, c: V) -> V:
         """a b + c with an error measured by the larger of product and c."""
         ...
 
-    def neg(self, a: Value) -> Value:
+    def neg(self, a: V) -> V:
         """−a."""
         ...
 
-    def recip(self, a: Value) -> Value:
+    def recip(self, a: V) -> V:
         """1/a."""
         ...
 
-    def sqrt(self, a: Value) -> Value:
+    def sqrt(self, a: V) -> V:
         """The root of a."""
         ...
 
-    def difference(self, a: str, b: str) -> Value:
+    def difference(self, a: str, b: str) -> V:
         """The difference of two registers, with all the digits that numbers have."""
         ...
 
-    def leading(self, a: Value) -> str:
+    def leading(self, a: V) -> str:
         """The number rounded to one register."""
         ...
 
-    def whole(self, a: str) -> Value:
+    def whole(self, a: str) -> V:
         """One register as a number."""
         ...
 
-    def choose(self, mask: str, yes: Value, no: Value) -> Value:
+    def choose(self, mask: str, yes: V, no: V) -> V:
         """`yes` where the mask is set, else `no`."""
         ...
 
@@ -95,70 +97,69 @@ class Double:
     def __init__(self, writer: IRWriter) -> None:
         self.writer = writer
 
-    def number(self, value: Fraction) -> Value:
+    def number(self, value: Fraction) -> str:
         """A constant, rounded."""
         return self.writer.constant(float(value))
 
-    def load(self, base: str, index: str | int) -> Value:
+    def load(self, base: str, index: str | int) -> str:
         """An element of an array of vectors."""
         w = self.writer
         return w.load(w.type, w.address(w.type, base, index))
 
-    def store(self, value: Value, base: str, index: str | int) -> None:
+    def store(self, value: str, base: str, index: str | int) -> None:
         """Write an element of an array of vectors."""
         w = self.writer
         w.store(w.type, value, w.address(w.type, base, index))
 
-    def add(self, a: Value, b: Value) -> Value:
+    def add(self, a: str, b: str) -> str:
         """a + b."""
         return self.writer.op("fadd", a, b)
 
-    def sub(self, a: Value, b: Value) -> Value:
+    def sub(self, a: str, b: str) -> str:
         """a − b."""
         return self.writer.op("fsub", a, b)
 
-    def mul(self, a: Value, b: Value) -> Value:
+    def mul(self, a: str, b: str) -> str:
         """a b."""
         return self.writer.op("fmul", a, b)
 
-    def fma(self, a: Value, b: Value, c: Value) -> Value:
+    def fma(self, a: str, b: str, c: str) -> str:
         """a b + c, rounded once."""
         return self.writer.call("fma", a, b, c)
 
-    def plus(self, a: Value, b: Value) -> Value:
+    def plus(self, a: str, b: str) -> str:
         """a + b."""
         return self.add(a, b)
 
-    def multiply_add(self, a: Value, b: Value, c: Value) -> Value:
+    def multiply_add(self, a: str, b: str, c: str) -> str:
         """a b + c, rounded once."""
         return self.fma(a, b, c)
 
-    def neg(self, a: Value) -> Value:
+    def neg(self, a: str) -> str:
         """−a."""
         return self.writer.op("fneg", a)
 
-    def recip(self, a: Value) -> Value:
+    def recip(self, a: str) -> str:
         """1/a."""
         return self.writer.op("fdiv", self.number(Fraction(1)), a)
 
-    def sqrt(self, a: Value) -> Value:
+    def sqrt(self, a: str) -> str:
         """The root of a."""
         return self.writer.call("sqrt", a)
 
-    def difference(self, a: str, b: str) -> Value:
+    def difference(self, a: str, b: str) -> str:
         """The difference of two registers, rounded."""
         return self.sub(a, b)
 
-    def leading(self, a: Value) -> str:
+    def leading(self, a: str) -> str:
         """The number as one register."""
-        register: str = a
-        return register
+        return a
 
-    def whole(self, a: str) -> Value:
+    def whole(self, a: str) -> str:
         """One register as a number."""
         return a
 
-    def choose(self, mask: str, yes: Value, no: Value) -> Value:
+    def choose(self, mask: str, yes: str, no: str) -> str:
         """`yes` where the mask is set, else `no`."""
         return self.writer.choose(mask, yes, no)
 
@@ -170,7 +171,7 @@ class WithoutFused(Double):
     split (Dekker 1971); formulas have products and sums of their own.
     """
 
-    def fma(self, a: Value, b: Value, c: Value) -> Value:
+    def fma(self, a: str, b: str, c: str) -> str:
         """a b + c, in error by little more than half a unit in the last place."""
         w = self.writer
         product = w.op("fmul", a, b)
@@ -185,12 +186,12 @@ class WithoutFused(Double):
         rest = w.op("fadd", rest, w.op("fsub", c, moved))
         return w.op("fadd", total, w.op("fadd", rest, lost))
 
-    def multiply_add(self, a: Value, b: Value, c: Value) -> Value:
+    def multiply_add(self, a: str, b: str, c: str) -> str:
         """a b + c, rounded twice."""
         w = self.writer
         return w.op("fadd", w.op("fmul", a, b), c)
 
-    def _halves(self, a: Value) -> tuple[str, str]:
+    def _halves(self, a: str) -> tuple[str, str]:
         """A number as the sum of two of 26 bits (Veltkamp)."""
         w = self.writer
         scaled = w.op("fmul", a, w.constant(2.0**27 + 1.0))
@@ -210,26 +211,26 @@ class Pair:
     def __init__(self, writer: IRWriter) -> None:
         self.writer = writer
 
-    def number(self, value: Fraction) -> Value:
+    def number(self, value: Fraction) -> Registers:
         """A constant, rounded."""
         high = float(value)
         return self.writer.constant(high), self.writer.constant(float(value - Fraction(high)))
 
-    def load(self, base: str, index: str | int) -> Value:
+    def load(self, base: str, index: str | int) -> Registers:
         """An element of an array of pairs of vectors."""
         w = self.writer
         kind = f"[2 x {w.type}]"
         place = w.address(kind, base, index)
         return w.load(w.type, place), w.load(w.type, w.address(w.type, place, 1))
 
-    def store(self, value: Value, base: str, index: str | int) -> None:
+    def store(self, value: Registers, base: str, index: str | int) -> None:
         """Write an element of an array of pairs of vectors."""
         w = self.writer
         place = w.address(f"[2 x {w.type}]", base, index)
         w.store(w.type, value[0], place)
         w.store(w.type, value[1], w.address(w.type, place, 1))
 
-    def two_sum(self, a: str, b: str) -> Value:
+    def two_sum(self, a: str, b: str) -> Registers:
         """The sum of two doubles without error (Knuth)."""
         w = self.writer
         s = w.op("fadd", a, b)
@@ -237,13 +238,13 @@ class Pair:
         error = w.op("fadd", w.op("fsub", a, w.op("fsub", s, t)), w.op("fsub", b, t))
         return s, error
 
-    def fast_sum(self, a: str, b: str) -> Value:
+    def fast_sum(self, a: str, b: str) -> Registers:
         """The sum of two doubles without error, if a is the larger (Dekker)."""
         w = self.writer
         s = w.op("fadd", a, b)
         return s, w.op("fsub", b, w.op("fsub", s, a))
 
-    def add(self, a: Value, b: Value) -> Value:
+    def add(self, a: Registers, b: Registers) -> Registers:
         """a + b."""
         w = self.writer
         s, s_error = self.two_sum(a[0], b[0])
@@ -251,11 +252,11 @@ class Pair:
         s, s_error = self.fast_sum(s, w.op("fadd", s_error, t))
         return self.fast_sum(s, w.op("fadd", s_error, t_error))
 
-    def sub(self, a: Value, b: Value) -> Value:
+    def sub(self, a: Registers, b: Registers) -> Registers:
         """a − b."""
         return self.add(a, self.neg(b))
 
-    def mul(self, a: Value, b: Value) -> Value:
+    def mul(self, a: Registers, b: Registers) -> Registers:
         """a b."""
         w = self.writer
         p = w.op("fmul", a[0], b[0])
@@ -265,11 +266,11 @@ class Pair:
         low = w.call("fma", a[1], b[0], low)
         return self.fast_sum(p, w.op("fadd", error, low))
 
-    def fma(self, a: Value, b: Value, c: Value) -> Value:
+    def fma(self, a: Registers, b: Registers, c: Registers) -> Registers:
         """a b + c."""
         return self.add(self.mul(a, b), c)
 
-    def plus(self, a: Value, b: Value) -> Value:
+    def plus(self, a: Registers, b: Registers) -> Registers:
         """a + b in half the operations.
 
         If a and b nearly cancel, the error is below 2⁻¹⁰⁴ of these and not of the difference:
@@ -279,15 +280,15 @@ class Pair:
         s, error = self.two_sum(a[0], b[0])
         return self.fast_sum(s, w.op("fadd", error, w.op("fadd", a[1], b[1])))
 
-    def multiply_add(self, a: Value, b: Value, c: Value) -> Value:
+    def multiply_add(self, a: Registers, b: Registers, c: Registers) -> Registers:
         """a b + c with an error measured by the larger of product and c."""
         return self.plus(self.mul(a, b), c)
 
-    def neg(self, a: Value) -> Value:
+    def neg(self, a: Registers) -> Registers:
         """−a."""
         return self.writer.op("fneg", a[0]), self.writer.op("fneg", a[1])
 
-    def recip(self, a: Value) -> Value:
+    def recip(self, a: Registers) -> Registers:
         """1/a: Newton's step from the quotient of doubles, twice."""
         w, one = self.writer, self.number(Fraction(1))
         first = w.op("fdiv", one[0], a[0])
@@ -297,7 +298,7 @@ class Pair:
         third = w.op("fdiv", left[0], a[0])
         return self.add(self.fast_sum(first, second), self.whole(third))
 
-    def sqrt(self, a: Value) -> Value:
+    def sqrt(self, a: Registers) -> Registers:
         """The root of a; of zero it is zero."""
         w = self.writer
         root = w.call("sqrt", a[0])
@@ -307,20 +308,19 @@ class Pair:
         zero = w.compare("oeq", a[0], w.constant(0.0))
         return self.choose(zero, self.whole(w.constant(0.0)), corrected)
 
-    def difference(self, a: str, b: str) -> Value:
+    def difference(self, a: str, b: str) -> Registers:
         """The difference of two registers, without error."""
         return self.two_sum(a, self.writer.op("fneg", b))
 
-    def leading(self, a: Value) -> str:
+    def leading(self, a: Registers) -> str:
         """The number rounded to one register."""
-        register: str = a[0]
-        return register
+        return a[0]
 
-    def whole(self, a: str) -> Value:
+    def whole(self, a: str) -> Registers:
         """One register as a number."""
         return a, self.writer.constant(0.0)
 
-    def choose(self, mask: str, yes: Value, no: Value) -> Value:
+    def choose(self, mask: str, yes: Registers, no: Registers) -> Registers:
         """`yes` where the mask is set, else `no`."""
         w = self.writer
         return w.choose(mask, yes[0], no[0]), w.choose(mask, yes[1], no[1])

@@ -12,13 +12,13 @@ from collections.abc import Callable, Mapping, Sequence
 
 from ...formulas.graph import Term, topological_order
 from . import elementary as special
-from .arithmetic import Arithmetic, Value
+from .arithmetic import Arithmetic, V
 from .ir_writer import IRWriter
 
 
 def evaluate(
-    arithmetic: Arithmetic, terms: Sequence[Term], leaf: Callable[[Term], Value]
-) -> list[Value]:
+    arithmetic: Arithmetic[V], terms: Sequence[Term], leaf: Callable[[Term], V | None]
+) -> list[V]:
     """Instructions that compute terms.
 
     Parameters
@@ -28,7 +28,7 @@ def evaluate(
     leaf : callable
         The value of a term that is known; None if it is to be computed.
     """
-    known: dict[int, Value] = {}
+    known: dict[int, V] = {}
 
     def is_unknown(node: Term) -> bool:
         value = leaf(node)
@@ -59,8 +59,8 @@ def evaluate(
 
 
 def _compute(
-    arithmetic: Arithmetic, node: Term, product: int | None, numbers: Mapping[int, Value]
-) -> Value:
+    arithmetic: Arithmetic[V], node: Term, product: int | None, numbers: Mapping[int, V]
+) -> V:
     if product is not None:
         other = numbers[id(node.args[1 - product])]
         a, b = (numbers[id(x)] for x in node.args[product].args)
@@ -91,7 +91,8 @@ def _compute(
             mask = w.compare("ogt", arithmetic.leading(values[0]), w.constant(0.0))
             return arithmetic.choose(mask, values[1], values[2])
         case _:
-            return special.FUNCTIONS[node.kind](arithmetic, *values)
+            value: V = special.FUNCTIONS[node.kind](arithmetic, *values)
+            return value
 
 
 def parameter_only_terms(terms: Sequence[Term]) -> list[Term]:
@@ -113,7 +114,7 @@ def parameter_only_terms(terms: Sequence[Term]) -> list[Term]:
 
 
 def functions(
-    arithmetic: type[Arithmetic],
+    arithmetic: type[Arithmetic[V]],
     pieces: Mapping[str, Sequence[Term]],
     lanes: int,
     prepare: str = "prepare",
@@ -137,7 +138,7 @@ def functions(
     texts = [_function(arithmetic, lanes, name, terms, slots) for name, terms in pieces.items()]
     number = arithmetic(IRWriter(lanes))
 
-    def leaf(term: Term) -> Value:
+    def leaf(term: Term) -> V | None:
         return number.load("%parameters", term.args[0]) if term.kind == "parameter" else None
 
     for i, value in enumerate(evaluate(number, constants, leaf)):
@@ -148,7 +149,7 @@ def functions(
 
 
 def _function(
-    arithmetic: type[Arithmetic],
+    arithmetic: type[Arithmetic[V]],
     lanes: int,
     name: str,
     terms: Sequence[Term],
@@ -156,7 +157,7 @@ def _function(
 ) -> str:
     number = arithmetic(IRWriter(lanes))
 
-    def leaf(term: Term) -> Value:
+    def leaf(term: Term) -> V | None:
         if id(term) in slots:
             return number.load("%constants", slots[id(term)])
         return number.load("%state", term.args[0]) if term.kind == "state" else None

@@ -3,24 +3,22 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple
+from typing import Generic, NamedTuple
 
 from .approximation import parts, series
-
-if TYPE_CHECKING:
-    from .arithmetic import Arithmetic, Value
-    from .ir_writer import IRWriter
+from .arithmetic import Arithmetic, V
+from .ir_writer import IRWriter
 
 #: Adding this rounds to an integer, which then stands in the lowest bits (Moler's trick; vector
 #: instructions for it are missing on half of the machines).
 MAGIC = 1.5 * 2.0**52
 
 
-class HeadTail(NamedTuple):
+class HeadTail(NamedTuple, Generic[V]):
     """A number as the sum of a rounded number and a small remainder."""
 
-    head: Value
-    tail: Value
+    head: V
+    tail: V
 
 
 # --- bits -------------------------------------------------------------------------------------
@@ -67,35 +65,35 @@ def power_of_two(w: IRWriter, n: str) -> str:
 # --- sums, quotients and polynomials ----------------------------------------------------------
 
 
-def unit(k: Arithmetic) -> Value:
+def unit(k: Arithmetic[V]) -> V:
     """1."""
     return k.number(Fraction(1))
 
 
-def fast_sum(k: Arithmetic, a: Value, b: Value) -> HeadTail:
+def fast_sum(k: Arithmetic[V], a: V, b: V) -> HeadTail[V]:
     """a + b without error, where a is the larger (Dekker)."""
     head = k.add(a, b)
     return HeadTail(head, k.sub(b, k.sub(head, a)))
 
 
-def any_sum(k: Arithmetic, a: Value, b: Value) -> HeadTail:
+def any_sum(k: Arithmetic[V], a: V, b: V) -> HeadTail[V]:
     """a + b without error (Knuth)."""
     head = k.add(a, b)
     moved = k.sub(head, a)
     return HeadTail(head, k.add(k.sub(a, k.sub(head, moved)), k.sub(b, moved)))
 
 
-def total_of(k: Arithmetic, a: HeadTail) -> Value:
+def total_of(k: Arithmetic[V], a: HeadTail[V]) -> V:
     """As one number."""
     return k.add(a.head, a.tail)
 
 
-def select(k: Arithmetic, mask: str, yes: HeadTail, no: HeadTail) -> HeadTail:
+def select(k: Arithmetic[V], mask: str, yes: HeadTail[V], no: HeadTail[V]) -> HeadTail[V]:
     """`yes` where the mask is set, else `no`."""
     return HeadTail(k.choose(mask, yes.head, no.head), k.choose(mask, yes.tail, no.tail))
 
 
-def quotient(k: Arithmetic, a: HeadTail, b: HeadTail) -> HeadTail:
+def quotient(k: Arithmetic[V], a: HeadTail[V], b: HeadTail[V]) -> HeadTail[V]:
     """a/b."""
     inverse = k.recip(b.head)
     head = k.mul(a.head, inverse)
@@ -104,7 +102,7 @@ def quotient(k: Arithmetic, a: HeadTail, b: HeadTail) -> HeadTail:
     return HeadTail(head, k.mul(left, inverse))
 
 
-def polynomial(k: Arithmetic, name: str, t: Value) -> Value:
+def polynomial(k: Arithmetic[V], name: str, t: V) -> V:
     """The smooth part of a function, by Horner's rule.
 
     High terms are too small for more than their first 53 bits to matter: they take one register
@@ -119,47 +117,48 @@ def polynomial(k: Arithmetic, name: str, t: Value) -> Value:
     w, lead = k.writer, k.leading(t)
     *others, top = zip(approximation.coefficients, short, strict=True)
     register = w.constant(float(top[0]))
-    total: Value = None
+    total: V | None = None
     for coefficient, small in reversed(others):
         if small:
             register = w.call("fma", register, lead, w.constant(float(coefficient)))
         else:
             total = k.whole(register) if total is None else total
             total = k.fma(total, t, k.number(coefficient))
+    assert total is not None
     return total
 
 
-def difference(k: Arithmetic, a: HeadTail, b: HeadTail) -> HeadTail:
+def difference(k: Arithmetic[V], a: HeadTail[V], b: HeadTail[V]) -> HeadTail[V]:
     """a − b, where a is the larger or zero."""
     total = fast_sum(k, a.head, k.neg(b.head))
     return HeadTail(total.head, k.add(total.tail, k.sub(a.tail, b.tail)))
 
 
-def constant(k: Arithmetic, name: str, factor: Fraction) -> HeadTail:
+def constant(k: Arithmetic[V], name: str, factor: Fraction) -> HeadTail[V]:
     """A constant and what is lost by rounding it."""
     head, tail = parts(name, (53 * k.words,))
     return HeadTail(k.number(head * factor), k.number(tail * factor))
 
 
-def where(k: Arithmetic, x: Value, relation: str, limit: float) -> str:
+def where(k: Arithmetic[V], x: V, relation: str, limit: float) -> str:
     """The mask of the lanes in which x has a relation to a number."""
     w = k.writer
     return w.compare(relation, k.leading(x), w.constant(limit))
 
 
-def where_constant(k: Arithmetic, mask: str, value: float, result: Value) -> Value:
+def where_constant(k: Arithmetic[V], mask: str, value: float, result: V) -> V:
     """A result with a constant in some places."""
     return k.choose(mask, k.whole(k.writer.constant(value)), result)
 
 
-def copy_sign(k: Arithmetic, x: Value, magnitude: Value) -> Value:
+def copy_sign(k: Arithmetic[V], x: V, magnitude: V) -> V:
     """With the sign of x."""
     return k.choose(is_negative(k.writer, k.leading(x)), k.neg(magnitude), magnitude)
 
 
 def reduce_argument(
-    k: Arithmetic, x: Value, name: str, factor: Fraction
-) -> tuple[HeadTail, str, str]:
+    k: Arithmetic[V], x: V, name: str, factor: Fraction
+) -> tuple[HeadTail[V], str, str]:
     """x less the nearest multiple of a constant, and the multiplier n.
 
     n is given as a double, and as an integer in the lowest bits.

@@ -12,9 +12,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import Any
 
 from .approximation import parts
+from .arithmetic import Arithmetic, V
 from .compensated import (
     HeadTail,
     as_doubles,
@@ -38,20 +39,17 @@ from .compensated import (
     where_constant,
 )
 
-if TYPE_CHECKING:
-    from .arithmetic import Arithmetic, Value
-
 INFINITY = float("inf")
 
 # --- signs ------------------------------------------------------------------------------------
 
 
-def absolute(k: Arithmetic, x: Value) -> Value:
+def absolute(k: Arithmetic[V], x: V) -> V:
     """Magnitude."""
     return copy_sign(k, x, x)
 
 
-def sign(k: Arithmetic, x: Value) -> Value:
+def sign(k: Arithmetic[V], x: V) -> V:
     """1, −1; zero for zero, not a number for what is none."""
     negative = where_constant(k, where(k, x, "olt", 0.0), -1.0, x)
     return where_constant(k, where(k, x, "ogt", 0.0), 1.0, negative)
@@ -63,7 +61,7 @@ def sign(k: Arithmetic, x: Value) -> Value:
 FARTHEST = 2.0**40
 
 
-def _circular(k: Arithmetic, x: Value) -> tuple[HeadTail, HeadTail, str]:
+def _circular(k: Arithmetic[V], x: V) -> tuple[HeadTail[V], HeadTail[V], str]:
     """Sine and cosine of x − n π/2, |x − n π/2| ≤ π/4, and n in the lowest bits."""
     (r, tail), _, quadrant = reduce_argument(k, x, "pi", Fraction(1, 2))
     t = k.mul(r, r)
@@ -73,7 +71,7 @@ def _circular(k: Arithmetic, x: Value) -> tuple[HeadTail, HeadTail, str]:
     return sine, HeadTail(top.head, k.add(top.tail, small)), quadrant
 
 
-def _shifted_sine(k: Arithmetic, x: Value, quarters: int) -> Value:
+def _shifted_sine(k: Arithmetic[V], x: V, quarters: int) -> V:
     """sin(x + quarters π/2)."""
     w = k.writer
     sine, cosine, quadrant = _circular(k, x)
@@ -83,27 +81,27 @@ def _shifted_sine(k: Arithmetic, x: Value, quarters: int) -> Value:
     return _within(k, x, k.choose(other, k.neg(value), value))
 
 
-def _within(k: Arithmetic, x: Value, value: Value) -> Value:
+def _within(k: Arithmetic[V], x: V, value: V) -> V:
     """Not a number where the angle is too large."""
     return where_constant(k, where(k, absolute(k, x), "ogt", FARTHEST), float("nan"), value)
 
 
-def _through_zero(k: Arithmetic, x: Value, value: Value) -> Value:
+def _through_zero(k: Arithmetic[V], x: V, value: V) -> V:
     """x itself where that is zero, for the sign."""
     return k.choose(where(k, x, "oeq", 0.0), x, value)
 
 
-def sin(k: Arithmetic, x: Value) -> Value:
+def sin(k: Arithmetic[V], x: V) -> V:
     """Sine."""
     return _through_zero(k, x, _shifted_sine(k, x, 0))
 
 
-def cos(k: Arithmetic, x: Value) -> Value:
+def cos(k: Arithmetic[V], x: V) -> V:
     """Cosine."""
     return _shifted_sine(k, x, 1)
 
 
-def tan(k: Arithmetic, x: Value) -> Value:
+def tan(k: Arithmetic[V], x: V) -> V:
     """Tangent."""
     sine, cosine, quadrant = _circular(k, x)
     odd = is_odd(k.writer, quadrant)
@@ -116,7 +114,7 @@ def tan(k: Arithmetic, x: Value) -> Value:
 # --- their inverses ---------------------------------------------------------------------------
 
 
-def _arcsine(k: Arithmetic, x: Value) -> tuple[HeadTail, str]:
+def _arcsine(k: Arithmetic[V], x: V) -> tuple[HeadTail[V], str]:
     """The arcsine of |x| ≤ ½, or of √((1 − |x|)/2) where the mask is set; the mask."""
     size = absolute(k, x)
     large = where(k, size, "ogt", 0.5)
@@ -131,7 +129,7 @@ def _arcsine(k: Arithmetic, x: Value) -> tuple[HeadTail, str]:
     return HeadTail(s.head, k.add(s.tail, cubic)), large
 
 
-def asin(k: Arithmetic, x: Value) -> Value:
+def asin(k: Arithmetic[V], x: V) -> V:
     """Arcsine."""
     s, large = _arcsine(k, x)
     twice = HeadTail(*(k.add(part, part) for part in s))
@@ -139,7 +137,7 @@ def asin(k: Arithmetic, x: Value) -> Value:
     return copy_sign(k, x, total_of(k, select(k, large, far, s)))
 
 
-def acos(k: Arithmetic, x: Value) -> Value:
+def acos(k: Arithmetic[V], x: V) -> V:
     """Arccosine: π/2 ∓ s for small arguments, 2 s or π − 2 s for those near 1 or −1."""
     w = k.writer
     s, large = _arcsine(k, x)
@@ -153,7 +151,7 @@ def acos(k: Arithmetic, x: Value) -> Value:
     return total_of(k, difference(k, select(k, large, end, middle), s))
 
 
-def atan2(k: Arithmetic, y: Value, x: Value) -> Value:
+def atan2(k: Arithmetic[V], y: V, x: V) -> V:
     """The angle of a point (x, y): a multiple of π/4, and the arctangent of at most ½."""
     w, one, zero = k.writer, unit(k), k.number(Fraction(0))
     steep = w.compare("ogt", k.leading(absolute(k, y)), k.leading(absolute(k, x)))
@@ -180,7 +178,7 @@ def atan2(k: Arithmetic, y: Value, x: Value) -> Value:
     return copy_sign(k, y, total_of(k, difference(k, turned, minus)))
 
 
-def _proper(k: Arithmetic, a: Value, b: Value, swap: str) -> tuple[Value, Value]:
+def _proper(k: Arithmetic[V], a: V, b: V, swap: str) -> tuple[V, V]:
     """Two magnitudes in the same ratio, the smaller first, scaled to usual size."""
     one = unit(k)
     above, below = k.choose(swap, b, a), k.choose(swap, a, b)
@@ -195,7 +193,7 @@ def _proper(k: Arithmetic, a: Value, b: Value, swap: str) -> tuple[Value, Value]
     return above, k.choose(where(k, below, "oeq", 0.0), one, below)
 
 
-def atan(k: Arithmetic, x: Value) -> Value:
+def atan(k: Arithmetic[V], x: V) -> V:
     """Arctangent."""
     return atan2(k, x, unit(k))
 
@@ -208,7 +206,7 @@ HIGHEST, HIGHEST_HYPERBOLIC, LOWEST = 709.782712893384, 710.4758600739439, -746.
 SATURATION = 40.0
 
 
-def _exponential(k: Arithmetic, x: Value, halvings: int) -> HeadTail:
+def _exponential(k: Arithmetic[V], x: V, halvings: int) -> HeadTail[V]:
     """eˣ by a power of two: 2ⁿ (1 + r + …), |r| ≤ (log 2)/2."""
     w = k.writer
     (r, tail), turns, _ = reduce_argument(k, x, "ln2", Fraction(1))
@@ -223,14 +221,14 @@ def _exponential(k: Arithmetic, x: Value, halvings: int) -> HeadTail:
     return HeadTail(*(k.mul(k.mul(part, near), far) for part in mantissa))
 
 
-def exp(k: Arithmetic, x: Value) -> Value:
+def exp(k: Arithmetic[V], x: V) -> V:
     """Exponential function."""
     value = total_of(k, _exponential(k, x, 0))
     value = where_constant(k, where(k, x, "ogt", HIGHEST), INFINITY, value)
     return where_constant(k, where(k, x, "olt", LOWEST), 0.0, value)
 
 
-def _hyperbolic(k: Arithmetic, x: Value) -> tuple[HeadTail, HeadTail]:
+def _hyperbolic(k: Arithmetic[V], x: V) -> tuple[HeadTail[V], HeadTail[V]]:
     """Hyperbolic sine and cosine of a magnitude."""
     large = _exponential(k, x, 1)
     inverse = k.recip(large.head)
@@ -244,7 +242,7 @@ def _hyperbolic(k: Arithmetic, x: Value) -> tuple[HeadTail, HeadTail]:
     return sine, cosine
 
 
-def sinh(k: Arithmetic, x: Value) -> Value:
+def sinh(k: Arithmetic[V], x: V) -> V:
     """Hyperbolic sine."""
     size = absolute(k, x)
     sine, _ = _hyperbolic(k, size)
@@ -252,7 +250,7 @@ def sinh(k: Arithmetic, x: Value) -> Value:
     return copy_sign(k, x, where_constant(k, far, INFINITY, total_of(k, sine)))
 
 
-def cosh(k: Arithmetic, x: Value) -> Value:
+def cosh(k: Arithmetic[V], x: V) -> V:
     """Hyperbolic cosine."""
     size = absolute(k, x)
     _, cosine = _hyperbolic(k, size)
@@ -261,7 +259,7 @@ def cosh(k: Arithmetic, x: Value) -> Value:
     )
 
 
-def tanh(k: Arithmetic, x: Value) -> Value:
+def tanh(k: Arithmetic[V], x: V) -> V:
     """Hyperbolic tangent."""
     size = absolute(k, x)
     sine, cosine = _hyperbolic(k, size)
@@ -269,7 +267,7 @@ def tanh(k: Arithmetic, x: Value) -> Value:
     return copy_sign(k, x, where_constant(k, where(k, size, "ogt", SATURATION), 1.0, ratio))
 
 
-def log(k: Arithmetic, x: Value) -> Value:
+def log(k: Arithmetic[V], x: V) -> V:
     """Logarithm: of 2ⁿ m it is n log 2 + 2 artanh((m − 1)/(m + 1)), √½ ≤ m < √2."""
     w, one = k.writer, unit(k)
     tiny, huge = where(k, x, "olt", 2.0**-500), where(k, x, "ogt", 2.0**500)
@@ -301,7 +299,7 @@ def log(k: Arithmetic, x: Value) -> Value:
     return where_constant(k, where(k, x, "oeq", 0.0), -INFINITY, value)
 
 
-FUNCTIONS: Mapping[str, Callable[..., Value]] = {
+FUNCTIONS: Mapping[str, Callable[..., Any]] = {
     "abs": absolute,
     "sign": sign,
     "sin": sin,

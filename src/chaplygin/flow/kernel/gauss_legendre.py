@@ -15,7 +15,7 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from ...formulas.graph import Term
-from .arithmetic import Double, Pair, Value
+from .arithmetic import Arithmetic, Double, Pair, Registers, V
 from .codegen import functions
 from .equations import Equations
 from .ir_writer import IRWriter, literal
@@ -83,7 +83,7 @@ class _LoopGenerator:
     def _functions(
         self,
         name: str,
-        kind: type[Double] | type[Pair],
+        kind: type[Arithmetic[V]],
         pieces: dict[str, tuple[Term, ...]],
         lanes: int,
     ) -> None:
@@ -171,7 +171,10 @@ class _LoopGenerator:
                     arithmetic.writer.splat(w.load("double", w.address("double", row, 2 * i + k)))
                     for k in range(arithmetic.words)
                 ]
-                arithmetic.store(words[0] if arithmetic.words == 1 else tuple(words), base, i)
+                if isinstance(arithmetic, Double):
+                    arithmetic.store(words[0], base, i)
+                else:
+                    arithmetic.store((words[0], words[1]), base, i)
             w.line(
                 f"call void @prepare_{name}(ptr {self.address(f'{name}_constants')}, ptr {base})"
             )
@@ -275,7 +278,7 @@ class _LoopGenerator:
     def _vector(self, entries: Sequence[float]) -> str:
         return f"<{', '.join(f'double {literal(x)}' for x in entries)}>"
 
-    def _exact_vector(self, entries: Sequence[Fraction]) -> Value:
+    def _exact_vector(self, entries: Sequence[Fraction]) -> Registers:
         """A vector of pairs."""
         high = [float(x) for x in entries]
         low = [float(x - Fraction(h)) for x, h in zip(entries, high, strict=True)]
@@ -290,7 +293,7 @@ class _LoopGenerator:
             total = w.call("fma", column, each, total) if total else w.op("fmul", column, each)
         return total
 
-    def _iterate(self, whole: Value) -> str:
+    def _iterate(self, whole: Registers) -> str:
         """Iterate the stages; return a bit: whether they have converged."""
         w, d, h = self.w, self.d, whole[0]
         columns = self._columns(self.method.a)
@@ -334,20 +337,21 @@ class _LoopGenerator:
         arguments = ", ".join(f"ptr {self.address(name)}" for name in names)
         self.w.line(f"call void @fine_rates({arguments})")
 
-    def _begin_fine(self, whole: Value) -> None:
+    def _begin_fine(self, whole: Registers) -> None:
         """Stages of 32 digits from rates of 16."""
         w, p = self.w, self.p
         columns = [
             self._exact_vector([row[j] for row in self.method.a]) for j in range(self.stages)
         ]
         for i in range(self.size):
-            total: Value = None
+            total: Registers | None = None
             for j, column in enumerate(columns):
                 each = w.splat(w.load("double", self.address("rates", i * self.stages + j)))
                 term = p.mul(column, p.whole(each))
                 total = term if total is None else p.plus(total, term)
-            start = tuple(w.splat(w.load("double", self.address("y", 2 * i + k))) for k in range(2))
-            p.store(p.multiply_add(whole, total, start), self.address("fine_stage"), i)
+            high, low = (w.splat(w.load("double", self.address("y", 2 * i + k))) for k in range(2))
+            assert total is not None
+            p.store(p.multiply_add(whole, total, (high, low)), self.address("fine_stage"), i)
             rate = self.d.load(self.address("rates"), i)
             p.store(p.whole(rate), self.address("fine_before"), i)
 
@@ -416,14 +420,15 @@ class _LoopGenerator:
             by //= 2
         return vector
 
-    def _fine_total(self, value: Value) -> Value:
+    def _fine_total(self, value: Registers) -> Registers:
         by = self.stages // 2
         while by:
-            value = self.p.plus(value, tuple(self._rotation(part, by) for part in value))
+            high, low = (self._rotation(part, by) for part in value)
+            value = self.p.plus(value, (high, low))
             by //= 2
         return value
 
-    def _judge(self, step: str, whole: Value, end_time: str, good: str) -> None:
+    def _judge(self, step: str, whole: Registers, end_time: str, good: str) -> None:
         """Take the step or try a shorter one."""
         w, d, h = self.w, self.d, whole[0]
         top = self._vector([float(x) for x in self.method.top])
@@ -515,7 +520,7 @@ class _LoopGenerator:
         with w.branch(w.emit(f"icmp eq i64 {due}, 0")):
             self._project()
 
-    def _advance(self, whole: Value) -> None:
+    def _advance(self, whole: Registers) -> None:
         """The new state, carried with twice the digits."""
         d, p, p1 = self.d, self.p, self.p1
         weights = self._exact_vector(self.method.b)
@@ -523,7 +528,7 @@ class _LoopGenerator:
             rates = p.load(self.address("fine_rates"), i)
             d.store(p.leading(rates), self.address("before"), i)
             total = p.mul(whole, self._fine_total(p.mul(weights, rates)))
-            change = tuple(self._first(part) for part in total)
+            change = self._first(total[0]), self._first(total[1])
             p1.store(p1.add(p1.load(self.address("y"), i), change), self.address("y"), i)
 
     def _first(self, vector: str) -> str:

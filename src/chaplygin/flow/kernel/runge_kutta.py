@@ -14,9 +14,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from typing import Generic
 
 from ...formulas.graph import Term
-from .arithmetic import Arithmetic, Value
+from .arithmetic import Arithmetic, V
 from .codegen import functions
 from .equations import Equations
 from .hermite import dipping, hence, root
@@ -63,7 +64,7 @@ class Workspace:
         return self.places[name]
 
 
-class RungeKuttaLoop:
+class RungeKuttaLoop(Generic[V]):
     """The writing of the loop.
 
     Parameters
@@ -76,7 +77,7 @@ class RungeKuttaLoop:
     """
 
     def __init__(
-        self, arithmetic: type[Arithmetic], method: Explicit, equations: Equations, lanes: int
+        self, arithmetic: type[Arithmetic[V]], method: Explicit, equations: Equations, lanes: int
     ) -> None:
         self.w = IRWriter(lanes)
         self.n = arithmetic(self.w)
@@ -85,7 +86,7 @@ class RungeKuttaLoop:
         self.pieces, constants = functions(arithmetic, equations.pieces, lanes)
         self.space = Workspace()
         #: The change of each variable, divided by the length of the step.
-        self.results: dict[int, Value] = {}
+        self.results: dict[int, V] = {}
         words = self.n.words
         for name, count in (
             ("y", self.dimension),
@@ -445,10 +446,10 @@ class RungeKuttaLoop:
             chosen = n.choose(moved, fresh, n.load(self.place("rates"), i))
             n.store(chosen, self.place("rates"), i)
 
-    def _y(self, i: int) -> Value:
+    def _y(self, i: int) -> V:
         return self.n.load(self.place("y"), i)
 
-    def _sum(self, weights: Sequence[Fraction], *members: int) -> Value:
+    def _sum(self, weights: Sequence[Fraction], *members: int) -> V:
         """A sum over the stages, with weights, of the rates of a variable or of several."""
         n = self.n
         total = None
@@ -461,9 +462,10 @@ class RungeKuttaLoop:
                 k = n.plus(k, n.load(rates, i))
             a = n.number(weight)
             total = n.mul(a, k) if total is None else n.multiply_add(a, k, total)
+        assert total is not None
         return total
 
-    def _apart(self, weights: Sequence[Fraction], *members: int) -> Value:
+    def _apart(self, weights: Sequence[Fraction], *members: int) -> V:
         """A linear combination, from the sum of the result if few weights differ."""
         others = [weight - b for weight, b in zip(weights, self.method.b, strict=True)]
         nothing = Fraction(0)
@@ -471,7 +473,7 @@ class RungeKuttaLoop:
             return self._sum(weights, *members)
         return self.n.add(self.results[members[0]], self._sum(others, *members))
 
-    def _advance(self, step: Value, i: int) -> None:
+    def _advance(self, step: V, i: int) -> None:
         """The new value of a variable, and what rounding has taken from it."""
         n = self.n
         y = self._y(i)
@@ -644,7 +646,7 @@ class RungeKuttaLoop:
 
 
 def runge_kutta_loop(
-    arithmetic: type[Arithmetic], method: Explicit, equations: Equations, lanes: int
+    arithmetic: type[Arithmetic[V]], method: Explicit, equations: Equations, lanes: int
 ) -> tuple[str, int]:
     """The text of the loop, and the doubles of memory that it needs.
 

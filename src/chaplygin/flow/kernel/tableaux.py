@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
+from typing import Any
 
 import mpmath
 
@@ -58,7 +59,7 @@ def explicit_fine() -> Explicit:
     return Explicit(table.a, table.b, table.e3, table.e5)
 
 
-def arithmetic_and_method(digits: int) -> tuple[type[Arithmetic], Explicit]:
+def arithmetic_and_method(digits: int) -> tuple[type[Arithmetic[Any]], Explicit]:
     """The arithmetic with 16 or 30 digits, and the method with coefficients as exact."""
     return (Double, explicit()) if digits == 16 else (Pair, explicit_fine())
 
