@@ -36,7 +36,7 @@ from typing import (
 from .errors import InputError
 
 if TYPE_CHECKING:
-    from sympy import Symbol
+    from sympy import Expr, Symbol
 
 T = TypeVar("T", bound=Callable[..., Any])
 
@@ -173,10 +173,12 @@ Parameters: TypeAlias = Annotated[
     "Mapping[str, ParameterValue] | Mapping[Symbol, ParameterValue] | None",
     _Kind("a mapping of parameters to numbers", _are_parameters),
 ]
-Numbers: TypeAlias = Annotated[Any, _Kind("a sequence of numbers", _are_numbers)]
+Numbers: TypeAlias = Annotated[
+    Iterable[SupportsFloat | str], _Kind("a sequence of numbers", _are_numbers)
+]
 #: One number; in quotes it keeps digits that a float has not.
-NumberOrText: TypeAlias = Annotated[Any, _Kind("a number", _is_written)]
-Formula: TypeAlias = Annotated[Any, _Kind("a SymPy expression", _is_formula)]
+NumberOrText: TypeAlias = Annotated[SupportsFloat | str, _Kind("a number", _is_written)]
+Formula: TypeAlias = Annotated["Expr | float", _Kind("a SymPy expression", _is_formula)]
 #: One formula, or several in a matrix or in nested sequences.
 Formulas: TypeAlias = Annotated[
     Any, _Kind("a SymPy expression, a matrix or a sequence of these", _are_formulas)

@@ -97,7 +97,9 @@ def in_principal_axes(problem: Problem) -> tuple[Problem, arb_mat] | None:
         return None
     with ctx.workdps(DIGITS):
         if order is not None:
-            moments = [problem.parameters[Diagonal("I").symbols[i]] for i in order]
+            moments: Sequence[NumberOrText] = [
+                problem.parameters[Diagonal("I").symbols[i]] for i in order
+            ]
             axes = arb_mat([[int(i == row) for i in order] for row in range(SPACE)])
         else:
             entries = [ball(exact(problem.parameters[s])) for s in Symmetric("I").symbols]

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import cast
 
-from ..arguments import Parameters, Start, arguments_checked
+from sympy import Symbol
+
+from ..arguments import NumberOrText, Parameters, Start, arguments_checked
 from ..core.parameters import parameter_values
 from ..core.system import System
 from ..flow.initial_states import whole_start
@@ -49,7 +52,8 @@ def solve(system: System, start: Start, parameters: Parameters = None) -> Soluti
     >>> [round(float(x), 6) for x in solution(1e6)["gamma"][0]]
     [0.312372, -0.233492, 0.920818]
     """
-    values = parameter_values(system, parameters)
+    # what is no single number is refused with the first formula
+    values = cast(dict[Symbol, NumberOrText], parameter_values(system, parameters))
     if isinstance(start, Mapping):
         start = whole_start(system, start, values)
     return solution_of(Problem(system, values, tuple(start)))

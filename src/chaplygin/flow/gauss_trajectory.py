@@ -10,7 +10,7 @@ from typing import Literal
 import mpmath
 import numpy as np
 
-from ..arguments import Parameters
+from ..arguments import Numbers, Parameters
 from ..core.arrays import BoolArray, FloatArray
 from ..core.parameters import parameter_values
 from ..core.system import System
@@ -25,7 +25,7 @@ from .trajectory import Event, Statistics, Trajectory, recorded_values
 def collocate(
     system: System,
     start: Sequence[WorkingNumber],
-    times: Sequence[float],
+    times: Numbers,
     parameters: Parameters = None,
     *,
     digits: Literal[16, 30] = 16,

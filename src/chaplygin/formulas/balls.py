@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any, TypeAlias
+from typing import Any, SupportsFloat, TypeAlias
 
 import mpmath
 import numpy as np
@@ -54,7 +54,7 @@ def exact(value: Any) -> Fraction:
     return value if isinstance(value, Fraction) else Fraction(str(value))
 
 
-def number(value: arb | float) -> float:
+def number(value: SupportsFloat | str) -> float:
     """The double nearest to the middle of a ball."""
     return float(value.mid()) if isinstance(value, arb) else float(value)
 

@@ -63,7 +63,7 @@ class Diagram:
         """The two integrals."""
         return self.plane.axes
 
-    def region(self, x: NumberOrText, y: NumberOrText) -> Region | None:
+    def region(self, x: float | Fraction | str, y: float | Fraction | str) -> Region | None:
         """The region of a point; None on a boundary.
 
         Parameters

@@ -10,6 +10,7 @@ from functools import cached_property
 import numpy as np
 import sympy as sp
 
+from ...arguments import NumberOrText
 from ...core.arrays import FloatArray
 from ...core.vectors import vectors
 from ...errors import InputError
@@ -257,7 +258,7 @@ def _after_turn(axis: FloatArray, psi: FloatArray, turns: FloatArray) -> FloatAr
     )
 
 
-def lift(motion: SeparatedMotion, clock: TimeMap, start: Sequence[float]) -> Lift | None:
+def lift(motion: SeparatedMotion, clock: TimeMap, start: Sequence[NumberOrText]) -> Lift | None:
     """The motion in space, or None where the system has none.
 
     Raises

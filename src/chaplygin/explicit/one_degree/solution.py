@@ -45,7 +45,7 @@ from .working_precision import exact_time, working_digits
 #: computed as that of a slow turn.
 SLOW = 1e-3
 
-Parameters = Mapping[sp.Symbol, object]
+Parameters = Mapping[sp.Symbol, NumberOrText]
 
 
 @dataclass(frozen=True)

@@ -77,7 +77,7 @@ class UniformSolution(Solution):
     """
 
     system: System
-    parameters: Mapping[sp.Symbol, object]
+    parameters: Mapping[sp.Symbol, NumberOrText]
     vectors: Sequence[Vector]
     spin: Rotation
     precession: Rotation

@@ -123,7 +123,7 @@ def ensemble(
 def ensemble_task(
     system: System,
     members: Members | npt.ArrayLike,
-    times: npt.ArrayLike,
+    times: Numbers,
     parameters: Parameters = None,
     *,
     record: Sequence[str] = (),
@@ -174,7 +174,7 @@ def ensemble_task(
     )
 
 
-def _times(times: npt.ArrayLike) -> tuple[float, ...]:
+def _times(times: Numbers) -> tuple[float, ...]:
     """The sampling times of an ensemble, or an InputError."""
     row = np.atleast_1d(as_float_array("times", times))
     moments(row, backward=bool(row.size) and bool(row.flat[-1] < 0))
