@@ -60,7 +60,6 @@ LOADED = (
     "cavity",
     "cavity_fit",
     "body",
-    "equivalent_body",
     "fluid",
     "contact",
     "attitude",

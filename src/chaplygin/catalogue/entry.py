@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import wraps
 from typing import Any, Protocol, SupportsFloat, TypeAlias
 
 import sympy as sp
@@ -15,7 +16,9 @@ from ..core.system import System
 from ..errors import InputError
 from ..mechanics.ball.ball import RollingBall
 from ..mechanics.lagrangian.plan import Plan
-from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.equations import ContactModel, Rolling
+from ..mechanics.rolling.shapes import Shape
+from ..mechanics.rolling.surfaces import Plane, Sphere
 
 Numbers = Mapping[str, float]
 #: Parameters as a user gives them: numbers, or of a family also lists and rows of numbers.
@@ -63,8 +66,35 @@ class Start:
         return {**(self.state or {})}
 
 
+#: A rolling body and its system ↦ the laws that are known of them.
+LawsOf: TypeAlias = Callable[[Rolling, System], tuple[Law, ...]]
+
+
 def _no_laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     return ()
+
+
+def laws_for(
+    contact: ContactModel | None, surface: Plane | type[Sphere] | None, *shapes: type[Shape]
+) -> Callable[[LawsOf], LawsOf]:
+    """A decorator: laws of bodies with this contact on this surface, of these shapes; None is any.
+
+    Of other bodies nothing is known, and the function is not called.
+    """
+
+    def decorator(laws: LawsOf) -> LawsOf:
+        @wraps(laws)
+        def known(rolling: Rolling, system: System) -> tuple[Law, ...]:
+            fits = (
+                contact in (None, rolling.contact)
+                and surface in (None, rolling.surface, type(rolling.surface))
+                and (not shapes or isinstance(rolling.body.shape, shapes))
+            )
+            return laws(rolling, system) if fits else ()
+
+        return known
+
+    return decorator
 
 
 @dataclass(frozen=True)
@@ -107,7 +137,7 @@ class Entry:
     defaults: Numbers
     build: Callable[[Numbers], Rolling | System]
     start: Start
-    laws: Callable[[Rolling, System], tuple[Law, ...]] = _no_laws
+    laws: LawsOf = _no_laws
     general: Callable[[], System] | None = None
     variables: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     ball: Callable[[Numbers], RollingBall] | None = None

@@ -33,6 +33,9 @@ def rolling_of(system: System, values: Mapping[sp.Symbol, NumberOrText]) -> Roll
         Its parameters.
     """
     numbers = {str(symbol): float(value) for symbol, value in values.items()}
+    if "m" not in numbers:
+        # every rolling body has a mass
+        return None
     for rolling in _candidates(numbers):
         try:
             system_of_body = rolling.system()

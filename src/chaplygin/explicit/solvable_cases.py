@@ -100,7 +100,11 @@ class SeparationEntry:
     def may_be(self, problem: Problem) -> bool:
         """Whether it is worth a comparison; rolling bodies always have the same letters."""
         if problem.rolling is None:
-            return True
+            # three moments and the letters are read in as many parameters, or in those of a map
+            few = self.letters is not None and 3 + len(self.letters) > len(problem.parameters)
+            return not few or any(
+                isinstance(law, Isomorphism) and law.time == 1 for law in problem.system.laws
+            )
         field = {"K"} if problem.rolling.field.potential != 0 else set()
         known = {str(symbol) for symbol in problem.parameters} | field
         return self.fits(problem) and self.letters is not None and set(self.letters) <= known

@@ -8,9 +8,11 @@ from ...core.laws import Integral, Law, Measure
 from ...core.system import System
 from ...core.vectors import norm_squared, vectors
 from ...mechanics.rolling.equations import Forces, Rolling
+from ...mechanics.rolling.shapes import Ball
+from ...mechanics.rolling.surfaces import Sphere
 from ..chaplygin_ball.chaplygin_ball import BRUNS, MOMENTUM_UNIT, K
 from ..chaplygin_ball.chaplygin_bracket import DET_IQ
-from ..entry import Entry, Numbers, Start, bruns_factor
+from ..entry import Entry, Numbers, Start, bruns_factor, laws_for
 from . import ball_on_sphere
 from .bruns_field import HALF, SOURCE
 
@@ -24,11 +26,12 @@ def build(p: Numbers) -> Rolling:
     return replace(ball, body=body, field=Forces(potential=BRUNS, values=((K, p["K"]),)))
 
 
+@laws_for("marble", Sphere, Ball)
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     """The measure in every potential U(γ); |M + k|² where Bruns' field is switched off."""
     body, field = rolling.body, rolling.field
     balanced = ball_on_sphere.ratio(replace(rolling, field=Forces())) is not None
-    if field.potential == 0 or field.gravity or rolling.contact != "marble" or not balanced:
+    if field.potential == 0 or field.gravity or not balanced:
         return ()
     if not (body.principal and any(body.gyrostat)):
         return ()

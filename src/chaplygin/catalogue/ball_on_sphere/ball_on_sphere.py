@@ -13,7 +13,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Rolling
 from ...mechanics.rolling.shapes import Ball
 from ...mechanics.rolling.surfaces import Sphere
-from ..entry import Entry, Numbers, Start
+from ..entry import Entry, Numbers, Start, laws_for
 from .ball_around_sphere_coordinates import coordinates_around_sphere
 from .ball_on_sphere_equations import equations_on_sphere
 
@@ -45,10 +45,11 @@ def ratio(rolling: Rolling) -> float | None:
     return surface.signed_radius / (surface.signed_radius + signed)
 
 
+@laws_for("marble", Sphere, Ball)
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     """M² and an invariant measure for every k, and a linear integral for k = −1."""
     value = ratio(rolling)
-    if value is None or rolling.contact != "marble":
+    if value is None:
         return ()
     rotors = any(rolling.body.gyrostat)
     total = M + k_rotors if rotors else M + zero

@@ -15,10 +15,12 @@ from ...core.laws import Integral, Law, Measure
 from ...core.system import System
 from ...core.vectors import Diagonal, dot, norm_squared, vectors
 from ...mechanics.rolling.equations import Forces, Rolling
+from ...mechanics.rolling.shapes import Ball
+from ...mechanics.rolling.surfaces import Sphere
 from ..chaplygin_ball import chaplygin_ball
 from ..chaplygin_ball.chaplygin_ball import BRUNS, MOMENTUM_UNIT, K
 from ..chaplygin_ball.chaplygin_bracket import DET_IQ
-from ..entry import Entry, Numbers, Start, bruns_factor
+from ..entry import Entry, Numbers, Start, bruns_factor, laws_for
 from . import ball_on_sphere
 
 M, gamma = vectors("M gamma")
@@ -42,18 +44,13 @@ def ball_around_sphere(p: Numbers) -> Rolling:
     )
 
 
+@laws_for("marble", Sphere, Ball)
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     """Momentum, measure and, for k = −1, the linear integral of a ball on a sphere."""
     body, field = rolling.body, rolling.field
     free = replace(rolling, field=Forces())
     factor = bruns_factor(field.potential) if body.principal else None
-    if (
-        factor is None
-        or field.gravity
-        or any(body.gyrostat)
-        or rolling.contact != "marble"
-        or ball_on_sphere.ratio(free) is None
-    ):
+    if factor is None or field.gravity or any(body.gyrostat) or ball_on_sphere.ratio(free) is None:
         return ()
     J_1, J_2, J_3 = J.symbols
     momentum = Integral(

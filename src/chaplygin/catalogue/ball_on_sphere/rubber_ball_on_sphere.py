@@ -14,7 +14,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.shapes import Ball
 from ...mechanics.rolling.surfaces import Sphere
-from ..entry import Entry, Numbers, Start
+from ..entry import Entry, Numbers, Start, laws_for
 from . import ball_on_sphere, rubber_ball_ratio
 
 omega, gamma = vectors("omega gamma")
@@ -36,13 +36,12 @@ def build_around(p: Numbers) -> Rolling:
 RHO_SQUARED = dot(gamma, A * gamma)
 
 
+@laws_for("rubber", Sphere, Ball)
 def measure(rolling: Rolling, system: System) -> tuple[Measure, ...]:
     """(9.3), with rotors, under gravity and in every potential."""
-    body, surface = rolling.body, rolling.surface
-    balanced = isinstance(body.shape, Ball) and not any(body.shape.centre)
-    if not (balanced and isinstance(surface, Sphere) and rolling.contact == "rubber"):
+    if any(rolling.body.shape.centre):
         return ()
-    tensor = A if body.principal else Symmetric("A")
+    tensor = A if rolling.body.principal else Symmetric("A")
     density = {dot(gamma, tensor * gamma): 1 / (2 * k)}
     return (Measure("measure", density, "invariant measure", source="(9.3)"),)
 
@@ -59,12 +58,13 @@ def as_family() -> Isomorphism:
     )
 
 
+@laws_for("rubber", Sphere, Ball)
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     """The measure (9.3); for a free ball the family (9.2), and (9.4) for k = −1."""
     known: tuple[Law, ...] = measure(rolling, system)
     value = ball_on_sphere.ratio(rolling)
     body = rolling.body
-    if value is None or rolling.contact != "rubber" or any(body.gyrostat) or not body.principal:
+    if value is None or any(body.gyrostat) or not body.principal:
         return known
     known = (*known, as_family())
     if abs(value + 1) > 1e-12:

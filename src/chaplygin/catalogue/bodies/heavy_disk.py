@@ -9,7 +9,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.shapes import Disk
 from ...mechanics.rolling.surfaces import Plane
-from ..entry import Entry, Numbers, Start
+from ..entry import Entry, Numbers, Start, laws_for
 
 M, gamma = vectors("M gamma")
 m, R, I_1, I_2, I_3 = (real_symbol(name) for name in ("m", "R", "I_1", "I_2", "I_3"))
@@ -27,14 +27,12 @@ def build(p: Numbers) -> Rolling:
     return Rolling(body, field=Forces(p["g"]))
 
 
+@laws_for("marble", Plane(), Disk)
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     """Symmetry, measure and the linear equations for the two momenta as functions of γ₃."""
     body = rolling.body
-    balanced = isinstance(body.shape, Disk) and not any(body.shape.centre)
     if (
-        not balanced
-        or rolling.contact != "marble"
-        or rolling.surface != Plane()
+        any(body.shape.centre)
         or rolling.field.potential != 0
         or any(body.gyrostat)
         or not body.principal

@@ -11,14 +11,13 @@ from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral, Law, Measure, Rate, Reduction, Symmetry
 from ...core.system import System
 from ...core.vectors import dot, norm_squared, real_symbol, vectors
-from ...mechanics.rolling.body import Body
+from ...mechanics.rolling.body import AnyBody, Body
 from ...mechanics.rolling.equations import Forces, Rolling
-from ...mechanics.rolling.equivalent_body import AnyBody
 from ...mechanics.rolling.implicit import Implicit
 from ...mechanics.rolling.revolution import Revolution
 from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Torus
 from ...mechanics.rolling.surfaces import Plane
-from ..entry import Entry, Numbers, Start
+from ..entry import Entry, Numbers, Start, laws_for
 from .rubber_profile import HEIGHT, POTENTIAL, from_support, profile_system
 
 M, omega, gamma, r, c = vectors("M omega gamma r c")
@@ -63,17 +62,12 @@ def _symmetric(body: AnyBody) -> bool:
     return round_shape and body.inertia[0] == body.inertia[1]
 
 
+@laws_for("rubber", Plane())
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     """(5.1) and (5.2), for every profile and every potential U(γ₃); symmetry and measure."""
     body = rolling.body
     depends = rolling.field.potential.free_symbols & {g_1, g_2}
-    if (
-        rolling.contact != "rubber"
-        or rolling.surface != Plane()
-        or depends
-        or any(body.gyrostat)
-        or not _symmetric(body)
-    ):
+    if depends or any(body.gyrostat) or not _symmetric(body):
         return ()
     level: tuple[sp.Expr, ...] = (I_1 - I_2,)
     if any(body.shape.centre):

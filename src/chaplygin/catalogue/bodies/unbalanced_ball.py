@@ -11,7 +11,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import ContactModel, Rolling
 from ...mechanics.rolling.shapes import Ball
 from ...mechanics.rolling.surfaces import Plane, Sphere
-from ..entry import Entry, Numbers, Start
+from ..entry import Entry, Numbers, Start, laws_for
 
 M, omega, gamma, r, c = vectors("M omega gamma r c")
 m, R = real_symbol("m"), real_symbol("R")
@@ -25,6 +25,7 @@ def build(p: Numbers, contact: ContactModel = "marble") -> Rolling:
     return Rolling(body, surface, contact)
 
 
+@laws_for(None, None, Ball)
 def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
     """The quadratic integral of a free ball: marble on a plane or a sphere, or rubber on a plane.
 
@@ -32,8 +33,12 @@ def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
     c = −a from the centre of mass to the geometric centre.
     """
     body, field = rolling.body, rolling.field
-    ball = isinstance(body.shape, Ball) and any(body.shape.centre)
-    if not ball or field.gravity != 0 or field.potential != 0 or any(body.gyrostat):
+    if (
+        not any(body.shape.centre)
+        or field.gravity != 0
+        or field.potential != 0
+        or any(body.gyrostat)
+    ):
         return ()
     if rolling.contact == "marble":
         source, value = "(10.3)", norm_squared(M) - m * norm_squared(r) * dot(M, omega)

@@ -19,7 +19,7 @@ from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.shapes import Ball
 from ...mechanics.rolling.surfaces import Plane
 from ..e3 import lie_poisson
-from ..entry import Entry, Numbers, Start, bruns_factor
+from ..entry import Entry, Numbers, Start, bruns_factor, laws_for
 from .chaplygin_ball_clebsch import onto_clebsch, onto_fedorov
 from .chaplygin_bracket import DET_IQ, D, hamiltonian_form
 
@@ -54,11 +54,11 @@ def in_bruns_field(p: Numbers) -> Rolling:
     return replace(ball(p), field=Forces(potential=BRUNS, values=((K, p["K"]),)))
 
 
+@laws_for("marble", Plane(), Ball)
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     """The laws in every potential, and M² without one or in Bruns' field."""
     body = rolling.body
-    balanced = isinstance(body.shape, Ball) and not any(body.shape.centre)
-    if not (balanced and rolling.surface == Plane() and rolling.contact == "marble"):
+    if any(body.shape.centre):
         return ()
     total = M + k if any(body.gyrostat) else M + zero
     area = dot(total, gamma)

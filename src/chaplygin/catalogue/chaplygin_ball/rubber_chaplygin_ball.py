@@ -13,7 +13,7 @@ from ...core.vectors import Diagonal, cross, dot, norm_squared, vectors, zero
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.shapes import Ball
 from ...mechanics.rolling.surfaces import Plane
-from ..entry import Entry, Numbers, Start, bruns_factor
+from ..entry import Entry, Numbers, Start, bruns_factor, laws_for
 from ..fixed_point import veselova
 from . import chaplygin_ball
 
@@ -29,11 +29,11 @@ def build(p: Numbers) -> Rolling:
     return replace(chaplygin_ball.build(p), contact="rubber")
 
 
+@laws_for("rubber", Plane(), Ball)
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     """Measure; the square of the horizontal momentum without a potential or with Bruns'."""
     body = rolling.body
-    balanced = isinstance(body.shape, Ball) and not any(body.shape.centre)
-    if not (balanced and rolling.surface == Plane() and rolling.contact == "rubber"):
+    if any(body.shape.centre):
         return ()
     known: tuple[Law, ...] = (_measure(),) if body.principal else ()
     total = M + k if any(body.gyrostat) else M + zero

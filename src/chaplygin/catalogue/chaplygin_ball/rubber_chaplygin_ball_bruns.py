@@ -8,7 +8,9 @@ from ...core.isomorphism import Isomorphism
 from ...core.laws import Law
 from ...core.system import System
 from ...mechanics.rolling.equations import Forces, Rolling
-from ..entry import Entry, Numbers, bruns_factor
+from ...mechanics.rolling.shapes import Ball
+from ...mechanics.rolling.surfaces import Plane
+from ..entry import Entry, Numbers, bruns_factor, laws_for
 from ..fixed_point import veselova
 from . import chaplygin_ball, rubber_chaplygin_ball
 
@@ -19,6 +21,7 @@ def build(p: Numbers) -> Rolling:
     return replace(rubber_chaplygin_ball.build(p), field=field)
 
 
+@laws_for("rubber", Plane(), Ball)
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     """Laws of the ball in a potential, and the isomorphism to the Veselova system."""
     known = rubber_chaplygin_ball.laws(rolling, system)

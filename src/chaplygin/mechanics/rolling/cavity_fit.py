@@ -32,8 +32,6 @@ def check_cavities(shape: Shape, cavities: Sequence[Cavity]) -> None:
     InputError
         If a cavity does not fit.
     """
-    if not cavities:
-        return
     for number, cavity in enumerate(cavities, 1):
         which = "the cavity" if len(cavities) == 1 else f"cavity {number}"
         if not (isinstance(shape, Ball) and shape.hollow) and _reaches_out(shape, cavity):

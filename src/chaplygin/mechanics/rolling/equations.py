@@ -39,10 +39,9 @@ from ...core.vectors import (
     zero,
 )
 from ...errors import InputError
-from .body import body_parameters
+from .body import AnyBody, body_parameters, equivalent_body
 from .contact import contact as contact_of
 from .contact_models import Balance, marble, rubber
-from .equivalent_body import AnyBody, equivalent_body
 from .fluid import fluids_of
 from .shape_base import check_values, real_values
 from .surfaces import Plane, Surface

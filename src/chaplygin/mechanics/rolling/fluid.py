@@ -22,8 +22,8 @@ from ...core.laws import Integral
 from ...core.named_formulas import Pairs
 from ...core.system import Observable, Parameter
 from ...core.vectors import Diagonal, Symmetric, Vector, cross, dot, norm_squared, zero
+from .body import AnyBody, EquivalentBody
 from .cavity import Cavity
-from .equivalent_body import AnyBody, EquivalentBody
 
 omega = Vector("omega")
 HALF = sp.Rational(1, 2)
