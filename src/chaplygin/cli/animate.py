@@ -124,18 +124,11 @@ def _film(
 def _model(study: Study, steps: int, output: Path) -> None:
     from ..errors import InputError
     from ..experiment.study import dataset_of
-    from ..experiment.subjects.contact_subject import ContactSubject
-    from ..experiment.subjects.subject import BallSubject
+    from ..geometry.mesh import outline_from_contact
     from ..report.film.gltf import write_gltf
-    from ..report.scenes.scene import ball_scene_of, scene_of
 
-    subject = study.subject
-    contact = subject.contact if isinstance(subject, ContactSubject) else subject.rolling
-    if isinstance(subject, BallSubject):
-        outline = ball_scene_of(subject.ball).outline
-    elif contact is not None:
-        outline = scene_of(contact).outline
-    else:
+    outline = study.subject.outline
+    if outline is None:
         raise InputError(f"{study.system.title} has no body that could be a model in space")
     sampled = _with_frames(study, steps)
-    write_gltf(dataset_of(sampled, sampled.trajectory()), outline, output)
+    write_gltf(dataset_of(sampled, sampled.trajectory()), outline_from_contact(outline), output)

@@ -12,8 +12,6 @@ from ..core.system import Parameter, System
 from ..errors import InputError
 from ..experiment.section_coordinates import is_angle
 from ..experiment.study import Study
-from ..experiment.subjects.contact_subject import ContactSubject
-from ..experiment.subjects.subject import BallSubject
 from ..flow.variable_metadata import FRAMES, variable_metadata
 from ..formulas.array_evaluation import values
 from ..printing.formula import latex
@@ -84,7 +82,7 @@ def page_model(
         "format": 1,
         "name": study.system.name,
         "title": study.system.title,
-        "kind": _kind(study),
+        "kind": study.subject.kind,
         "experiment": study.complete_toml(),
         "reduced": len(study.system.symbols),
         "direction": -1 if run.direction == "backward" else 1,
@@ -163,17 +161,6 @@ def _formulas(study: Study, reduced: System, verdicts: Mapping[str, Verdict]) ->
         "quantities": [_quantity(scalar) for scalar in scalars],
         "section": section_choice(study, reduced, sectionable(reduced, scalars)),
     }
-
-
-def _kind(study: Study) -> str:
-    match study.subject:
-        case BallSubject():
-            return "ball"
-        case ContactSubject():
-            return "rolling"
-    if study.rolling is not None:
-        return "rolling"
-    return "system" if study.subject.plan is None else "mechanism"
 
 
 def _state(study: Study, whole: System) -> list[Json]:

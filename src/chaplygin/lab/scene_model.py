@@ -8,18 +8,12 @@ from typing import TypeAlias
 import numpy as np
 import xarray as xr
 
-from ..contact.equations.situation import FrictionalContact
 from ..core.arrays import FloatArray
-from ..core.vectors import real_symbol
 from ..experiment.study import Study
-from ..experiment.subjects.contact_subject import ContactSubject
-from ..experiment.subjects.subject import BallSubject
 from ..formulas.array_evaluation import values
 from ..geometry.mesh import DirectionGrid, direction_grid
 from ..geometry.surface import frame_of, ground_of_ball
 from ..mechanics.ball.ball import RollingBall
-from ..mechanics.rolling.equations import Rolling
-from ..mechanics.rolling.gauss_map import contact_points
 from ..mechanics.rolling.surfaces import Plane, Surface
 from .columns import Column
 from .encoding import floats, integers
@@ -50,20 +44,11 @@ def scene_model(study: Study, columns: Sequence[Column], dataset: xr.Dataset | N
     dataset : xarray.Dataset or None
         The motion, by which a surface without end is cut.
     """
-    grid, support, size = None, None, 1.0
-    subject = study.subject
-    match subject:
-        case BallSubject():
-            grid = _ball_grid(subject.ball)
-            support = _surface_of_ball(subject.ball, dataset)
-        case ContactSubject():
-            grid = direction_grid(contact_points(subject.contact.body.shape), ROWS, COLUMNS)
-            support = _support(subject.contact.surface)
-        case _ if subject.rolling is not None:
-            grid = direction_grid(
-                contact_points(subject.rolling.equivalent.body.shape), ROWS, COLUMNS
-            )
-            support = _support(subject.rolling.surface)
+    subject, size = study.subject, 1.0
+    grid = None if subject.outline is None else direction_grid(subject.outline, ROWS, COLUMNS)
+    support = None if subject.surface is None else _support(subject.surface)
+    if subject.ball is not None:
+        support = _surface_of_ball(subject.ball, dataset)
     names = {column.name for column in columns}
     axes, turn = _inertia(study)
     if grid is None and subject.plan is None and "attitude" in names and axes is not None:
@@ -120,10 +105,6 @@ def _support(surface: Surface) -> dict[str, Json]:
     return {"kind": "sphere", "radius": surface.radius, "inside": surface.side == "inside"}
 
 
-def _ball_grid(ball: RollingBall) -> DirectionGrid:
-    return direction_grid(lambda gamma: -ball.radius * gamma, ROWS, COLUMNS)
-
-
 def _ellipsoid_grid(axes: FloatArray) -> DirectionGrid:
     """The ellipsoid of inertia, for a body whose shape does not matter."""
     squares = axes**2
@@ -157,17 +138,9 @@ def _surface_of_ball(ball: RollingBall, dataset: xr.Dataset | None) -> dict[str,
 def _inertia(study: Study) -> tuple[FloatArray | None, FloatArray]:
     """Semi-axes of (x, Ix) = 1, the longest of them 1, and the turn of its axes in the body."""
     upright = np.array([1.0, 0.0, 0.0, 0.0])
-    match study.subject.rolling, study.subject:
-        case Rolling() as rolling, _:
-            tensor = rolling.equivalent.body.tensor
-        case _, ContactSubject(contact=FrictionalContact(body=body)):
-            tensor = body.tensor
-        case _:
-            defaults = study.system.defaults
-            moments = [defaults.get(real_symbol(f"I_{i}")) for i in (1, 2, 3)]
-            if any(moment is None for moment in moments):
-                return None, upright
-            tensor = np.diag(np.array(moments, dtype=np.float64))
+    tensor = study.subject.inertia
+    if tensor is None:
+        return None, upright
     squares, frame = np.linalg.eigh(tensor)
     if np.count_nonzero(tensor - np.diag(np.diag(tensor))) == 0:
         squares, frame = np.diag(tensor), np.eye(3)

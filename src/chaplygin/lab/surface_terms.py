@@ -8,7 +8,6 @@ from sympy.matrices.expressions import MatrixExpr
 from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric, Vector, dot, real_symbol, to_components
 from ..experiment.study import Study
-from ..experiment.subjects.subject import BallSubject
 from ..formulas.array_evaluation import read_formulas
 from ..formulas.graph import Term
 from ..mechanics.ball.ball import RollingBall
@@ -59,7 +58,7 @@ def _formulas(
         # the support function of (x, Ix) = 1 is √(γ, I⁻¹γ)
         inverse = inertia**-1 * _GAMMA
         found["inertia"] = list(to_components(-inverse / sp.sqrt(dot(_GAMMA, inverse))))
-    if isinstance(subject, BallSubject):
+    if subject.ball is not None:
         b = real_symbol("b")
         found["contact"] = [-b * s for s in _GAMMA.symbols]
     elif rolling is not None and _GAMMA in reduced.state:
@@ -71,7 +70,7 @@ def _formulas(
         least = min(study.system.defaults[s] for s in Diagonal("I").symbols)
         found["contact"] = [sp.sqrt(least) * part for part in found["inertia"]]
     formulas = {name: (_GAMMA.symbols, parts) for name, parts in found.items()}
-    if isinstance(subject, BallSubject):
+    if subject.ball is not None:
         formulas["ground"] = _ground(subject.ball)
     return formulas
 

@@ -20,12 +20,6 @@ from .drawing.modes import changes_mode
 from .figures.contact_time import energy_parts
 
 #: Meaning and unit of values of a start that are no variables of the dataset.
-START_WORDS = {
-    "position": ("centre of mass", "m"),
-    "heading": ("angle by which the body is turned about the normal", "rad"),
-    "normal": ("normal of the support at the contact, in space", ""),
-}
-
 #: So many events stand in the table of the page; all are in the dataset.
 MOST_EVENTS = 60
 

@@ -33,7 +33,7 @@ from ..printing.system import claims_html, displayed_formula, motion_html, syste
 from ..proof.fields.budget import EFFORT
 from ..proof.verdict import Verdict
 from . import figures
-from .contact_section import START_WORDS, contact_plates, contact_section
+from .contact_section import contact_plates, contact_section
 from .summary import drift
 
 #: Term operations that the proof of one law may take, and those of all together: the first unless
@@ -229,8 +229,8 @@ def _start(study: Study, dataset: xr.Dataset) -> list[dict[str, object]]:
         numbers = [x for row in listed for x in (row if isinstance(row, tuple | list) else (row,))]
         letter = Vector(name) if len(numbers) == 3 else real_symbol(name)
         known = dataset[name].attrs if name in dataset else {}
-        words_of = START_WORDS if isinstance(study.subject, ContactSubject) else {}
-        meaning, units = study.variables.get(name) or words_of.get(name, ("", ""))
+        words_of = {**study.subject.start_words, **study.variables}
+        meaning, units = words_of.get(name, ("", ""))
         units = units or str(known.get("units", ""))
         words = meaning or str(known.get("long_name", ""))
         shown = ", ".join(number(float(x), 9) for x in numbers)

@@ -28,18 +28,16 @@ def subject_figures(
     plan : PlanMotion or None
         The motion of a mechanism in the plane.
     """
+    drawn = scene_of(subject)
     match subject:
         case BallSubject():
             scene = ball_scene_of(subject.ball)
             return figures.ball_figures(dataset, *scene, subject.state_names, subject.weight)
         case BodySubject():
-            rolling = subject.rolling
-            drawn = None if rolling is None else scene_of(rolling)
             return figures.all_figures(dataset, drawn, subject.weight)
-        case ContactSubject(contact=contact):
+        case ContactSubject(contact=contact, body=body) if drawn is not None:
             limits = friction_limits(contact)
-            drawn = scene_of(contact)
-            return contact_figures(dataset, drawn, contact.body, limits, subject.weight)
+            return contact_figures(dataset, drawn, body, limits, subject.weight)
         case _:
             pictures = {} if plan is None else {"plan_view": figures.plan_view(dataset, plan)}
             # a horizontal place is recorded as part of the centre

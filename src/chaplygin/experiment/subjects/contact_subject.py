@@ -33,7 +33,7 @@ from ...errors import InputError
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.gauss_map import centre_outside
 from ...mechanics.rolling.shapes import Disk
-from ...mechanics.rolling.surfaces import Plane, Sphere
+from ...mechanics.rolling.surfaces import Plane, Sphere, Surface
 from ...printing.numerals import number
 from ..contact.dataset import work_meanings
 from ..contact.trajectory import ContactTrajectory, contact_trajectory
@@ -43,7 +43,7 @@ from ..file.shape_tables import shape_name
 from ..file.tables import CommonRunTable
 from .mechanism_from_tables import identifier
 from .rolling_subject import body_of, forces_of, ground_words
-from .subject import Subject
+from .subject import Subject, Variables
 
 _LEGEND = (
     "In body axes: v velocity of the centre of mass, ω angular velocity, γ outward normal of the "
@@ -80,6 +80,25 @@ class ContactSubject(Subject):
     rules: Rules
 
     changes_equations: ClassVar[bool] = True
+
+    @property
+    def body(self) -> Body:
+        """The body."""
+        return self.contact.body
+
+    @property
+    def surface(self) -> Surface:
+        """The plane or sphere that it touches."""
+        return self.contact.surface
+
+    @property
+    def start_words(self) -> Variables:
+        """Meaning and unit of place and direction at the start."""
+        return {
+            "position": ("centre of mass", "m"),
+            "heading": ("angle by which the body is turned about the normal", "rad"),
+            "normal": ("normal of the support at the contact, in space", ""),
+        }
 
     @property
     def summary(self) -> str:

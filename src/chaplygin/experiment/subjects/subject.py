@@ -14,10 +14,11 @@ from dataclasses import dataclass, field
 from typing import ClassVar, TypeAlias
 
 import mpmath
+import numpy as np
 
 from ...core.arrays import FloatArray
 from ...core.system import Observable, System
-from ...core.vectors import real_symbol
+from ...core.vectors import Diagonal, real_symbol
 from ...errors import InputError
 from ...flow.integrator import integrate
 from ...flow.trajectory import Trajectory
@@ -26,9 +27,11 @@ from ...mechanics.ball.initial_state import ball_state
 from ...mechanics.constraints.integrability import nonholonomy
 from ...mechanics.lagrangian.mechanism import TIME, Mechanism
 from ...mechanics.lagrangian.plan import Plan
+from ...mechanics.rolling.body import AnyBody
 from ...mechanics.rolling.equations import Rolling
-from ...mechanics.rolling.gauss_map import centre_outside
+from ...mechanics.rolling.gauss_map import centre_outside, contact_points
 from ...mechanics.rolling.initial_state import initial_state
+from ...mechanics.rolling.surfaces import Surface
 from ...printing.formula import text
 from ..file.tables import CommonRunTable
 from .glossary import glossary
@@ -60,6 +63,8 @@ class Subject:
         Meaning and unit of variables of the state, where the start is given by it.
     rolling : Rolling, optional
         The rolling body and its surface.
+    ball : RollingBall, optional
+        The homogeneous ball and its surface.
     plan : Plan, optional
         The drawing of a mechanism in the plane.
     setting : str
@@ -71,6 +76,7 @@ class Subject:
     until: float
     variables: Variables = field(default_factory=dict)
     rolling: Rolling | None = None
+    ball: RollingBall | None = None
     plan: Plan | None = None
     setting: str = ""
 
@@ -87,6 +93,41 @@ class Subject:
     def model(self) -> Rolling | Mechanism | None:
         """The body or mechanism from which the equations were derived, if known."""
         return self.rolling
+
+    @property
+    def kind(self) -> str:
+        """``rolling``, ``ball``, ``mechanism`` or ``system``, as pages have it."""
+        if self.body is not None:
+            return "rolling"
+        return "system" if self.plan is None else "mechanism"
+
+    @property
+    def body(self) -> AnyBody | None:
+        """The body on a surface, with the equivalent body of its fluid, if there is one."""
+        return None if self.rolling is None else self.rolling.equivalent.body
+
+    @property
+    def surface(self) -> Surface | None:
+        """The plane or sphere that carries the body."""
+        return None if self.rolling is None else self.rolling.surface
+
+    @property
+    def outline(self) -> Callable[[FloatArray], FloatArray] | None:
+        """The points of a body with outward normals −γ, for γ (n, 3), body axes."""
+        return None if self.body is None else contact_points(self.body.shape)
+
+    @property
+    def inertia(self) -> FloatArray | None:
+        """The tensor of inertia (3, 3), of a body or given by I₁, I₂, I₃; None without one."""
+        if self.body is not None:
+            return self.body.tensor
+        moments = [self.system.defaults.get(s) for s in Diagonal("I").symbols]
+        return None if None in moments else np.diag(np.array(moments, dtype=np.float64))
+
+    @property
+    def start_words(self) -> Variables:
+        """Meaning and unit of what the start gives besides variables of the state."""
+        return {}
 
     @property
     def summary(self) -> str:
@@ -297,6 +338,16 @@ class BallSubject(Subject):
     """
 
     ball: RollingBall
+
+    @property
+    def kind(self) -> str:
+        """``ball``."""
+        return "ball"
+
+    @property
+    def outline(self) -> Callable[[FloatArray], FloatArray]:
+        """The points of the sphere."""
+        return lambda gamma: -self.ball.radius * gamma
 
     @property
     def legend(self) -> str:

@@ -17,9 +17,8 @@ from matplotlib.figure import Figure
 
 from ...core.arrays import FloatArray
 from ...errors import InputError
-from ...experiment.subjects.contact_subject import ContactSubject
 from ...experiment.subjects.plan import PlanMotion
-from ...experiment.subjects.subject import BallSubject, BodySubject, Subject
+from ...experiment.subjects.subject import Subject
 from ...geometry.view import View
 from ..drawing.canvas import Canvas, blank_axes
 from ..drawing.dataset_access import times_of, unit_of
@@ -74,7 +73,7 @@ def frames(
     InputError
         If the motion has no body and no drawing.
     """
-    if isinstance(subject, BallSubject):
+    if subject.ball is not None:
         outline, ground = ball_scene_of(subject.ball)
         track = track_of(dataset, None)
         view, seen = surface_seen(track, outline, ground)
@@ -86,13 +85,13 @@ def frames(
         return _films(dataset, track.times, window, view, draw, every, size)
     if plan is not None:
         return _plan_frames(dataset, plan, every, size)
-    contact = subject.contact if isinstance(subject, ContactSubject) else subject.rolling
-    if not isinstance(subject, BodySubject | ContactSubject) or contact is None:
+    scene = scene_of(subject)
+    if scene is None:
         raise InputError(
             f"{subject.system.title} has no body that could be shown: a film needs a body, or a "
             "drawing of a mechanism (the table [plan])"
         )
-    body, surface = scene_of(contact)
+    body, surface = scene
     track = track_of(dataset, None)
     view = scene_view(track, surface)
     extent = float(np.max(np.ptp(track.contact, axis=0)))

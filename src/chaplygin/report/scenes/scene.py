@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from ...contact.equations.situation import FrictionalContact
+from ...experiment.subjects.subject import Subject
 from ...geometry.mesh import BodyMesh, outline_from_contact
 from ...geometry.surface import SurfaceGround, ground_of_ball
 from ...mechanics.ball.ball import RollingBall
-from ...mechanics.rolling.equations import Rolling
-from ...mechanics.rolling.gauss_map import contact_points
 from ...mechanics.rolling.surfaces import Plane
 from ..drawing.shading import Ground, PlaneGround, SphereGround
 
@@ -28,13 +26,13 @@ class BallScene(NamedTuple):
     surface: SurfaceGround
 
 
-def scene_of(rolling: Rolling | FrictionalContact) -> Scene:
-    """The scene of a body that rolls or slides on a plane or a sphere."""
-    surface = rolling.surface
+def scene_of(subject: Subject) -> Scene | None:
+    """The scene of a body that rolls or slides on a plane or a sphere; None without one."""
+    surface, outline = subject.surface, subject.outline
+    if surface is None or outline is None:
+        return None
     ground = PlaneGround() if isinstance(surface, Plane) else SphereGround(surface.signed_radius)
-    # the recorded centre is that of body and fluid
-    body = rolling.equivalent.body if isinstance(rolling, Rolling) else rolling.body
-    return Scene(outline_from_contact(contact_points(body.shape)), ground)
+    return Scene(outline_from_contact(outline), ground)
 
 
 def ball_scene_of(ball: RollingBall) -> BallScene:
