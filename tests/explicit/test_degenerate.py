@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chaplygin.explicit.degenerate import solve_degenerate
-from chaplygin.explicit.degenerate.solution import DegenerateSolution
+from chaplygin.explicit.degenerate import DegenerateSolution, solve_degenerate
 from chaplygin.explicit.degenerate.theta_motion import Asymptotic, Periodic
 from chaplygin.explicit.genus_two.separation import SeparatedSystem
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball

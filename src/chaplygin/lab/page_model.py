@@ -24,8 +24,7 @@ from .page_module import page_module
 from .page_start import start_inputs
 from .reduced import reduced_system
 from .scene_model import Json, scene_model
-from .section_choice import section_choice
-from .section_terms import sectionable
+from .sections import section_choice, sectionable
 from .slider_range import parameter_range
 
 #: Of a motion in a page, so that states agree with Taylor series to 1e-12, and of its sections,

@@ -22,7 +22,7 @@ from .columns import Column, Scalar, columns_of, scalars_of
 from .page_start import SPINS, start_tables
 from .reduced import page_system, reduced_system
 from .scene_model import Json
-from .section_terms import chosen_section, sectionable, terms_of
+from .sections import chosen_section, sectionable, terms_of
 from .start_terms import StartTerms, start_terms
 from .surface_terms import surface_terms
 

@@ -11,8 +11,7 @@ import pytest
 from flint import arb, ctx
 
 from chaplygin.core.system import flat_pairs
-from chaplygin.explicit.degenerate import solve_degenerate
-from chaplygin.explicit.degenerate.solution import DegenerateSolution
+from chaplygin.explicit.degenerate import DegenerateSolution, solve_degenerate
 from chaplygin.explicit.degenerate.theta_motion import Asymptotic, Periodic
 from chaplygin.explicit.genus_two.separation import SeparatedSystem, nu, nuprime
 from chaplygin.explicit.solvable_cases import SEPARABLE

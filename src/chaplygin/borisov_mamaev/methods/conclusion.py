@@ -1,8 +1,9 @@
-"""Verdicts that follow from a computation, or from several other verdicts."""
+"""Verdicts that follow from a computation, from several others, or from what contradicts them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 from ...core.laws import Law
@@ -55,3 +56,25 @@ def conclusion_verdict(
         terms=max((v.terms for v in verdicts), default=0),
         seconds=sum(v.seconds for v in verdicts),
     )
+
+
+_OPPOSITE: dict[Decision, Decision] = {
+    "proven": "refuted",
+    "refuted": "proven",
+    "undecided": "undecided",
+}
+
+
+def contrary(verdict: Verdict) -> Verdict:
+    """The verdict on the opposite statement.
+
+    The text and the witness, if there is one, are kept.  A statement proven only under conditions
+    does not decide the opposite.
+    """
+    if verdict.decision == "proven where":
+        where = ", ".join(verdict.conditions)
+        return replace(
+            verdict, decision="undecided", conditions=(), reason=f"excluded only where {where}"
+        )
+    witness = verdict.witness or {"shown": verdict.finding}
+    return replace(verdict, decision=_OPPOSITE[verdict.decision], witness=witness)

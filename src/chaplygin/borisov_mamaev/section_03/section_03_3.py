@@ -13,7 +13,7 @@ from ...core.system import Guard, System
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.contradiction import contrary
+from ..methods.conclusion import contrary
 from ..methods.divergence_at_equilibria import excludes_measure
 from ..methods.unspecified import (
     bracket,

@@ -17,8 +17,7 @@ from ...core.laws import (
 from ...core.system import System
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.conclusion import conclusion_verdict
-from ..methods.contradiction import contrary
+from ..methods.conclusion import conclusion_verdict, contrary
 from ..methods.tori import F_1, F_2, canonical_in, not_hamiltonian, of_rank_two, theta_1, theta_2
 from ..methods.unspecified import system, unspecified_functions
 

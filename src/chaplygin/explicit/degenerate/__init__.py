@@ -16,20 +16,38 @@ is covered; where two pairs of roots have collided at once the answer is None.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import sympy as sp
-from flint import ctx
+from flint import arb, ctx
 
-from ...arguments import NumberOrText
+from ...arguments import NumberOrText, arguments_checked
 from ...formulas.balls import ball
-from ..base.solution import Solution
+from ..base.solution import ClosedForm, Solution
 from ..genus_two.separation import SeparatedSystem
+from .closed_form import form_of
 from .collisions import double_roots, motion_at_double_root
 from .exact_start import PRECISION, exact_start
-from .solution import DegenerateSolution
+from .motion import DegenerateMotion
+from .rigorous import rigorous_state
 
-__all__ = ["solve_degenerate"]
+__all__ = ["DegenerateSolution", "solve_degenerate"]
+
+
+@dataclass(frozen=True, repr=False)
+class DegenerateSolution(DegenerateMotion, Solution):
+    """A motion on a curve of genus two that has a double root."""
+
+    @arguments_checked
+    def rigorous(self, time: NumberOrText, digits: int = 30) -> tuple[arb, ...]:
+        """The lifted state at one time as balls."""
+        return rigorous_state(self, time, digits)
+
+    @cached_property
+    def form(self) -> ClosedForm:
+        """The curve, its double root, the frequencies."""
+        return form_of(self.separable, self.exact, self.motion, self.e, self.turn)
 
 
 def solve_degenerate(
