@@ -84,7 +84,7 @@ def laws_for(
 
     def decorator(laws: LawsOf) -> LawsOf:
         @wraps(laws)
-        def known(rolling: Rolling, system: System) -> tuple[Law, ...]:
+        def restriction(rolling: Rolling, system: System) -> tuple[Law, ...]:
             fits = (
                 contact in (None, rolling.contact)
                 and surface in (None, rolling.surface, type(rolling.surface))
@@ -92,7 +92,7 @@ def laws_for(
             )
             return laws(rolling, system) if fits else ()
 
-        return known
+        return restriction
 
     return decorator
 

@@ -2,20 +2,45 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
+import mpmath
 import sympy as sp
 
 from ...catalogue.balls.ball_entry import ball_variables
 from ...catalogue.balls.ball_laws import known_ball_laws
 from ...core.vectors import Vector
 from ...mechanics.ball.ball import RollingBall
+from ...mechanics.ball.initial_state import ball_state
 from ...mechanics.ball.surface import ImplicitSurface, SmoothSurface
 from ...printing.numerals import number
 from ..file.ball_model import BallExperiment, moment
 from ..file.shape_tables import BallTable
 from .mechanism_from_tables import identifier
-from .subject import PlacedBallSubject
+from .subject import BallSubject
 
 R = Vector("R")
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlacedBallSubject(BallSubject):
+    """A homogeneous ball whose start gives its contact point or its centre, and ω."""
+
+    @property
+    def summary(self) -> str:
+        """Empty, as the setting says what moves."""
+        return ""
+
+    @property
+    def directions(self) -> set[str]:
+        """None: the place of the ball and ω are no unit vectors."""
+        return set()
+
+    def initial_state(self) -> tuple[mpmath.mpf, ...]:
+        """The state that follows from the place of the ball and ω."""
+        place = "contact" if self.ball.carrier == "support" else "centre"
+        position, omega = self.start_vector(place), self.start_vector("omega")
+        return ball_state(self.ball, self.system, position, omega)
 
 
 def ball_subject(experiment: BallExperiment) -> PlacedBallSubject:

@@ -6,19 +6,23 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from typing import cast
 
-from ...core.system import System
+from ...core.system import Observable, System
+from ...core.vectors import real_symbol
 from ...errors import InputError
+from ...mechanics.constraints.integrability import nonholonomy
 from ...mechanics.lagrangian.mechanism import TIME, Mechanism
 from ...mechanics.lagrangian.poincare_suslov import equations
 from ...parsing import nearest
+from ...printing.formula import text
 from ..file.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from ..file.toml import Key
 from .initial_state import StartValues
 from .mechanism_from_tables import identifier, mechanism_of, system_of, with_claims
 from .plan import described_plan
-from .subject import DescribedSubject
+from .subject import Subject
 
 #: Subjects of error messages, and the keys of the file that they concern.
 _PLACES: tuple[tuple[str, Key], ...] = (
@@ -32,6 +36,70 @@ _PLACES: tuple[tuple[str, Key], ...] = (
     (r"the (mass matrix|Lagrangian|kinetic energy)", ("lagrangian",)),
     (r"the constraints\b", ("constraints",)),
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class DescribedSubject(Subject):
+    """A system that a user's file describes by a Lagrangian or by equations.
+
+    Attributes
+    ----------
+    mechanism : Mechanism, optional
+        The Lagrangian, frame and constraints from which the system was derived.
+    """
+
+    has_own_reconstruction = True
+
+    mechanism: Mechanism | None = None
+
+    @property
+    def model(self) -> Mechanism | None:
+        """The mechanism, if there is one."""
+        return self.mechanism
+
+    @property
+    def state_names(self) -> list[str]:
+        """The variables of the state, and of the motion in space."""
+        whole = self.system.lifted() if self.system.reconstruction else self.system
+        return [str(name) for name in whole.state if name != TIME]
+
+    @property
+    def recorded_names(self) -> list[str]:
+        """The observables."""
+        return [item.name for item in self._observables]
+
+    @property
+    def derivation_notes(self) -> tuple[str, ...]:
+        """Sentences on what is recorded besides the state, and on the constraints.
+
+        The verdict on the constraints, holonomic or not, is that of
+        :func:`chaplygin.mechanics.constraints.integrability.nonholonomy`.
+        """
+        return tuple(filter(None, (self._observables_note(), self._constraints_note())))
+
+    @property
+    def _observables(self) -> tuple[Observable, ...]:
+        motion = self.system.reconstruction
+        return (*self.system.observables, *(motion.observables if motion else ()))
+
+    def _observables_note(self) -> str:
+        names = [
+            text(real_symbol(item.name))
+            if item.meaning in ("", item.name)
+            else f"{text(real_symbol(item.name))} ({item.meaning})"
+            for item in self._observables
+        ]
+        return f"Also recorded: {'; '.join(names)}." if names else ""
+
+    def _constraints_note(self) -> str:
+        mechanism = self.mechanism
+        if mechanism is None or not mechanism.f:
+            return ""
+        try:
+            return str(nonholonomy(mechanism))
+        except InputError as problem:
+            reason = problem.message.removeprefix(f"{mechanism.name}: ")
+            return f"Whether the constraints are holonomic is undecided: {reason}."
 
 
 def mechanism_subject(experiment: MechanismExperiment) -> DescribedSubject:

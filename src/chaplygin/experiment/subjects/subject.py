@@ -2,9 +2,9 @@
 
 Three kinds differ in how their start is given, in the words of a report and in its figures: a body
 with an angular velocity ω and a unit vector γ (`BodySubject`), a homogeneous ball on a surface
-(`BallSubject`), and any other system, whose start gives its state by name (`Subject`), among them
-those that a user's file describes (`DescribedSubject`).  A body with friction, whose equations
-change at events, is a `ContactSubject` of its own module.
+(`BallSubject`), and any other system, whose start gives its state by name (`Subject`).  Those that
+only a file describes have modules of their own: a ball with its place (`ball_subject.py`), a system
+of the user's (`described_system.py`), a body with friction (`contact_subject.py`).
 """
 
 from __future__ import annotations
@@ -17,14 +17,12 @@ import mpmath
 import numpy as np
 
 from ...core.arrays import FloatArray
-from ...core.system import Observable, System
-from ...core.vectors import Diagonal, real_symbol
+from ...core.system import System
+from ...core.vectors import Diagonal
 from ...errors import InputError
 from ...flow.integrator import integrate
 from ...flow.trajectory import Trajectory
 from ...mechanics.ball.ball import RollingBall
-from ...mechanics.ball.initial_state import ball_state
-from ...mechanics.constraints.integrability import nonholonomy
 from ...mechanics.lagrangian.mechanism import TIME, Mechanism
 from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.rolling.body import AnyBody
@@ -364,88 +362,3 @@ class BallSubject(Subject):
     def two_sided(self) -> bool:
         """Whether no force acts on it besides that of the surface."""
         return not self.ball.has_forces
-
-
-@dataclass(frozen=True, kw_only=True)
-class PlacedBallSubject(BallSubject):
-    """A homogeneous ball whose start gives its contact point or its centre, and ω."""
-
-    @property
-    def summary(self) -> str:
-        """Empty, as the setting says what moves."""
-        return ""
-
-    @property
-    def directions(self) -> set[str]:
-        """None: the place of the ball and ω are no unit vectors."""
-        return set()
-
-    def initial_state(self) -> tuple[mpmath.mpf, ...]:
-        """The state that follows from the place of the ball and ω."""
-        place = "contact" if self.ball.carrier == "support" else "centre"
-        position, omega = self.start_vector(place), self.start_vector("omega")
-        return ball_state(self.ball, self.system, position, omega)
-
-
-@dataclass(frozen=True, kw_only=True)
-class DescribedSubject(Subject):
-    """A system that a user's file describes by a Lagrangian or by equations.
-
-    Attributes
-    ----------
-    mechanism : Mechanism, optional
-        The Lagrangian, frame and constraints from which the system was derived.
-    """
-
-    has_own_reconstruction = True
-
-    mechanism: Mechanism | None = None
-
-    @property
-    def model(self) -> Mechanism | None:
-        """The mechanism, if there is one."""
-        return self.mechanism
-
-    @property
-    def state_names(self) -> list[str]:
-        """The variables of the state, and of the motion in space."""
-        whole = self.system.lifted() if self.system.reconstruction else self.system
-        return [str(name) for name in whole.state if name != TIME]
-
-    @property
-    def recorded_names(self) -> list[str]:
-        """The observables."""
-        return [item.name for item in self._observables]
-
-    @property
-    def derivation_notes(self) -> tuple[str, ...]:
-        """Sentences on what is recorded besides the state, and on the constraints.
-
-        The verdict on the constraints, holonomic or not, is that of
-        :func:`chaplygin.mechanics.constraints.integrability.nonholonomy`.
-        """
-        return tuple(filter(None, (self._observables_note(), self._constraints_note())))
-
-    @property
-    def _observables(self) -> tuple[Observable, ...]:
-        motion = self.system.reconstruction
-        return (*self.system.observables, *(motion.observables if motion else ()))
-
-    def _observables_note(self) -> str:
-        names = [
-            text(real_symbol(item.name))
-            if item.meaning in ("", item.name)
-            else f"{text(real_symbol(item.name))} ({item.meaning})"
-            for item in self._observables
-        ]
-        return f"Also recorded: {'; '.join(names)}." if names else ""
-
-    def _constraints_note(self) -> str:
-        mechanism = self.mechanism
-        if mechanism is None or not mechanism.f:
-            return ""
-        try:
-            return str(nonholonomy(mechanism))
-        except InputError as problem:
-            reason = problem.message.removeprefix(f"{mechanism.name}: ")
-            return f"Whether the constraints are holonomic is undecided: {reason}."
