@@ -2,21 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import get_args
-
 from pydantic import Field, ValidationInfo, field_validator
 
 from .ball_tables import BallFieldTable, BallStartTable, FlatTable, SmoothTable
 from .base import ExperimentBase
 from .shape_tables import BallTable
 from .tables import BodyTable, ContactTable, RunTable
-
-#: Kinds of surface on which no other body of the package rolls.
-_BALLS_ONLY = {table.model_fields["kind"].default for table in get_args(SmoothTable)} - {
-    "plane",
-    "sphere",
-}
 
 
 class BallExperiment(ExperimentBase):
@@ -84,14 +75,3 @@ def moment(body: BodyTable) -> float | None:
     first = rows[0][0]
     wanted = tuple(tuple(first if i == j else 0.0 for j in range(3)) for i in range(3))
     return first if rows == wanted else None
-
-
-def is_ball_experiment(tables: Mapping[str, object]) -> bool:
-    """Whether the tables of a file speak of a surface that only a ball rolls on.
-
-    A plane or a sphere is meant so if the start gives the place of the ball, not γ.
-    """
-    surface, start = tables.get("surface"), tables.get("start")
-    kind = surface.get("kind") if isinstance(surface, dict) else None
-    placed = isinstance(start, dict) and start.keys() & {"contact", "centre"}
-    return bool(placed) or (isinstance(kind, str) and kind in _BALLS_ONLY)

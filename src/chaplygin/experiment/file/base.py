@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
@@ -84,3 +85,8 @@ class ExperimentBase(Table):
 
     def __hash__(self) -> int:
         return hash(self.toml())
+
+
+def identifier(title: str) -> str:
+    """A title as the name of a system, ``chaplygin-sleigh``."""
+    return "-".join(re.findall(r"\w+", title.lower())) or "untitled-system"

@@ -14,9 +14,10 @@ and frames are described in the modules `tables`, `shape_tables`, `contact_table
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import get_args
 
 from pydantic import ValidationError
 
@@ -24,7 +25,8 @@ from ...arguments import arguments_checked
 from ...catalogue import CATALOGUE, Entry, entry
 from ...errors import InputError
 from ...parsing import nearest
-from .ball_model import BallExperiment, is_ball_experiment
+from .ball_model import BallExperiment
+from .ball_tables import SmoothTable
 from .catalogue_models import StateExperiment, SystemExperiment
 from .described_models import EquationsExperiment, MechanismExperiment
 from .rolling_model import FrictionExperiment, RollingExperiment
@@ -36,6 +38,12 @@ from .validation import validation_messages
 
 #: Tables that describe a system by themselves.
 DESCRIPTION_TABLES = ("lagrangian", "equations")
+
+#: Kinds of surface on which no body but a homogeneous ball rolls.
+_BALLS_ONLY = {table.model_fields["kind"].default for table in get_args(SmoothTable)} - {
+    "plane",
+    "sphere",
+}
 
 
 Experiment = (
@@ -259,7 +267,7 @@ def _own_model(tables: Tables) -> type[Experiment]:
     contact = tables.get("contact")
     if isinstance(contact, dict) and contact.get("model") == "friction":
         return FrictionExperiment
-    return BallExperiment if is_ball_experiment(tables) else RollingExperiment
+    return BallExperiment if _is_ball_experiment(tables) else RollingExperiment
 
 
 def _decided_by_system(tables: Tables) -> dict[Key, str]:
@@ -270,3 +278,14 @@ def _decided_by_system(tables: Tables) -> dict[Key, str]:
         for name in decided
         if name not in SystemExperiment.model_fields
     }
+
+
+def _is_ball_experiment(tables: Mapping[str, object]) -> bool:
+    """Whether the tables of a file speak of a surface that only a ball rolls on.
+
+    A plane or a sphere is meant so if the start gives the place of the ball, not γ.
+    """
+    surface, start = tables.get("surface"), tables.get("start")
+    kind = surface.get("kind") if isinstance(surface, dict) else None
+    placed = isinstance(start, dict) and start.keys() & {"contact", "centre"}
+    return bool(placed) or (isinstance(kind, str) and kind in _BALLS_ONLY)

@@ -15,8 +15,8 @@ from ...mechanics.ball.initial_state import ball_state
 from ...mechanics.ball.surface import ImplicitSurface, SmoothSurface
 from ...printing.numerals import number
 from ..file.ball_model import BallExperiment, moment
+from ..file.base import identifier
 from ..file.shape_tables import BallTable
-from .mechanism_from_tables import identifier
 from .subject import BallSubject
 
 R = Vector("R")

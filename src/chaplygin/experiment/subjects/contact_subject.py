@@ -37,11 +37,11 @@ from ...mechanics.rolling.surfaces import Plane, Sphere, Surface
 from ...printing.numerals import number
 from ..contact.dataset import work_meanings
 from ..contact.trajectory import ContactTrajectory, contact_trajectory
+from ..file.base import identifier
 from ..file.contact_tables import FrictionSurfaceTable, FrictionTable
 from ..file.rolling_model import FrictionExperiment
 from ..file.shape_tables import shape_name
 from ..file.tables import CommonRunTable
-from .mechanism_from_tables import identifier
 from .rolling_subject import body_of, forces_of, ground_words
 from .subject import Subject, Variables
 

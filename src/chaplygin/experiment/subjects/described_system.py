@@ -17,10 +17,11 @@ from ...mechanics.lagrangian.mechanism import TIME, Mechanism
 from ...mechanics.lagrangian.poincare_suslov import equations
 from ...parsing import nearest
 from ...printing.formula import text
+from ..file.base import identifier
 from ..file.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from ..file.toml import Key
 from .initial_state import StartValues
-from .mechanism_from_tables import identifier, mechanism_of, system_of, with_claims
+from .mechanism_from_tables import DEFAULT_TITLE, mechanism_of, system_of, with_claims
 from .plan import described_plan
 from .subject import Subject
 
@@ -162,7 +163,7 @@ def _placing_errors(experiment: OwnExperiment) -> Iterator[None]:
     except InputError as error:
         if error.where:
             raise
-        sentence = error.message.removeprefix(f"{identifier(experiment.title)}: ")
+        sentence = error.message.removeprefix(f"{identifier(experiment.title or DEFAULT_TITLE)}: ")
         key = next((key for words, key in _PLACES if re.match(words, sentence)), ())
         raise InputError(sentence, experiment.where(*key)) from None
     except (ArithmeticError, ValueError) as error:

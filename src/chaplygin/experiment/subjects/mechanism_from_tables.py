@@ -16,6 +16,7 @@ from ...errors import InputError
 from ...mechanics.lagrangian.mechanism import TIME, Frame, Mechanism, euclidean, rotations
 from ...mechanics.lagrangian.structure_functions import check_structure
 from ...parsing import Formula, NamedQuantity, nearest
+from ..file.base import identifier
 from ..file.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from ..file.mechanism_tables import NumberTable
 from ..file.names import Names
@@ -49,7 +50,7 @@ def mechanism_of(experiment: MechanismExperiment) -> Mechanism:
         lagrangian -= names.scalar(table.potential or "0", "lagrangian", "potential")
     constraints = experiment.constraints
     mechanism = Mechanism(
-        name=identifier(experiment.title),
+        name=identifier(experiment.title or DEFAULT_TITLE),
         frame=frame,
         lagrangian=lagrangian,
         constraints=names.formulas(constraints.velocity, "constraints", "velocity"),
@@ -116,7 +117,7 @@ def system_of(experiment: EquationsExperiment) -> System:
         *(item.value for item in laws),
     )
     system = System(
-        name=identifier(experiment.title),
+        name=identifier(experiment.title or DEFAULT_TITLE),
         title=experiment.title or DEFAULT_TITLE,
         field=field + (((TIME, sp.S.One),) if timed else ()),
         parameters=parameters,
@@ -155,12 +156,6 @@ def with_claims(experiment: OwnExperiment, system: System) -> System:
             field[named] = names.like(named, text, *key, variable)
         laws.append(Symmetry(name, field))
     return system.with_laws(*laws)
-
-
-def identifier(title: str | None) -> str:
-    """A title as the name of a system, ``chaplygin-sleigh``."""
-    words: list[str] = re.findall(r"\w+", (title or DEFAULT_TITLE).lower())
-    return "-".join(words) or "untitled-system"
 
 
 # --- names and numbers ---------------------------------------------------------------------

@@ -10,10 +10,10 @@ from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.fluid import Fluid, fluids_of
 from ...mechanics.rolling.surfaces import Plane, Sphere, Surface
 from ...printing.numerals import number
+from ..file.base import identifier
 from ..file.rolling_model import BodyOnSurface, RollingExperiment
 from ..file.shape_tables import shape_name
 from ..file.tables import PlaneTable
-from .mechanism_from_tables import identifier
 from .subject import BodySubject
 
 
