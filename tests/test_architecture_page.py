@@ -41,5 +41,5 @@ def test_every_room_has_a_line() -> None:
 
 def test_every_file_that_is_named_is_there() -> None:
     for name in re.findall(r"`(\w+/[\w/]+\.py)`", PAGE):
-        place = HOME.parents[1] if name.startswith("tests/") else HOME
+        place = HOME.parents[1] if name.startswith(("tests/", "scripts/")) else HOME
         assert (place / name).exists(), name
