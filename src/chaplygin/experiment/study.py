@@ -16,7 +16,7 @@ from ..contact.invariants.provable_laws import provable_laws
 from ..core.arrays import FloatArray
 from ..core.laws import Law
 from ..core.overview import Overview, WithOverview
-from ..core.system import System
+from ..core.system import Guard, System
 from ..errors import InputError
 from ..flow.cost import TooMuchError
 from ..flow.trajectory import Trajectory, require_pieces
@@ -130,6 +130,12 @@ class Study(WithOverview):
         state = self.start[: len(self.system.symbols)]
         holding = [law for law in self.system.integrals if on_level(self.system, law.on, state)]
         return replace(self.system, laws=tuple(holding))
+
+    @property
+    def guards(self) -> tuple[Guard, ...]:
+        """The guards that end a motion; those of lift-off may only warn."""
+        warns = self.experiment.run.on_liftoff == "warn"
+        return tuple(item for item in self.system.guards if not (warns and item.lift_off))
 
     @property
     def times(self) -> FloatArray:

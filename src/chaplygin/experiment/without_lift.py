@@ -34,7 +34,4 @@ def without_reconstruction(study: Study) -> System:
     InputError
         If the equations change at events.
     """
-    guards = single_system(study).guards
-    if study.experiment.run.on_liftoff == "warn":
-        guards = tuple(guard for guard in guards if not guard.lift_off)
-    return replace(study.system, reconstruction=None, guards=guards)
+    return replace(single_system(study), reconstruction=None, guards=study.guards)

@@ -19,7 +19,4 @@ def reduced_system(study: Study) -> System:
 def page_system(study: Study) -> System:
     """The system with its motion in space, and the guards that end a motion."""
     system = study.system if study.subject.changes_equations else study.system_on_level
-    guards = system.guards
-    if study.experiment.run.on_liftoff == "warn":
-        guards = tuple(guard for guard in guards if not guard.lift_off)
-    return replace(system, guards=guards)
+    return replace(system, guards=study.guards)

@@ -294,4 +294,4 @@ def _facts(study: Study, trajectory: Trajectory) -> list[tuple[str, str]]:
         ("integrals", "enforced by projection" if run.keep_integrals else "free, as a check"),
     ]
     # what projections there are with friction belongs to its events
-    return facts[:-2] if isinstance(trajectory, ContactTrajectory) else facts
+    return facts[:-2] if study.subject.changes_equations else facts
