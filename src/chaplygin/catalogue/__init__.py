@@ -16,6 +16,7 @@ from __future__ import annotations
 import pkgutil
 import re
 from importlib import import_module
+from itertools import chain
 
 from ..arguments import Setting, arguments_checked
 from ..core.laws import Law
@@ -23,7 +24,7 @@ from ..core.overview import Overview, WithOverview
 from ..core.system import System
 from ..mechanics.rolling.equations import Rolling
 from ..mechanics.rolling.fluid import fluids_of
-from .entry import Entry, Start, known_laws, lookup
+from .entry import Entry, Start, lookup
 from .fluid_laws import laws_with_fluid
 
 __all__ = ["CATALOGUE", "Entry", "Start", "entry", "from_catalogue", "known_laws_of"]
@@ -98,4 +99,8 @@ def known_laws_of(rolling: Rolling, system: System) -> tuple[Law, ...]:
     """The laws that the catalogue knows of a body, whether or not it was named."""
     if fluids_of(rolling.body):
         return laws_with_fluid(rolling)
-    return known_laws(CATALOGUE.values(), rolling, system)
+    # of those with one name the first
+    laws: dict[str, Law] = {}
+    for law in chain.from_iterable(item.laws(rolling, system) for item in CATALOGUE.values()):
+        laws.setdefault(law.name, law)
+    return tuple(laws.values())

@@ -232,15 +232,6 @@ def _nearest(name: str, names: Iterable[str]) -> str:
     return f" (did you mean {close[0]!r}?)" if close else ""
 
 
-def known_laws(entries: Iterable[Entry], rolling: Rolling, system: System) -> tuple[Law, ...]:
-    """The integrals that some entries know of a rolling body, each once."""
-    laws: dict[str, Law] = {}
-    for item in entries:
-        for law in item.laws(rolling, system):
-            laws.setdefault(law.name, law)
-    return tuple(laws.values())
-
-
 def bruns_factor(potential: sp.Expr) -> sp.Expr | None:
     """k of the Bruns field U = ½k(γ, Iγ) for a diagonal tensor I; None for another potential."""
     gamma = sp.symbols("gamma_1:4", real=True)

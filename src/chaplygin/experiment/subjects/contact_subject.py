@@ -31,7 +31,6 @@ from ...core.arrays import FloatArray
 from ...core.system import System
 from ...errors import InputError
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.gauss_map import centre_outside
 from ...mechanics.rolling.shapes import Disk
 from ...mechanics.rolling.surfaces import Plane, Sphere, Surface
 from ...printing.numerals import number
@@ -108,11 +107,9 @@ class ContactSubject(Subject):
     @property
     def remarks(self) -> tuple[str, ...]:
         """Sentences on what is unusual about the body and its start."""
-        outside = "body.shape.centre puts the centre of mass outside the body"
-        remarks = (outside,) if centre_outside(self.contact.body.shape) else ()
         with contextlib.suppress(InputError):
-            return (*remarks, *self._remarks_on_start())
-        return remarks
+            return (*super().remarks, *self._remarks_on_start())
+        return super().remarks
 
     def _remarks_on_start(self) -> tuple[str, ...]:
         if "position" not in self.start_values:
@@ -161,11 +158,6 @@ class ContactSubject(Subject):
     def weight(self) -> float | None:
         """m g under gravity."""
         return self.contact.body.mass * self.contact.field.gravity or None
-
-    @property
-    def gamma_is_normal(self) -> bool:
-        """Always: γ is the normal of the support."""
-        return True
 
     @property
     def state_names(self) -> list[str]:

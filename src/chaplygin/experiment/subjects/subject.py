@@ -134,8 +134,9 @@ class Subject:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Sentences on what is unusual about it."""
-        return ()
+        """Whether the centre of mass lies outside the body, and what else is unusual about it."""
+        outside = self.body is not None and centre_outside(self.body.shape)
+        return ("body.shape.centre puts the centre of mass outside the body",) if outside else ()
 
     @property
     def directions(self) -> set[str]:
@@ -232,7 +233,7 @@ class Subject:
     @property
     def gamma_is_normal(self) -> bool:
         """Whether the unit vector γ is the normal of a surface."""
-        return self.rolling is not None
+        return self.surface is not None
 
     @property
     def state_names(self) -> list[str]:
@@ -280,11 +281,8 @@ class BodySubject(Subject):
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """Whether the centre of mass lies outside the body that the user describes."""
-        if self.from_catalogue or self.rolling is None:
-            return ()
-        outside = centre_outside(self.rolling.equivalent.body.shape)
-        return ("body.shape.centre puts the centre of mass outside the body",) if outside else ()
+        """Those on the body that the user describes."""
+        return () if self.from_catalogue else super().remarks
 
     @property
     def directions(self) -> set[str]:
