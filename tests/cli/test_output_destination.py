@@ -87,6 +87,14 @@ def test_a_dash_is_standard_output(tmp_path: Path) -> None:
             "pipe.zarr is no store of a computation in blocks",
         ),
         (("ensemble", "veselova", "-o", "pipe.zarr", "--force"), "pipe.zarr is no store"),
+        (
+            ("ensemble", "veselova", "-o", "lost.zarr", "--force"),
+            "lost.zarr is a link to a file that is not there",
+        ),
+        (
+            ("section", "veselova", "--on", "gamma_3", "-o", "round.zarr"),
+            "round.zarr cannot be written: Too many levels of symbolic links",
+        ),
     ],
 )
 def test_what_cannot_be_written_is_refused(
@@ -94,10 +102,14 @@ def test_what_cannot_be_written_is_refused(
 ) -> None:
     for name in ("pipe.png", "pipe.zarr"):
         os.mkfifo(tmp_path / name)
+    for name, leads_to in (("lost.zarr", "nowhere"), ("round.zarr", "round.zarr")):
+        (tmp_path / name).symlink_to(leads_to)
     code, out, err = ask(*arguments)
     assert (code, out, err.count("\n")) == (2, "", 1)
     assert sentence in err
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["pipe.png", "pipe.zarr"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == [
+        *("lost.zarr", "pipe.png", "pipe.zarr", "round.zarr"),
+    ]
 
 
 def test_a_store_behind_a_link_is_not_removed(ask: Ask, tmp_path: Path) -> None:

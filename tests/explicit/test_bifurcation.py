@@ -224,7 +224,7 @@ def test_a_missing_variable_is_refused(diagrams):
         ("veselova", {"I_2": 1}, "three different numbers"),
         ("veselova", {"I_3": 5}, "triangle inequality"),
         ("veselova", {"J_3": 5}, "no parameter J_3"),
-        ("veselova", {"I_3": "wide"}, "must be numbers"),
+        ("veselova", {"I_3": "wide"}, "must be a mapping of names to numbers"),
         ("velesova", {}, "no bifurcation diagram 'velesova'"),
         ("veselova-bruns", {"K": 0}, "a field needs a strength other than 0"),
         ("neumann", {"c": 0}, "a field needs a strength other than 0"),

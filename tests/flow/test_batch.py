@@ -294,11 +294,13 @@ MISTAKES: dict[str, tuple[Any, str]] = {
     ),
     "rows of two lengths": (
         lambda: free().propagate([[1, 2], [1]], [1.0]),
-        "starts: all must be real numbers, in rows of one length",
+        "BatchIntegrator.propagate: starts must be numbers in an array or in nested sequences, not "
+        "[[1, 2], [1]]",
     ),
     "words": (
         lambda: free(digits=30).propagate([["1", "east"]], [1.0]),
-        "starts: all must be real numbers, in rows of one length",
+        "BatchIntegrator.propagate: starts must be numbers in an array or in nested sequences, not "
+        "[['1', 'east']]",
     ),
     "off the phase space": (
         lambda: batch_integrator(BALL).propagate(OFF, [1.0]),
@@ -328,7 +330,8 @@ MISTAKES: dict[str, tuple[Any, str]] = {
     ),
     "parameter that is a word": (
         lambda: free().propagate([[1, 2]], [1.0], {p: "much"}),
-        "oscillator: p: all must be real numbers, in rows of one length",
+        "BatchIntegrator.propagate: parameters must be a mapping of parameters to numbers, not "
+        "{p: 'much'}",
     ),
     "times that fall": (
         lambda: free().propagate([[1, 2]], [1.0, 0.5]),

@@ -65,12 +65,15 @@ def test_by_variables_and_by_components() -> None:
     [
         ({"M": OMEGA}, "the start does not tell gamma_1, gamma_2, gamma_3"),
         ({"omega": OMEGA}, "omega is given, but gamma is not"),
-        ({"M": OMEGA, "gamma": GAMMA, "mass": OMEGA[:, 0]}, "there is no mass; it has M, gamma, m"),
+        (
+            {"M": OMEGA, "gamma": GAMMA, "mass": OMEGA[:, 0]},
+            "there is no mass; its state has M",
+        ),
         (
             {"M": OMEGA[:, :2], "gamma": GAMMA},
-            r"each row of M has the shape \(2,\); \(3,\)",
+            r"M has 2 numbers for each motion, not 3",
         ),
-        ({"state": OMEGA}, r"each row of state has the shape \(3,\); \(6,\) is needed"),
+        ({"state": OMEGA}, r"state has 3 numbers for each motion, not 6"),
         ({"omega": OMEGA, "gamma": 0 * GAMMA}, "gamma is zero"),
     ],
     ids=["missing", "no-gamma", "unknown", "shape", "state", "zero"],
@@ -132,7 +135,7 @@ def test_a_start_of_another_size() -> None:
         InputError, match=r"^start has 7 numbers: 6 are needed \(M_1, .*; or 12, wi"
     ):
         integrate(BALL, [1.0] * 7, [0.0, 1.0])
-    with pytest.raises(InputError, match="there is no spin; it has M, gamma"):
+    with pytest.raises(InputError, match="there is no spin; its state has M"):
         integrate(BALL, {"spin": 1.0}, [0.0, 1.0])
 
 

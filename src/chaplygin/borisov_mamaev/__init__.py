@@ -8,6 +8,7 @@ from __future__ import annotations
 import pkgutil
 from importlib import import_module
 
+from ..arguments import arguments_checked
 from .claim import Case, Claim, Remark
 
 __all__ = ["Case", "Claim", "Remark", "claims", "remarks"]
@@ -20,6 +21,7 @@ def _modules() -> dict[str, int]:
     return {name: int(name.split(".section_")[1][:2]) for name in names}
 
 
+@arguments_checked
 def claims(section: int | None = None) -> tuple[tuple[int, Claim], ...]:
     """The claims of one section, or of the whole paper, in reading order, with their section."""
     return tuple(
@@ -30,6 +32,7 @@ def claims(section: int | None = None) -> tuple[tuple[int, Claim], ...]:
     )
 
 
+@arguments_checked
 def remarks(section: int | None = None) -> tuple[Remark, ...]:
     """The statements that were not computed, in reading order."""
     return tuple(

@@ -58,6 +58,7 @@ CATALOGUE = Catalogue((item.name, item) for item in _entries())
 """Every system of the catalogue by its name, in the order of the paper."""
 
 
+@arguments_checked
 def entry(name: str) -> Entry:
     """The catalogue entry of a name; InputError names the nearest one if there is none."""
     return lookup(CATALOGUE, name)
@@ -95,6 +96,7 @@ def from_catalogue(name: str, **parameters: Setting) -> System:
     return entry(name).system(parameters)
 
 
+@arguments_checked
 def known_laws_of(rolling: Rolling, system: System) -> tuple[Law, ...]:
     """The laws that the catalogue knows of a body, whether or not it was named."""
     if fluids_of(rolling.body):

@@ -10,6 +10,7 @@ from typing import Any, Protocol, SupportsFloat, TypeAlias
 
 import sympy as sp
 
+from ..arguments import arguments_checked
 from ..core.laws import Law
 from ..core.parameters import require_parameters
 from ..core.system import System
@@ -28,6 +29,7 @@ Triple: TypeAlias = tuple[float, float, float]
 Values: TypeAlias = Mapping[str, float | tuple[float, ...]]
 
 
+@arguments_checked
 @dataclass(frozen=True, kw_only=True)
 class Start:
     """A start worth looking at: ω and γ, or the whole state by name.
@@ -146,10 +148,12 @@ class Entry:
     family: Family | None = None
     dimension: int | None = None
 
+    @arguments_checked
     def member(self, parameters: Settings | None = None) -> Entry:
         """The entry of the dimension and with the numbers that settings give; else itself."""
         return self if self.family is None else self.family.entry(parameters or {})
 
+    @arguments_checked
     def settings(self, parameters: Settings | None = None) -> dict[str, float]:
         """All parameters, and the dimension where there is one."""
         numbers = self.numbers(parameters)
@@ -157,6 +161,7 @@ class Entry:
             return numbers
         return {"dimension": self.member(parameters).dimension or 0, **numbers}
 
+    @arguments_checked
     def numbers(self, parameters: Settings | None = None) -> dict[str, float]:
         """All parameters, the given ones replacing the defaults.
 
@@ -175,6 +180,7 @@ class Entry:
             replacements[name] = value  # type: ignore[assignment]
         return {**self.defaults, **replacements}
 
+    @arguments_checked
     def rolling(self, parameters: Settings | None = None) -> Rolling | None:
         """The rolling body and its surface; None for a body about a fixed point."""
         if self.family is not None:
@@ -182,10 +188,12 @@ class Entry:
         model = self.build(self.numbers(parameters))
         return model if isinstance(model, Rolling) else None
 
+    @arguments_checked
     def rolling_ball(self, parameters: Settings | None = None) -> RollingBall | None:
         """The homogeneous ball and its surface; None where there is none."""
         return None if self.ball is None else self.ball(self.numbers(parameters))
 
+    @arguments_checked
     def system(self, parameters: Settings | None = None) -> System:
         """The System, with the laws that the paper names."""
         from dataclasses import replace

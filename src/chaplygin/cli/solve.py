@@ -11,9 +11,11 @@ import typer
 
 from .common import Force, Json, Override, What, complain, console, inform, print_json, study_of
 from .output_destination import beside, check_figure, check_output, deliver, name_of
-from .progress import waiting
+from .progress import progress, waiting
 
 if TYPE_CHECKING:
+    from flint import arb
+
     from ..experiment.study import Study
     from ..explicit.base.solution import Solution
 
@@ -69,6 +71,8 @@ def command(
     try:
         with waiting("solving"):
             solution = solution_of_study(study)
+            # its figures are computed when they are asked for
+            _ = solution.form
     except NoClosedFormError as refused:
         complain(str(refused))
         raise typer.Exit(1) from None
@@ -214,7 +218,7 @@ def _balls(
     """The state with error bars."""
     from ..experiment.closed_form import ball, units
 
-    states = [solution.rigorous(time, digits) for time in moments]
+    states = list(_rigorous_states(solution, moments, digits))
     unit = units(study, solution)
     for symbol, values in zip(solution.system.symbols, zip(*states, strict=True), strict=True):
         parts = [ball(value, digits) for value in values]
@@ -223,6 +227,17 @@ def _balls(
             unit[symbol],
             [middle if radius == "0" else f"{middle} ± {radius}" for middle, radius in parts],
         )
+
+
+def _rigorous_states(
+    solution: Solution, moments: Sequence[Fraction], digits: int
+) -> Iterator[tuple[arb, ...]]:
+    """The states with error bounds, the longest work of this command, while a bar says so."""
+    with progress(f"computing bounds to {digits} digits") as report:
+        for count, time in enumerate(moments):
+            if count:
+                report(count / len(moments))
+            yield solution.rigorous(time, digits)
 
 
 # --- what other programs read --------------------------------------------------------------
@@ -266,8 +281,8 @@ def _states(
         from ..experiment.closed_form import ball
 
         names = [str(symbol) for symbol in solution.system.symbols]
-        for time in moments:
-            balls = [ball(value, digits) for value in solution.rigorous(time, digits)]
+        for time, state in zip(moments, _rigorous_states(solution, moments, digits), strict=True):
+            balls = [ball(value, digits) for value in state]
             parts = [{"value": middle, "error": radius} for middle, radius in balls]
             yield {"time": float(time), **dict(zip(names, parts, strict=True))}
         return

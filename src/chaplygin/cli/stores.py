@@ -85,13 +85,15 @@ def level_of(text: str) -> dict[str, float]:
 
 def check_store(output: Path) -> None:
     """Raise InputError if a store cannot be written."""
+    from stat import S_ISDIR
+
     from ..errors import InputError
+    from ..experiment.files import status_of_target
 
     if output.suffix != ".zarr":
         raise InputError(f"--output {output}: its name must end in .zarr")
-    if not output.parent.is_dir():
-        raise InputError(f"{output} cannot be written: there is no folder {output.parent}")
-    if output.exists() and not output.is_dir():
+    status = status_of_target(output)
+    if status is not None and not S_ISDIR(status.st_mode):
         raise InputError(f"{output} is no store of a computation in blocks: choose another name")
 
 
@@ -105,12 +107,11 @@ def vacate(output: Path, force: bool) -> None:
     """
     import shutil
 
-    from ..errors import InputError
+    from ..experiment.files import check_replaced_store
     from ..flow.ensemble.zarr_store import read_store
 
     if output.exists() and force:
-        if output.is_symlink():
-            raise InputError(f"{output} is a link: give the name of the store itself")
+        check_replaced_store(output)
         read_store(output).close()
         shutil.rmtree(output)
 

@@ -15,7 +15,7 @@ import mpmath
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..arguments import arguments_checked
+from ..arguments import Finite, arguments_checked
 from ..core.arrays import FloatArray
 from ..errors import InputError
 from ..mechanics.rolling.gauss_map import contact_points
@@ -100,7 +100,7 @@ def start_in_contact(
     gamma: Sequence[float],
     slip: Sequence[float] = (0.0, 0.0, 0.0),
     *,
-    heading: float = 0.0,
+    heading: Finite = 0.0,
     normal: Sequence[float] = (0.0, 0.0, 1.0),
 ) -> FloatArray:
     """The state of a body that touches its support, with given normal, ω and slip.

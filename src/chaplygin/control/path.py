@@ -9,6 +9,7 @@ from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 
 from ..arguments import arguments_checked
@@ -83,11 +84,13 @@ class PlanePath:
                 "apart"
             )
 
-    def places(self, times: Any) -> FloatArray:
+    @arguments_checked
+    def places(self, times: npt.ArrayLike) -> FloatArray:
         """Places (n, 2) at times (n,)."""
         return self._values(0, np.asarray(times, dtype=float))
 
-    def velocities(self, times: Any) -> FloatArray:
+    @arguments_checked
+    def velocities(self, times: npt.ArrayLike) -> FloatArray:
         """Velocities (n, 2) at times (n,)."""
         return self._values(1, np.asarray(times, dtype=float))
 

@@ -216,6 +216,8 @@ class PoissonStructure(Law):
 
     def __post_init__(self) -> None:
         super().__post_init__()
+        if isinstance(self.matrix, sp.Expr) and not self.matrix.is_Matrix:
+            raise InputError(f"the law {self.name!r}: its matrix is one formula; rows are needed")
         object.__setattr__(self, "matrix", sp.ImmutableDenseMatrix(self.matrix))
         height, width = self.matrix.shape
         if height != width:

@@ -88,6 +88,14 @@ def scalar_names(pairs: Pairs) -> list[sp.Symbol]:
     return [symbol for symbols in names for symbol in symbols]
 
 
+def in_words(names: Iterable[sp.Basic]) -> str:
+    """Named quantities with their numbers of components, such as "M (3 numbers), theta"."""
+    counts = ((name, len(getattr(name, "symbols", ()))) for name in names)
+    return ", ".join(
+        f"{name} ({count} numbers)" if count > 1 else str(name) for name, count in counts
+    )
+
+
 def repeated_name(names: Sequence[sp.Symbol]) -> sp.Symbol | None:
     """A name that occurs more than once, or None."""
     return next((name for i, name in enumerate(names) if name in names[:i]), None)

@@ -7,7 +7,7 @@ A vector is a SymPy matrix expression of shape (3, 1).  Formulas built from
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from typing import Self, TypeAlias
 
 import sympy as sp
@@ -25,6 +25,8 @@ from sympy.matrices.expressions import (
 from sympy.printing.latex import LatexPrinter
 from sympy.printing.precedence import PRECEDENCE
 
+from ..arguments import Formulas, arguments_checked
+from ..errors import InputError
 from .display import formula_latex
 
 Scalar: TypeAlias = sp.Expr
@@ -47,6 +49,7 @@ def by_name(formula: sp.Basic | float, symbols: Iterable[sp.Symbol]) -> sp.Expr:
     return written.xreplace({s: named[s.name] for s in written.free_symbols if s.name in named})
 
 
+@arguments_checked
 def real_symbol(name: str) -> sp.Symbol:
     """A real scalar symbol, the only kind used in this package."""
     return sp.Symbol(name, real=True)
@@ -66,6 +69,8 @@ class Vector(sp.MatrixSymbol):
 
     def __new__(cls, name: str | Str, size: int = 3, *_: object) -> Vector:
         """Make the symbol; SymPy rebuilds expressions through here."""
+        if not isinstance(size, int | sp.Integer) or size < 1:
+            raise InputError(f"the size of {name} must be a positive whole number, not {size}")
         vector: Vector = sp.Basic.__new__(cls, Str(str(name)), sp.Integer(size), sp.S.One)
         return vector
 
@@ -212,13 +217,15 @@ def vectors(names: str) -> tuple[Vector, ...]:
     return tuple(Vector(name) for name in names.split())
 
 
+@arguments_checked
 def unit_vector(axis: int) -> MatrixExpr:
     """The unit vector along body axis 1, 2 or 3."""
     return constant([int(axis == i) for i in (1, 2, 3)])
 
 
+@arguments_checked
 def constant(
-    values: sp.Matrix | Sequence[sp.Expr | float | Sequence[sp.Expr | float]],
+    values: Formulas,
 ) -> MatrixExpr:
     """A vector or matrix given by its entries (numbers or scalars)."""
     return sp.ImmutableDenseMatrix(values)
@@ -249,6 +256,7 @@ def _ordered_product(atom: MatrixExpr) -> tuple[int, MatrixExpr]:
     return 1, atom
 
 
+@arguments_checked
 def cross(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
     """Vector product, bilinear; products of parallel vectors vanish at once."""
     total: MatrixExpr = zero
@@ -259,6 +267,7 @@ def cross(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
     return total
 
 
+@arguments_checked
 def dot(left: MatrixExpr, right: MatrixExpr) -> Scalar:
     """Scalar product; scalar factors are taken out."""
     if isinstance(left, ZeroMatrix) or isinstance(right, ZeroMatrix):
@@ -273,6 +282,7 @@ def dot(left: MatrixExpr, right: MatrixExpr) -> Scalar:
     return factor * Dot(*ends)
 
 
+@arguments_checked
 def norm_squared(vector: MatrixExpr) -> Scalar:
     """The square (u, u)."""
     return dot(vector, vector)
@@ -311,10 +321,26 @@ def to_components(expression: sp.Basic) -> sp.Basic:
     """
     if isinstance(expression, sp.MatrixBase):
         return Components(expression.applyfunc(to_components))
+    if not isinstance(expression, sp.Basic):
+        expression = _as_formula(expression)
     if not isinstance(expression, MatrixExpr):
         # from the top down, so that products inside products are reached with their factors
         return expression.xreplace({d: d.explicit() for d in expression.atoms(ScalarOfTensors)})
     return _explicit_matrix(expression)
+
+
+def _as_formula(value: object) -> sp.Basic:
+    """A number as an expression.
+
+    Raises
+    ------
+    InputError
+        If it is no number.
+    """
+    try:
+        return sp.sympify(value, strict=True)
+    except sp.SympifyError:
+        raise InputError(f"{value!r} is no formula: a SymPy expression is needed") from None
 
 
 def _explicit_matrix(expression: MatrixExpr) -> Components:

@@ -23,21 +23,34 @@ _OTHERS = (
 
 def check_target(target: Path, force: bool = False) -> None:
     """Raise InputError unless a file may be written to `target`."""
+    status = status_of_target(target)
+    if status is not None:
+        _check_replaced(target, status, force)
+
+
+def status_of_target(target: Path) -> os.stat_result | None:
+    """What is at a place, links followed; None if nothing is.
+
+    Raises
+    ------
+    InputError
+        If nothing can be written there: a link that leads nowhere, a folder that is missing or
+        protected.
+    """
     try:
         status: os.stat_result | None = target.stat()
     except FileNotFoundError:
         status = None
     except OSError as problem:
         raise InputError(f"{target} cannot be written: {problem.strerror}") from problem
-    if status is not None:
-        _check_replaced(target, status, force)
-    elif target.is_symlink():
+    if status is None and target.is_symlink():
         raise InputError(f"{target} is a link to a file that is not there: choose another name")
     folder = target.resolve().parent
     if not folder.is_dir():
         raise InputError(f"{target} cannot be written: there is no folder {target.parent}")
     if not os.access(folder, os.W_OK):
         raise InputError(f"{target} cannot be written: the folder {folder} is protected")
+    return status
 
 
 def _check_replaced(target: Path, status: os.stat_result, force: bool) -> None:
@@ -50,7 +63,19 @@ def _check_replaced(target: Path, status: os.stat_result, force: bool) -> None:
             f"{target} exists already: choose another name, or have it "
             "replaced (--force, in Python force=True)"
         )
-    # the superuser may write to a file that is marked as read-only too
+    _check_writable(target, status)
+
+
+def check_replaced_store(store: Path) -> None:
+    """Raise InputError unless a Zarr store, which is a folder, may be replaced by another."""
+    if store.is_symlink():
+        raise InputError(f"{store} is a link: give the name of the store itself")
+    _check_writable(store, store.stat())
+
+
+def _check_writable(target: Path, status: os.stat_result) -> None:
+    """Raise InputError if a file or folder is marked as read-only."""
+    # the superuser may write to what is marked so too
     if not (status.st_mode & 0o222 and os.access(target, os.W_OK)):
         raise InputError(
             f"{target} is read-only and is not replaced: choose another name, or make it writable"
@@ -80,7 +105,7 @@ def atomic_file(target: Path) -> Iterator[Path]:
             _check_replaced(target, place.stat(), force=True)
             temporary.chmod(stat.S_IMODE(place.stat().st_mode))
         else:
-            temporary.chmod(0o666 & ~_umask())
+            temporary.chmod(0o666 & ~umask())
         temporary.replace(place)
     except OSError as problem:
         raise InputError(f"{target} cannot be written: {problem.strerror or problem}") from problem
@@ -89,7 +114,7 @@ def atomic_file(target: Path) -> Iterator[Path]:
             temporary.unlink(missing_ok=True)
 
 
-def _umask() -> int:
+def umask() -> int:
     """The permissions that new files are to lack."""
     current = os.umask(0)
     os.umask(current)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import os
 import shutil
 import tempfile
 from itertools import product
@@ -12,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import InputError
-from .files import atomic_file, check_target
+from .files import atomic_file, check_replaced_store, check_target, umask
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -42,6 +41,8 @@ def check_output(path: Path, force: bool = False) -> None:
             f"{path} exists already: choose another name, or have it replaced (--force, in Python "
             "force=True)"
         )
+    else:
+        check_replaced_store(path)
 
 
 def save(dataset: xr.Dataset, path: Path, force: bool = False) -> None:
@@ -124,7 +125,7 @@ def _save_zarr(dataset: xr.Dataset, path: Path) -> None:
         provisional = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name}."))
         try:
             dataset.to_zarr(provisional, mode="w", zarr_format=2, consolidated=True)
-            provisional.chmod(0o777 & ~_umask())
+            provisional.chmod(0o777 & ~umask())
             if path.exists():
                 shutil.rmtree(path)
             provisional.replace(path)
@@ -143,10 +144,3 @@ def _is_trajectory(folder: Path) -> bool:
             return "events" in stored.attrs
     except (OSError, ValueError, KeyError):
         return False
-
-
-def _umask() -> int:
-    """The permissions that new folders are to lack."""
-    current = os.umask(0)
-    os.umask(current)
-    return current

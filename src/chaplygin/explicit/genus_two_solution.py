@@ -15,7 +15,7 @@ from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
 from ..formulas.balls import ball_values, components, number
-from .base.solution import ClosedForm, NamedConstant, Solution
+from .base.solution import ClosedForm, NamedConstant, Solution, finite_times
 from .genus_two.reconstruction import Lift, lift
 from .genus_two.separated_motion import SeparatedMotion, on_arrays, separate
 from .genus_two.separation import SeparatedSystem, nu
@@ -68,7 +68,7 @@ class GenusTwo(Solution):
     @arguments_checked
     def states(self, times: Numbers) -> FloatArray:
         """Lifted states (n, size) at `times` (n,), in double precision."""
-        moment = self.clock.torus_point(np.asarray(times, dtype=float))
+        moment = self.clock.torus_point(finite_times(times))
         reduced = self._state(*self.separated_motion.torus.values(moment.v))
         if self.lift is None:
             return reduced.T

@@ -14,6 +14,7 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
+from ..arguments import arguments_checked
 from ..core.isomorphism import Isomorphism
 from ..core.laws import Identity
 from ..core.system import System, flat_pairs
@@ -28,6 +29,7 @@ Formulas: TypeAlias = dict[sp.Symbol, sp.Expr]
 # --- the inverse map -----------------------------------------------------------------------
 
 
+@arguments_checked
 def inverse(system: System, law: Isomorphism) -> Formulas:
     """The state of `system` as formulas in the state of the target, and parameters.
 
@@ -112,6 +114,7 @@ def inverse_identity(system: System, law: Isomorphism) -> Identity:
 # --- systems that separate, carried over ---------------------------------------------------
 
 
+@arguments_checked
 def pull_back(
     system: System,
     law: Isomorphism,
@@ -169,6 +172,7 @@ def pull_back(
     )
 
 
+@arguments_checked
 def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -> SeparatedSystem:
     """The target of an isomorphism as a system that separates because the other side does.
 

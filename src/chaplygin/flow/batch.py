@@ -67,10 +67,12 @@ class BatchIntegrator:
         """State variables of the system."""
         return len(self.system.symbols)
 
+    @arguments_checked
     def status_message(self, code: int) -> str:
         """The reason why a motion ended, in words; empty for 0."""
         return outcome_message(self.system, code)
 
+    @arguments_checked
     def propagate(
         self,
         starts: npt.ArrayLike,
@@ -109,6 +111,7 @@ class BatchIntegrator:
         states, tangents, low = self._split(numbers)
         return BatchTrajectories(states, tangents, *ends, low)
 
+    @arguments_checked
     def crossings(
         self,
         starts: npt.ArrayLike,
@@ -149,6 +152,7 @@ class BatchIntegrator:
         states, tangents, low = self._split(numbers)
         return BatchCrossings(states, self._with_sign(moments), tangents, counts, *ends, low)
 
+    @arguments_checked
     def require_reach(
         self, start: npt.ArrayLike, until: float, parameters: Parameters = None
     ) -> None:
@@ -251,8 +255,8 @@ class BatchIntegrator:
         return found.states, found.times, found.counts, ends
 
 
-@lru_cache(maxsize=64)
 @arguments_checked
+@lru_cache(maxsize=64)
 def batch_integrator(
     system: System,
     *,

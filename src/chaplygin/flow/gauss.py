@@ -93,10 +93,12 @@ class GaussIntegrator:
     def _relations(self) -> tuple[Term, ...]:
         return relation_terms(self.system)
 
+    @arguments_checked
     def status_message(self, code: int) -> str:
         """The reason why a motion ended, in words; empty for 0."""
         return outcome_message(self.system, code)
 
+    @arguments_checked
     def propagate(
         self,
         starts: npt.ArrayLike,
@@ -126,6 +128,7 @@ class GaussIntegrator:
         moments = read_moments(times, self.backward)
         return self._call(starts, moments, parameters, threads, MOST_STEPS)
 
+    @arguments_checked
     def require_reach(
         self, start: npt.ArrayLike, until: float, parameters: Parameters = None
     ) -> None:

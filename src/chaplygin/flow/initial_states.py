@@ -14,6 +14,7 @@ import sympy as sp
 from ..arguments import Parameters
 from ..core.arrays import FloatArray
 from ..core.matrices import Column, Skew, SquareMatrix
+from ..core.named_formulas import in_words
 from ..core.rotations import finite_numbers, rotation_near, upright_matrix
 from ..core.system import System, flat
 from ..core.vectors import Vector
@@ -229,8 +230,7 @@ def _flat_states(system: System, arrays: Mapping[str, FloatArray]) -> FloatArray
         elif name in components:
             columns[name] = _checked_shape(system, name, array, 1)[:, 0]
         else:
-            known = ", ".join([*variables, *(str(p.symbol) for p in system.parameters)])
-            raise InputError(f"{system.name}: there is no {name}; it has {known}")
+            raise InputError(f"{system.name}: there is no {name}; {_allowed(system)}")
     missing = [name for name in components if name not in columns]
     if missing:
         raise InputError(f"{system.name}: the start does not tell {', '.join(missing)}")
@@ -243,11 +243,18 @@ def _checked_shape(system: System, name: str, array: FloatArray, size: int) -> F
     if size == 1 and block.ndim == 1:
         return block[:, np.newaxis]
     if block.ndim != 2 or block.shape[1] != size:
+        given = " × ".join(map(str, block.shape[1:])) or "1"
         raise InputError(
-            f"{system.name}: each row of {name} has the shape {block.shape[1:]}; "
-            f"({size},) is needed"
+            f"{system.name}: {name} has {given} number{'s' * (given != '1')} for each motion, "
+            f"not {size}"
         )
     return block
+
+
+def _allowed(system: System) -> str:
+    """The names that a start may have, to end a sentence."""
+    numbers = ", ".join(str(p.symbol) for p in system.parameters)
+    return f"its state has {in_words(system.state)}; its parameters are {numbers or 'none'}"
 
 
 def _of_spin(

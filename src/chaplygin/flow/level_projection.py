@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
-from ..arguments import Parameters, ParameterValue
+from ..arguments import Parameters, ParameterValue, arguments_checked
 from ..core.arrays import BoolArray, FloatArray
 from ..formulas.array_formulas import Formulas
 
@@ -23,6 +23,7 @@ LEVEL_TOLERANCE = 1e-12
 REDUNDANT = 1e-9
 
 
+@arguments_checked
 def project_to_level(
     formulas: Formulas,
     states: FloatArray,

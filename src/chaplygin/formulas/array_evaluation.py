@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
+from ..arguments import arguments_checked
 from ..core.arrays import FloatArray
 from ..core.parameters import Parameters, parameters_by_symbol, require_admissible
 from ..core.system import Quantity, System
@@ -86,7 +87,7 @@ def as_float_array(name: str, numbers: object) -> FloatArray:
     """
     try:
         return np.asarray(numbers, dtype=float)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise InputError(f"{name}: all must be real numbers, in rows of one length") from None
 
 
@@ -163,6 +164,7 @@ def parameter_rows(system: System, parameters: Parameters | None, count: int) ->
     return rows
 
 
+@arguments_checked
 def values(
     system: System,
     formulas: Sequence[sp.Expr | float | str],

@@ -6,16 +6,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
+from ..arguments import arguments_checked
 from ..core.arrays import FloatArray
 from ..core.parameters import Parameters
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
-from .array_evaluation import numbers, parameter_rows
+from .array_evaluation import as_float_array, numbers, parameter_rows
 from .graph import Graph, Reader, Term
 
 
@@ -39,6 +39,7 @@ class Formulas:
     system: System
     formulas: Sequence[sp.Expr]
 
+    @arguments_checked
     def __call__(self, states: npt.ArrayLike, parameters: Parameters | None = None) -> FloatArray:
         """The formulas at states.
 
@@ -57,6 +58,7 @@ class Formulas:
         """
         return self._values(self._terms, states, parameters)
 
+    @arguments_checked
     def slopes(self, states: npt.ArrayLike, parameters: Parameters | None = None) -> FloatArray:
         """Their derivatives with respect to the state.
 
@@ -92,7 +94,12 @@ class Formulas:
     def _values(
         self, terms: Sequence[Term], states: npt.ArrayLike, parameters: Parameters | None
     ) -> FloatArray:
-        points = np.asarray(states, dtype=float)
+        points = as_float_array("states", states)
+        if points.shape[-1:] != (len(self.system.symbols),):
+            raise InputError(
+                f"{self.system.name}: states of {len(self.system.symbols)} numbers are needed, not "
+                f"an array of the shape {points.shape}"
+            )
         count = len(points) if points.ndim > 1 else 1
         rows = parameter_rows(self.system, parameters, count)
         if len(rows) == 1:

@@ -12,7 +12,9 @@ import numpy as np
 import sympy as sp
 from flint import acb, arb, fmpq
 
+from ..arguments import arguments_checked
 from ..core.vectors import to_components
+from ..errors import InputError
 from .program import REAL, Steps, StraightLineProgram
 
 #: Balls (arb or acb) by the symbol that names them.
@@ -65,6 +67,7 @@ def components(formula: sp.Expr) -> tuple[sp.Expr, ...]:
     return tuple(value) if isinstance(value, sp.MatrixBase) else (value,)
 
 
+@arguments_checked
 def ball_values(formulas: Iterable[sp.Expr], values: Values) -> tuple[Any, ...]:
     """Scalar formulas in balls.
 
@@ -81,6 +84,8 @@ def ball_values(formulas: Iterable[sp.Expr], values: Values) -> tuple[Any, ...]:
     scalars = tuple(sp.sympify(formula) for formula in formulas)
     symbols = set[sp.Symbol]().union(*(formula.free_symbols for formula in scalars))
     names = tuple(sorted(symbols, key=str))
+    if missing := [str(name) for name in names if name not in values]:
+        raise InputError(f"no value is given for {', '.join(missing)}")
     return ball_function(names, scalars)(*(values[name] for name in names))
 
 

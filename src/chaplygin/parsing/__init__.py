@@ -13,6 +13,7 @@ from collections.abc import Collection, Iterable, Mapping
 
 import sympy
 
+from ..arguments import arguments_checked
 from ..errors import nearest
 from .grammar import CONSTANTS, FUNCTIONS, MAX_LENGTH, PRODUCTS, RESERVED_WORDS
 from .paper_notation import code_spelling
@@ -34,6 +35,7 @@ __all__ = [
 ]
 
 
+@arguments_checked
 def parse(text: str, names: Mapping[str, sympy.Symbol], where: str = "") -> sympy.Expr:
     """Read a formula.
 
@@ -67,6 +69,7 @@ def _in_order(names: Iterable[str], reserved_words: Collection[str]) -> Collecti
     return dict.fromkeys([*names, *sorted(reserved_words)])
 
 
+@arguments_checked
 def parse_formula(text: str, names: Mapping[str, NamedQuantity], where: str = "") -> Formula:
     """Read a formula in which vectors may occur.
 

@@ -9,6 +9,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from ..analysis.classification.facts import ProofBudget
+from ..arguments import arguments_checked
 from ..errors import InterruptionError, RunError
 from ..experiment.closed_form import diagram_if_known, known_solution
 from ..experiment.dataset import write
@@ -36,6 +37,7 @@ class Report(Protocol):
         """Say what is being done."""
 
 
+@arguments_checked
 def write_study(
     study: Study, folder: Path, force: bool, patience: ProofBudget, report: Report
 ) -> tuple[Trajectory, RunError | None]:

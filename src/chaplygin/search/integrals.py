@@ -10,6 +10,7 @@ from math import comb, gcd, lcm
 import numpy as np
 import sympy as sp
 
+from ..arguments import arguments_checked
 from ..core.laws import Integral
 from ..errors import InputError
 from ..proof.prover import prove
@@ -29,6 +30,7 @@ _FEW, _MANY = 15_000, 60_000
 _SEED = 20080830
 
 
+@arguments_checked
 def integrals(question: Question, progress: Progress = silent) -> Iterator[SearchResult]:
     """First integrals of the form P/Qˢ with P polynomial and Q a divisor, one after the other.
 

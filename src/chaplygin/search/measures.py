@@ -14,6 +14,7 @@ import numpy as np
 import sympy as sp
 from flint import nmod_mat
 
+from ..arguments import arguments_checked
 from ..core.laws import Measure
 from ..errors import InputError
 from ..proof.prover import prove
@@ -30,6 +31,7 @@ _SEED = 20080830
 Exponents = tuple[int, ...]
 
 
+@arguments_checked
 def measures(question: Question, progress: Progress = silent) -> Iterator[SearchResult]:
     """Invariant measures with a density made of powers of the bases of the question.
 

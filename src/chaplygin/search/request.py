@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
+from ..arguments import arguments_checked
 from ..core.system import System
 from ..errors import InputError
 from ..proof.fields.budget import EFFORT, checked_effort
@@ -21,6 +22,7 @@ _MOMENTUM_LIKE = ("M", "omega")
 _CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot)
 
 
+@arguments_checked
 def search_request(
     system: System,
     *,

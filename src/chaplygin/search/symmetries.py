@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import sympy as sp
 
+from ..arguments import arguments_checked
 from ..core.laws import Integral, Symmetry
 from ..core.vectors import constant
 from ..proof.prover import prove
@@ -24,6 +25,7 @@ _SPARE = 24
 _SEED = 20080830
 
 
+@arguments_checked
 def symmetries(question: Question, progress: Progress = silent) -> Iterator[SearchResult]:
     """Polynomial vector fields u with [u, v] = 0, tangent to the phase space.
 

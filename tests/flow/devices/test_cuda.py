@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import sys
 from dataclasses import dataclass, field
+from inspect import unwrap
 from types import ModuleType, SimpleNamespace
 from typing import Any
 
@@ -117,7 +118,7 @@ def test_motions_through_the_driver(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "cuda", package)
     monkeypatch.setitem(sys.modules, "cuda.core", core)
     # not through the cache of integrators, which would keep the stand-in
-    there = batch_integrator.__wrapped__(OSCILLATOR, device="gpu")
+    there = unwrap(batch_integrator)(OSCILLATOR, device="gpu")
     states, values = [[1.0, 0.0], [0.0, 1.0], [1.0, 1.0]], {"p": [1.0, 2.0, 3.0]}
     right = batch_integrator(OSCILLATOR).propagate(states, [0.1, 0.3], values)
     for _ in range(2):

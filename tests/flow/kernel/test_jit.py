@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 from dataclasses import replace
+from inspect import unwrap
 from pathlib import Path
 from typing import Any
 
@@ -196,10 +197,10 @@ def test_every_option_is_other_code(folder: Path) -> None:
         {"backward": True},
         {"digits": 30},
     ]
-    made = [batch_integrator.__wrapped__(system, **chosen) for chosen in options]
+    made = [unwrap(batch_integrator)(system, **chosen) for chosen in options]
     assert not any(flow.loop.code.from_cache for flow in made)
-    assert batch_integrator.__wrapped__(system, tolerance=1e-6).loop.code.from_cache
-    assert batch_integrator.__wrapped__(replace(system, title="Another word")).loop.code.from_cache
+    assert unwrap(batch_integrator)(system, tolerance=1e-6).loop.code.from_cache
+    assert unwrap(batch_integrator)(replace(system, title="Another word")).loop.code.from_cache
 
 
 def test_what_is_held_is_part_of_the_key(folder: Path) -> None:
@@ -226,7 +227,7 @@ def test_width_fills_two_registers() -> None:
 
 def test_lanes_of_a_body_are_compiled_once_for_all_processes(folder: Path) -> None:
     ball = body("chaplygin-ball")
-    assert [batch_integrator.__wrapped__(ball).loop.code.from_cache for _ in range(2)] == [
+    assert [unwrap(batch_integrator)(ball).loop.code.from_cache for _ in range(2)] == [
         False,
         True,
     ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from inspect import unwrap
 from typing import Any
 
 import numpy as np
@@ -308,10 +309,10 @@ def test_bits_do_not_depend_on_the_width(
     for width in (4, 8, 16):
         monkeypatch.setattr(native, "width", lambda width=width: width)
         # past the memory of what has been made
-        made = batch_integrator.__wrapped__(planet, **options)
+        made = unwrap(batch_integrator)(planet, **options)
         results: list[Any] = [made.propagate(first, [0.5, 1.0], deviations=tangent)]
         if digits == 16:
-            crossed = batch_integrator.__wrapped__(planet, section=cut, **options)
+            crossed = unwrap(batch_integrator)(planet, section=cut, **options)
             results.append(crossed.crossings(first, 1, until=3.0, deviations=tangent))
         arrays = [a for result in results for a in vars(result).values() if a is not None]
         found.add(b"".join(a.tobytes() for a in arrays))
@@ -329,7 +330,7 @@ def test_bits_do_not_depend_on_the_instruction_sets(
     for left_out in ((), ("avx512",), ("avx", "f16c", "fma", "vaes", "vpclmul", "xop")):
         sets = native.instruction_sets(*left_out)
         monkeypatch.setattr(native, "host", lambda sets=sets: sets)
-        flow = batch_integrator.__wrapped__(ball, digits=digits, tolerance=1e-12)
+        flow = unwrap(batch_integrator)(ball, digits=digits, tolerance=1e-12)
         found.add(flow.propagate(first, [until]).states.tobytes())
         used.add(sets)
     assert len(found) == 1

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from ...arguments import arguments_checked
 from ...core.laws import Law
 from ...core.system import System
 from ...errors import InputError
@@ -60,6 +61,7 @@ def fact_of(law: Law, system: str = "") -> Fact:
     return Fact(law.name, str(getattr(law, "meaning", "")) or heading(law), law.source, system)
 
 
+@arguments_checked
 @dataclass
 class ProofBudget:
     """The effort that proofs may take, counted alike on every machine.
@@ -88,6 +90,7 @@ class ProofBudget:
         """Whether no further law is tried."""
         return self.altogether is not None and self.effort_used >= self.altogether
 
+    @arguments_checked
     def verdict(self, system: System, law: Law) -> Verdict:
         """The verdict on a law with the effort allowed."""
         if self.over:
@@ -101,6 +104,7 @@ class ProofBudget:
         self.effort_used += verdict.effort
         return verdict
 
+    @arguments_checked
     def verdicts(self, system: System) -> dict[str, Verdict]:
         """The verdicts on all laws of a system, by name."""
         return {law.name: self.verdict(system, law) for law in system.laws}

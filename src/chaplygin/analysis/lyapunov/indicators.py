@@ -18,6 +18,7 @@ from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 
+from ...arguments import Positive, arguments_checked
 from ...core.arrays import BoolArray, FloatArray, IntArray
 from ...core.parameters import Parameters
 from ...core.system import System
@@ -61,8 +62,8 @@ class ChaosIndicator(ABC):
     """
 
     system: System
-    until: float
-    tolerance: float = 1e-12
+    until: Positive
+    tolerance: Positive = 1e-12
     intervals: int = 200
     device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {}
@@ -72,6 +73,7 @@ class ChaosIndicator(ABC):
             raise InputError(f"intervals = {self.intervals}: at least {2 * BATCHES} are needed")
 
     @abstractmethod
+    @arguments_checked
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
@@ -230,6 +232,7 @@ def _growth_arrays(
     return parted.sum(axis=2), frames, outcome, ended, shrunk.max(axis=1)
 
 
+@arguments_checked
 class MaximalExponent(ChaosIndicator):
     """The largest Lyapunov exponent but for that of the flow, and its error.
 
@@ -242,6 +245,7 @@ class MaximalExponent(ChaosIndicator):
     device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {"error": "error of the largest exponent"}
 
+    @arguments_checked
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
@@ -265,6 +269,7 @@ class ExponentSum(ChaosIndicator):
     device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {"error": "error of the sum of exponents"}
 
+    @arguments_checked
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
@@ -292,9 +297,11 @@ def _rate(logarithms: FloatArray, until: float) -> tuple[FloatArray, FloatArray]
     return batches.mean(axis=1), np.maximum(spread, unseen)
 
 
+@arguments_checked
 class FastLyapunovIndicator(ChaosIndicator):
     """The fast Lyapunov indicator: the greatest logarithm of the growth so far."""
 
+    @arguments_checked
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
@@ -304,6 +311,7 @@ class FastLyapunovIndicator(ChaosIndicator):
         return {"value": value, "outcome": growth.outcome, "ended": growth.end_times}
 
 
+@arguments_checked
 class Megno(ChaosIndicator):
     """The mean of MEGNO: 2 on a regular motion, λ/2 times the time on a chaotic one.
 
@@ -313,6 +321,7 @@ class Megno(ChaosIndicator):
     over the intervals.
     """
 
+    @arguments_checked
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
@@ -325,6 +334,7 @@ class Megno(ChaosIndicator):
         return {"value": now.mean(axis=1), "outcome": growth.outcome, "ended": growth.end_times}
 
 
+@arguments_checked
 class SmallerAlignmentIndex(ChaosIndicator):
     """SALI: how far two deviations are from being parallel at the end.
 
@@ -340,6 +350,7 @@ class SmallerAlignmentIndex(ChaosIndicator):
         frames, lengths = zip(*pairs, strict=True)
         return np.concatenate(frames, axis=1), np.concatenate(lengths, axis=1)
 
+    @arguments_checked
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:

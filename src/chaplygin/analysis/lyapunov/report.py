@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...core.overview import Overview, WithOverview
 from ...core.system import System
@@ -156,6 +157,7 @@ class Spectrum(WithOverview):
         return dataset(self)
 
 
+@arguments_checked
 def kaplan_yorke(exponents: Sequence[float] | FloatArray) -> float:
     """The dimension of an attractor with given exponents (Kaplan and Yorke 1979).
 

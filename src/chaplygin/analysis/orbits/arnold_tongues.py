@@ -17,6 +17,7 @@ from typing import Protocol
 
 import numpy as np
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...errors import InputError, RunError
 from .rotation import FIRST, average
@@ -133,6 +134,7 @@ class Plateau:
         return self.width > 2 * self.error
 
 
+@arguments_checked
 def staircase(
     maps: CircleMaps,
     values: FloatArray,
@@ -236,6 +238,7 @@ def _extrema(displacement: FloatArray, noise: float) -> Displacement:
     return Displacement(least, greatest, (low % 1.0, high % 1.0), noise, float(displacement.mean()))
 
 
+@arguments_checked
 def locked_interval(
     maps: CircleMaps,
     fraction: Fraction,

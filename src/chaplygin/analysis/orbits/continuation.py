@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from .floquet import Multipliers
@@ -128,6 +129,7 @@ class _BranchTracer:
         return self.place(points, error, here.tangent)
 
 
+@arguments_checked
 def continue_orbit(
     section_map: Map,
     orbit: Orbit,

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from .maps import Map, normalised_functions
 
@@ -81,6 +82,7 @@ def stability(values: FloatArray, errors: FloatArray) -> str:
     return "saddle and elliptic" if inside.any() and outside.any() else "undecided"
 
 
+@arguments_checked
 def multipliers(section_map: Map, point: FloatArray, slope: FloatArray) -> Multipliers:
     """The multipliers of an orbit.
 

@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...core.vectors import to_components
 from ...flow.batch import batch_integrator
@@ -46,6 +47,7 @@ class RefinedOrbit:
     error: float
 
 
+@arguments_checked
 def refine_orbit(
     section_map: ReturnMap, orbit: Orbit, hold: Mapping[str, float] | Iterable[str] = ()
 ) -> RefinedOrbit:

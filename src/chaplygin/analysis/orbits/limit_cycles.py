@@ -17,6 +17,7 @@ from typing import Any
 
 from flint import arb, ctx
 
+from ...arguments import arguments_checked
 from ...core.parameters import require_parameters
 from ...core.system import System
 from ...errors import InputError
@@ -118,6 +119,7 @@ def _parts(whole: arb) -> list[arb]:
     return [whole.mid() + (2 * k + 1 - count) * half + arb(0, 1) * half for k in range(count)]
 
 
+@arguments_checked
 def enclose_limit_cycle(
     system: System,
     parameters: Mapping[str, Any],

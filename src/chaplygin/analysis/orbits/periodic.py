@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...errors import InputError, RunError
 from .floquet import Multipliers, multipliers
@@ -261,6 +262,7 @@ def _damped_step(
     return None
 
 
+@arguments_checked
 def find_periodic(
     section_map: Map,
     guess: FloatArray,

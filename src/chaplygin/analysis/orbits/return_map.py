@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...core.laws import Integral
 from ...core.parameters import require_parameters
@@ -61,6 +62,7 @@ def parameters_to_state(system: System, *names: str) -> System:
     )
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class ReturnMap:
     """The first return to a section.
@@ -132,6 +134,7 @@ class ReturnMap:
             return False
         return all(abs(float(condition.subs(values))) < 1e-12 for condition in conditions)
 
+    @arguments_checked
     def sizes(self, points: FloatArray) -> FloatArray:
         """The greatest sizes of the vectors of the state at points (n, size), (size,)."""
         scales: FloatArray = state_scales_at(
@@ -139,6 +142,7 @@ class ReturnMap:
         )[0]
         return scales
 
+    @arguments_checked
     def image(self, points: FloatArray, count: int = 1, *, slopes: bool = False) -> Image:
         """The returns number `count` of points (n, size)."""
         if slopes:
@@ -148,6 +152,7 @@ class ReturnMap:
         return Image(crossed.states[:, -1], crossed.times[:, -1])
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Circle:
     """The returns of a flow on a torus, as maps of the circle of one angle.

@@ -36,6 +36,7 @@ CLOSE = 1e-9
 SMALL = 0.2
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Reversor:
     """A change of signs that reverses the equations; proven.
@@ -51,15 +52,18 @@ class Reversor:
     odd: tuple[sp.Symbol, ...]
     vanishing: tuple[sp.Symbol, ...] = ()
 
+    @arguments_checked
     def signs(self, system: System) -> FloatArray:
         """The diagonal of R: +1 and −1 in flat order."""
         return np.array([-1.0 if s in self.odd else 1.0 for s in system.symbols])
 
+    @arguments_checked
     def holds(self, parameters: Parameters) -> bool:
         """Whether it reverses the system with these parameters, by Symbol or name."""
         values = {str(name): value for name, value in parameters.items()}
         return all(values[str(symbol)] == 0 for symbol in self.vanishing)
 
+    @arguments_checked
     def words(self, system: System) -> str:
         """The variables that change sign, and the conditions, in words."""
         whole = [name for name in system.state if set(flat((name,))) <= set(self.odd)]

@@ -16,6 +16,7 @@ import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
+from ...arguments import Finite, arguments_checked
 from ...core.arrays import BoolArray, FloatArray, IntArray
 from ...core.parameters import conditions, satisfies
 from ...core.system import System, flat
@@ -38,13 +39,14 @@ REASONS: Mapping[int, str] = {
 MOST = 100_000
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Axis:
     """A number that varies: `count` values from `first` to `last`, both included."""
 
     name: str
-    first: float
-    last: float
+    first: Finite
+    last: Finite
     count: int
     meaning: str = ""
     unit: str = ""
@@ -60,6 +62,7 @@ class Axis:
         return np.linspace(self.first, self.last, self.count)
 
 
+@arguments_checked
 def axis(text: str, where: str = "") -> Axis:
     """An axis as it is written: ``NAME=FIRST:LAST:COUNT``, such as ``k=-2:2:300``.
 
@@ -200,6 +203,7 @@ class ScanGrid:
         return [symbol not in fixed for symbol in self.original_system.symbols]
 
 
+@arguments_checked
 def scan_grid(
     system: System,
     x: Axis,

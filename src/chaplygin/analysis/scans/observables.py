@@ -13,6 +13,7 @@ from typing import ClassVar
 import numpy as np
 import sympy as sp
 
+from ...arguments import Positive, arguments_checked
 from ...core.arrays import FloatArray, IntArray
 from ...core.parameters import Parameters
 from ...core.system import System
@@ -28,6 +29,7 @@ BUFFER_LENGTH = 128
 TOTAL = sp.Symbol("integral_in_time", real=True)
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class SurvivalTime:
     """The survival time of a motion: until a guard of the system or a failure ends it.
@@ -44,11 +46,12 @@ class SurvivalTime:
     """
 
     system: System
-    until: float
-    tolerance: float = 1e-12
+    until: Positive
+    tolerance: Positive = 1e-12
     device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {}
 
+    @arguments_checked
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
@@ -59,6 +62,7 @@ class SurvivalTime:
         return {"value": run.end_times, "outcome": run.outcome, "ended": run.end_times}
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class TimeAverage:
     """The mean of a formula in time, integrated along with the motion.
@@ -72,12 +76,13 @@ class TimeAverage:
     """
 
     system: System
-    until: float
+    until: Positive
     formula: sp.Expr
-    tolerance: float = 1e-12
+    tolerance: Positive = 1e-12
     device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {}
 
+    @arguments_checked
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
@@ -90,6 +95,7 @@ class TimeAverage:
         return {"value": mean, "outcome": run.outcome, "ended": run.end_times}
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Maximum:
     """The greatest value of a formula among equidistant samples of a motion.
@@ -105,13 +111,14 @@ class Maximum:
     """
 
     system: System
-    until: float
+    until: Positive
     formula: sp.Expr
     samples: int = 2048
-    tolerance: float = 1e-12
+    tolerance: Positive = 1e-12
     device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {}
 
+    @arguments_checked
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:
@@ -121,6 +128,7 @@ class Maximum:
         return {"value": seen.values.max(axis=1), "outcome": seen.outcome, "ended": seen.end_times}
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Minimum(Maximum):
     """The least value of a formula among samples of a motion; see `Maximum`."""
@@ -136,6 +144,7 @@ class Minimum(Maximum):
         return {**maximum, "value": -maximum["value"]}
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Frequency:
     """The frequency of an angle by a weighted average, with an error estimate.
@@ -153,13 +162,14 @@ class Frequency:
     """
 
     system: System
-    until: float
+    until: Positive
     formula: sp.Expr
     samples: int = 4096
-    tolerance: float = 1e-12
+    tolerance: Positive = 1e-12
     device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {"error": "difference between the halves of the motion"}
 
+    @arguments_checked
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:

@@ -15,6 +15,7 @@ import numpy.typing as npt
 import sympy as sp
 
 from ..._version import __version__
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray, IntArray
 from ...core.parameters import Parameters
 from ...core.system import System
@@ -103,6 +104,7 @@ class Scan:
         return {self.name: "value", **{f"{self.name}_{key}": key for key in self.rule.further}}
 
 
+@arguments_checked
 def scan(task: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     """The task of a scan.
 

@@ -9,6 +9,7 @@ from typing import ClassVar
 import numpy as np
 import sympy as sp
 
+from ...arguments import Positive, arguments_checked
 from ...core.arrays import FloatArray, IntArray
 from ...core.parameters import Parameters
 from ...core.system import System
@@ -18,6 +19,7 @@ from ...flow.sections.poincare_map import PoincareMap
 from ..orbits.return_map import rotations
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Winding:
     """The winding number of an angle per return, with an error estimate.
@@ -40,14 +42,15 @@ class Winding:
     """
 
     system: System
-    until: float
+    until: Positive
     formula: sp.Expr
     section: Section
-    tolerance: float = 1e-12
+    tolerance: Positive = 1e-12
     count: int = 500
     device: Device = "cpu"
     further: ClassVar[Mapping[str, str]] = {"error": "difference between the halves of the motion"}
 
+    @arguments_checked
     def __call__(
         self, starts: FloatArray, parameters: Parameters
     ) -> dict[str, FloatArray | IntArray]:

@@ -13,6 +13,7 @@ import numpy as np
 import sympy as sp
 from scipy.spatial.transform import Rotation
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...core.system import System, flat
 from ...core.vectors import constant, to_components
@@ -122,6 +123,7 @@ class ContactNumbers:
     unheld_rise: float
 
 
+@arguments_checked
 class CompiledContact:
     """A situation with all its modes, compiled when they are first needed.
 

@@ -81,6 +81,7 @@ class FrictionalContact:
         """The laws of friction in words."""
         return "; ".join(law.words for law in self.laws) or "no friction"
 
+    @arguments_checked
     def law(self, kind: type[Law]) -> Law | None:
         """The law of a kind, if there is one."""
         return next((law for law in self.laws if isinstance(law, kind)), None)

@@ -73,6 +73,7 @@ class DryContact:
         """The family and its limit."""
         return "dry friction with μ → ∞, against rolling"
 
+    @arguments_checked
     def motion(self, coefficient: float, times: FloatArray) -> FloatArray:
         """Attitude, centre of mass, velocity, ω and γ (n, 16).
 
@@ -100,6 +101,7 @@ class DryContact:
         states: FloatArray = rolling.states[1:, :WORK]
         return states
 
+    @arguments_checked
     def limit(self, times: FloatArray) -> FloatArray:
         """The same of the body that rolls (n, 16)."""
         return rolling_states(self.body, self.field, np.array(self.state), times, spinning=True)

@@ -164,17 +164,20 @@ class ViscousContact:
         laws = (Viscous(1.0, self.spin_share),)
         return two_sided(FrictionalContact(self.body, Plane(), laws, self.field), Mode())
 
+    @arguments_checked
     def motion(self, coefficient: float, times: FloatArray) -> FloatArray:
         """Attitude, centre of mass, velocity, ω and γ (n, 16)."""
         values = {"c_v": coefficient, "c_s": coefficient * self.spin_share}
         return states_without_work(self.system, np.array(self.state), times, values)
 
+    @arguments_checked
     def limit(self, times: FloatArray) -> FloatArray:
         """The same of the body that rolls (n, 16)."""
         return rolling_states(
             self.body, self.field, np.array(self.state), times, spinning=not self.spin_share
         )
 
+    @arguments_checked
     def normal_force(self, coefficient: float, times: FloatArray) -> FloatArray:
         """Normal force at some moments (n,); it may be negative in the layer (N)."""
         values = {"c_v": coefficient, "c_s": coefficient * self.spin_share}

@@ -184,12 +184,14 @@ class Skate:
             f"{self.viscosity / self.mass:g} 1/s, s → ∞, against their common limit"
         )
 
+    @arguments_checked
     def motion(self, coefficient: float, times: FloatArray) -> FloatArray:
         """x, y, φ, φ̇ of a skate (n, 4)."""
         values = {"c": self.viscosity * coefficient, "N_a": self.mass * coefficient}
         start = {"x": 0.0, "y": 0.0, "p_x": 0.0, "p_y": 0.0, "phi": 0.0, "Omega": self.spin}
         return _columns(resisting_skate(self.slope), start, times, values)
 
+    @arguments_checked
     def limit(self, times: FloatArray) -> FloatArray:
         """x, y, φ, φ̇ of the limit (n, 4)."""
         start = {"x": 0.0, "y": 0.0, "phi": 0.0, "Omega": self.spin}

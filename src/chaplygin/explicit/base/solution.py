@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sp
 from flint import arb
 
-from ...arguments import NumberOrText, Numbers
+from ...arguments import NumberOrText, Numbers, arguments_checked
 from ...core.arrays import FloatArray
 from ...core.overview import Overview, WithOverview, WithShortRepr
 from ...core.system import System
@@ -130,12 +130,26 @@ class States(WithShortRepr):
         return values
 
 
-def times_in_range(times: FloatArray, pace: float) -> FloatArray:
+def finite_times(times: Numbers) -> FloatArray:
+    """Times as doubles (n,).
+
+    Raises
+    ------
+    InputError
+        If one is not finite.
+    """
+    moments = np.atleast_1d(as_float_array("times", times))
+    if not np.all(np.isfinite(moments)):
+        raise InputError("times: all of them must be finite numbers")
+    return moments
+
+
+def times_in_range(times: Numbers, pace: float) -> FloatArray:
     """Times (n,) at which states in double precision have a meaning.
 
     Parameters
     ----------
-    times : array (n,)
+    times : numbers (n,)
     pace : float
         That of the motion.
 
@@ -144,15 +158,14 @@ def times_in_range(times: FloatArray, pace: float) -> FloatArray:
     InputError
         If one is not finite, or the phases there are beyond `LATEST`.
     """
-    if not np.all(np.isfinite(times)):
-        raise InputError("times: all of them must be finite numbers")
-    if np.any(np.abs(times) * pace > LATEST):
+    moments = finite_times(times)
+    if np.any(np.abs(moments) * pace > LATEST):
         raise InputError(
             f"times: in double precision they must be within ±{LATEST / (pace or 1.0):.3g}, beyond "
             "which the phase of the motion is lost; evaluation with error bounds (--digits, "
             "rigorous) goes further"
         )
-    return times
+    return moments
 
 
 class Solution(WithOverview):
@@ -217,6 +230,7 @@ class Solution(WithOverview):
         form = self.form.overview()
         return Overview(form.heading, (*form.rows, ("left open", self.left_open)))
 
+    @arguments_checked
     def __call__(self, times: Numbers) -> States:
         """States at `times`, by name.
 
@@ -225,5 +239,5 @@ class Solution(WithOverview):
         InputError
             If a time is not finite, or so large that doubles lose the phase.
         """
-        moments = times_in_range(np.atleast_1d(as_float_array("times", times)), self.pace)
+        moments = times_in_range(times, self.pace)
         return States(self.system, moments, self.states(moments))

@@ -15,7 +15,7 @@ from fractions import Fraction
 import sympy as sp
 from flint import fmpq, fmpq_mpoly
 
-from ...arguments import NumberOrText
+from ...arguments import NumberOrText, arguments_checked
 from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.balls import exact
@@ -81,6 +81,7 @@ class Diagram:
         return next((region for region in self.regions if cell in region.cells), None)
 
 
+@arguments_checked
 def locate(diagram: Diagram, state: Mapping[sp.Symbol | str, NumberOrText]) -> tuple[float, float]:
     """The point of a diagram that a motion belongs to.
 
@@ -115,6 +116,7 @@ def locate(diagram: Diagram, state: Mapping[sp.Symbol | str, NumberOrText]) -> t
     return float(x.value), float(y.value)
 
 
+@arguments_checked
 def bifurcation_diagram(
     subject: str | SeparatedSystem | IntegralPlane,
     parameters: Mapping[sp.Symbol | str, NumberOrText] | None = None,

@@ -50,6 +50,7 @@ class DegenerateSolution(DegenerateMotion, Solution):
         return form_of(self.separable, self.exact, self.motion, self.e, self.turn)
 
 
+@arguments_checked
 def solve_degenerate(
     separable: SeparatedSystem,
     values: Mapping[sp.Symbol, NumberOrText],

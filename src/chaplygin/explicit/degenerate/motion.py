@@ -16,6 +16,7 @@ from ...core.arrays import FloatArray
 from ...core.system import System
 from ...formulas.balls import Values, components
 from ...mechanics.rolling.attitude import attitude, place_rates
+from ..base.solution import finite_times
 from ..genus_two.attitude import Triad
 from ..genus_two.separated_motion import on_arrays, on_balls
 from ..genus_two.separation import SeparatedSystem
@@ -176,7 +177,7 @@ class DegenerateMotion:
     @arguments_checked
     def states(self, times: Numbers) -> FloatArray:
         """Lifted states (n, size) at `times` (n,), in double precision."""
-        moment = self.clock.moment(np.asarray(times, dtype=float))
+        moment = self.clock.moment(finite_times(times))
         nu, nuprime = self._directions(moment.remainder, moment.turns)
         reduced = self._state(nu, nuprime)
         if not self.in_space:

@@ -140,7 +140,7 @@ class TwoFixedVectors(_AttitudeFromVectors):
             start + flow.mean * moment.tau + flow.quasi(moment.v, moment.tau)[0]
             for start, flow in zip(self.start[4:], self._flows, strict=True)
         ]
-        return np.concatenate([turns.T, np.array(places).reshape(-1, len(moment.tau))])
+        return np.concatenate([turns.T, np.reshape(places, (len(places), len(moment.tau)))])
 
 
 @dataclass(frozen=True)
@@ -224,7 +224,7 @@ class OneFixedVector(_AttitudeFromVectors):
             for start, (still, moving) in zip(self.start[4:], self._flows, strict=True)
         ]
         whole = _after_turn(self._triad.axes[0], psi, turns.T)
-        return np.concatenate([whole, np.array(places).reshape(-1, len(moment.tau))])
+        return np.concatenate([whole, np.reshape(places, (len(places), len(moment.tau)))])
 
 
 @dataclass(frozen=True)

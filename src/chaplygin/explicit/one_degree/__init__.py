@@ -16,6 +16,7 @@ from typing import Generic
 import numpy as np
 from flint import acb, arb, ctx
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...formulas.relative_zero import vanishes
 from .chebyshev_integrals import Integrals, Table, integrals, working_bits
@@ -71,6 +72,7 @@ class Equilibrium:
         return f"{name}, {'stable' if self.stable else 'unstable'}"
 
 
+@arguments_checked
 def motion_chart(equation: Equation, x: arb, rate: arb) -> Uniformisation | Equilibrium:
     """The uniformisation of the motion through x with the rate x′, or the equilibrium there.
 

@@ -25,7 +25,7 @@ from flint import acb, arb, ctx
 from ...arguments import NumberOrText, Numbers, arguments_checked
 from ...core.arrays import FloatArray
 from ...core.system import System
-from ..base.solution import ClosedForm, Solution
+from ..base.solution import ClosedForm, Solution, finite_times
 from . import FAST, MotionSample, QuadratureMotion
 from .angles import (
     ComplexArray,
@@ -290,7 +290,7 @@ class QuadratureSolution(Solution):
     @arguments_checked
     def states(self, times: Numbers) -> FloatArray:
         """States at `times` (n,), as an array (n, size)."""
-        moments = np.asarray(times, dtype=float)
+        moments = finite_times(times)
         sample = self.motion.fast.sample(moments)
         # constants are rounded to doubles once
         with ctx.workprec(working_bits(FAST)):

@@ -20,7 +20,7 @@ from flint import acb, arb, ctx
 from ...arguments import NumberOrText, Numbers, arguments_checked
 from ...core.arrays import FloatArray
 from ...core.system import System
-from ..base.solution import ClosedForm, Solution
+from ..base.solution import ClosedForm, Solution, finite_times
 from .angles import LinearPhase, circular_path, circular_paths
 from .chebyshev_integrals import working_bits
 from .functions import BALLS, DOUBLES, Functions, T
@@ -133,7 +133,7 @@ class UniformSolution(Solution):
     @arguments_checked
     def states(self, times: Numbers) -> FloatArray:
         """Lifted states at `times` (n,), in double precision."""
-        t = np.asarray(times, dtype=float)
+        t = finite_times(times)
         # constants are rounded to doubles once
         with ctx.workprec(working_bits(DIGITS)):
             spin, precession = (

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 from flint import acb, arb, ctx
 
-from ...arguments import NumberOrText
+from ...arguments import NumberOrText, arguments_checked
 from ...core.system import System
 from ...errors import InputError
 from ...mechanics.rolling.equations import Rolling
@@ -39,6 +39,7 @@ from .state import (
 __all__ = ["solve_rolling"]
 
 
+@arguments_checked
 def solve_rolling(
     rolling: Rolling,
     system: System,

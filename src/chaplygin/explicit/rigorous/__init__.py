@@ -9,7 +9,7 @@ from math import ceil, log10
 
 from flint import arb, ctx
 
-from ...arguments import NumberOrText
+from ...arguments import NumberOrText, arguments_checked
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...formulas.balls import ball, components, number
@@ -141,6 +141,7 @@ class RigorousMotion:
             return (*reduced_state, *self._motion_in_space(tau, there, rough))
 
 
+@arguments_checked
 def rigorous_motion(solution: TorusMotion, digits: int, until: NumberOrText) -> RigorousMotion:
     """Prepare a motion for evaluation with error bounds.
 
@@ -179,6 +180,7 @@ def _turns(solution: TorusMotion, time: NumberOrText) -> float:
     return abs(latest) * pace
 
 
+@arguments_checked
 def rigorous_state(solution: TorusMotion, time: NumberOrText, digits: int) -> tuple[arb, ...]:
     """The lifted state of a motion at one time as balls that contain the exact one.
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...arguments import arguments_checked
 from ..cost import Pace, require_room
 from .dask import results
 from .task import Arrays, Progress, Task
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from distributed import Client
 
 
+@arguments_checked
 def compute(
     task: Task,
     where: str | Path | None = None,

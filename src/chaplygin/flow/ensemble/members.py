@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray, IntArray
 from ...errors import InputError
 from ...formulas.array_evaluation import as_float_array
@@ -131,6 +132,7 @@ class Members:
         return values, points
 
 
+@arguments_checked
 def from_lists(**values: npt.ArrayLike) -> Members:
     """One member for every row: the first value of each name, then the second.
 
@@ -155,11 +157,13 @@ def from_lists(**values: npt.ArrayLike) -> Members:
     return Members((ListedMembers(arrays),))
 
 
+@arguments_checked
 def single(**values: npt.ArrayLike) -> Members:
     """A single member: numbers, and vectors by their components."""
     return from_lists(**{name: _numbers(name, value)[np.newaxis] for name, value in values.items()})
 
 
+@arguments_checked
 def grid(**values: npt.ArrayLike) -> Members:
     """Every combination of the values of each name; the last name varies fastest."""
     if not values:
@@ -169,6 +173,7 @@ def grid(**values: npt.ArrayLike) -> Members:
     )
 
 
+@arguments_checked
 def random_starts(count: int, level: Mapping[str, float], seed: int = 0) -> Members:
     """Starts drawn on a level of the integrals; see :func:`chaplygin.sample_level`.
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, runtime_checkable
 import numpy as np
 import numpy.typing as npt
 
+from ...arguments import arguments_checked
 from ...core.overview import WithShortRepr
 from ...errors import InputError, RunError
 
@@ -49,6 +50,7 @@ class Divisible(Work, Protocol):
         """Work that gives the same for these members, numbered as before."""
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Variable:
     """An array of the result.

@@ -15,6 +15,7 @@ from ...formulas.array_evaluation import formula, read_formulas
 from ...formulas.graph import Graph, Term, topological_order
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Section:
     """A Poincaré section: the zeros of a function, at which motions are recorded.

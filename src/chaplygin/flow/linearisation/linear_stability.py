@@ -168,6 +168,7 @@ def linear_stability(
         )
 
 
+@arguments_checked
 def relative_equilibrium(
     system: System,
     guess: State,

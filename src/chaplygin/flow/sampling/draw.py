@@ -217,6 +217,7 @@ class LevelSampler:
         return states
 
 
+@arguments_checked
 def level_sampler(
     system: System,
     level: Mapping[str, float],

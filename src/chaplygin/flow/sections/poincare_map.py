@@ -21,7 +21,7 @@ import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
-from ...arguments import Quantity, arguments_checked
+from ...arguments import Positive, Quantity, arguments_checked
 from ...core.arrays import FloatArray
 from ...core.parameters import parameters_by_symbol
 from ...core.system import System
@@ -100,13 +100,15 @@ class PoincareMap:
     system: System
     section: Section
     parameters: Mapping[Any, Any] = field(default_factory=dict)
-    tolerance: float = 1e-13
+    tolerance: Positive = 1e-13
     backward: bool = False
     until: float = np.inf
     device: Device = "cpu"
 
     def __post_init__(self) -> None:
         parameters_by_symbol(self.system, self.parameters)
+        if not self.until > 0:
+            raise InputError(f"until = {self.until}: it must be a positive number")
 
     @property
     def inverse(self) -> PoincareMap:
@@ -118,6 +120,7 @@ class PoincareMap:
         """Number of coordinates of a point."""
         return len(self.system.symbols)
 
+    @arguments_checked
     def __call__(self, points: npt.ArrayLike) -> FloatArray:
         """The first return.
 
@@ -136,7 +139,9 @@ class PoincareMap:
         return images.reshape(rows.shape)
 
     @arguments_checked
-    def crossings(self, points: Any, count: int, threads: int | None = None) -> BatchCrossings:
+    def crossings(
+        self, points: npt.ArrayLike, count: int, threads: int | None = None
+    ) -> BatchCrossings:
         """The next `count` returns of n points, with their times, and why some have fewer.
 
         Parameters
@@ -151,7 +156,7 @@ class PoincareMap:
         )
 
     @arguments_checked
-    def iterate(self, points: Any, count: int) -> FloatArray:
+    def iterate(self, points: npt.ArrayLike, count: int) -> FloatArray:
         """The map applied `count` times: array of the shape of `points`.
 
         The motion is followed in one piece, without stopping at the section.
@@ -165,7 +170,7 @@ class PoincareMap:
         return images.reshape(rows.shape)
 
     @arguments_checked
-    def derivative(self, points: Any, count: int = 1) -> Derivative:
+    def derivative(self, points: npt.ArrayLike, count: int = 1) -> Derivative:
         """The map applied `count` times, with its derivative.
 
         Parameters
@@ -195,11 +200,13 @@ class PoincareMap:
         """The reason why a motion of `returns` ended, in words; empty for 0."""
         return self._integrator(0).status_message(code)
 
+    @arguments_checked
     def residual(self, points: npt.ArrayLike) -> FloatArray:
         """The section's value at points (..., size): zero on it."""
         result: FloatArray = self._value(points, self.parameters)[..., 0]
         return result
 
+    @arguments_checked
     def dimension(self, point: npt.ArrayLike, *, integrals: bool = True) -> int:
         """The dimension of the section near a point.
 
@@ -218,6 +225,8 @@ class PoincareMap:
         values = _mapping_at(self.parameters, 0)
         formulas = Formulas(self.system, [to_components(f) for f in fixed])
         slopes = formulas.slopes(point, values)
+        if not np.all(np.isfinite(slopes)):
+            raise InputError("point: the derivatives of the integrals are not finite there")
         sizes = np.linalg.norm(slopes, axis=-1, keepdims=True)
         unit = slopes / np.where(sizes > 0.0, sizes, 1.0)
         return self.size - int(np.linalg.matrix_rank(unit, tol=1e-9))

@@ -183,6 +183,7 @@ class RollingBall:
         weight = m * g * self._gravity_direction if self.gravity else constant([0, 0, 0])
         return weight - gradient(self.potential, R) if self.potential != 0 else weight
 
+    @arguments_checked
     def system(
         self, name: str = "ball-on-surface", title: str = "Homogeneous ball on a surface"
     ) -> System:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import mpmath
 import sympy as sp
 
+from ...arguments import arguments_checked
 from ...core.system import Guard, System
 from ...core.vectors import Vector
 from ...errors import InputError
@@ -51,6 +52,7 @@ class _SurfacePoint:
         return mean - root, mean + root
 
 
+@arguments_checked
 def ball_state(
     ball: RollingBall, system: System, place: Sequence[float], omega: Sequence[float]
 ) -> tuple[mpmath.mpf, ...]:

@@ -15,6 +15,7 @@ from typing import Literal, TypeAlias
 
 import sympy as sp
 
+from ...arguments import arguments_checked
 from ...core.system import Guard, Parameter
 from ...core.vectors import by_name, real_symbol
 from ...errors import InputError
@@ -97,6 +98,7 @@ def _finite(meaning: str, values: Iterable[float]) -> None:
             raise InputError(f"{meaning} {value}: it must be a finite number")
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class FlatSurface(SmoothSurface):
     """The plane z = 0."""
@@ -111,6 +113,7 @@ class FlatSurface(SmoothSurface):
         return point[2] - offset
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class SphericalSurface(SmoothSurface):
     """A sphere of radius a about the origin."""
@@ -132,6 +135,7 @@ class SphericalSurface(SmoothSurface):
         return sp.Add(*(s**2 for s in point)) - (a + offset) ** 2
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class CircularCylinder(SmoothSurface):
     """A circular cylinder of radius a."""
@@ -153,6 +157,7 @@ class CircularCylinder(SmoothSurface):
         return point[0] ** 2 + point[1] ** 2 - (a + offset) ** 2
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class EllipticCylinder(SmoothSurface):
     """An elliptic cylinder with the semi-axes a₁, a₂."""
@@ -173,6 +178,7 @@ class EllipticCylinder(SmoothSurface):
         return x**2 / axes[0] ** 2 + y**2 / axes[1] ** 2 - 1 if offset == 0 else None
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Cone(SmoothSurface):
     """The half z > 0 of a circular cone about the axis with the apex at the origin.
@@ -201,6 +207,7 @@ class Cone(SmoothSurface):
         return (Guard("apex", point[2], "the ball has come to the apex of the cone"),)
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class EllipsoidSurface(SmoothSurface):
     """An ellipsoid with the semi-axes a₁, a₂, a₃ about the origin."""
@@ -222,6 +229,7 @@ class EllipsoidSurface(SmoothSurface):
         return sp.Add(*(s**2 / axis**2 for s, axis in zip(point, axes, strict=True))) - 1
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Paraboloid(SmoothSurface):
     """The paraboloid z = x²/2p + y²/2q, hyperbolic if p and q differ in sign.
@@ -252,6 +260,7 @@ class Paraboloid(SmoothSurface):
         return z - x**2 / (2 * p) - y**2 / (2 * q) if offset == 0 else None
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Ring(SmoothSurface):
     """A torus about the axis: tubes of radius c around a circle of radius a."""
@@ -278,6 +287,7 @@ class Ring(SmoothSurface):
         return (x**2 + y**2 + z**2 + a**2 - tube**2) ** 2 - 4 * a**2 * (x**2 + y**2)
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class ImplicitSurface(SmoothSurface):
     """Any surface f(x, y, z) = 0; f is positive outside and negative inside.

@@ -180,6 +180,7 @@ def _check_time(admissible: Distribution, here: Filtration, free: Sequence[sp.Sy
         )
 
 
+@arguments_checked
 def nonholonomy_at(
     mechanism: Mechanism | Distribution, point: Mapping[sp.Symbol, ParameterValue]
 ) -> Filtration:

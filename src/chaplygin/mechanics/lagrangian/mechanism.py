@@ -188,6 +188,7 @@ def rotations(omega: Vector) -> StructureConstants:
     return {(w[i], w[(i + 1) % 3]): {w[(i + 2) % 3]: sp.S.One} for i in range(3)}
 
 
+@arguments_checked
 def euclidean(omega: Vector, v: Vector) -> StructureConstants:
     """Structure constants of the motions of space in body axes, (1.12)."""
     mixed: StructureConstants = {}
@@ -292,9 +293,10 @@ class Mechanism:
         """The definitions as scalar assignments, in order."""
         return flat_pairs(self.definitions)
 
+    @arguments_checked
     def expand(self, formula: sp.Expr) -> sp.Expr:
         """A scalar formula without definitions."""
-        return expand(formula, self.steps)
+        return expand(sp.sympify(formula), self.steps)
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:

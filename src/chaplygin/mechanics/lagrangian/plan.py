@@ -14,6 +14,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import sympy as sp
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...core.vectors import real_symbol
 from .mechanism import Mechanism
@@ -28,6 +29,7 @@ _PLACES = 6
 _SAME = 1e-9
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Plan:
     """The drawing of a mechanism in the plane.

@@ -186,7 +186,7 @@ def _numbers(inertia: Sequence[float] | Sequence[Sequence[float]]) -> np.ndarray
     """The entries as an array; an empty one if they do not form any."""
     try:
         return np.asarray(inertia, dtype=float)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         return np.empty(0)
 
 

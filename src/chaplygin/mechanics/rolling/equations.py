@@ -116,6 +116,7 @@ class Rolling:
         """
         return replace(self, body=equivalent_body(self.body))
 
+    @arguments_checked
     def system(self, name: str = "rolling-body", title: str = "Rolling body") -> System:
         """The equations of motion; see :func:`roll`."""
         return roll(self.body, self.surface, self.contact, self.field, name, title)

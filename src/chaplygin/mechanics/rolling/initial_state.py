@@ -13,10 +13,10 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from ...arguments import Parameters, arguments_checked
-from ...core.named_formulas import Pairs
+from ...arguments import Finite, Parameters, arguments_checked
+from ...core.named_formulas import Pairs, in_words, scalar_names
 from ...core.parameters import parameter_values
-from ...core.system import System
+from ...core.system import System, flat
 from ...core.vectors import Vector, to_components
 from ...errors import InputError
 from ...formulas.multiprecision import Multiprecision
@@ -38,7 +38,7 @@ def initial_state(
     omega: Sequence[float],
     gamma: Sequence[float],
     *,
-    heading: float = 0.0,
+    heading: Finite = 0.0,
     normal: Sequence[float] = (0.0, 0.0, 1.0),
     parameters: Parameters = None,
     fluid: Sequence[float] | Sequence[Sequence[float]] = (),
@@ -86,6 +86,8 @@ def initial_state(
     [1.4, 0.0, 1.2, 0.0, 0.0, 1.0]
     """
     with mpmath.workdps(DIGITS):
+        lifted = system.lifted() if system.reconstruction else system
+        _check_determined(system, lifted)
         values = parameter_values(system, parameters)
         known = {s: _number(v) for s, v in values.items()}
         spin = _vector(omega, "omega")
@@ -96,20 +98,29 @@ def initial_state(
         if r in system.state:
             known |= dict(zip(r.symbols, _contact_point(system, up, known), strict=True))
         turn = attitude_of_normal(up, _direction(normal, "normal"), _number(heading))
-        lifted = system.lifted() if system.reconstruction else system
-        try:
-            _check_domain(system, known)
-            known |= dict(zip(attitude.symbols, turn, strict=True))
-            known |= dict(zip(zeta.symbols, _third_row(turn), strict=True))
-            known |= _evaluate(system, system.start, known)
-            known |= dict(zip(place.symbols, _place(system, known), strict=True))
-            return tuple(known[s] for s in lifted.symbols)
-        except KeyError:
-            missing = ", ".join(str(s) for s in lifted.symbols if s not in known)
-            raise InputError(f"{system.name}: omega and gamma do not determine {missing}") from None
+        _check_domain(system, known)
+        known |= dict(zip(attitude.symbols, turn, strict=True))
+        known |= dict(zip(zeta.symbols, _third_row(turn), strict=True))
+        known |= _evaluate(system, system.start, known)
+        known |= dict(zip(place.symbols, _place(system, known), strict=True))
+        return tuple(known[s] for s in lifted.symbols)
 
 
 _OMEGA, _GAMMA = omega.symbols, gamma.symbols
+
+
+def _check_determined(system: System, lifted: System) -> None:
+    """Refuse a system whose state does not follow from ω and γ of a body in three dimensions."""
+    names = (omega, gamma, r, attitude, zeta, place, *system.start_vectors)
+    determined = {s for name in names for s in name.symbols}
+    determined |= set(scalar_names(system.start))
+    missing = [s for s in lifted.symbols if s not in determined]
+    if missing:
+        what = ", ".join(str(n) for n in lifted.state if set(flat([n])) & set(missing))
+        raise InputError(
+            f"{system.name}: omega and gamma, of three numbers each, do not determine {what}; give "
+            f"a state by name instead of initial_state: {in_words(system.state)}"
+        )
 
 
 def _moving_fluids(system: System, fluid: Sequence[Any]) -> dict[sp.Symbol, mpmath.mpf]:

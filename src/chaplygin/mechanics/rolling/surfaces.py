@@ -87,6 +87,7 @@ class Sphere:
             )
 
     @classmethod
+    @arguments_checked
     def of_signed_radius(cls, a: float) -> Sphere:
         """The sphere with the radius a of the equations, which is negative inside."""
         return cls(abs(a), "inside" if a < 0 else "outside")

@@ -12,6 +12,7 @@ import contextlib
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
+from ...arguments import arguments_checked
 from ...check import FORMAT, BadInputError, CheckError, check
 from ...check.certificate_points import point_of_level
 from ...check.claim.claim import Claim as CheckedClaim, read_claim
@@ -36,6 +37,7 @@ from .identities import ExclusionOf, proof_text
 from .proof_setting import ProofSetting
 
 
+@arguments_checked
 def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Verdict:
     """Prove or refute a law, with a certificate that checks.
 

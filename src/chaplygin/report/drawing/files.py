@@ -20,6 +20,7 @@ from matplotlib.legend import Legend
 from matplotlib.text import Text
 from matplotlib.ticker import AutoLocator
 
+from ...arguments import arguments_checked
 from ...errors import InputError
 from ...experiment.files import atomic_file
 from .style import ALARM, COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE
@@ -55,6 +56,7 @@ _LEAST = 0.85
 _PROLOG = '<?xml version="1.0" encoding="utf-8"?>\n'
 
 
+@arguments_checked
 def save(figure: Figure, path: str | FilePath) -> FilePath:
     """Write a figure in the format of the file name, with the same bits every time.
 
@@ -95,6 +97,7 @@ def svg_file(text: str) -> str:
     return f"{_PROLOG}{text}\n"
 
 
+@arguments_checked
 def svg_text(figure: Figure) -> str:
     """A figure as an SVG element to be put into an HTML page.
 
@@ -124,6 +127,7 @@ def svg_text(figure: Figure) -> str:
     return _own_ids(grouped_marks(re.sub(r"\n\s*", "\n", text.strip())))
 
 
+@arguments_checked
 def page_svg(figure: Figure, narrow: bool = False) -> str:
     """A figure as SVG for a page with light and dark colours; see :func:`svg_text`.
 
@@ -150,6 +154,7 @@ def _with_page_colours(text: str) -> str:
     return text
 
 
+@arguments_checked
 def page_svgs(
     figures: Mapping[str, Figure], svgs: Mapping[str, str]
 ) -> tuple[dict[str, tuple[str, str]], str]:

@@ -13,6 +13,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
+from ...arguments import arguments_checked
 from ...geometry.mesh import BodyMesh
 from ...geometry.surface import SurfaceGround
 from ..drawing.dataset_access import VARIABLES, title_of
@@ -64,6 +65,7 @@ __all__ = [
 ]
 
 
+@arguments_checked
 def all_figures(
     dataset: xr.Dataset,
     bodies: tuple[BodyMesh, Ground] | None = None,
@@ -118,6 +120,7 @@ def _forces(dataset: xr.Dataset, weight: float | None) -> dict[str, Figure]:
     return figures
 
 
+@arguments_checked
 def state_figures(
     dataset: xr.Dataset, names: Sequence[str], records: Sequence[str] = ()
 ) -> dict[str, Figure]:
@@ -146,6 +149,7 @@ def state_figures(
     return figures
 
 
+@arguments_checked
 def ball_figures(
     dataset: xr.Dataset,
     outline: BodyMesh,

@@ -13,6 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...explicit.bifurcation import Boundary, Diagram, Region
@@ -27,6 +28,7 @@ MARK = "#117733"
 TALL, LINE = 4.3, 0.19
 
 
+@arguments_checked
 def draw_bifurcation_diagram(diagram: Diagram, mark: tuple[float, float] | None = None) -> Figure:
     """The diagram, with a key to its boundaries.
 

@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...explicit.base.solution import ClosedForm
@@ -21,6 +22,7 @@ _POINTS = 300
 TURNS = 9
 
 
+@arguments_checked
 def closed_form(title: str, form: ClosedForm) -> Figure:
     """The ovals of a curve y² = ∏ (z − root) and the motion on them.
 

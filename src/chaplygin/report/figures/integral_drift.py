@@ -8,8 +8,9 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
-from ...errors import InputError
+from ...errors import InputError, nearest
 from ..drawing.dataset_access import NOTHING, readable, times_of, title_of, values_of
 from ..drawing.style import QUIET, SERIES, STYLE
 from .time_axis import legend_above, marker, time_chart
@@ -18,6 +19,7 @@ _DOTS = 400
 """Dots with which a drift is drawn, about."""
 
 
+@arguments_checked
 def drift(dataset: xr.Dataset) -> Figure:
     """Relative drift of each integral against time, on a logarithmic scale.
 
@@ -88,6 +90,7 @@ def drift(dataset: xr.Dataset) -> Figure:
     return figure
 
 
+@arguments_checked
 def relative_drift(dataset: xr.Dataset, name: str) -> FloatArray:
     """The change of a conserved quantity relative to its first value.
 
@@ -104,7 +107,14 @@ def relative_drift(dataset: xr.Dataset, name: str) -> FloatArray:
     -------
     (n,) array
         |F(t) - F(0)| / |F(0)|, or |F(t) - F(0)|.
+
+    Raises
+    ------
+    InputError
+        If the dataset has no such variable.
     """
+    if name not in dataset:
+        raise InputError(f"the dataset has no variable {name!r}{nearest(name, map(str, dataset))}")
     values = values_of(dataset, name)
     change = values - values[0]
     if f"{name}_low" in dataset:

@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...geometry.mesh import SurfaceCurve
@@ -42,6 +43,7 @@ _LEFT = 0.76
 """Inches to the left of a map, for its numbers."""
 
 
+@arguments_checked
 def contact_path(dataset: xr.Dataset, surface: Ground) -> Figure:
     """The path of the contact point on the surface, in the colours of time.
 
@@ -151,6 +153,7 @@ def _path_on_sphere(
     return sheet
 
 
+@arguments_checked
 def normal_on_sphere(dataset: xr.Dataset) -> Figure:
     """The curve of the surface normal gamma on its unit sphere, in body axes.
 

@@ -11,6 +11,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...core.vectors import Vector, real_symbol
 from ...errors import InputError
@@ -29,6 +30,7 @@ _PAGE = 8.6
 """Inches that panels take together at most: they fit on a page."""
 
 
+@arguments_checked
 def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     """Variables of the state against time, one panel for each, on a page at most.
 

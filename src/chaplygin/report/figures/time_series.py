@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...geometry.view import rotation_matrices
@@ -26,6 +27,7 @@ _MOST = 0.995
 """Share of the instants whose ratio of friction to normal force is within the picture."""
 
 
+@arguments_checked
 def angular_velocity(dataset: xr.Dataset) -> Figure:
     """Components of the angular velocity in body axes, and its length, against time.
 
@@ -72,6 +74,7 @@ def angular_velocity(dataset: xr.Dataset) -> Figure:
     return figure
 
 
+@arguments_checked
 def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:
     """The pressure of the surface on the body against time.
 
@@ -141,6 +144,7 @@ def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:
     return figure
 
 
+@arguments_checked
 def friction_ratio(dataset: xr.Dataset) -> Figure:
     """The coefficient of friction that rolling needs, against time.
 
@@ -191,6 +195,7 @@ def needed_friction(dataset: xr.Dataset) -> FloatArray:
     return np.where(pressing, friction / np.where(pressing, normal, 1.0), np.nan)
 
 
+@arguments_checked
 def attitude(dataset: xr.Dataset) -> Figure:
     """Three angles of the body's axes against space.
 

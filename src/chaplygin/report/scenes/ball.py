@@ -8,6 +8,7 @@ import xarray as xr
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
+from ...arguments import arguments_checked
 from ...core.arrays import BoolArray, FloatArray
 from ...geometry.mesh import BodyMesh
 from ...geometry.surface import SurfaceGround, frame_of
@@ -33,6 +34,7 @@ _LINE_STEPS = (1.0, 2.0, 5.0)
 """The lines on the surface lie this far apart, times a power of ten."""
 
 
+@arguments_checked
 def ball_scene(dataset: xr.Dataset, outline: BodyMesh, ground: SurfaceGround) -> Figure:
     """The ball on its surface at the end, and the path of its contact point.
 

@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...experiment.subjects.plan import PlanMotion
@@ -40,6 +41,7 @@ _PALE = "#b7c3ce"
 _LEFT, _RIGHT, _BOTTOM, _TOP = 0.76, 0.12, 0.86, 0.12
 
 
+@arguments_checked
 def plan_view(dataset: xr.Dataset, motion: PlanMotion) -> Figure:
     """The path of a mechanism in the plane, with the mechanism at some instants.
 

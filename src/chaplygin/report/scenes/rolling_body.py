@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...geometry.mesh import BodyMesh, SurfaceCurve
@@ -48,6 +49,7 @@ _TRACE = 6.3
 """Length in diameters of the body of the path traced on it: twice around a ball."""
 
 
+@arguments_checked
 def scene(
     dataset: xr.Dataset, outline: BodyMesh, surface: Ground, until: float | None = None
 ) -> Figure:
