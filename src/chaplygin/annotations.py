@@ -58,19 +58,21 @@ class _Scope(dict[str, Any]):
 @cache
 def _imports_for_type_checkers(module: ModuleType) -> dict[str, tuple[str, str]]:
     """What a module imports under ``if TYPE_CHECKING``: by name its module, and its name there."""
-    found: dict[str, tuple[str, str]] = {}
+    origins: dict[str, tuple[str, str]] = {}
     try:
         source = inspect.getsource(module)
     except (OSError, TypeError):  # a module that is not written in Python
-        return found
+        return origins
     for block in ast.parse(source).body:
         if not (isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING"):
             continue
         for statement in block.body:
             if isinstance(statement, ast.Import):
-                found |= {item.asname or item.name: (item.name, "") for item in statement.names}
+                origins |= {item.asname or item.name: (item.name, "") for item in statement.names}
             elif isinstance(statement, ast.ImportFrom):
                 relative = "." * statement.level + (statement.module or "")
                 where = resolve_name(relative, module.__package__ or "")
-                found |= {item.asname or item.name: (where, item.name) for item in statement.names}
-    return found
+                origins |= {
+                    item.asname or item.name: (where, item.name) for item in statement.names
+                }
+    return origins

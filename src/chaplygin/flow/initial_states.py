@@ -230,7 +230,7 @@ def _flat_states(system: System, arrays: Mapping[str, FloatArray]) -> FloatArray
         elif name in components:
             columns[name] = _checked_shape(system, name, array, 1)[:, 0]
         else:
-            raise InputError(f"{system.name}: there is no {name}; {_allowed(system)}")
+            raise InputError(f"{system.name}: there is no {name}; {_names_in_words(system)}")
     missing = [name for name in components if name not in columns]
     if missing:
         raise InputError(f"{system.name}: the start does not tell {', '.join(missing)}")
@@ -251,7 +251,7 @@ def _checked_shape(system: System, name: str, array: FloatArray, size: int) -> F
     return block
 
 
-def _allowed(system: System) -> str:
+def _names_in_words(system: System) -> str:
     """The names that a start may have, to end a sentence."""
     numbers = ", ".join(str(p.symbol) for p in system.parameters)
     return f"its state has {in_words(system.state)}; its parameters are {numbers or 'none'}"

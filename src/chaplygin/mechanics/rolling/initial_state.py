@@ -112,9 +112,9 @@ _OMEGA, _GAMMA = omega.symbols, gamma.symbols
 def _check_determined(system: System, lifted: System) -> None:
     """Refuse a system whose state does not follow from ω and γ of a body in three dimensions."""
     names = (omega, gamma, r, attitude, zeta, place, *system.start_vectors)
-    determined = {s for name in names for s in name.symbols}
-    determined |= set(scalar_names(system.start))
-    missing = [s for s in lifted.symbols if s not in determined]
+    following = {s for name in names for s in name.symbols}
+    following |= set(scalar_names(system.start))
+    missing = [s for s in lifted.symbols if s not in following]
     if missing:
         what = ", ".join(str(n) for n in lifted.state if set(flat([n])) & set(missing))
         raise InputError(
