@@ -28,7 +28,7 @@ PIECE = 500.0
 SAMPLES = 51
 
 
-def begun(study: Study) -> dict[str, Any]:
+def initial_record(study: Study) -> dict[str, Any]:
     """What is known of a system before the first step."""
     return {
         "system": study.system.name,
@@ -42,8 +42,8 @@ def begun(study: Study) -> dict[str, Any]:
     }
 
 
-def taken_further(
-    found: dict[str, Any], motion: Trajectory, seconds: float, failure: str
+def record_after(
+    record: dict[str, Any], motion: Trajectory, seconds: float, failure: str
 ) -> dict[str, Any]:
     """The same record after another piece of the motion.
 
@@ -52,53 +52,53 @@ def taken_further(
     """
     stopped = [h.guard.message for h in motion.events if h.is_terminal]
     end = stopped[0] if stopped else failure
-    first, drift = dict(found["first"]), dict(found["drift"])
+    first, drift = dict(record["first"]), dict(record["drift"])
     for law in motion.system.integrals:
         values = np.asarray(motion.records[f"law_{law.name}"], dtype=float)
         first.setdefault(law.name, float(values[0]))
         good = values[:-1] if end and len(values) > 1 else values
         change = float(np.max(np.abs(good - first[law.name])))
         drift[law.name] = max(drift.get(law.name, 0.0), change)
-    return found | {
+    return record | {
         "time": float(motion.times[-1]),
         "state": [float(x) for x in motion.states[-1]],
         "first": first,
         "drift": drift,
-        "steps": found["steps"] + motion.statistics.steps,
-        "seconds": found["seconds"] + seconds,
+        "steps": record["steps"] + motion.statistics.steps,
+        "seconds": record["seconds"] + seconds,
         "end": end,
     }
 
 
-def carried_on(study: Study, path: Path, share: float) -> None:
+def continue_run(study: Study, path: Path, share: float) -> None:
     """Integrate a system until its share of seconds is spent or the time is over."""
-    found = json.loads(path.read_text()) if path.exists() else begun(study)
-    while found["time"] < UNTIL and not found["end"] and found["seconds"] < share:
+    record = json.loads(path.read_text()) if path.exists() else initial_record(study)
+    while record["time"] < UNTIL and not record["end"] and record["seconds"] < share:
         # first as far as the catalogue suggests, since some motions end soon after
-        last = min(found["time"] + PIECE, UNTIL) if found["time"] else study.until
-        began = time.process_time()
+        last = min(record["time"] + PIECE, UNTIL) if record["time"] else study.until
+        begin = time.process_time()
         try:
             motion = integrate(
                 study.system_on_level,
-                found["state"],
-                np.linspace(found["time"], last, SAMPLES),
+                record["state"],
+                np.linspace(record["time"], last, SAMPLES),
                 on_liftoff="warn",
-                time_limit=share - found["seconds"],
+                time_limit=share - record["seconds"],
             )
             failure = ""
         except RunError as error:
             motion, failure = error.partial, error.reason
             if "time limit" in failure:
                 failure = ""
-        found = taken_further(found, motion, time.process_time() - began, failure)
+        record = record_after(record, motion, time.process_time() - begin, failure)
         new = path.with_suffix(".new")
-        new.write_text(json.dumps(found, indent=1))
+        new.write_text(json.dumps(record, indent=1))
         new.replace(path)
 
 
-def relative(found: dict[str, Any]) -> tuple[float, str]:
+def relative(record: dict[str, Any]) -> tuple[float, str]:
     """The largest drift, relative to the first value where that exceeds one, and its law."""
-    sizes = {n: d / max(1.0, abs(found["first"][n])) for n, d in found["drift"].items()}
+    sizes = {n: d / max(1.0, abs(record["first"][n])) for n, d in record["drift"].items()}
     worst = max(sizes, key=lambda name: sizes[name], default="")
     return sizes.get(worst, 0.0), worst
 
@@ -109,12 +109,12 @@ def table(folder: Path) -> str:
     for name in CATALOGUE:
         path = folder / f"{name}.json"
         if path.exists():
-            found = json.loads(path.read_text())
-            size, worst = relative(found)
-            told = (f"{size:.1e}", worst.replace("_", " ")) if worst else ("—", "")
+            record = json.loads(path.read_text())
+            size, worst = relative(record)
+            drift, law = (f"{size:.1e}", worst.replace("_", " ")) if worst else ("—", "")
             lines.append(
-                f"| {name} | {found['time']:.6g} | {len(found['drift'])} | {told[0]} | {told[1]} | "
-                f"{found['steps']} | {found['seconds']:.3g} |"
+                f"| {name} | {record['time']:.6g} | {len(record['drift'])} | {drift} | {law} | "
+                f"{record['steps']} | {record['seconds']:.3g} |"
             )
     return "\n".join(lines)
 
@@ -133,9 +133,10 @@ def main() -> None:
     for number, name in enumerate(options.only, 1):
         path = options.folder / f"{name}.json"
         print(f"{number}/{len(options.only)} {name}", end=" ", flush=True)
-        carried_on(prepare(catalogue_experiment(name)), path, options.share)
-        found = json.loads(path.read_text())
-        print(f"t = {found['time']:g}, drift {relative(found)[0]:.1e} {found['end']}", flush=True)
+        continue_run(prepare(catalogue_experiment(name)), path, options.share)
+        record = json.loads(path.read_text())
+        size, _ = relative(record)
+        print(f"t = {record['time']:g}, drift {size:.1e} {record['end']}", flush=True)
 
 
 if __name__ == "__main__":
