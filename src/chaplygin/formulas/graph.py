@@ -236,9 +236,9 @@ class Graph:
         if kind == "atan2":
             y, x = args
             return (x * changes[0] - y * changes[1]) / (x * x + y * y)
-        return self._slope(node) * changes[0]
+        return self.slope(node) * changes[0]
 
-    def _slope(self, node: Term) -> Term:
+    def slope(self, node: Term) -> Term:
         """The derivative of a function of one variable."""
         one, (a,) = self.number(1), node.args
         slopes: dict[str, Callable[[], Term]] = {

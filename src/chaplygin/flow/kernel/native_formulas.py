@@ -1,0 +1,95 @@
+"""Formulas as one compiled function of states and parameters."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ...core.arrays import FloatArray
+from ...formulas.graph import Term
+from .arithmetic import Double
+from .codegen import functions
+
+_P = ctypes.c_void_p
+SIGNATURE = (ctypes.c_int64, _P, _P, _P, _P)
+
+_LOOP = """
+define void @{name}(i64 %count, ptr %states, ptr %parameters, ptr %results, ptr %work) {{
+entry:
+  call void @prepare_{name}(ptr %work, ptr %parameters)
+  br label %head
+head:
+  %i = phi i64 [ 0, %entry ], [ %next, %body ]
+  %on = icmp slt i64 %i, %count
+  br i1 %on, label %body, label %end
+body:
+  %s = mul i64 %i, {size}
+  %r = mul i64 %i, {count}
+  %state = getelementptr double, ptr %states, i64 %s
+  %result = getelementptr double, ptr %results, i64 %r
+  call void @values_{name}(ptr %result, ptr %state, ptr %work)
+  %next = add i64 %i, 1
+  br label %head
+end:
+  ret void
+}}
+"""
+
+
+@dataclass(frozen=True)
+class FormulaShape:
+    """The sizes of a compiled function.
+
+    Attributes
+    ----------
+    size, count, work : int
+        Of a state, of the values, and doubles of memory that a call needs.
+    """
+
+    size: int
+    count: int
+    work: int
+
+
+@dataclass(frozen=True)
+class NativeFormulas:
+    """Terms as one compiled function.
+
+    Attributes
+    ----------
+    shape : FormulaShape
+    function : callable
+    """
+
+    shape: FormulaShape
+    function: Callable[..., None] = field(repr=False)
+
+    def __call__(self, states: FloatArray, parameters: FloatArray) -> FloatArray:
+        """Values (count,) or (count, n) at a state (size,) or at states (size, n).
+
+        Not-a-number where a formula has no real value.
+        """
+        rows = np.ascontiguousarray(np.asarray(states, dtype=float).T)
+        values = np.ascontiguousarray(parameters, dtype=float)
+        many = 1 if rows.ndim == 1 else len(rows)
+        results, work = np.empty((many, self.shape.count)), np.empty(self.shape.work)
+        self.function(many, *(a.ctypes.data for a in (rows, values, results, work)))
+        return results[0] if rows.ndim == 1 else results.T
+
+
+def formulas_text(name: str, terms: Sequence[Term], size: int) -> tuple[str, FormulaShape]:
+    """The text of a function called `name` that computes terms.
+
+    Parameters
+    ----------
+    name : str
+    terms : sequence of Term
+    size : int
+        Of a state.
+    """
+    pieces, constants = functions(Double, {f"values_{name}": terms}, 1, f"prepare_{name}")
+    loop = _LOOP.format(name=name, size=size, count=len(terms))
+    return pieces + loop, FormulaShape(size, len(terms), max(constants, 1))

@@ -1,0 +1,528 @@
+"""Taylor coefficients of solutions: the recurrences of automatic differentiation as machine code.
+
+With x = Σ xₙ tⁿ the coefficients of every term follow those of its operands: of a product by
+Cauchy's formula, of a quotient, a root and a function f(u) by that of f′ (Moore 1966; Jorba, Zou
+2005).  Sums of products, Σ a_j b_{n−j} for 0 < j < n, are scalar products of one series with
+another in reversed order, in vectors of eight; both lie in memory padded with zeros.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from ...formulas.graph import Graph, Term, topological_order
+from .arithmetic import Double, Value
+from .codegen import evaluate, parameter_only_terms
+from .elementary import FUNCTIONS
+from .ir_writer import IRWriter
+
+_WIDE = 8
+_VECTOR = f"<{_WIDE} x double>"
+_ONE = "<1 x double>"
+_ATTRIBUTES = "#1"
+
+
+@dataclass(frozen=True)
+class SeriesText:
+    """The text of the functions for the series of a system, and the layout of their memory.
+
+    Attributes
+    ----------
+    text : str
+        ``@prepare_series(memory, parameters)`` once for given parameters,
+        ``@series(memory, state)`` for the coefficients at a state;
+        ``@sums(memory, rest, time, result, lost)`` for the state after a time, where `rest` is to
+        be added to the first state and `lost` to the last; and
+        ``@step(memory, state, before, rest, ends, result, control)`` for a step, unless a watched
+        term may vanish in it.
+    doubles : int
+        Size of the memory.
+    stride : int
+        Doubles from the series of a state variable to the next; these come first, in flat order,
+        and then those of the watched terms.
+    """
+
+    text: str
+    doubles: int
+    stride: int
+
+
+@dataclass(frozen=True)
+class _Integral:
+    """A term y with y′ = Σ q u′, as pairs (q, u)."""
+
+    pairs: tuple[tuple[Term, Term], ...]
+
+
+def _derivative(graph: Graph, node: Term) -> _Integral:
+    """The derivative of a function of terms."""
+    if node.kind == "atan2":
+        y, x = node.args
+        inverse = graph.recip(graph.add(graph.mul(x, x), graph.mul(y, y)))
+        return _Integral(((graph.mul(x, inverse), y), (graph.neg(graph.mul(y, inverse)), x)))
+    (u,) = node.operands
+    return _Integral(((graph.slope(node), u),))
+
+
+#: Terms with recurrences of their own; those of other functions follow from their derivatives.
+_DIRECT = frozenset(("add", "sub", "neg", "mul", "recip", "sqrt", "abs", "sign", "positive"))
+_LEAVES = frozenset(("state", "parameter", "number"))
+
+
+def series_text(
+    rates: Sequence[Term], watched: Sequence[Term], size: int, order: int
+) -> SeriesText:
+    """Functions that compute the Taylor series of a motion.
+
+    Parameters
+    ----------
+    rates : sequence of Term
+        The right-hand sides of the equations of motion.
+    watched : sequence of Term
+        Other terms of which the series are wanted.
+    size : int
+        Number of state variables.
+    order : int
+        Of the series, at least 2.
+    """
+    return _Writer(rates, watched, size, order).text()
+
+
+class _Writer:
+    """The terms of one system, in order, and where their series lie."""
+
+    def __init__(
+        self, rates: Sequence[Term], watched: Sequence[Term], size: int, order: int
+    ) -> None:
+        graph = rates[0].graph
+        self.rates, self.watched, self.size, self.order = rates, watched, size, order
+        self.integrals: dict[int, _Integral] = {}
+        wanted = [*rates, *watched]
+        # the derivative of a function is a term as well, with derivatives of its own
+        while True:
+            nodes = topological_order(wanted)
+            new = [
+                node
+                for node in nodes
+                if node.kind not in _DIRECT | _LEAVES and id(node) not in self.integrals
+            ]
+            if not new:
+                break
+            for node in new:
+                self.integrals[id(node)] = _derivative(graph, node)
+                wanted += [q for q, _ in self.integrals[id(node)].pairs]
+        self.wanted = wanted
+        moving: dict[int, None] = {}
+        for node in nodes:
+            if node.kind == "state" or any(id(a) in moving for a in node.operands):
+                moving[id(node)] = None
+        self.nodes = [node for node in nodes if id(node) in moving]
+        self.moving = moving
+        self.constants = parameter_only_terms(wanted)
+        self._place_series()
+
+    def _place_series(self) -> None:
+        """Give every series that is needed later a place in memory."""
+        groups = math.ceil((self.order - 1) / _WIDE)
+        self.groups = groups
+        # beyond the coefficients, a vector may reach over the end of either
+        self.stride = _WIDE * (groups + 1)
+        reversed_size = _WIDE * math.ceil(self.order / _WIDE + groups)
+        self.forward: dict[int, int] = {}
+        self.weighted: dict[int, int] = {}
+        self.backward: dict[int, int] = {}
+        self.first: dict[int, int] = {}
+        graph = self.rates[0].graph
+        next_free = 0
+        for i in range(self.size):
+            self.forward[id(graph.state(i))] = next_free
+            next_free += self.stride
+        # a term may be watched twice, and so may a variable
+        self.watched_places = [next_free + i * self.stride for i in range(len(self.watched))]
+        next_free += len(self.watched) * self.stride
+        for kind, ids in self._needs().items():
+            places = getattr(self, kind)
+            length = {"forward": self.stride, "weighted": self.stride, "backward": reversed_size}
+            for key in ids:
+                if key not in places:
+                    places[key] = next_free
+                    next_free += length.get(kind, 1)
+        self.rate_places = range(next_free, next_free + self.size)
+        next_free += self.size
+        self.constant_places = {
+            id(term): next_free + i for i, term in enumerate(self.constants)
+        }
+        self.doubles = next_free + len(self.constants)
+
+    def _needs(self) -> dict[str, dict[int, None]]:
+        """Which terms need their series forward, weighted by the order, backward, or its first."""
+        needs: dict[str, dict[int, None]] = {
+            "forward": {},
+            "weighted": {},
+            "backward": {},
+            "first": {},
+        }
+
+        def need(term: Term, *kinds: str) -> None:
+            if id(term) in self.moving:
+                for kind in kinds:
+                    needs[kind][id(term)] = None
+
+        for node in self.nodes:
+            args = node.operands
+            if id(node) in self.integrals:
+                for q, u in self.integrals[id(node)].pairs:
+                    if id(q) in self.moving and id(u) in self.moving:
+                        need(u, "weighted")
+                        need(q, "backward", "first")
+            elif node.kind == "mul" and all(id(a) in self.moving for a in args):
+                need(args[0], "forward", "first")
+                need(args[1], "backward", "first")
+            elif node.kind == "recip":
+                need(args[0], "forward")
+                need(node, "backward", "first")
+            elif node.kind == "sqrt":
+                need(node, "forward", "backward", "first")
+            elif node.kind in ("abs", "positive"):
+                need(args[0], "first")
+        return needs
+
+    # --- text --------------------------------------------------------------------------------
+
+    def text(self) -> SeriesText:
+        """All functions."""
+        functions = [
+            _SCALAR_PRODUCT.replace("BODY", self._scalar_product()),
+            self._prepare(),
+            self._series(),
+            self._sums(),
+            self._step(),
+        ]
+        return SeriesText("\n".join(functions), self.doubles, self.stride)
+
+    def _scalar_product(self) -> str:
+        lines: list[str] = []
+        total = ""
+        for g in range(self.groups):
+            shift = g * _WIDE
+            lines += [
+                f"  %pa{g} = getelementptr double, ptr %a, i64 {shift}",
+                f"  %pb{g} = getelementptr double, ptr %b, i64 {shift}",
+                f"  %a{g} = load {_VECTOR}, ptr %pa{g}, align 8",
+                f"  %b{g} = load {_VECTOR}, ptr %pb{g}, align 8",
+            ]
+            lines.append(
+                f"  %s{g} = fmul {_VECTOR} %a{g}, %b{g}"
+                if g == 0
+                else f"  %s{g} = call {_VECTOR} @llvm.fma.v{_WIDE}f64({_VECTOR} %a{g}, "
+                f"{_VECTOR} %b{g}, {_VECTOR} {total})"
+            )
+            total = f"%s{g}"
+        lines.append(f"  %total = fadd {_VECTOR} {total}, zeroinitializer")
+        return "\n".join(lines)
+
+    def _prepare(self) -> str:
+        number = Double(IRWriter(1))
+
+        def leaf(term: Term) -> Value:
+            if term.kind == "parameter":
+                return number.load("%parameters", term.args[0])
+            return None
+
+        for term, value in zip(
+            self.constants, evaluate(number, self.constants, leaf), strict=True
+        ):
+            number.store(value, "%memory", self.constant_places[id(term)])
+        head = "void @prepare_series(ptr noalias %memory, ptr noalias %parameters)"
+        return number.writer.text(head, _ATTRIBUTES)
+
+    def _series(self) -> str:
+        w = IRWriter(1)
+        number = Double(w)
+
+        def leaf(term: Term) -> Value:
+            if id(term) in self.constant_places:
+                return number.load("%memory", self.constant_places[id(term)])
+            return number.load("%state", term.args[0]) if term.kind == "state" else None
+
+        numbers = evaluate(number, [*self.nodes, *self.rates, *self.watched], leaf)
+        values = {id(n): v for n, v in zip(self.nodes, numbers, strict=False)}
+        for node in self.nodes:
+            self._keep(number, node, values[id(node)], "0")
+        graph = self.rates[0].graph
+        for i in range(self.size):
+            # a variable on which nothing depends is no node of any formula
+            state = number.load("%state", i)
+            number.store(state, "%memory", self.forward[id(graph.state(i))])
+        rest = numbers[len(self.nodes) :]
+        for place, value in zip(self.rate_places, rest, strict=False):
+            number.store(value, "%memory", place)
+        for place, value in zip(self.watched_places, rest[self.size :], strict=True):
+            number.store(value, "%memory", place)
+        with w.count(self.order + 1, 1) as n:
+            self._one_order(number, n)
+        head = "void @series(ptr noalias %memory, ptr noalias %state)"
+        return w.text(head, _ATTRIBUTES)
+
+    def _sums(self) -> str:
+        """The state after a time, with what rounding takes from it."""
+        w = IRWriter(1)
+        number = Double(w)
+        t = number.load("%time", 0)
+        with w.count(self.size) as i:
+            row = w.emit(f"mul i64 {i}, {self.stride}")
+            total = number.load("%memory", w.emit(f"add i64 {row}, {self.order}"))
+            for k in range(self.order - 1, 0, -1):
+                total = number.fma(total, t, number.load("%memory", w.emit(f"add i64 {row}, {k}")))
+            change = number.fma(total, t, number.load("%rest", i))
+            first = number.load("%memory", row)
+            value = number.add(first, change)
+            part = number.sub(value, first)
+            lost = number.add(
+                number.sub(first, number.sub(value, part)), number.sub(change, part)
+            )
+            number.store(value, "%result", i)
+            number.store(lost, "%lost", i)
+        head = "void @sums(ptr %memory, ptr %rest, ptr %time, ptr %result, ptr %lost)"
+        return w.text(head, _ATTRIBUTES)
+
+    def _step(self) -> str:
+        """A step of the length that the last two coefficients allow (Jorba, Zou 2005).
+
+        ``control`` has the limit of the length, then the length, not-a-number if there is none,
+        and the number of watched terms that may vanish; the step is made if there are none of
+        these.  ``ends`` has the watched terms at the end of the step before.
+        """
+        w = IRWriter(1)
+        number = Double(w)
+        p = self.order
+        with w.count(self.size) as i:
+            number.store(number.load("%rest", i), "%before", i)
+        w.line("call void @series(ptr %memory, ptr %state)")
+        one, zero = number.number(Fraction(1)), number.number(Fraction(0))
+        largest = [w.variable(_ONE, x) for x in (one, zero, zero)]
+        with w.count(self.size + len(self.watched)) as i:
+            row = w.emit(f"mul i64 {i}, {self.stride}")
+            for place, k in zip(largest, (0, p - 1, p), strict=True):
+                value = self._size_at(number, row, k)
+                greater = w.complement(w.compare("ule", value, w.load(_ONE, place)))
+                # not-a-number stays
+                w.store(_ONE, number.choose(greater, value, w.load(_ONE, place)), place)
+        size, last_but_one, last = (w.load(_ONE, place) for place in largest)
+        length = number.number(Fraction(2) ** 1000)
+        for value, k in ((last_but_one, p - 1), (last, p)):
+            root = FUNCTIONS["log"](number, w.op("fdiv", size, value))
+            root = FUNCTIONS["exp"](number, number.mul(root, number.number(Fraction(1, k))))
+            root = number.mul(root, w.constant(math.exp(-2 - 0.7 / (p - 1))))
+            shorter = w.conjunction(w.compare("olt", root, length), w.compare("ogt", value, zero))
+            length = number.choose(shorter, root, length)
+        total = number.add(number.add(size, last_but_one), last)
+        finite = w.compare("oeq", number.sub(total, total), zero)
+        limit = number.load("%control", 0)
+        within = w.call("fabs", limit)
+        length = number.choose(w.compare("olt", length, within), length, within)
+        length = number.choose(finite, length, w.constant(math.nan))
+        suspects = w.variable(_ONE, zero)
+        with w.count(len(self.watched)) as i:
+            row = w.emit(f"add i64 {w.emit(f'mul i64 {i}, {self.stride}')}, {self.size * self.stride}")
+            bound = self._size_at(number, row, p)
+            for k in range(p - 1, 0, -1):
+                bound = number.fma(bound, length, self._size_at(number, row, k))
+            bound = number.mul(bound, length)
+            value = number.load("%memory", row)
+            hidden = w.conjunction(
+                w.compare("ogt", number.load("%ends", i), zero), w.compare("ole", value, zero)
+            )
+            near = w.compare("ole", w.call("fabs", value), bound)
+            suspect = number.choose(w.disjunction(hidden, near), one, zero)
+            w.store(_ONE, number.add(w.load(_ONE, suspects), suspect), suspects)
+        length = w.call("copysign", length, limit)
+        number.store(length, "%control", 1)
+        number.store(w.load(_ONE, suspects), "%control", 2)
+        done = w.conjunction(finite, w.compare("oeq", w.load(_ONE, suspects), zero))
+        with w.branch(w.emit(f"extractelement {w.mask} {done}, i64 0")):
+            place = w.address("double", "%control", 1)
+            w.line(
+                "call void @sums(ptr %memory, ptr %before, "
+                f"ptr {place}, ptr %result, ptr %rest)"
+            )
+            doubt = w.variable(_ONE, zero)
+            with w.count(self.size) as i:
+                value = number.load("%result", i)
+                # zero unless the value is not finite
+                value = number.sub(value, value)
+                w.store(_ONE, number.add(w.load(_ONE, doubt), value), doubt)
+            number.store(number.add(length, w.load(_ONE, doubt)), "%control", 1)
+            finite = w.compare("oeq", w.load(_ONE, doubt), zero)
+            with (
+                w.branch(w.emit(f"extractelement {w.mask} {finite}, i64 0")),
+                w.count(self.size) as i,
+            ):
+                number.store(number.load("%result", i), "%state", i)
+            with w.count(len(self.watched)) as i:
+                row = w.emit(f"mul i64 {i}, {self.stride}")
+                row = w.emit(f"add i64 {row}, {self.size * self.stride}")
+                number.store(number.load("%memory", row), "%ends", i)
+        arguments = "memory state before rest ends result control".split()
+        head = f"void @step({', '.join(f'ptr %{name}' for name in arguments)})"
+        return w.text(head, _ATTRIBUTES)
+
+    def _size_at(self, number: Double, row: str, k: int) -> Value:
+        """The size of a coefficient."""
+        w = number.writer
+        return w.call("fabs", number.load("%memory", w.emit(f"add i64 {row}, {k}")))
+
+    def _one_order(self, number: Double, n: str) -> None:
+        """The coefficients of order n of all terms."""
+        w = number.writer
+        graph = self.rates[0].graph
+        order = w.emit(f"insertelement {_ONE} poison, double {w.emit(f'sitofp i64 {n} to double')}, i64 0")
+        known: dict[int, Value] = {}
+        for i in range(self.size):
+            rate = number.load("%memory", self.rate_places[i])
+            value = w.op("fdiv", rate, order)
+            state = graph.state(i)
+            known[id(state)] = value
+            self._keep(number, state, value, n, order)
+        for node in self.nodes:
+            if node.kind != "state":
+                value = self._coefficient(number, node, known, n, order)
+                known[id(node)] = value
+                self._keep(number, node, value, n, order)
+        zero = number.number(Fraction(0))
+        for place, rate in zip(self.rate_places, self.rates, strict=True):
+            number.store(known.get(id(rate), zero), "%memory", place)
+        for place, term in zip(self.watched_places, self.watched, strict=True):
+            self._put(number, known.get(id(term), zero), place, n)
+
+    def _keep(
+        self, number: Double, node: Term, value: Value, n: str, order: Value = None
+    ) -> None:
+        """Store a coefficient wherever it is needed later."""
+        w, key = number.writer, id(node)
+        if key in self.forward:
+            self._put(number, value, self.forward[key], n)
+        if n == "0":
+            if key in self.first:
+                number.store(value, "%memory", self.first[key])
+            return
+        if key in self.weighted:
+            self._put(number, w.op("fmul", order, value), self.weighted[key], n)
+        if key in self.backward:
+            place = w.emit(f"sub i64 {self.backward[key] + self.order}, {n}")
+            number.store(value, "%memory", place)
+
+    def _put(self, number: Double, value: Value, place: int, n: str) -> None:
+        index = str(place) if n == "0" else number.writer.emit(f"add i64 {place}, {n}")
+        number.store(value, "%memory", index)
+
+    def _inner(self, number: Double, forward: int, backward: int, n: str) -> Value:
+        """The sum of a_j b_{n−j} over 0 < j < n."""
+        w = number.writer
+        a = w.address("double", "%memory", forward + 1)
+        start = w.emit(f"sub i64 {backward + self.order + 1}, {n}")
+        b = w.address("double", "%memory", start)
+        return w.emit(f"call {_ONE} @scalar_product(ptr {a}, ptr {b})")
+
+    def _first(self, number: Double, term: Term) -> Value:
+        """The value of a term."""
+        places = self.first if id(term) in self.moving else self.constant_places
+        if id(term) in places:
+            return number.load("%memory", places[id(term)])
+        return number.number(term.args[0])
+
+    def _coefficient(
+        self, number: Double, node: Term, known: Mapping[int, Value], n: str, order: Value
+    ) -> Value:
+        """The coefficient of order n of a term that depends on the state."""
+        w, args = number.writer, node.operands
+        zero = number.number(Fraction(0))
+        moving = [id(a) in self.moving for a in args]
+        values = [known.get(id(a), zero) for a in args]
+        if id(node) in self.integrals:
+            return self._function(number, node, known, n, order)
+        match node.kind:
+            case "add":
+                return number.add(*values) if all(moving) else values[moving.index(True)]
+            case "sub":
+                if all(moving):
+                    return number.sub(*values)
+                return values[0] if moving[0] else number.neg(values[1])
+            case "neg":
+                return number.neg(values[0])
+            case "mul" if all(moving):
+                a, b = args
+                total = self._inner(number, self.forward[id(a)], self.backward[id(b)], n)
+                total = number.fma(values[0], self._first(number, b), total)
+                return number.fma(values[1], self._first(number, a), total)
+            case "mul":
+                return number.mul(
+                    *(
+                        value if moves else self._first(number, a)
+                        for a, value, moves in zip(args, values, moving, strict=True)
+                    )
+                )
+            case "recip":
+                total = self._inner(number, self.forward[id(args[0])], self.backward[id(node)], n)
+                first = self._first(number, node)
+                total = number.fma(values[0], first, total)
+                return number.neg(number.mul(total, first))
+            case "sqrt":
+                total = self._inner(number, self.forward[id(node)], self.backward[id(node)], n)
+                first = self._first(number, node)
+                return w.op("fdiv", number.sub(values[0], total), number.add(first, first))
+            case "abs":
+                negative = w.compare("olt", self._first(number, args[0]), zero)
+                return number.choose(negative, number.neg(values[0]), values[0])
+            case "positive":
+                mask = w.compare("ogt", self._first(number, args[0]), zero)
+                return number.choose(mask, values[1], values[2])
+            case _:
+                # a sign is constant along a series
+                return zero
+
+    def _function(
+        self, number: Double, node: Term, known: Mapping[int, Value], n: str, order: Value
+    ) -> Value:
+        """The coefficient of a term of which the derivative is known."""
+        w, total = number.writer, None
+        exact = None
+        for q, u in self.integrals[id(node)].pairs:
+            if id(u) not in self.moving:
+                continue
+            first = self._first(number, q)
+            if id(q) not in self.moving:
+                part = number.mul(first, known[id(u)])
+                exact = part if exact is None else number.add(exact, part)
+                continue
+            part = self._inner(number, self.weighted[id(u)], self.backward[id(q)], n)
+            part = number.fma(w.op("fmul", order, known[id(u)]), first, part)
+            total = part if total is None else number.add(total, part)
+        if total is None:
+            return exact
+        total = w.op("fdiv", total, order)
+        return total if exact is None else number.add(total, exact)
+
+
+_HALF, _QUARTER = f"<{_WIDE // 2} x double>", f"<{_WIDE // 4} x double>"
+
+# one copy of it, so that the code of large systems stays small; halves are added in a fixed order
+_SCALAR_PRODUCT = f"""
+define internal {_ONE} @scalar_product(ptr %a, ptr %b) #1 {{
+entry:
+BODY
+  %h0 = shufflevector {_VECTOR} %total, {_VECTOR} poison, <4 x i32> <i32 0, i32 1, i32 2, i32 3>
+  %h1 = shufflevector {_VECTOR} %total, {_VECTOR} poison, <4 x i32> <i32 4, i32 5, i32 6, i32 7>
+  %h = fadd {_HALF} %h0, %h1
+  %q0 = shufflevector {_HALF} %h, {_HALF} poison, <2 x i32> <i32 0, i32 1>
+  %q1 = shufflevector {_HALF} %h, {_HALF} poison, <2 x i32> <i32 2, i32 3>
+  %q = fadd {_QUARTER} %q0, %q1
+  %o0 = shufflevector {_QUARTER} %q, {_QUARTER} poison, <1 x i32> <i32 0>
+  %o1 = shufflevector {_QUARTER} %q, {_QUARTER} poison, <1 x i32> <i32 1>
+  %o = fadd {_ONE} %o0, %o1
+  ret {_ONE} %o
+}}
+"""
