@@ -16,10 +16,10 @@ from ..core.parameters import parameter_values
 from ..core.system import System
 from ..errors import InputError, RunError
 from .gauss import GaussIntegrator, GaussTrajectories, gauss_integrator
-from .heyoka_expressions import WorkingArray, WorkingNumber
 from .kernel.double_double_conversion import from_pairs
 from .kernel.outcomes import STATUS_MESSAGES
 from .trajectory import Event, Statistics, Trajectory, recorded_values
+from .working_numbers import WorkingArray, WorkingNumber
 
 
 def collocate(

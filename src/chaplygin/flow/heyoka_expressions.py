@@ -3,20 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any, TypeAlias
 
 import heyoka as hy
-import numpy.typing as npt
 import sympy as sp
 
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
 from ..formulas.evaluation import Evaluation, numerator_and_denominator
-
-#: A number of the working precision: a double, or one of heyoka's with 34 digits; and arrays.
-WorkingNumber: TypeAlias = Any
-WorkingArray: TypeAlias = npt.NDArray[Any]
 
 _FUNCTIONS: Mapping[type[sp.Function], Callable[..., hy.expression]] = {
     sp.sin: hy.sin,

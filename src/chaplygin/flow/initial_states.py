@@ -19,7 +19,7 @@ from ..core.rotations import finite_numbers, rotation_near, upright_matrix
 from ..core.system import System, flat
 from ..core.vectors import Vector
 from ..errors import InputError
-from ..flow.heyoka_expressions import WorkingNumber
+from ..flow.working_numbers import WorkingNumber
 from ..formulas.array_evaluation import values
 
 #: Digits of the attitude that goes with a start, and what is left of a half turn.

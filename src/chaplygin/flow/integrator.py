@@ -15,11 +15,11 @@ from ..core.parameters import parameter_values, require_admissible, require_fini
 from ..core.system import System
 from ..errors import InputError, InterruptionError, RunError
 from .gauss_trajectory import collocate
-from .heyoka_expressions import WorkingNumber
 from .initial_states import whole_start
-from .taylor import Direction, Precision, compile_system, number_type
+from .taylor import compile_system
 from .taylor_run import RunLog, StoppedError, TaylorRun, decimal_text
 from .trajectory import Statistics, Trajectory
+from .working_numbers import Direction, Precision, WorkingNumber, number_type
 
 #: Tolerances by default.
 DEFAULT_TOLERANCE = {"double": 1e-15, "quad": 1e-30}
@@ -152,7 +152,7 @@ def integrate(
         log,
         Statistics(
             steps=log.steps,
-            order=code.integrator.order,
+            order=code.series.order,
             tolerance=tolerance,
             precision=precision,
             corrections=log.corrections,

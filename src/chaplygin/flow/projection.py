@@ -8,12 +8,13 @@ the dynamics.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
-import heyoka as hy
 import numpy as np
 
-from .heyoka_expressions import WorkingArray
+from ..core.arrays import FloatArray
+from .working_numbers import WorkingArray
 
 
 @dataclass(frozen=True)
@@ -22,24 +23,17 @@ class Block:
 
     Attributes
     ----------
-    residual : heyoka.cfunc
-        The residuals, in working precision.
-    slope : heyoka.cfunc
+    residual : callable
+        From a state and the parameters to the residuals, in working precision.
+    slope : callable
         Their derivatives with respect to the moved columns, in double, row by row.
     count : int
         Number of residuals.
     """
 
-    residual: hy.cfunc
-    slope: hy.cfunc
+    residual: Callable[[WorkingArray, WorkingArray], WorkingArray]
+    slope: Callable[[FloatArray, FloatArray], FloatArray]
     count: int
-
-
-def call(function: hy.cfunc, state: WorkingArray, parameters: WorkingArray) -> WorkingArray:
-    """Values (m,) or (m, n) of a compiled function at states (size,) or (size, n)."""
-    # heyoka counts the parameters up to the last one that occurs in the formulas
-    result: WorkingArray = function(state, pars=parameters[: function.nparams])
-    return result
 
 
 @dataclass(frozen=True)
@@ -67,7 +61,7 @@ class Projector:
 
     def values(self, state: WorkingArray) -> WorkingArray:
         """All residual functions at a state."""
-        return np.concatenate([call(b.residual, state, self.parameters) for b in self.blocks])
+        return np.concatenate([b.residual(state, self.parameters) for b in self.blocks])
 
     def defect(self, state: WorkingArray) -> WorkingArray:
         """The residuals less their targets."""
@@ -84,9 +78,7 @@ class Projector:
         pars = self.parameters.astype(float)
         for _ in range(3):
             point = state.astype(float)
-            slope = np.concatenate(
-                [call(b.slope, point, pars).reshape(b.count, -1) for b in self.blocks]
-            )
+            slope = np.concatenate([b.slope(point, pars).reshape(b.count, -1) for b in self.blocks])
             # redundant relations (an attitude tied to a unit vector) make the rows dependent
             state[self.columns] -= np.linalg.pinv(slope, rcond=1e-9) @ defect
             defect = self.defect(state).astype(float)

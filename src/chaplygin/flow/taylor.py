@@ -1,31 +1,70 @@
-"""A System compiled for Taylor integration by heyoka."""
+"""A System compiled for Taylor integration."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from typing import Literal
+from typing import Protocol
 
-import heyoka as hy
 import numpy as np
 import sympy as sp
 
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
-from .heyoka_expressions import Translator, WorkingNumber
-from .kernel import code_cache as cache
+from ..formulas.graph import Graph, Reader, Term, topological_order
+from .kernel import code_cache as cache, jit
+from .kernel.native_formulas import SIGNATURE, FormulaShape, NativeFormulas, formulas_text
+from .kernel.taylor_recurrences import SERIES_SIGNATURES, series_text
 from .projection import Block
-
-Precision = Literal["double", "quad"]
-Direction = Literal["forward", "backward"]
-
-# warnings of heyoka bypass Python on their way to the terminal; errors say the same here
-hy.set_logger_level_error()
+from .taylor_series import SeriesLayout, Step, TaylorSeries, series_order
+from .working_numbers import Direction, Precision, WorkingArray, WorkingNumber
 
 #: Tolerances finer than this are beyond the working precision.
 FINEST = {"double": np.finfo(float).eps, "quad": 2e-34}
+
+
+class StateSeries(Protocol):
+    """A state that moves by steps of its Taylor series; see :class:`TaylorSeries`."""
+
+    order: int
+    time: WorkingNumber
+
+    @property
+    def state(self) -> WorkingArray:
+        """The state (size,), to be changed in place."""
+        ...
+
+    @property
+    def parameters(self) -> WorkingArray:
+        """The parameters, to be changed in place."""
+        ...
+
+    @property
+    def series(self) -> WorkingArray:
+        """Coefficients (size, order + 1) of the powers of time since the last step began."""
+        ...
+
+    def reset(self) -> None:
+        """Forget the events that have just happened, and what rounding has taken."""
+        ...
+
+    def expand(self) -> None:
+        """Compute the series at the present state."""
+        ...
+
+    def copy(self) -> StateSeries:
+        """Another state that moves by the same code."""
+        ...
+
+    def step(self, limit: WorkingNumber) -> Step:
+        """One step, no longer than to a limit."""
+        ...
+
+    def state_at(self, time: WorkingNumber) -> WorkingArray:
+        """The state at a time of the last step."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -36,11 +75,12 @@ class CompiledSystem:
 
     Attributes
     ----------
-    integrator : heyoka.taylor_adaptive
-        State of the core, then of the motion; a terminal event for each of `watched`.  After the
-        parameters of the system come positive factors of these events.
-    outputs : heyoka.cfunc
-        Observables, laws and guards at a state.
+    series : StateSeries
+        State of the core, then of the motion; a terminal event for each of `variable_guards`.
+        After the parameters of the system come positive factors of these events.  Stepping
+        changes it, so that a user works with a copy.
+    outputs : callable
+        From states and parameters to observables, laws and guards.
     core, lift, laws : tuple of Block
         The relations of the reduced state, of its lift to space, and the integrals; at most one
         block each.
@@ -50,8 +90,8 @@ class CompiledSystem:
         Whether the code came from the cache.
     """
 
-    integrator: hy.taylor_adaptive
-    outputs: hy.cfunc
+    series: StateSeries
+    outputs: Callable[[WorkingArray, WorkingArray], WorkingArray]
     core: tuple[Block, ...]
     lift: tuple[Block, ...]
     laws: tuple[Block, ...]
@@ -59,20 +99,21 @@ class CompiledSystem:
     from_cache: bool = False
 
 
-def number_type(precision: Precision) -> type[WorkingNumber]:
-    """The type of numbers of a precision: float, or 34 digits.
+@dataclass(frozen=True)
+class _Layout:
+    """The sizes of the functions of a system.
 
-    Raises
-    ------
-    InputError
-        If this machine's heyoka has no 34-digit numbers.
+    Attributes
+    ----------
+    series : SeriesLayout
+    watched : tuple of int
+        Guards that depend on the state.
+    formulas : mapping of str to FormulaShape
     """
-    if precision == "double":
-        return float
-    wide: type[WorkingNumber] | None = getattr(hy, "real128", None)
-    if wide is None:
-        raise InputError("precision 'quad' is not available on this machine; use 'double'")
-    return wide
+
+    series: SeriesLayout
+    watched: tuple[int, ...]
+    formulas: dict[str, FormulaShape]
 
 
 @dataclass(frozen=True)
@@ -108,86 +149,111 @@ class _Plan:
         formulas = (sp.srepr([to_components(item) for item in part]) for part in shape)
         return cache.code_name(*formulas, repr(self.tolerance), self.precision, self.direction)
 
-    def compile(self) -> CompiledSystem:
-        system, kind = self.system_in_space, number_type(self.precision)
-        translate = Translator(system)
-        variables = translate.variables
-        # heyoka looks at the derivative in time, whichever way it runs
-        falling = {
-            "forward": hy.event_direction.negative,
-            "backward": hy.event_direction.positive,
-        }[self.direction]
-        guards = translate.all([guard.value for guard in system.guards])
-        watched = tuple(i for i, guard in enumerate(guards) if hy.get_variables(guard))
-        # heyoka chooses its steps by events as well as by the state: a guard that is large beside
-        # the state would lengthen them, and is therefore divided by its size at the start
+    @cached_property
+    def _recorded(self) -> list[sp.Expr]:
+        """What is recorded of a motion, and the guards."""
+        system = self.system_in_space
+        groups = system.observables, system.integrals, system.guards
+        return [item.value for group in groups for item in group]
+
+    @cached_property
+    def _blocks(self) -> dict[str, tuple[list[sp.Expr], slice]]:
+        """Residuals with the columns that they move."""
+        core = slice(0, len(self.system.symbols))
+        lift = self.system.reconstruction
+        blocks = {
+            "core": (list(self.system.relations), core),
+            "lift": (list(lift.relations) if lift else [], slice(core.stop, None)),
+            "laws": ([law.value for law in self.system_in_space.integrals], core),
+        }
+        return {name: block for name, block in blocks.items() if block[0]}
+
+    def code(self) -> tuple[bytes, _Layout]:
+        """The machine code, and its layout."""
+        system = self.system_in_space
+        graph = Graph()
+        reader = Reader(system, graph)
+        rates = reader.components(system.rates)
+        guards = reader.components([guard.value for guard in system.guards])
+        watched = tuple(i for i, guard in enumerate(guards) if _depends_on_state(guard))
         first = len(system.parameters)
+        # the steps are chosen by the events as well as by the state: a guard that is large beside
+        # the state would change them, and is therefore divided by its size at the start
         events = [
-            hy_event(kind)(guards[i] * hy.par[first + place], direction=falling)
-            for place, i in enumerate(watched)
+            graph.mul(graph.parameter(first + place), guards[i]) for place, i in enumerate(watched)
         ]
-        integrator = hy.taylor_adaptive(
-            list(zip(variables, translate.all(system.rates), strict=True)),
-            [kind(1)] * len(variables),
-            tol=kind(max(self.tolerance, FINEST[self.precision])),
-            fp_type=kind,
-            t_events=events,
-            compact_mode=True,
+        size = len(rates)
+        order = series_order(max(self.tolerance, FINEST["double"]))
+        series = series_text(rates, events, size, order)
+        texts, shapes = [series.text], {}
+        formulas = {"outputs": reader.components(self._recorded)}
+        for name, (residuals, columns) in self._blocks.items():
+            formulas[name] = reader.components(residuals)
+            moved = [graph.state(i) for i in range(size)[columns]]
+            rows = graph.jacobian(formulas[name], moved)
+            formulas[f"{name}_slopes"] = [slope for row in rows for slope in row]
+        for name, terms in formulas.items():
+            text, shapes[name] = formulas_text(name, terms, size)
+            texts.append(text)
+        layout = SeriesLayout(
+            size, len(events), first + len(events), order, series.doubles, series.stride
         )
-        recorded = [
-            *(observable.value for observable in system.observables),
-            *(law.value for law in system.integrals),
-            *(guard.value for guard in system.guards),
-        ]
-        # a constant makes the list non-empty
-        outputs = hy.cfunc([*translate.all(recorded), variables[0]], variables, fp_type=kind)
-        size = len(self.system.symbols)
-        core = list(self.system.relations)
-        lift = list(self.system.reconstruction.relations) if self.system.reconstruction else []
-        laws = [law.value for law in system.integrals]
-        constrain = _constraints(translate)
+        return jit.object_code("\n".join(texts)), _Layout(layout, watched, shapes)
+
+    def compile(self) -> CompiledSystem:
+        """The system in doubles."""
+        name = jit.code_name(self.name)
+        (code, layout), from_cache = cache.remember(name, self.code)
+        signatures = {**dict.fromkeys(layout.formulas, SIGNATURE), **SERIES_SIGNATURES}
+        native = jit.Native(*jit.link(name, code, signatures), from_cache)
+        formulas = {
+            name: NativeFormulas(shape, native, name) for name, shape in layout.formulas.items()
+        }
+        blocks = {
+            name: (Block(formulas[name], formulas[f"{name}_slopes"], formulas[name].shape.count),)
+            for name in self._blocks
+        }
         return CompiledSystem(
-            integrator,
-            outputs,
-            constrain(core, slice(0, size), kind),
-            constrain(lift, slice(size, None), kind),
-            constrain(laws, slice(0, size), kind),
-            watched,
+            TaylorSeries(native, layout.series),
+            formulas["outputs"],
+            blocks.get("core", ()),
+            blocks.get("lift", ()),
+            blocks.get("laws", ()),
+            layout.watched,
+            from_cache,
         )
 
+    def compile_wide(self) -> CompiledSystem:
+        """The system with 34 digits, by heyoka; derivatives of relations in doubles."""
+        from .heyoka_series import HeyokaFormulas, HeyokaSeries, heyoka_code
 
-def hy_event(kind: type[WorkingNumber]) -> Callable[..., hy.t_event]:
-    """The constructor of terminal events for numbers of a type."""
-    if kind is float:
-        result: Callable[..., hy.t_event] = hy.t_event
-        return result
-
-    def constructor(expression: hy.expression, direction: hy.event_direction) -> hy.t_event:
-        return hy.t_event(expression, direction=direction, fp_type=kind)
-
-    return constructor
-
-
-def _constraints(
-    translate: Translator,
-) -> Callable[[Sequence[sp.Expr], slice, type[WorkingNumber]], tuple[Block, ...]]:
-    def build(
-        relations: Sequence[sp.Expr], columns: slice, kind: type[WorkingNumber]
-    ) -> tuple[Block, ...]:
-        if not relations:
-            return ()
-        residuals = translate.all(relations)
-        moved = translate.variables[columns]
-        slopes = [hy.diff(residual, variable) for residual in residuals for variable in moved]
-        return (
-            Block(
-                hy.cfunc(residuals, translate.variables, fp_type=kind),
-                hy.cfunc(slopes, translate.variables),
-                len(residuals),
+        double = replace(self, precision="double", tolerance=1e-15).compile()
+        residuals = {name: block[0] for name, block in self._blocks.items()}
+        code, from_cache = cache.remember(
+            self.name,
+            lambda: heyoka_code(
+                self.system_in_space,
+                {"outputs": self._recorded, **residuals},
+                double.variable_guards,
+                max(self.tolerance, FINEST["quad"]),
+                self.direction,
             ),
         )
+        wide = {name: HeyokaFormulas(function) for name, function in code.functions.items()}
+        blocks = {
+            name: (replace(getattr(double, name)[0], residual=wide[name]),) for name in self._blocks
+        }
+        return replace(
+            double,
+            series=HeyokaSeries(code.integrator),
+            outputs=wide["outputs"],
+            from_cache=from_cache,
+            **blocks,
+        )
 
-    return build
+
+def _depends_on_state(term: Term) -> bool:
+    return any(node.kind == "state" for node in topological_order([term]))
 
 
 def compile_system(
@@ -222,9 +288,7 @@ def compile_system(
             "precision 'quad'"
         )
     plan = _plan(system, tolerance, precision, direction)
-    code: CompiledSystem
-    code, from_cache = cache.remember(plan.name, plan.compile)
-    return replace(code, from_cache=from_cache)
+    return plan.compile() if precision == "double" else plan.compile_wide()
 
 
 @lru_cache(maxsize=32)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import math
 import time as clock
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -17,9 +16,8 @@ from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
 from .cost import Pace
-from .heyoka_expressions import WorkingArray, WorkingNumber
-from .projection import Projector, call
-from .taylor import CompiledSystem, Precision
+from .projection import Projector
+from .taylor import CompiledSystem
 from .trajectory import (
     DenseOutput,
     Event,
@@ -29,17 +27,13 @@ from .trajectory import (
     recorded_quantities,
 )
 from .validation import extremes_in_words
+from .working_numbers import Precision, WorkingArray, WorkingNumber
 
 #: Residuals of the relations that are left alone, per precision.
 LEFT_ALONE = {"double": 1e-15, "quad": 1e-32}
 
 #: A guard has vanished at a singularity when this little is left of its first value.
 VANISHING = 1e-5
-
-
-# outcomes of a heyoka step: failures are below these, events above
-_SUCCESS = -4294967297
-_LIMIT = -4294967299
 
 
 @dataclass
@@ -87,11 +81,11 @@ class TaylorRun:
         self.kind = kind
         self.code = code
         # a copy, since stepping changes it and the code is shared
-        self.stepper = copy.copy(code.integrator)
+        self.stepper = code.series.copy()
         numbers = [kind(decimal_text(v)) for v in values.values()]
         self.parameters = np.array(numbers, dtype=kind)
-        number = min(len(self.parameters), len(self.stepper.pars))
-        self.stepper.pars[:number] = self.parameters[:number]
+        number = min(len(self.parameters), len(self.stepper.parameters))
+        self.stepper.parameters[:number] = self.parameters[:number]
         self.core = core
         self.left_alone = LEFT_ALONE[precision]
         self.projectors: tuple[Projector, ...] = ()
@@ -142,11 +136,11 @@ class TaylorRun:
             sizes = np.fmax(sizes, np.where(np.isfinite(change), change, 0.0))
         exponents = np.maximum(np.frexp(sizes[list(self.code.variable_guards)])[1], 0)
         factors = np.ldexp(1.0, -exponents)
-        self.stepper.pars[len(self.parameters) :] = [self.kind(x) for x in factors]
+        self.stepper.parameters[len(self.parameters) :] = [self.kind(x) for x in factors]
 
     def _require_numbers(self, state: WorkingArray) -> None:
         """Refuse a start at which a recorded quantity is not a finite number."""
-        values = iter(call(self.code.outputs, state, self.parameters))
+        values = iter(self.code.outputs(state, self.parameters))
         for quantity in recorded_quantities(self.system):
             for _ in quantity.formulas:
                 value = float(next(values))
@@ -169,17 +163,16 @@ class TaylorRun:
 
     def _has_values(self, state: WorkingArray, parameters: WorkingArray) -> bool:
         """Whether all recorded quantities are finite numbers there."""
-        values = call(self.code.outputs, state, parameters)
+        values = self.code.outputs(state, parameters)
         return all(math.isfinite(float(value)) for value in values)
 
     def _has_step(self, state: WorkingArray, parameters: WorkingArray) -> bool:
         """Whether a step can be made from there."""
-        stepper = copy.copy(self.stepper)
+        stepper = self.stepper.copy()
         stepper.time = self.kind(0)
         stepper.state[:] = state
-        stepper.pars[: len(parameters)] = parameters[: len(stepper.pars)]
-        code = int(stepper.step()[0])
-        return code > _SUCCESS or code in (_SUCCESS, _LIMIT)
+        stepper.parameters[: len(parameters)] = parameters[: len(stepper.parameters)]
+        return not stepper.step(self.kind(1)).failed
 
     def _require_on_phase_space(self, state: WorkingArray) -> None:
         for projector in self.projectors:
@@ -207,8 +200,8 @@ class TaylorRun:
         return any([projector(state) for projector in self.projectors])
 
     def _guards(self, state: WorkingArray) -> WorkingArray:
-        values = call(self.code.outputs, np.array(state), self.parameters)
-        return values[len(values) - 1 - len(self.system.guards) : -1]
+        values = self.code.outputs(np.array(state), self.parameters)
+        return values[len(values) - len(self.system.guards) :]
 
     def walk(
         self,
@@ -228,9 +221,8 @@ class TaylorRun:
         index, cramped, pace = 1, 0, Pace()
         while index < len(moments) and watched:
             before = stepper.time
-            outcome, step = stepper.step(max_delta_t=last - before, write_tc=True)
-            code = int(outcome)
-            if code <= _SUCCESS and code not in (_SUCCESS, _LIMIT):
+            step = stepper.step(last - before)
+            if step.failed:
                 if not log.steps:
                     reason = self._extreme_numbers(self.good[1], self._has_step) or NO_VALUE
                     raise InputError(f"start: the rate of the state is no number there; {reason}")
@@ -239,21 +231,20 @@ class TaylorRun:
             log.steps += 1
             now = stepper.time
             if dense:
-                series = np.array(stepper.tc)
+                series = np.array(stepper.series)
                 series[self.quadratures, 0] += self.sums
                 log.dense.append((before, now, series))
             while index < len(moments) and (
                 moments[index] <= now if forward else moments[index] >= now
             ):
-                stepper.update_d_output(moments[index])
-                self._record(log, moments[index], stepper.d_output)
+                self._record(log, moments[index], stepper.state_at(moments[index]))
                 index += 1
-            if code > _SUCCESS:
-                watched = self._record_event(code, now, log, on_liftoff)
+            if step.event is not None:
+                watched = self._record_event(step.event, now, log, on_liftoff)
             log.corrections += self.project(stepper.state)
             self._extract_quadratures()
             self.good = (now, self._with_quadratures(stepper.state))
-            cramped = cramped + 1 if abs(float(step)) < 1e-13 * (1 + abs(float(now))) else 0
+            cramped = cramped + 1 if abs(step.length) < 1e-13 * (1 + abs(float(now))) else 0
             if cramped > 20:
                 reason = "the step size collapsed (a singularity of the equations is near)"
                 self._break_down(log, reason)
@@ -276,9 +267,9 @@ class TaylorRun:
                 log.events.append(Event(float(now), pressed, not go_on))
         return go_on
 
-    def _record_event(self, code: int, now: WorkingNumber, log: RunLog, on_liftoff: str) -> bool:
+    def _record_event(self, event: int, now: WorkingNumber, log: RunLog, on_liftoff: str) -> bool:
         """Record that a guard was passed; return whether to go on."""
-        guard = self.system.guards[self.code.variable_guards[-code - 1 if code < 0 else code]]
+        guard = self.system.guards[self.code.variable_guards[event]]
         go_on = guard.lift_off and on_liftoff == "warn"
         log.events.append(Event(float(now), guard, not go_on))
         if not go_on and now != log.times[-1]:
@@ -336,9 +327,7 @@ class TaylorRun:
     def finish(self, log: RunLog, statistics: Statistics) -> Trajectory:
         """The trajectory of all that was logged."""
         states = np.array(log.states, dtype=self.kind)
-        columns = np.ascontiguousarray(states.T)
-        pars = np.repeat(self.parameters[:, None], len(states), axis=1)
-        recorded = columns_by_name(self.system, call(self.code.outputs, columns, pars))
+        recorded = columns_by_name(self.system, self.code.outputs(states.T, self.parameters))
         return Trajectory(
             self.system,
             self.values,

@@ -70,6 +70,7 @@ class TaylorSeries:
     Parameters
     ----------
     code : Native
+        The functions of :mod:`chaplygin.flow.kernel.taylor_recurrences`.
     layout : SeriesLayout
 
     Attributes

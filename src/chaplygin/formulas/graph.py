@@ -327,6 +327,12 @@ class Reader(Evaluation[Term]):
         """The term of a scalar formula."""
         return self._visit(to_components(sp.sympify(formula)))
 
+    def components(self, formulas: Iterable[sp.Expr]) -> list[Term]:
+        """The terms of several formulas, of a vector those of its components."""
+        values = [to_components(formula) for formula in formulas]
+        parts = (value if isinstance(value, sp.MatrixBase) else [value] for value in values)
+        return [self(part) for group in parts for part in group]
+
     def _rule(self, formula: sp.Expr) -> Callable[[sp.Expr], Term]:
         return self._constant if formula.is_number else super()._rule(formula)
 

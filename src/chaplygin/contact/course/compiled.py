@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import copy
 import threading
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-import heyoka as hy
 import numpy as np
 import sympy as sp
 from scipy.spatial.transform import Rotation
@@ -17,10 +15,10 @@ from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...core.system import System, flat
 from ...core.vectors import constant, to_components
-from ...flow.heyoka_expressions import Translator
-from ...flow.kernel import code_cache
+from ...flow.kernel.native_formulas import NativeFormulas, native_formulas
 from ...flow.taylor import compile_system
 from ...flow.validation import extremes_in_words
+from ...formulas.graph import Graph, Reader, Term
 from ..equations.equations_of_motion import equations_of_motion, work_symbol
 from ..equations.free_body import free_body_parameters
 from ..equations.situation import FrictionalContact
@@ -190,7 +188,7 @@ class CompiledContact:
 
         def finite(numbers: Sequence[float]) -> bool:
             values = np.array([*numbers[:WORK], *start[WORK:], *numbers[WORK:]])
-            result = function(values[:count], pars=values[count : count + function.nparams])
+            result = function(values[:count], values[count:])
             # the couple of a body that does not roll has no direction, nor has what it does
             rates = _COUPLE + 6
             without = np.r_[_COUPLE : _COUPLE + 3, rates + VELOCITY.start : rates + OMEGA.stop]
@@ -236,7 +234,7 @@ class CompiledContact:
         padded = np.zeros(self._numbers.size)
         padded[:WORK] = state[:WORK]
         function = self._numbers.function
-        numbers = function(padded, pars=self._values[: function.nparams])
+        numbers = function(padded, self._values)
         vectors = dict(
             zip(_VECTORS, numbers.reshape(-1)[: 3 * len(_VECTORS)].reshape(-1, 3), strict=True)
         )
@@ -280,7 +278,7 @@ def _mode_of_thread(
 ) -> ModeIntegrator:
     """A mode with an integrator of one thread, which changes as it is used."""
     prepared = _prepared_mode(equations, mode, tolerance)
-    return replace(prepared, stepper=copy.copy(prepared.stepper))
+    return replace(prepared, stepper=prepared.stepper.copy())
 
 
 @lru_cache(maxsize=256)
@@ -291,7 +289,7 @@ def _prepared_mode(equations: SharedEquations, mode: Mode, tolerance: float) -> 
     return ModeIntegrator(
         system=system,
         code=code,
-        stepper=code.integrator,
+        stepper=code.series,
         values=np.array([float(x) for x in system.defaults.values()]),
         columns=observable_columns(system),
         places={str(p.symbol): i for i, p in enumerate(system.parameters)},
@@ -304,7 +302,7 @@ class _PreparedNumbers:
 
     Attributes
     ----------
-    function : heyoka.cfunc
+    function : NativeFormulas
         Of a state, without the work lost.
     size : int
         Of that state.
@@ -313,7 +311,7 @@ class _PreparedNumbers:
     defaults : array
     """
 
-    function: hy.cfunc
+    function: NativeFormulas
     size: int
     names: tuple[str, ...]
     defaults: FloatArray
@@ -338,17 +336,17 @@ def _prepared_numbers(equations: SharedEquations) -> _PreparedNumbers:
     )
 
 
-def _neutral_function(system: System, laws: tuple[FrictionLaw, ...]) -> hy.cfunc:
+def _neutral_function(system: System, laws: tuple[FrictionLaw, ...]) -> NativeFormulas:
     """The numbers of a contact, compiled; see ContactNumbers."""
     total = sum((law.reaction_at_rest for law in laws), Reaction())
 
-    def compute() -> hy.cfunc:
-        translate = Translator(system)
+    def compute() -> list[Term]:
+        reader = Reader(system, Graph())
         values = {item.name: item.value for item in system.observables}
         formulas = [*_VECTORS, *_SCALARS, values["energy"], values["gap"]]
         formulas += [constant(list(to_components(x))) for x in (total.q, total.couple)]
         formulas += system.rates[:WORK]
-        return hy.cfunc(translate.all(formulas), translate.variables)
+        return reader.components(formulas)
 
     parts = [
         *system.symbols,
@@ -358,5 +356,4 @@ def _neutral_function(system: System, laws: tuple[FrictionLaw, ...]) -> hy.cfunc
         *to_components(total.q),
         *to_components(total.couple),
     ]
-    name = code_cache.code_name("contact", sp.srepr(parts))
-    return code_cache.remember(name, compute)[0]
+    return native_formulas(f"contact {sp.srepr(parts)}", len(system.symbols), compute)

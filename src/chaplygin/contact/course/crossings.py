@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import pairwise
 
-import heyoka as hy
 import numpy as np
 
 from ...core.arrays import FloatArray
@@ -14,7 +12,7 @@ from .beginning import Beginning
 from .compiled import CompiledContact
 from .course import Course
 from .endings import EndError
-from .mode_integrator import ModeIntegrator
+from .mode_integrator import ModeIntegrator, StepSeries
 from .rules import Rules
 
 #: Degree of the polynomial that stands for the quantity within a step.
@@ -108,13 +106,10 @@ class CrossingCourse(Course):
                 if len(self.crossings) >= self._count:
                     raise EndError("", "")
 
-    def _within(
-        self, series: hy.continuous_output_dbl, integrator: ModeIntegrator, mode: str
-    ) -> list[Crossing]:
+    def _within(self, series: StepSeries, integrator: ModeIntegrator, mode: str) -> list[Crossing]:
         """The crossings of a continuous output, in the order of time."""
-        knots = np.array(series.times)
         result: list[Crossing] = []
-        for first, last in pairwise(knots.tolist()):
+        for first, last in ((series.begin, series.end),):
             middle, half = (first + last) / 2, (last - first) / 2
             values = self._values(series, integrator, middle + half * _NODES)
             coefficients = _INTERPOLATION @ values
@@ -137,14 +132,12 @@ class CrossingCourse(Course):
                 result.append(Crossing(time, state, integrator, mode, rising))
         return result
 
-    def _values(
-        self, series: hy.continuous_output_dbl, integrator: ModeIntegrator, t: FloatArray
-    ) -> FloatArray:
+    def _values(self, series: StepSeries, integrator: ModeIntegrator, t: FloatArray) -> FloatArray:
         return self._quantity(integrator, series(t).copy())
 
     def _polish(
         self,
-        series: hy.continuous_output_dbl,
+        series: StepSeries,
         integrator: ModeIntegrator,
         middle: float,
         half: float,

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import copy
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-import heyoka as hy
 import numpy as np
 import sympy as sp
 
 from ...core.arrays import FloatArray
 from ...core.system import System
 from ...core.vectors import to_components
-from ...flow.taylor import CompiledSystem
+from ...flow.taylor import CompiledSystem, StateSeries
 
 #: The guard of a piece that ended after the steps allowed.
 PAUSE = "pause"
@@ -43,6 +42,30 @@ class Outcome:
 
 
 @dataclass(frozen=True)
+class StepSeries:
+    """The Taylor series of one step.
+
+    Attributes
+    ----------
+    begin, end : float
+    coefficients : array (size, order + 1)
+        Of the powers of the time since the step began.
+    """
+
+    begin: float
+    end: float
+    coefficients: FloatArray
+
+    def __call__(self, times: FloatArray) -> FloatArray:
+        """States (n, size) at times (n,)."""
+        elapsed = (times - self.begin)[:, np.newaxis]
+        value = np.broadcast_to(self.coefficients[:, -1], (len(times), len(self.coefficients)))
+        for k in range(self.coefficients.shape[1] - 2, -1, -1):
+            value = value * elapsed + self.coefficients[:, k]
+        return value
+
+
+@dataclass(frozen=True)
 class ModeIntegrator:
     """A mode of a contact, ready to be integrated.
 
@@ -50,8 +73,8 @@ class ModeIntegrator:
     ----------
     system : System
     code : CompiledSystem
-    stepper : heyoka.taylor_adaptive
-        A copy of its integrator, since stepping changes it and the code is shared.
+    stepper : StateSeries
+        A copy of its series, since stepping changes it and the code is shared.
     values : array
         Values of the parameters of `system`.
     columns : mapping of str to (int, int)
@@ -62,7 +85,7 @@ class ModeIntegrator:
 
     system: System
     code: CompiledSystem
-    stepper: hy.taylor_adaptive
+    stepper: StateSeries
     values: FloatArray
     columns: Mapping[str, tuple[int, int]]
     places: Mapping[str, int]
@@ -82,26 +105,18 @@ class ModeIntegrator:
 
     def rates(self, state: FloatArray) -> FloatArray:
         """The right-hand sides of the equations at a state (size,)."""
-        stepper = copy.copy(self.stepper)
-        count = min(len(self.values), len(stepper.pars))
-        stepper.pars[:count] = self.values[:count]
-        stepper.state[:] = state
-        stepper.step(write_tc=True, max_delta_t=1e-300)
-        result: FloatArray = np.array(stepper.tc[:, 1])
-        return result
+        stepper = self._stepper_at(state)
+        stepper.expand()
+        return stepper.series[:, 1].copy()
 
     def guard_values(self, state: FloatArray) -> FloatArray:
         """What the guards watch, at a state (size,), in their order."""
-        return self._numbers(state)[-1 - len(self.system.guards) : -1]
+        values = self._numbers(state)
+        return values[len(values) - len(self.system.guards) :]
 
     def _numbers(self, states: FloatArray) -> FloatArray:
-        function = self.code.outputs
-        columns = self.state_of_system(states).T[: len(self.system.symbols)]
-        columns = np.ascontiguousarray(columns, dtype=float)
-        values = self.values[: function.nparams]
-        if columns.ndim == 2:
-            values = np.tile(values[:, None], columns.shape[1])
-        result: FloatArray = function(columns, pars=values).T
+        columns = states.T[: len(self.system.symbols)]
+        result: FloatArray = self.code.outputs(columns, self.values).T
         return result
 
     def project(self, state: FloatArray) -> FloatArray:
@@ -109,10 +124,10 @@ class ModeIntegrator:
         point = self.state_of_system(state)
         for block in self.code.core:
             for _ in range(3):
-                defect = block.residual(point, pars=self.values[: block.residual.nparams])
+                defect = block.residual(point, self.values)
                 if np.abs(defect).max() < 1e-16:
                     break
-                slope = block.slope(point, pars=self.values[: block.slope.nparams])
+                slope = block.slope(point, self.values)
                 # dependent rows: the normal is tied to the attitude, and both have unit length
                 point -= np.linalg.pinv(slope.reshape(block.count, -1), rcond=1e-9) @ defect
         return point[: len(state)]
@@ -137,54 +152,34 @@ class ModeIntegrator:
         most_steps : int
             Number of steps after which to stop with the guard `PAUSE`; 0 for no limit.
         """
-        stepper = self.stepper
-        # heyoka counts the parameters up to the last one that occurs in the formulas
-        count = min(len(self.values), len(stepper.pars))
-        stepper.pars[:count] = self.values[:count]
-        if self.code.variable_guards:
-            stepper.pars[count:] = self._event_scales(state)
-            if stepper.time != time or not np.array_equal(stepper.state, state):
-                # heyoka is deaf for a while to an event that has just happened, but not elsewhere
-                stepper.reset_cooldowns()
-        stepper.time = time
-        stepper.state[:] = state
+        stepper = self._started(time, state)
         at_start = sum(t <= time for t in moments)
-        grid = [time, *moments[at_start:]]
-        if grid[-1] < end:
-            grid.append(end)
         first = np.tile(np.asarray(state, dtype=float), (at_start, 1))
-        if len(grid) == 1:
-            return Outcome(time, np.array(state), "", first, 0)
-        outcome, _, _, steps, _, values = stepper.propagate_grid(
-            np.array(grid), max_steps=most_steps
-        )
-        code = int(outcome)
-        guard = ""
-        if code > _SUCCESS:
-            guard = self.system.guards[self.code.variable_guards[-code - 1]].name
-        elif code != _TIME_LIMIT:
-            guard = PAUSE if code == _STEP_LIMIT else "failure"
-        samples = np.concatenate([first, values[1 : len(moments) - at_start + 1]])
-        if guard == "failure" and not np.isfinite(stepper.state).all():
-            # the last good state is that of the last sample
-            good = (grid[len(values) - 1], values[-1]) if len(values) else (time, np.array(state))
-            return Outcome(float(good[0]), good[1], guard, samples, steps)
-        return Outcome(float(stepper.time), np.array(stepper.state), guard, samples, steps)
+        samples: list[FloatArray] = []
+        ahead = iter(moments[at_start:])
+        sample = next(ahead, math.inf)
+        steps, guard = 0, ""
+        while stepper.time < end and not guard:
+            step = stepper.step(end - stepper.time)
+            steps += 1
+            while sample <= stepper.time and not step.failed:
+                samples.append(stepper.state_at(sample))
+                sample = next(ahead, math.inf)
+            if step.failed:
+                guard = "failure"
+            elif step.event is not None:
+                guard = self.system.guards[self.code.variable_guards[step.event]].name
+            elif steps == most_steps and stepper.time < end:
+                guard = PAUSE
+        passed = np.concatenate([first, np.reshape(samples, (-1, first.shape[1]))])
+        return Outcome(float(stepper.time), stepper.state.copy(), guard, passed, steps)
 
     def has_step(self, state: FloatArray, values: FloatArray) -> bool:
         """Whether a step can be made from a state (size,), with these values of the parameters."""
-        stepper = copy.copy(self.stepper)
-        count = min(len(values), len(stepper.pars))
-        stepper.pars[:count] = values[:count]
-        stepper.time = 0.0
-        stepper.state[:] = state
-        code = int(stepper.step()[0])
-        return code > _SUCCESS or code in (_SUCCESS, _TIME_LIMIT)
+        return not replace(self, values=values)._stepper_at(state).step(1.0).failed
 
-    def series(
-        self, time: float, state: FloatArray, end: float
-    ) -> Iterator[hy.continuous_output_dbl]:
-        """Continuous outputs that together cover a time without an event, but for its end.
+    def series(self, time: float, state: FloatArray, end: float) -> Iterator[StepSeries]:
+        """The steps that together cover a time without an event, but for its end.
 
         Parameters
         ----------
@@ -192,29 +187,39 @@ class ModeIntegrator:
         state : array (size,)
         end : float
         """
+        stepper = self._started(time, state)
+        while stepper.time < end:
+            begin = stepper.time
+            step = stepper.step(end - begin)
+            if step.failed or stepper.time <= begin:
+                return
+            yield StepSeries(begin, stepper.time, stepper.series.copy())
+
+    def _stepper_at(self, state: FloatArray) -> StateSeries:
+        """A stepper of its own at a state, at time zero."""
+        stepper = self.stepper.copy()
+        stepper.parameters[: len(self.values)] = self.values
+        stepper.state[:] = state
+        stepper.time = 0.0
+        return stepper
+
+    def _started(self, time: float, state: FloatArray) -> StateSeries:
+        """The stepper at a state and a time."""
         stepper = self.stepper
-        count = min(len(self.values), len(stepper.pars))
-        stepper.pars[:count] = self.values[:count]
-        if self.code.variable_guards:
-            stepper.pars[count:] = self._event_scales(state)
-            stepper.reset_cooldowns()
+        values = [*self.values.tolist(), *self._event_scales(state)]
+        if stepper.time != time or not np.array_equal(stepper.state, state):
+            # an event that has just happened counts no more for a while, but elsewhere it does
+            stepper.reset()
+        stepper.parameters[:] = values
         stepper.time = time
         stepper.state[:] = state
-        while stepper.time < end:
-            begun = stepper.time
-            output = stepper.propagate_until(end, c_output=True)[4]
-            if output is None or stepper.time <= begun:
-                return
-            yield output
+        return stepper
 
     def _event_scales(self, state: FloatArray) -> list[float]:
         """Powers of two that scale large guards to one."""
         sizes = np.abs(self.guard_values(state)[list(self.code.variable_guards)])
         exponents = np.maximum(np.frexp(np.where(np.isfinite(sizes), sizes, 1.0))[1], 0)
         return list(np.ldexp(1.0, -exponents))
-
-
-_TIME_LIMIT, _STEP_LIMIT, _SUCCESS = -4294967299, -4294967298, -4294967297
 
 
 def with_values(mode: ModeIntegrator, values: Mapping[str, float]) -> ModeIntegrator:

@@ -7,22 +7,20 @@ dP = s dθ it does not: n′ = G n⊥, s′ = H s, where the rate of the sliding
 
 from __future__ import annotations
 
-import copy
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Literal
 
-import heyoka as hy
 import numpy as np
 import sympy as sp
 
 from ...core.arrays import FloatArray
-from ...core.system import System
+from ...core.system import Guard, Parameter, System
+from ...core.vectors import real_symbol
 from ...errors import RunError
-from ...flow.heyoka_expressions import Translator
-from ...flow.kernel import code_cache
+from ...flow.taylor import StateSeries, compile_system
 from ..friction.symbols import slip_speed
 
 #: A slide is followed down to this part of its speed in one go.
@@ -36,8 +34,6 @@ LEAST_RETURN = 1e-18
 
 #: Duration in θ, and steps, of a slide at most.
 _LONGEST, _STEPS = 1e9, 2000
-
-_STEP_LIMIT = int(hy.taylor_outcome.step_limit)
 
 SlideEvent = Literal["compressed", "approaching again", "returned", "spin stopped", "spin starts"]
 
@@ -168,7 +164,7 @@ class Ends:
     couple: FloatArray | None
 
 
-def slide_integrator(friction: SlidingFriction) -> hy.taylor_adaptive:
+def slide_integrator(friction: SlidingFriction) -> StateSeries:
     """The compiled equations of a slide, for `slide` to change their state; one in each thread.
 
     Parameters
@@ -179,12 +175,12 @@ def slide_integrator(friction: SlidingFriction) -> hy.taylor_adaptive:
 
 
 @lru_cache(maxsize=64)
-def _integrator_of_thread(varies: bool, force: sp.Expr | None, _: int) -> hy.taylor_adaptive:
-    return copy.copy(_integrator(varies, force))
+def _integrator_of_thread(varies: bool, force: sp.Expr | None, _: int) -> StateSeries:
+    return _integrator(varies, force).copy()
 
 
 def slide(
-    integrator: hy.taylor_adaptive,
+    integrator: StateSeries,
     beta: FloatArray,
     A: FloatArray,
     friction: SlidingFriction,
@@ -196,7 +192,7 @@ def slide(
 
     Parameters
     ----------
-    integrator : heyoka.taylor_adaptive
+    integrator : StateSeries
         As `slide_integrator` returns it.
     beta, A : (2,) and (2, 2) array
     friction : SlidingFriction
@@ -237,15 +233,20 @@ def slide(
     # parts of μ or of the formula, and of the power of the speed, in the friction at the start
     power = friction.viscous * speed**friction.order if friction.viscous else 0.0
     pars[22:] = power / mu if mu else 0.0, friction.order, speed, 1 / mu if mu else 0.0
-    integrator.reset_cooldowns()
+    integrator.reset()
     integrator.time = 0.0
-    integrator.pars[:] = pars[: len(integrator.pars)]
+    integrator.parameters[:_PARAMETERS] = pars
+    integrator.parameters[_PARAMETERS:] = 1.0
     integrator.state[:] = [*(slip / speed), 1.0, 0.0, 0.0, 0.0, 0.0]
-    outcome = int(integrator.propagate_until(_LONGEST, max_steps=_STEPS)[0])
-    if not -len(_EVENTS) <= outcome < 0 and outcome != _STEP_LIMIT:
-        raise RunError("the sliding of an impact does not end", 0.0)
+    event: SlideEvent | None = None
     # near a direction in which the slip neither grows nor shrinks it goes on for long
-    event = None if outcome == _STEP_LIMIT else _EVENTS[-1 - outcome]
+    for _ in range(_STEPS):
+        step = integrator.step(_LONGEST - integrator.time)
+        if step.failed or integrator.time >= _LONGEST:
+            raise RunError("the sliding of an impact does not end", 0.0)
+        if step.event is not None:
+            event = _EVENTS[step.event]
+            break
     n1, n2, w, p, f1, f2, work = integrator.state.tolist()
     return Slide(
         event=event,
@@ -263,17 +264,19 @@ def _coefficients(quantity: Linear, clock: float, force: float, scale: float) ->
 
 
 @lru_cache(maxsize=64)
-def _integrator(varies: bool, force: sp.Expr | None) -> hy.taylor_adaptive:
-    name = code_cache.code_name("impact slide", "4", str(varies), sp.srepr(force))
-    return code_cache.remember(name, lambda: _compile_integrator(varies, force))[0]
+def _integrator(varies: bool, force: sp.Expr | None) -> StateSeries:
+    return compile_system(_equations(varies, force), 1e-16).series
 
 
-def _compile_integrator(varies: bool, force: sp.Expr | None) -> hy.taylor_adaptive:
-    names = n1, n2, w, p, f1, f2, work = hy.make_vars("n1", "n2", "w", "p", "f1", "f2", "work")
-    q = [hy.par[i] for i in range(_PARAMETERS)]
+def _equations(varies: bool, force: sp.Expr | None) -> System:
+    """The equations of a slide, with its ends as guards."""
+    n1, n2, w, p, f1, f2, work = names = [
+        real_symbol(name) for name in ("n1", "n2", "w", "p", "f1", "f2", "work")
+    ]
+    q = [real_symbol(f"q{i}") for i in range(_PARAMETERS)]
     # the friction relative to that at the start, against the direction n
-    dry = 1.0 - q[22] if force is None else q[25] * _in_speed(force, q[24] * w)
-    share = dry + q[22] * hy.exp(q[23] * hy.log(w)) if varies else hy.expression(1.0)
+    dry = 1 - q[22] if force is None else q[25] * force.subs(slip_speed, q[24] * w)
+    share = dry + q[22] * sp.exp(q[23] * sp.log(w)) if varies else sp.S.One
     f, g = share * n1, share * n2
     x = q[0] - q[2] * f - q[3] * g
     y = q[1] - q[4] * f - q[5] * g
@@ -281,26 +284,21 @@ def _compile_integrator(varies: bool, force: sp.Expr | None) -> hy.taylor_adapti
     normal = q[6] + q[7] * p + q[8] * f1 + q[9] * f2
     rates = (-turning * n2, turning * n1, growth * w, w, w * f, w * g, normal * w)
     rising = [
-        q[10] * normal + q[10] - 1.0,
-        -(1.0 - q[10]) * normal - q[10],
+        q[10] * normal + q[10] - 1,
+        -(1 - q[10]) * normal - q[10],
         q[11] * work + q[12] * p + q[13] * normal + q[14],
         -(q[15] + q[16] * p + q[17] * f1 + q[18] * f2),
-        q[19] + q[20] * f + q[21] * g - 1.0,
-        -(q[19] + q[20] * f + q[21] * g) - 1.0,
-        LEAST - w,
-        w - MOST,
+        q[19] + q[20] * f + q[21] * g - 1,
+        -(q[19] + q[20] * f + q[21] * g) - 1,
+        sp.Rational(*LEAST.as_integer_ratio()) - w,
+        w - sp.Rational(*MOST.as_integer_ratio()),
     ]
-    count = _PARAMETERS if force is not None else _PARAMETERS - (2 if varies else 4)
-    return hy.taylor_adaptive(
-        list(zip(names, rates, strict=True)),
-        [1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0],
-        tol=1e-16,
-        pars=[0.0] * count,
-        t_events=[hy.t_event(e, direction=hy.event_direction.positive) for e in rising],
+    return System(
+        name="impact-slide",
+        title="Sliding during an impact",
+        field=tuple(zip(names, rates, strict=True)),
+        parameters=tuple(Parameter(symbol, "coefficient", 0.0, "1") for symbol in q),
+        guards=tuple(
+            Guard(f"end {i}", -formula, "the slide ends") for i, formula in enumerate(rising)
+        ),
     )
-
-
-def _in_speed(force: sp.Expr, speed: hy.expression) -> hy.expression:
-    """A formula in the slip speed as a heyoka expression."""
-    translate = Translator(System("speed", "Slip speed", field={slip_speed: sp.S.Zero}))
-    return hy.subs(translate(force), {translate.variables[0]: speed})

@@ -131,7 +131,7 @@ def contact_trajectory(
         events=_events(motion),
         statistics=Statistics(
             steps=motion.steps,
-            order=machine.mode(FLIGHT).code.integrator.order,
+            order=machine.mode(FLIGHT).code.series.order,
             tolerance=machine.tolerance,
             precision="double",
             corrections=0,

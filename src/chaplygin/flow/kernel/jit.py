@@ -30,18 +30,18 @@ class Native:
     ----------
     functions : dict of str to callable
         C functions by name; they return nothing and release Python's lock.
-    work_size : int
-        Doubles of memory that a call needs.
     keeper : object
         An object whose life is that of the code in memory.
     from_cache : bool
         Whether it came from the cache.
+    work_size : int
+        Doubles of memory that a call needs.
     """
 
     functions: dict[str, Callable[..., None]]
-    work_size: int
     keeper: object
     from_cache: bool
+    work_size: int = 0
 
 
 @dataclass(frozen=True)
@@ -160,14 +160,37 @@ def load_code(
     signatures : mapping of str to sequence of ctypes types
         Of each function that is to be called from Python.
     """
-    sets = host()
-    name = cache.code_name(key, _processor(sets))
+    name = code_name(key)
 
-    def object_code() -> tuple[bytes, int]:
+    def compute() -> tuple[bytes, int]:
         assembly, work_size = text()
-        return optimised_object(assembly + ATTRIBUTES, _machine(sets)), work_size
+        return object_code(assembly), work_size
 
-    (code, work_size), from_cache = cache.remember(name, object_code)
+    (code, work_size), from_cache = cache.remember(name, compute)
+    return Native(*link(name, code, signatures), from_cache, work_size)
+
+
+def code_name(key: str) -> str:
+    """The name in the cache of code that depends on a key, for this processor."""
+    return cache.code_name(key, _processor(host()))
+
+
+def object_code(text: str) -> bytes:
+    """The object file of functions in LLVM's assembly language, for this processor."""
+    return optimised_object(text + ATTRIBUTES, _machine(host()))
+
+
+def link(
+    name: str, code: bytes, signatures: Mapping[str, Sequence[type]]
+) -> tuple[dict[str, Callable[..., None]], object]:
+    """The functions of an object file, and an object whose life is that of their code.
+
+    Parameters
+    ----------
+    name : str
+    code : bytes
+    signatures : mapping of str to sequence of ctypes types
+    """
     library = llvm.JITLibraryBuilder().add_object_img(code).add_current_process()
     for symbol in signatures:
         library = library.export_symbol(symbol)
@@ -176,7 +199,7 @@ def load_code(
         symbol: ctypes.CFUNCTYPE(None, *arguments)(tracker[symbol])
         for symbol, arguments in signatures.items()
     }
-    return Native(functions, work_size, tracker, from_cache)
+    return functions, tracker
 
 
 def aligned_zeros(doubles: int) -> FloatArray:

@@ -10,8 +10,10 @@ import numpy as np
 
 from ...core.arrays import FloatArray
 from ...formulas.graph import Term
+from . import code_cache
 from .arithmetic import Double
 from .codegen import functions
+from .jit import Native, code_name, link, object_code
 
 _P = ctypes.c_void_p
 SIGNATURE = (ctypes.c_int64, _P, _P, _P, _P)
@@ -61,11 +63,14 @@ class NativeFormulas:
     Attributes
     ----------
     shape : FormulaShape
-    function : callable
+    code : Native
+    name : str
+        Of the function in the code.
     """
 
     shape: FormulaShape
-    function: Callable[..., None] = field(repr=False)
+    code: Native = field(repr=False)
+    name: str
 
     def __call__(self, states: FloatArray, parameters: FloatArray) -> FloatArray:
         """Values (count,) or (count, n) at a state (size,) or at states (size, n).
@@ -76,7 +81,9 @@ class NativeFormulas:
         values = np.ascontiguousarray(parameters, dtype=float)
         many = 1 if rows.ndim == 1 else len(rows)
         results, work = np.empty((many, self.shape.count)), np.empty(self.shape.work)
-        self.function(many, *(a.ctypes.data for a in (rows, values, results, work)))
+        self.code.functions[self.name](
+            many, *(a.ctypes.data for a in (rows, values, results, work))
+        )
         return results[0] if rows.ndim == 1 else results.T
 
 
@@ -93,3 +100,26 @@ def formulas_text(name: str, terms: Sequence[Term], size: int) -> tuple[str, For
     pieces, constants = functions(Double, {f"values_{name}": terms}, 1, f"prepare_{name}")
     loop = _LOOP.format(name=name, size=size, count=len(terms))
     return pieces + loop, FormulaShape(size, len(terms), max(constants, 1))
+
+
+def native_formulas(key: str, size: int, terms: Callable[[], Sequence[Term]]) -> NativeFormulas:
+    """Formulas compiled, or from the cache.
+
+    Parameters
+    ----------
+    key : str
+        All that the terms depend on.
+    size : int
+        Of a state.
+    terms : callable
+        Returns the terms; called only if the code is not in the cache.
+    """
+    name = code_name(f"formulas {size} {key}")
+
+    def compute() -> tuple[bytes, FormulaShape]:
+        text, shape = formulas_text("evaluate", terms(), size)
+        return object_code(text), shape
+
+    (code, shape), from_cache = code_cache.remember(name, compute)
+    native = Native(*link(name, code, {"evaluate": SIGNATURE}), from_cache)
+    return NativeFormulas(shape, native, "evaluate")

@@ -8,13 +8,14 @@ another in reversed order, in vectors of eight; both lie in memory padded with z
 
 from __future__ import annotations
 
+import ctypes
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 from ...formulas.graph import Graph, Term, topological_order
-from .arithmetic import Double, Value
+from .arithmetic import Double
 from .codegen import evaluate, parameter_only_terms
 from .elementary import FUNCTIONS
 from .ir_writer import IRWriter
@@ -23,6 +24,15 @@ _WIDE = 8
 _VECTOR = f"<{_WIDE} x double>"
 _ONE = "<1 x double>"
 _ATTRIBUTES = "#1"
+
+_P = ctypes.c_void_p
+#: Of the functions.
+SERIES_SIGNATURES: Mapping[str, tuple[type, ...]] = {
+    "prepare_series": (_P,) * 2,
+    "series": (_P,) * 2,
+    "sums": (_P,) * 5,
+    "step": (_P,) * 7,
+}
 
 
 @dataclass(frozen=True)
@@ -152,9 +162,7 @@ class _Writer:
                     next_free += length.get(kind, 1)
         self.rate_places = range(next_free, next_free + self.size)
         next_free += self.size
-        self.constant_places = {
-            id(term): next_free + i for i, term in enumerate(self.constants)
-        }
+        self.constant_places = {id(term): next_free + i for i, term in enumerate(self.constants)}
         self.doubles = next_free + len(self.constants)
 
     def _needs(self) -> dict[str, dict[int, None]]:
@@ -227,14 +235,12 @@ class _Writer:
     def _prepare(self) -> str:
         number = Double(IRWriter(1))
 
-        def leaf(term: Term) -> Value:
+        def leaf(term: Term) -> str | None:
             if term.kind == "parameter":
                 return number.load("%parameters", term.args[0])
             return None
 
-        for term, value in zip(
-            self.constants, evaluate(number, self.constants, leaf), strict=True
-        ):
+        for term, value in zip(self.constants, evaluate(number, self.constants, leaf), strict=True):
             number.store(value, "%memory", self.constant_places[id(term)])
         head = "void @prepare_series(ptr noalias %memory, ptr noalias %parameters)"
         return number.writer.text(head, _ATTRIBUTES)
@@ -243,7 +249,7 @@ class _Writer:
         w = IRWriter(1)
         number = Double(w)
 
-        def leaf(term: Term) -> Value:
+        def leaf(term: Term) -> str | None:
             if id(term) in self.constant_places:
                 return number.load("%memory", self.constant_places[id(term)])
             return number.load("%state", term.args[0]) if term.kind == "state" else None
@@ -281,9 +287,7 @@ class _Writer:
             first = number.load("%memory", row)
             value = number.add(first, change)
             part = number.sub(value, first)
-            lost = number.add(
-                number.sub(first, number.sub(value, part)), number.sub(change, part)
-            )
+            lost = number.add(number.sub(first, number.sub(value, part)), number.sub(change, part))
             number.store(value, "%result", i)
             number.store(lost, "%lost", i)
         head = "void @sums(ptr %memory, ptr %rest, ptr %time, ptr %result, ptr %lost)"
@@ -327,7 +331,9 @@ class _Writer:
         length = number.choose(finite, length, w.constant(math.nan))
         suspects = w.variable(_ONE, zero)
         with w.count(len(self.watched)) as i:
-            row = w.emit(f"add i64 {w.emit(f'mul i64 {i}, {self.stride}')}, {self.size * self.stride}")
+            row = w.emit(
+                f"add i64 {w.emit(f'mul i64 {i}, {self.stride}')}, {self.size * self.stride}"
+            )
             bound = self._size_at(number, row, p)
             for k in range(p - 1, 0, -1):
                 bound = number.fma(bound, length, self._size_at(number, row, k))
@@ -346,8 +352,7 @@ class _Writer:
         with w.branch(w.emit(f"extractelement {w.mask} {done}, i64 0")):
             place = w.address("double", "%control", 1)
             w.line(
-                "call void @sums(ptr %memory, ptr %before, "
-                f"ptr {place}, ptr %result, ptr %rest)"
+                f"call void @sums(ptr %memory, ptr %before, ptr {place}, ptr %result, ptr %rest)"
             )
             doubt = w.variable(_ONE, zero)
             with w.count(self.size) as i:
@@ -366,11 +371,11 @@ class _Writer:
                 row = w.emit(f"mul i64 {i}, {self.stride}")
                 row = w.emit(f"add i64 {row}, {self.size * self.stride}")
                 number.store(number.load("%memory", row), "%ends", i)
-        arguments = "memory state before rest ends result control".split()
+        arguments = ["memory", "state", "before", "rest", "ends", "result", "control"]
         head = f"void @step({', '.join(f'ptr %{name}' for name in arguments)})"
         return w.text(head, _ATTRIBUTES)
 
-    def _size_at(self, number: Double, row: str, k: int) -> Value:
+    def _size_at(self, number: Double, row: str, k: int) -> str:
         """The size of a coefficient."""
         w = number.writer
         return w.call("fabs", number.load("%memory", w.emit(f"add i64 {row}, {k}")))
@@ -379,28 +384,26 @@ class _Writer:
         """The coefficients of order n of all terms."""
         w = number.writer
         graph = self.rates[0].graph
-        order = w.emit(f"insertelement {_ONE} poison, double {w.emit(f'sitofp i64 {n} to double')}, i64 0")
-        known: dict[int, Value] = {}
+        order = w.emit(
+            f"insertelement {_ONE} poison, double {w.emit(f'sitofp i64 {n} to double')}, i64 0"
+        )
+        known: dict[int, str] = {}
         for i in range(self.size):
-            rate = number.load("%memory", self.rate_places[i])
-            value = w.op("fdiv", rate, order)
+            change = number.load("%memory", self.rate_places[i])
             state = graph.state(i)
-            known[id(state)] = value
-            self._keep(number, state, value, n, order)
+            known[id(state)] = w.op("fdiv", change, order)
+            self._keep(number, state, known[id(state)], n, order)
         for node in self.nodes:
             if node.kind != "state":
-                value = self._coefficient(number, node, known, n, order)
-                known[id(node)] = value
-                self._keep(number, node, value, n, order)
+                known[id(node)] = self._coefficient(number, node, known, n, order)
+                self._keep(number, node, known[id(node)], n, order)
         zero = number.number(Fraction(0))
         for place, rate in zip(self.rate_places, self.rates, strict=True):
             number.store(known.get(id(rate), zero), "%memory", place)
         for place, term in zip(self.watched_places, self.watched, strict=True):
             self._put(number, known.get(id(term), zero), place, n)
 
-    def _keep(
-        self, number: Double, node: Term, value: Value, n: str, order: Value = None
-    ) -> None:
+    def _keep(self, number: Double, node: Term, value: str, n: str, order: str = "") -> None:
         """Store a coefficient wherever it is needed later."""
         w, key = number.writer, id(node)
         if key in self.forward:
@@ -415,11 +418,11 @@ class _Writer:
             place = w.emit(f"sub i64 {self.backward[key] + self.order}, {n}")
             number.store(value, "%memory", place)
 
-    def _put(self, number: Double, value: Value, place: int, n: str) -> None:
+    def _put(self, number: Double, value: str, place: int, n: str) -> None:
         index = str(place) if n == "0" else number.writer.emit(f"add i64 {place}, {n}")
         number.store(value, "%memory", index)
 
-    def _inner(self, number: Double, forward: int, backward: int, n: str) -> Value:
+    def _inner(self, number: Double, forward: int, backward: int, n: str) -> str:
         """The sum of a_j b_{n−j} over 0 < j < n."""
         w = number.writer
         a = w.address("double", "%memory", forward + 1)
@@ -427,7 +430,7 @@ class _Writer:
         b = w.address("double", "%memory", start)
         return w.emit(f"call {_ONE} @scalar_product(ptr {a}, ptr {b})")
 
-    def _first(self, number: Double, term: Term) -> Value:
+    def _first(self, number: Double, term: Term) -> str:
         """The value of a term."""
         places = self.first if id(term) in self.moving else self.constant_places
         if id(term) in places:
@@ -435,8 +438,8 @@ class _Writer:
         return number.number(term.args[0])
 
     def _coefficient(
-        self, number: Double, node: Term, known: Mapping[int, Value], n: str, order: Value
-    ) -> Value:
+        self, number: Double, node: Term, known: Mapping[int, str], n: str, order: str
+    ) -> str:
         """The coefficient of order n of a term that depends on the state."""
         w, args = number.writer, node.operands
         zero = number.number(Fraction(0))
@@ -485,11 +488,12 @@ class _Writer:
                 return zero
 
     def _function(
-        self, number: Double, node: Term, known: Mapping[int, Value], n: str, order: Value
-    ) -> Value:
+        self, number: Double, node: Term, known: Mapping[int, str], n: str, order: str
+    ) -> str:
         """The coefficient of a term of which the derivative is known."""
-        w, total = number.writer, None
-        exact = None
+        w = number.writer
+        total: str | None = None
+        exact: str | None = None
         for q, u in self.integrals[id(node)].pairs:
             if id(u) not in self.moving:
                 continue
@@ -502,7 +506,8 @@ class _Writer:
             part = number.fma(w.op("fmul", order, known[id(u)]), first, part)
             total = part if total is None else number.add(total, part)
         if total is None:
-            return exact
+            # a term that depends on the state has an operand that does
+            return exact or number.number(Fraction(0))
         total = w.op("fdiv", total, order)
         return total if exact is None else number.add(total, exact)
 

@@ -29,8 +29,8 @@ from ...core.system import System, flat_pairs
 from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.multiprecision import number, slopes
-from ..heyoka_expressions import WorkingNumber
 from ..initial_states import reduced_start, vector_components
+from ..working_numbers import WorkingNumber
 from .multiprecision_subspaces import minimum_norm_solution, null_space_basis, orthogonal_part
 
 NEWTON_STEPS = 60

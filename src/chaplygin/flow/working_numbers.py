@@ -1,0 +1,39 @@
+"""Numbers of a working precision: doubles, or numbers with 34 digits."""
+
+from __future__ import annotations
+
+from typing import Any, Literal, TypeAlias
+
+import numpy.typing as npt
+
+from ..errors import InputError
+
+Precision = Literal["double", "quad"]
+Direction = Literal["forward", "backward"]
+
+#: A number of the working precision: a double, or one of heyoka's with 34 digits; and arrays.
+WorkingNumber: TypeAlias = Any
+WorkingArray: TypeAlias = npt.NDArray[Any]
+
+
+def number_type(precision: Precision) -> type[WorkingNumber]:
+    """The type of numbers of a precision: float, or 34 digits.
+
+    Raises
+    ------
+    InputError
+        If heyoka is not installed, or has no 34-digit numbers on this machine.
+    """
+    if precision == "double":
+        return float
+    try:
+        import heyoka as hy
+    except ImportError:
+        raise InputError(
+            "precision 'quad' with method 'taylor' needs heyoka, which is not installed: install "
+            "chaplygin[taylor], or use method 'gauss', which has 30 digits"
+        ) from None
+    wide: type[WorkingNumber] | None = getattr(hy, "real128", None)
+    if wide is None:
+        raise InputError("precision 'quad' is not available on this machine; use 'double'")
+    return wide
