@@ -64,9 +64,10 @@ def first_falling_root(coefficients: FloatArray, after: float = 0.0) -> float | 
 
 def _parts(b: FloatArray, x: float) -> tuple[FloatArray, FloatArray]:
     """The Bernstein coefficients on both sides of a place in the interval (de Casteljau)."""
+    degree = len(b) - 1
     left, right = np.empty_like(b), np.empty_like(b)
-    for k in range(len(b)):
-        left[k], right[len(b) - 1 - k] = b[0], b[-1]
+    for k in range(degree + 1):
+        left[k], right[degree - k] = b[0], b[-1]
         b = (1 - x) * b[:-1] + x * b[1:]
     return left, right
 

@@ -204,8 +204,7 @@ class _Plan:
         """The system in doubles."""
         name = jit.code_name(self.name)
         (code, layout), from_cache = cache.remember(name, self.code)
-        signatures = {**dict.fromkeys(layout.formulas, SIGNATURE), **SERIES_SIGNATURES}
-        native = jit.Native(*jit.link(name, code, signatures), from_cache)
+        native = _linked(name, code, tuple(layout.formulas))
         formulas = {
             name: NativeFormulas(shape, native, name) for name, shape in layout.formulas.items()
         }
@@ -250,6 +249,13 @@ class _Plan:
             from_cache=from_cache,
             **blocks,
         )
+
+
+@lru_cache(maxsize=64)
+def _linked(name: str, code: bytes, formulas: tuple[str, ...]) -> jit.Native:
+    """The functions of a system, linked once however often the system is integrated."""
+    signatures = {**dict.fromkeys(formulas, SIGNATURE), **SERIES_SIGNATURES}
+    return jit.Native(*jit.link(name, code, signatures), from_cache=True)
 
 
 def _depends_on_state(term: Term) -> bool:

@@ -150,6 +150,7 @@ class TaylorSeries:
         if not math.isfinite(length) or (length == 0 and event is None):
             # numbers that are not finite would stay in the memory
             self._prepared = None
+            self._rest[:] = self._rest_before
             return Step(0.0, failed=True)
         self._begin = self._time
         change = length + self._time_rest

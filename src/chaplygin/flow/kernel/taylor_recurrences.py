@@ -308,13 +308,17 @@ class _Writer:
         w.line("call void @series(ptr %memory, ptr %state)")
         one, zero = number.number(Fraction(1)), number.number(Fraction(0))
         largest = [w.variable(_ONE, x) for x in (one, zero, zero)]
+        doubt = w.variable(_ONE, zero)
         with w.count(self.size + len(self.watched)) as i:
             row = w.emit(f"mul i64 {i}, {self.stride}")
             for place, k in zip(largest, (0, p - 1, p), strict=True):
                 value = self._size_at(number, row, k)
-                greater = w.complement(w.compare("ule", value, w.load(_ONE, place)))
-                # not-a-number stays
-                w.store(_ONE, number.choose(greater, value, w.load(_ONE, place)), place)
+                largest_yet = w.load(_ONE, place)
+                greater = w.compare("ogt", value, largest_yet)
+                w.store(_ONE, number.choose(greater, value, largest_yet), place)
+                # zero unless the value is not finite
+                value = number.sub(value, value)
+                w.store(_ONE, number.add(w.load(_ONE, doubt), value), doubt)
         size, last_but_one, last = (w.load(_ONE, place) for place in largest)
         length = number.number(Fraction(2) ** 1000)
         for value, k in ((last_but_one, p - 1), (last, p)):
@@ -323,8 +327,7 @@ class _Writer:
             root = number.mul(root, w.constant(math.exp(-2 - 0.7 / (p - 1))))
             shorter = w.conjunction(w.compare("olt", root, length), w.compare("ogt", value, zero))
             length = number.choose(shorter, root, length)
-        total = number.add(number.add(size, last_but_one), last)
-        finite = w.compare("oeq", number.sub(total, total), zero)
+        finite = w.compare("oeq", w.load(_ONE, doubt), zero)
         limit = number.load("%control", 0)
         within = w.call("fabs", limit)
         length = number.choose(w.compare("olt", length, within), length, within)
@@ -354,10 +357,8 @@ class _Writer:
             w.line(
                 f"call void @sums(ptr %memory, ptr %before, ptr {place}, ptr %result, ptr %rest)"
             )
-            doubt = w.variable(_ONE, zero)
             with w.count(self.size) as i:
                 value = number.load("%result", i)
-                # zero unless the value is not finite
                 value = number.sub(value, value)
                 w.store(_ONE, number.add(w.load(_ONE, doubt), value), doubt)
             number.store(number.add(length, w.load(_ONE, doubt)), "%control", 1)
