@@ -21,7 +21,6 @@ from .source_digest import computation_digest
 #: Libraries that take part in a proof or in the generation of machine code.
 LIBRARIES = (
     "chaplygin",
-    "heyoka",
     "llvmlite",
     "mpmath",
     "numpy",

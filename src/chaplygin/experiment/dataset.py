@@ -134,7 +134,7 @@ def to_dataset(
         "precision": statistics.precision,
         "integrator": f"Taylor series of order {statistics.order}, {statistics.steps} steps",
         "versions": ", ".join(
-            f"{name} {version(name)}" for name in ("chaplygin", "heyoka", "numpy", "sympy")
+            f"{name} {version(name)}" for name in ("chaplygin", "llvmlite", "numpy", "sympy")
         ),
     }
     return xr.Dataset(variables, coordinates, {**facts, **(attributes or {})})

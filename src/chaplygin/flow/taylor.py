@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
+from importlib.metadata import version
 from typing import Protocol
 
 import numpy as np
@@ -229,7 +230,7 @@ class _Plan:
         double = replace(self, precision="double", tolerance=1e-15).compile()
         residuals = {name: block[0] for name, block in self._blocks.items()}
         code, from_cache = cache.remember(
-            self.name,
+            cache.code_name(self.name, version("heyoka")),
             lambda: heyoka_code(
                 self.system_in_space,
                 {"outputs": self._recorded, **residuals},

@@ -49,7 +49,7 @@ _LEAST_DEPTH = 1e-14
 #: hides the rounding of its velocity.
 _FIRST_RISE = 1e-20
 
-#: heyoka misses a landing that comes very early in a step: the first step lasts so many hops.
+#: The first step of a flight lasts so many hops, so that a landing is not at its very beginning.
 _HOPS = 4
 
 #: So much of the time must be made in a stretch.

@@ -213,7 +213,7 @@ def contact_ensemble_task(
             **({"seed": seeds[0]} if seeds else {}),
             "integrator": "Taylor series, pieces joined by events",
             "versions": ", ".join(
-                f"{name} {version(name)}" for name in ("chaplygin", "heyoka", "numpy", "sympy")
+                f"{name} {version(name)}" for name in ("chaplygin", "llvmlite", "numpy", "sympy")
             ),
             "experiment": experiment,
         },

@@ -233,7 +233,7 @@ def contact_section_task(
             "coordinates": [name for name, _ in chosen],
             "starts": "the start of the experiment" if members is None else str(members),
             "tolerance": tolerance,
-            "versions": ", ".join(f"{name} {version(name)}" for name in ("chaplygin", "heyoka")),
+            "versions": ", ".join(f"{name} {version(name)}" for name in ("chaplygin", "llvmlite")),
             "experiment": experiment,
         },
     )
