@@ -6,7 +6,6 @@ from functools import lru_cache
 from math import comb
 
 import numpy as np
-from scipy.optimize import brentq
 
 from ..core.arrays import FloatArray
 
@@ -74,6 +73,9 @@ def _parts(b: FloatArray, x: float) -> tuple[FloatArray, FloatArray]:
 
 def _root(coefficients: FloatArray, first: float, last: float) -> float:
     """The root between two places at which the signs differ, or the nearer one in rounding."""
+    # imported where an event happens, since it takes longer than most motions
+    from scipy.optimize import brentq
+
     numbers = coefficients[::-1].tolist()
 
     def value(x: float) -> float:

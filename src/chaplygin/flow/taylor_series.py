@@ -102,7 +102,7 @@ class TaylorSeries:
         # of the events: values at the end of the last step, and times in which they count no more
         self._ends, self._quiet = np.zeros(layout.events), np.zeros(layout.events)
         self._time, self._time_rest, self._begin = 0.0, 0.0, 0.0
-        self._prepared: FloatArray | None = None
+        self._prepared = b""
         arrays = self._memory, self.state, self._rest_before, self._rest, self._ends, self._result
         self._step_arguments = tuple(a.ctypes.data for a in (*arrays, self._control))
 
@@ -149,7 +149,7 @@ class TaylorSeries:
             length, event = self._step_to_event(length)
         if not math.isfinite(length) or (length == 0 and event is None):
             # numbers that are not finite would stay in the memory
-            self._prepared = None
+            self._prepared = b""
             self._rest[:] = self._rest_before
             return Step(0.0, failed=True)
         self._begin = self._time
@@ -165,11 +165,13 @@ class TaylorSeries:
 
     def _prepare(self) -> None:
         """Compute what depends on the parameters alone, if they have changed."""
-        if self._prepared is None or not np.array_equal(self._prepared, self.parameters):
-            self._prepared = self.parameters.copy()
+        # without parameters as well, the memory is prepared before the first step
+        values = b"." + self.parameters.tobytes()
+        if values != self._prepared:
+            self._prepared = values
             self._memory[:] = 0.0
             self._code.functions["prepare_series"](
-                self._memory.ctypes.data, self._prepared.ctypes.data
+                self._memory.ctypes.data, self.parameters.ctypes.data
             )
 
     def _sum(self, length: float, rest: FloatArray) -> None:
