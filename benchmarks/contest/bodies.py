@@ -16,9 +16,9 @@ import sympy as sp
 import chaplygin
 from chaplygin import Forces, System
 from chaplygin.catalogue.bodies import unbalanced_ball
-from chaplygin.flow.heyoka_expressions import Translator
 from chaplygin.flow.initial_states import flat_starts
 from chaplygin.flow.kernel import code_cache as cache
+from chaplygin.flow.taylor.heyoka_expressions import Translator
 
 __all__ = ["BEYOND", "BODIES", "Body", "deviation", "rows"]
 

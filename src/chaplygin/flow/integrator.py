@@ -16,8 +16,8 @@ from ..core.system import System
 from ..errors import InputError, InterruptionError, RunError
 from .gauss_trajectory import collocate
 from .initial_states import whole_start
-from .taylor import compile_system
-from .taylor_run import RunLog, StoppedError, TaylorRun, decimal_text
+from .taylor.compiled_system import compile_system
+from .taylor.taylor_run import RunLog, StoppedError, TaylorRun, decimal_text
 from .trajectory import Statistics, Trajectory
 from .working_numbers import Direction, Precision, WorkingNumber, number_type
 
@@ -57,8 +57,8 @@ def integrate(
     parameters : mapping of Symbol or name to number, optional
         Values that replace the system's defaults.
     tolerance, precision
-        See :func:`chaplygin.flow.taylor.compile_system`; the tolerance is 1e-15 in double
-        precision and 1e-30 with 34 digits unless another one is given.
+        See :func:`chaplygin.flow.taylor.compiled_system.compile_system`; the tolerance is 1e-15 in
+        double precision and 1e-30 with 34 digits unless another one is given.
     on_liftoff : ``"stop"`` or ``"warn"``
         Whether the run ends or goes on when the normal force changes sign.  Leaving the domain
         of the equations (a body lying flat, a contact on a non-convex part) always ends it.

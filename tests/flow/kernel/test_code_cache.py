@@ -22,7 +22,7 @@ from chaplygin.core.laws import Integral
 from chaplygin.core.system import Guard, Observable, Parameter, System
 from chaplygin.flow.integrator import integrate
 from chaplygin.flow.kernel import code_cache as cache
-from chaplygin.flow.taylor import compile_system
+from chaplygin.flow.taylor.compiled_system import compile_system
 
 x, y, p, q = sp.symbols("x y p q", real=True)
 
@@ -91,7 +91,7 @@ def test_only_the_user_may_look_into_the_folder(place):
 def test_a_second_process_finds_the_code(place):
     program = (
         "from chaplygin.catalogue import from_catalogue\n"
-        "from chaplygin.flow.taylor import compile_system\n"
+        "from chaplygin.flow.taylor.compiled_system import compile_system\n"
         "print(compile_system(from_catalogue('veselova')).from_cache)\n"
     )
     found = [

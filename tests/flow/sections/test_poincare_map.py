@@ -16,9 +16,9 @@ from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import to_components
 from chaplygin.errors import InputError
 from chaplygin.flow.batch_results import BatchCrossings
-from chaplygin.flow.heyoka_expressions import Translator
 from chaplygin.flow.kernel.equations import Section, poincare_section
 from chaplygin.flow.sections.poincare_map import PoincareMap, slab
+from chaplygin.flow.taylor.heyoka_expressions import Translator
 from chaplygin.formulas.array_formulas import Formulas
 from chaplygin.mechanics.rolling.initial_state import initial_state
 

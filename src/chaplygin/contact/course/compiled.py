@@ -16,7 +16,7 @@ from ...core.arrays import FloatArray
 from ...core.system import System, flat
 from ...core.vectors import constant, to_components
 from ...flow.kernel.native_formulas import NativeFormulas, native_formulas
-from ...flow.taylor import compile_system
+from ...flow.taylor.compiled_system import compile_system
 from ...flow.validation import extremes_in_words
 from ...formulas.graph import Graph, Reader, Term
 from ..equations.equations_of_motion import equations_of_motion, work_symbol

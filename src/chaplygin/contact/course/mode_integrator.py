@@ -12,7 +12,7 @@ import sympy as sp
 from ...core.arrays import FloatArray
 from ...core.system import System
 from ...core.vectors import to_components
-from ...flow.taylor import CompiledSystem, StateSeries
+from ...flow.taylor.compiled_system import CompiledSystem, StateSeries
 
 #: The guard of a piece that ended after the steps allowed.
 PAUSE = "pause"

@@ -20,7 +20,7 @@ from ...core.arrays import FloatArray
 from ...core.system import Guard, Parameter, System
 from ...core.vectors import real_symbol
 from ...errors import RunError
-from ...flow.taylor import StateSeries, compile_system
+from ...flow.taylor.compiled_system import StateSeries, compile_system
 from ..friction.symbols import slip_speed
 
 #: A slide is followed down to this part of its speed in one go.

@@ -7,7 +7,7 @@ from math import comb
 
 import numpy as np
 
-from ..core.arrays import FloatArray
+from ...core.arrays import FloatArray
 
 #: Length of an interval of which all that is left counts as one point.
 _SHORTEST = 2.0**-50

@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterable, Mapping
 import heyoka as hy
 import sympy as sp
 
-from ..core.system import System
-from ..core.vectors import to_components
-from ..errors import InputError
-from ..formulas.evaluation import Evaluation, numerator_and_denominator
+from ...core.system import System
+from ...core.vectors import to_components
+from ...errors import InputError
+from ...formulas.evaluation import Evaluation, numerator_and_denominator
 
 _FUNCTIONS: Mapping[type[sp.Function], Callable[..., hy.expression]] = {
     sp.sin: hy.sin,

@@ -11,7 +11,7 @@ import sympy as sp
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import dot, vectors
 from chaplygin.errors import InputError
-from chaplygin.flow.heyoka_expressions import Translator
+from chaplygin.flow.taylor.heyoka_expressions import Translator
 
 x, y, w, p = sp.symbols("x y w p", real=True)
 

@@ -9,7 +9,7 @@ import sympy as sp
 
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import real_symbol
-from chaplygin.flow.taylor import compile_system
+from chaplygin.flow.taylor.compiled_system import compile_system
 
 x, y, c = (real_symbol(name) for name in "xyc")
 ORDER = 19

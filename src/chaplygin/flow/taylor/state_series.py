@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.arrays import FloatArray
+from ...core.arrays import FloatArray
+from ..kernel.jit import Native, aligned_zeros
 from .first_root import first_falling_root
-from .kernel.jit import Native, aligned_zeros
 
 #: A zero of an event so many roundings after the event itself is the same one.
 _ROUNDINGS = 100.0
@@ -28,7 +28,7 @@ class SeriesLayout:
     size, events, parameters, order : int
         Numbers of state variables, of terminal events and of parameters, and order of the series.
     doubles, stride : int
-        See :class:`chaplygin.flow.kernel.taylor_recurrences.SeriesText`.
+        See :class:`chaplygin.flow.taylor.recurrences.SeriesText`.
     """
 
     size: int
@@ -70,7 +70,7 @@ class TaylorSeries:
     Parameters
     ----------
     code : Native
-        The functions of :mod:`chaplygin.flow.kernel.taylor_recurrences`.
+        The functions of :mod:`chaplygin.flow.taylor.recurrences`.
     layout : SeriesLayout
 
     Attributes

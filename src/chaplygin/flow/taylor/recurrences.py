@@ -15,13 +15,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from ...formulas.graph import Graph, Term, topological_order
-from .arithmetic import Double
-from .codegen import evaluate, parameter_only_terms
-from .elementary import FUNCTIONS
-from .ir_writer import IRWriter
+from ..kernel.arithmetic import Double
+from ..kernel.codegen import evaluate, parameter_only_terms
+from ..kernel.ir_writer import IRWriter
+from .scalar_product import WIDTH, scalar_product_text
+from .step_code import step_text, sums_text
 
-_WIDE = 8
-_VECTOR = f"<{_WIDE} x double>"
 _ONE = "<1 x double>"
 _ATTRIBUTES = "#1"
 
@@ -46,13 +45,13 @@ class SeriesText:
         ``@series(memory, state)`` for the coefficients at a state;
         ``@sums(memory, rest, time, result, lost)`` for the state after a time, where `rest` is to
         be added to the first state and `lost` to the last; and
-        ``@step(memory, state, before, rest, ends, result, control)`` for a step, unless a watched
-        term may vanish in it.
+        ``@step(memory, state, before, rest, ends, result, control)`` for a step, unless an event
+        may happen in it.
     doubles : int
         Size of the memory.
     stride : int
         Doubles from the series of a state variable to the next; these come first, in flat order,
-        and then those of the watched terms.
+        and then those of the events.
     """
 
     text: str
@@ -82,35 +81,33 @@ _DIRECT = frozenset(("add", "sub", "neg", "mul", "recip", "sqrt", "abs", "sign",
 _LEAVES = frozenset(("state", "parameter", "number"))
 
 
-def series_text(
-    rates: Sequence[Term], watched: Sequence[Term], size: int, order: int
-) -> SeriesText:
+def series_text(rates: Sequence[Term], events: Sequence[Term], size: int, order: int) -> SeriesText:
     """Functions that compute the Taylor series of a motion.
 
     Parameters
     ----------
     rates : sequence of Term
         The right-hand sides of the equations of motion.
-    watched : sequence of Term
-        Other terms of which the series are wanted.
+    events : sequence of Term
+        Values of events, of which the series are wanted as well.
     size : int
         Number of state variables.
     order : int
         Of the series, at least 2.
     """
-    return _Writer(rates, watched, size, order).text()
+    return _Writer(rates, events, size, order).text()
 
 
 class _Writer:
     """The terms of one system, in order, and where their series lie."""
 
     def __init__(
-        self, rates: Sequence[Term], watched: Sequence[Term], size: int, order: int
+        self, rates: Sequence[Term], events: Sequence[Term], size: int, order: int
     ) -> None:
         graph = rates[0].graph
-        self.rates, self.watched, self.size, self.order = rates, watched, size, order
+        self.rates, self.events, self.size, self.order = rates, events, size, order
         self.integrals: dict[int, _Integral] = {}
-        wanted = [*rates, *watched]
+        wanted = [*rates, *events]
         # the derivative of a function is a term as well, with derivatives of its own
         while True:
             nodes = topological_order(wanted)
@@ -136,13 +133,13 @@ class _Writer:
 
     def _place_series(self) -> None:
         """Give every series that is needed later a place in memory."""
-        groups = math.ceil((self.order - 1) / _WIDE)
+        groups = math.ceil((self.order - 1) / WIDTH)
         self.groups = groups
         # beyond the coefficients, a vector may reach over the end of either
-        self.stride = _WIDE * (groups + 1)
-        reversed_size = _WIDE * math.ceil(self.order / _WIDE + groups)
+        self.stride = WIDTH * (groups + 1)
+        reversed_size = WIDTH * math.ceil(self.order / WIDTH + groups)
         self.forward: dict[int, int] = {}
-        self.weighted: dict[int, int] = {}
+        self.slopes: dict[int, int] = {}
         self.backward: dict[int, int] = {}
         self.first: dict[int, int] = {}
         graph = self.rates[0].graph
@@ -150,12 +147,12 @@ class _Writer:
         for i in range(self.size):
             self.forward[id(graph.state(i))] = next_free
             next_free += self.stride
-        # a term may be watched twice, and so may a variable
-        self.watched_places = [next_free + i * self.stride for i in range(len(self.watched))]
-        next_free += len(self.watched) * self.stride
+        # one term may be the value of two events, or a variable
+        self.event_places = [next_free + i * self.stride for i in range(len(self.events))]
+        next_free += len(self.events) * self.stride
         for kind, ids in self._needs().items():
             places = getattr(self, kind)
-            length = {"forward": self.stride, "weighted": self.stride, "backward": reversed_size}
+            length = {"forward": self.stride, "slopes": self.stride, "backward": reversed_size}
             for key in ids:
                 if key not in places:
                     places[key] = next_free
@@ -166,10 +163,10 @@ class _Writer:
         self.doubles = next_free + len(self.constants)
 
     def _needs(self) -> dict[str, dict[int, None]]:
-        """Which terms need their series forward, weighted by the order, backward, or its first."""
+        """Which terms need their series forward, slopes by the order, backward, or its first."""
         needs: dict[str, dict[int, None]] = {
             "forward": {},
-            "weighted": {},
+            "slopes": {},
             "backward": {},
             "first": {},
         }
@@ -184,7 +181,7 @@ class _Writer:
             if id(node) in self.integrals:
                 for q, u in self.integrals[id(node)].pairs:
                     if id(q) in self.moving and id(u) in self.moving:
-                        need(u, "weighted")
+                        need(u, "slopes")
                         need(q, "backward", "first")
             elif node.kind == "mul" and all(id(a) in self.moving for a in args):
                 need(args[0], "forward", "first")
@@ -203,34 +200,13 @@ class _Writer:
     def text(self) -> SeriesText:
         """All functions."""
         functions = [
-            _SCALAR_PRODUCT.replace("BODY", self._scalar_product()),
+            scalar_product_text(self.groups),
             self._prepare(),
             self._series(),
-            self._sums(),
-            self._step(),
+            sums_text(self.size, self.stride, self.order),
+            step_text(self.size, len(self.events), self.stride, self.order),
         ]
         return SeriesText("\n".join(functions), self.doubles, self.stride)
-
-    def _scalar_product(self) -> str:
-        lines: list[str] = []
-        total = ""
-        for g in range(self.groups):
-            shift = g * _WIDE
-            lines += [
-                f"  %pa{g} = getelementptr double, ptr %a, i64 {shift}",
-                f"  %pb{g} = getelementptr double, ptr %b, i64 {shift}",
-                f"  %a{g} = load {_VECTOR}, ptr %pa{g}, align 8",
-                f"  %b{g} = load {_VECTOR}, ptr %pb{g}, align 8",
-            ]
-            lines.append(
-                f"  %s{g} = fmul {_VECTOR} %a{g}, %b{g}"
-                if g == 0
-                else f"  %s{g} = call {_VECTOR} @llvm.fma.v{_WIDE}f64({_VECTOR} %a{g}, "
-                f"{_VECTOR} %b{g}, {_VECTOR} {total})"
-            )
-            total = f"%s{g}"
-        lines.append(f"  %total = fadd {_VECTOR} {total}, zeroinitializer")
-        return "\n".join(lines)
 
     def _prepare(self) -> str:
         number = Double(IRWriter(1))
@@ -254,7 +230,7 @@ class _Writer:
                 return number.load("%memory", self.constant_places[id(term)])
             return number.load("%state", term.args[0]) if term.kind == "state" else None
 
-        numbers = evaluate(number, [*self.nodes, *self.rates, *self.watched], leaf)
+        numbers = evaluate(number, [*self.nodes, *self.rates, *self.events], leaf)
         values = {id(n): v for n, v in zip(self.nodes, numbers, strict=False)}
         for node in self.nodes:
             self._keep(number, node, values[id(node)], "0")
@@ -266,120 +242,12 @@ class _Writer:
         rest = numbers[len(self.nodes) :]
         for place, value in zip(self.rate_places, rest, strict=False):
             number.store(value, "%memory", place)
-        for place, value in zip(self.watched_places, rest[self.size :], strict=True):
+        for place, value in zip(self.event_places, rest[self.size :], strict=True):
             number.store(value, "%memory", place)
         with w.count(self.order + 1, 1) as n:
             self._one_order(number, n)
         head = "void @series(ptr noalias %memory, ptr noalias %state)"
         return w.text(head, _ATTRIBUTES)
-
-    def _sums(self) -> str:
-        """The state after a time, with what rounding takes from it."""
-        w = IRWriter(1)
-        number = Double(w)
-        t = number.load("%time", 0)
-        with w.count(self.size) as i:
-            row = w.emit(f"mul i64 {i}, {self.stride}")
-            total = number.load("%memory", w.emit(f"add i64 {row}, {self.order}"))
-            for k in range(self.order - 1, 0, -1):
-                total = number.fma(total, t, number.load("%memory", w.emit(f"add i64 {row}, {k}")))
-            change = number.fma(total, t, number.load("%rest", i))
-            first = number.load("%memory", row)
-            value = number.add(first, change)
-            part = number.sub(value, first)
-            lost = number.add(number.sub(first, number.sub(value, part)), number.sub(change, part))
-            number.store(value, "%result", i)
-            number.store(lost, "%lost", i)
-        head = "void @sums(ptr %memory, ptr %rest, ptr %time, ptr %result, ptr %lost)"
-        return w.text(head, _ATTRIBUTES)
-
-    def _step(self) -> str:
-        """A step of the length that the last two coefficients allow (Jorba, Zou 2005).
-
-        ``control`` has the limit of the length, then the length, not-a-number if there is none,
-        and the number of watched terms that may vanish; the step is made if there are none of
-        these.  ``ends`` has the watched terms at the end of the step before.
-        """
-        w = IRWriter(1)
-        number = Double(w)
-        p = self.order
-        with w.count(self.size) as i:
-            number.store(number.load("%rest", i), "%before", i)
-        w.line("call void @series(ptr %memory, ptr %state)")
-        one, zero = number.number(Fraction(1)), number.number(Fraction(0))
-        largest = [w.variable(_ONE, x) for x in (one, zero, zero)]
-        doubt = w.variable(_ONE, zero)
-        with w.count(self.size + len(self.watched)) as i:
-            row = w.emit(f"mul i64 {i}, {self.stride}")
-            for place, k in zip(largest, (0, p - 1, p), strict=True):
-                value = self._size_at(number, row, k)
-                largest_yet = w.load(_ONE, place)
-                greater = w.compare("ogt", value, largest_yet)
-                w.store(_ONE, number.choose(greater, value, largest_yet), place)
-                # zero unless the value is not finite
-                value = number.sub(value, value)
-                w.store(_ONE, number.add(w.load(_ONE, doubt), value), doubt)
-        size, last_but_one, last = (w.load(_ONE, place) for place in largest)
-        length = number.number(Fraction(2) ** 1000)
-        for value, k in ((last_but_one, p - 1), (last, p)):
-            root = FUNCTIONS["log"](number, w.op("fdiv", size, value))
-            root = FUNCTIONS["exp"](number, number.mul(root, number.number(Fraction(1, k))))
-            root = number.mul(root, w.constant(math.exp(-2 - 0.7 / (p - 1))))
-            shorter = w.conjunction(w.compare("olt", root, length), w.compare("ogt", value, zero))
-            length = number.choose(shorter, root, length)
-        finite = w.compare("oeq", w.load(_ONE, doubt), zero)
-        limit = number.load("%control", 0)
-        within = w.call("fabs", limit)
-        length = number.choose(w.compare("olt", length, within), length, within)
-        length = number.choose(finite, length, w.constant(math.nan))
-        suspects = w.variable(_ONE, zero)
-        with w.count(len(self.watched)) as i:
-            row = w.emit(
-                f"add i64 {w.emit(f'mul i64 {i}, {self.stride}')}, {self.size * self.stride}"
-            )
-            bound = self._size_at(number, row, p)
-            for k in range(p - 1, 0, -1):
-                bound = number.fma(bound, length, self._size_at(number, row, k))
-            bound = number.mul(bound, length)
-            value = number.load("%memory", row)
-            hidden = w.conjunction(
-                w.compare("ogt", number.load("%ends", i), zero), w.compare("ole", value, zero)
-            )
-            near = w.compare("ole", w.call("fabs", value), bound)
-            suspect = number.choose(w.disjunction(hidden, near), one, zero)
-            w.store(_ONE, number.add(w.load(_ONE, suspects), suspect), suspects)
-        length = w.call("copysign", length, limit)
-        number.store(length, "%control", 1)
-        number.store(w.load(_ONE, suspects), "%control", 2)
-        done = w.conjunction(finite, w.compare("oeq", w.load(_ONE, suspects), zero))
-        with w.branch(w.emit(f"extractelement {w.mask} {done}, i64 0")):
-            place = w.address("double", "%control", 1)
-            w.line(
-                f"call void @sums(ptr %memory, ptr %before, ptr {place}, ptr %result, ptr %rest)"
-            )
-            with w.count(self.size) as i:
-                value = number.load("%result", i)
-                value = number.sub(value, value)
-                w.store(_ONE, number.add(w.load(_ONE, doubt), value), doubt)
-            number.store(number.add(length, w.load(_ONE, doubt)), "%control", 1)
-            finite = w.compare("oeq", w.load(_ONE, doubt), zero)
-            with (
-                w.branch(w.emit(f"extractelement {w.mask} {finite}, i64 0")),
-                w.count(self.size) as i,
-            ):
-                number.store(number.load("%result", i), "%state", i)
-            with w.count(len(self.watched)) as i:
-                row = w.emit(f"mul i64 {i}, {self.stride}")
-                row = w.emit(f"add i64 {row}, {self.size * self.stride}")
-                number.store(number.load("%memory", row), "%ends", i)
-        arguments = ["memory", "state", "before", "rest", "ends", "result", "control"]
-        head = f"void @step({', '.join(f'ptr %{name}' for name in arguments)})"
-        return w.text(head, _ATTRIBUTES)
-
-    def _size_at(self, number: Double, row: str, k: int) -> str:
-        """The size of a coefficient."""
-        w = number.writer
-        return w.call("fabs", number.load("%memory", w.emit(f"add i64 {row}, {k}")))
 
     def _one_order(self, number: Double, n: str) -> None:
         """The coefficients of order n of all terms."""
@@ -401,7 +269,7 @@ class _Writer:
         zero = number.number(Fraction(0))
         for place, rate in zip(self.rate_places, self.rates, strict=True):
             number.store(known.get(id(rate), zero), "%memory", place)
-        for place, term in zip(self.watched_places, self.watched, strict=True):
+        for place, term in zip(self.event_places, self.events, strict=True):
             self._put(number, known.get(id(term), zero), place, n)
 
     def _keep(self, number: Double, node: Term, value: str, n: str, order: str = "") -> None:
@@ -413,8 +281,8 @@ class _Writer:
             if key in self.first:
                 number.store(value, "%memory", self.first[key])
             return
-        if key in self.weighted:
-            self._put(number, w.op("fmul", order, value), self.weighted[key], n)
+        if key in self.slopes:
+            self._put(number, w.op("fmul", order, value), self.slopes[key], n)
         if key in self.backward:
             place = w.emit(f"sub i64 {self.backward[key] + self.order}, {n}")
             number.store(value, "%memory", place)
@@ -503,7 +371,7 @@ class _Writer:
                 part = number.mul(first, known[id(u)])
                 exact = part if exact is None else number.add(exact, part)
                 continue
-            part = self._inner(number, self.weighted[id(u)], self.backward[id(q)], n)
+            part = self._inner(number, self.slopes[id(u)], self.backward[id(q)], n)
             part = number.fma(w.op("fmul", order, known[id(u)]), first, part)
             total = part if total is None else number.add(total, part)
         if total is None:
@@ -511,24 +379,3 @@ class _Writer:
             return exact or number.number(Fraction(0))
         total = w.op("fdiv", total, order)
         return total if exact is None else number.add(total, exact)
-
-
-_HALF, _QUARTER = f"<{_WIDE // 2} x double>", f"<{_WIDE // 4} x double>"
-
-# one copy of it, so that the code of large systems stays small; halves are added in a fixed order
-_SCALAR_PRODUCT = f"""
-define internal {_ONE} @scalar_product(ptr %a, ptr %b) #1 {{
-entry:
-BODY
-  %h0 = shufflevector {_VECTOR} %total, {_VECTOR} poison, <4 x i32> <i32 0, i32 1, i32 2, i32 3>
-  %h1 = shufflevector {_VECTOR} %total, {_VECTOR} poison, <4 x i32> <i32 4, i32 5, i32 6, i32 7>
-  %h = fadd {_HALF} %h0, %h1
-  %q0 = shufflevector {_HALF} %h, {_HALF} poison, <2 x i32> <i32 0, i32 1>
-  %q1 = shufflevector {_HALF} %h, {_HALF} poison, <2 x i32> <i32 2, i32 3>
-  %q = fadd {_QUARTER} %q0, %q1
-  %o0 = shufflevector {_QUARTER} %q, {_QUARTER} poison, <1 x i32> <i32 0>
-  %o1 = shufflevector {_QUARTER} %q, {_QUARTER} poison, <1 x i32> <i32 1>
-  %o = fadd {_ONE} %o0, %o1
-  ret {_ONE} %o
-}}
-"""

@@ -10,10 +10,10 @@ import heyoka as hy
 import numpy as np
 import sympy as sp
 
-from ..core.system import System
+from ...core.system import System
+from ..working_numbers import Direction, WorkingArray, WorkingNumber
 from .heyoka_expressions import Translator
-from .taylor_series import Step
-from .working_numbers import Direction, WorkingArray, WorkingNumber
+from .state_series import Step
 
 # warnings of heyoka bypass Python on their way to the terminal; errors say the same here
 hy.set_logger_level_error()

@@ -6,8 +6,8 @@ import heyoka as hy
 import numpy as np
 import pytest
 
-from chaplygin.flow.heyoka_series import HeyokaFormulas
-from chaplygin.flow.projection import Block, Projector
+from chaplygin.flow.taylor.heyoka_series import HeyokaFormulas
+from chaplygin.flow.taylor.projection import Block, Projector
 
 x, y, z = hy.make_vars("x", "y", "z")
 NONE = np.array([])

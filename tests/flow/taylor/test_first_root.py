@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from chaplygin.flow.first_root import first_falling_root
+from chaplygin.flow.taylor.first_root import first_falling_root
 
 
 def with_roots(*roots: float, sign: float = 1.0) -> np.ndarray:

@@ -11,16 +11,16 @@ from typing import Protocol
 import numpy as np
 import sympy as sp
 
-from ..core.system import System
-from ..core.vectors import to_components
-from ..errors import InputError
-from ..formulas.graph import Graph, Reader, Term, topological_order
-from .kernel import code_cache as cache, jit
-from .kernel.native_formulas import SIGNATURE, FormulaShape, NativeFormulas, formulas_text
-from .kernel.taylor_recurrences import SERIES_SIGNATURES, series_text
+from ...core.system import System
+from ...core.vectors import to_components
+from ...errors import InputError
+from ...formulas.graph import Graph, Reader, Term, topological_order
+from ..kernel import code_cache as cache, jit
+from ..kernel.native_formulas import SIGNATURE, FormulaShape, NativeFormulas, formulas_text
+from ..working_numbers import Direction, Precision, WorkingArray, WorkingNumber
 from .projection import Block
-from .taylor_series import SeriesLayout, Step, TaylorSeries, series_order
-from .working_numbers import Direction, Precision, WorkingArray, WorkingNumber
+from .recurrences import SERIES_SIGNATURES, series_text
+from .state_series import SeriesLayout, Step, TaylorSeries, series_order
 
 #: Tolerances finer than this are beyond the working precision.
 FINEST = {"double": np.finfo(float).eps, "quad": 2e-34}

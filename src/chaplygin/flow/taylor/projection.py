@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.arrays import FloatArray
-from .working_numbers import WorkingArray
+from ...core.arrays import FloatArray
+from ..working_numbers import WorkingArray
 
 
 @dataclass(frozen=True)

@@ -12,13 +12,11 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from ..core.system import System
-from ..core.vectors import to_components
-from ..errors import InputError
-from .cost import Pace
-from .projection import Projector
-from .taylor import CompiledSystem
-from .trajectory import (
+from ...core.system import System
+from ...core.vectors import to_components
+from ...errors import InputError
+from ..cost import Pace
+from ..trajectory import (
     DenseOutput,
     Event,
     Statistics,
@@ -26,8 +24,10 @@ from .trajectory import (
     columns_by_name,
     recorded_quantities,
 )
-from .validation import extremes_in_words
-from .working_numbers import Precision, WorkingArray, WorkingNumber
+from ..validation import extremes_in_words
+from ..working_numbers import Precision, WorkingArray, WorkingNumber
+from .compiled_system import CompiledSystem
+from .projection import Projector
 
 #: Residuals of the relations that are left alone, per precision.
 LEFT_ALONE = {"double": 1e-15, "quad": 1e-32}
