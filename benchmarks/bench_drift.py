@@ -13,7 +13,7 @@ import json
 import numpy as np
 
 import chaplygin
-from chaplygin.flow.taylor import taylor_run as trajectory
+from chaplygin.flow import taylor_run as trajectory
 from chaplygin.report.summary import drift
 
 CASES = {"chaplygin-ball": 1e5, "unbalanced-ball": 1e3, "heavy-disk": 1e3, "rattleback": 1e3}

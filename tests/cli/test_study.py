@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from chaplygin.cli import main, study as command
-from chaplygin.flow.taylor.taylor_run import TaylorRun
+from chaplygin.flow.taylor_run import TaylorRun
 from chaplygin.report import write as folders
 
 Ask = Callable[..., tuple[int, str, str]]

@@ -18,8 +18,8 @@ from ..errors import InputError, RunError
 from .gauss import GaussIntegrator, GaussTrajectories, gauss_integrator
 from .kernel.double_double_conversion import from_pairs
 from .kernel.outcomes import STATUS_MESSAGES
+from .taylor.working_numbers import WorkingArray, WorkingNumber
 from .trajectory import Event, Statistics, Trajectory, recorded_values
-from .working_numbers import WorkingArray, WorkingNumber
 
 
 def collocate(

@@ -19,8 +19,8 @@ from ..core.rotations import finite_numbers, rotation_near, upright_matrix
 from ..core.system import System, flat
 from ..core.vectors import Vector
 from ..errors import InputError
-from ..flow.working_numbers import WorkingNumber
 from ..formulas.array_evaluation import values
+from .taylor.working_numbers import WorkingNumber
 
 #: Digits of the attitude that goes with a start, and what is left of a half turn.
 _DIGITS, _TURNED = 50, 1e-12

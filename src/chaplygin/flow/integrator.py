@@ -17,9 +17,9 @@ from ..errors import InputError, InterruptionError, RunError
 from .gauss_trajectory import collocate
 from .initial_states import whole_start
 from .taylor.compiled_system import compile_system
-from .taylor.taylor_run import RunLog, StoppedError, TaylorRun, decimal_text
+from .taylor.working_numbers import Direction, Precision, WorkingNumber, number_type
+from .taylor_run import RunLog, StoppedError, TaylorRun, decimal_text
 from .trajectory import Statistics, Trajectory
-from .working_numbers import Direction, Precision, WorkingNumber, number_type
 
 #: Tolerances by default.
 DEFAULT_TOLERANCE = {"double": 1e-15, "quad": 1e-30}

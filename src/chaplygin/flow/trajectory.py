@@ -19,7 +19,7 @@ from ..core.system import Guard, Observable, System
 from ..core.vectors import to_components
 from ..errors import InputError
 from ..formulas.array_evaluation import values
-from .working_numbers import WorkingArray, WorkingNumber
+from .taylor.working_numbers import WorkingArray, WorkingNumber
 
 Number = TypeVar("Number", bound=np.generic)
 

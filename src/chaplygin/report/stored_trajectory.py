@@ -16,8 +16,8 @@ from ..core.cache import entry_name
 from ..errors import InputError
 from ..experiment.files import atomic_file
 from ..experiment.study import Study
+from ..flow.taylor.working_numbers import number_type
 from ..flow.trajectory import Event, Statistics, Trajectory
-from ..flow.working_numbers import number_type
 from ..formulas.digest import digest
 
 #: Digits of the start that take part in the digest.

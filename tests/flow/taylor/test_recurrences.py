@@ -69,7 +69,7 @@ def test_a_step_is_its_series(limit: float) -> None:
     series.state[:] = [1.0, 0.5]
     before = series.state.copy()
     step = series.step(limit)
-    assert step.event is None and not step.failed
+    assert step.event is None and not step.is_failure
     assert 0 < abs(step.length) < 1
     assert np.array_equal(series.state_at(0.0), before)
     assert np.array_equal(series.state_at(series.time), series.state)
@@ -82,9 +82,9 @@ def test_a_step_into_a_singularity_leaves_the_state_alone() -> None:
     system = System(name="test", title="Test", field=((x, 1 / x),))
     series = compile_system(system).series.copy()
     series.state[:] = 0.0
-    assert series.step(1.0).failed
+    assert series.step(1.0).is_failure
     assert series.state.tolist() == [0.0]
     # what was not finite has left no trace
     series.state[:] = 1.0
-    assert not series.step(0.01).failed
+    assert not series.step(0.01).is_failure
     assert series.state[0] == pytest.approx(np.sqrt(1.02), rel=1e-15)

@@ -152,7 +152,7 @@ class ModeIntegrator:
         most_steps : int
             Number of steps after which to stop with the guard `PAUSE`; 0 for no limit.
         """
-        stepper = self._started(time, state)
+        stepper = self._stepper_from(time, state)
         at_start = sum(t <= time for t in moments)
         first = np.tile(np.asarray(state, dtype=float), (at_start, 1))
         samples: list[FloatArray] = []
@@ -162,10 +162,10 @@ class ModeIntegrator:
         while stepper.time < end and not guard:
             step = stepper.step(end - stepper.time)
             steps += 1
-            while sample <= stepper.time and not step.failed:
+            while sample <= stepper.time and not step.is_failure:
                 samples.append(stepper.state_at(sample))
                 sample = next(ahead, math.inf)
-            if step.failed:
+            if step.is_failure:
                 guard = "failure"
             elif step.event is not None:
                 guard = self.system.guards[self.code.variable_guards[step.event]].name
@@ -176,7 +176,7 @@ class ModeIntegrator:
 
     def has_step(self, state: FloatArray, values: FloatArray) -> bool:
         """Whether a step can be made from a state (size,), with these values of the parameters."""
-        return not replace(self, values=values)._stepper_at(state).step(1.0).failed
+        return not replace(self, values=values)._stepper_at(state).step(1.0).is_failure
 
     def series(self, time: float, state: FloatArray, end: float) -> Iterator[StepSeries]:
         """The steps that together cover a time without an event, but for its end.
@@ -187,11 +187,11 @@ class ModeIntegrator:
         state : array (size,)
         end : float
         """
-        stepper = self._started(time, state)
+        stepper = self._stepper_from(time, state)
         while stepper.time < end:
             begin = stepper.time
             step = stepper.step(end - begin)
-            if step.failed or stepper.time <= begin:
+            if step.is_failure or stepper.time <= begin:
                 return
             yield StepSeries(begin, stepper.time, stepper.series.copy())
 
@@ -203,7 +203,7 @@ class ModeIntegrator:
         stepper.time = 0.0
         return stepper
 
-    def _started(self, time: float, state: FloatArray) -> StateSeries:
+    def _stepper_from(self, time: float, state: FloatArray) -> StateSeries:
         """The stepper at a state and a time."""
         stepper = self.stepper
         values = [*self.values.tolist(), *self._event_scales(state)]

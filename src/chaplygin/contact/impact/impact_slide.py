@@ -242,7 +242,7 @@ def slide(
     # near a direction in which the slip neither grows nor shrinks it goes on for long
     for _ in range(_STEPS):
         step = integrator.step(_LONGEST - integrator.time)
-        if step.failed or integrator.time >= _LONGEST:
+        if step.is_failure or integrator.time >= _LONGEST:
             raise RunError("the sliding of an impact does not end", 0.0)
         if step.event is not None:
             event = _EVENTS[step.event]

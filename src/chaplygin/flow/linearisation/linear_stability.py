@@ -30,7 +30,7 @@ from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.multiprecision import number, slopes
 from ..initial_states import reduced_start, vector_components
-from ..working_numbers import WorkingNumber
+from ..taylor.working_numbers import WorkingNumber
 from .multiprecision_subspaces import minimum_norm_solution, null_space_basis, orthogonal_part
 
 NEWTON_STEPS = 60

@@ -17,10 +17,10 @@ from ...errors import InputError
 from ...formulas.graph import Graph, Reader, Term, topological_order
 from ..kernel import code_cache as cache, jit
 from ..kernel.native_formulas import SIGNATURE, FormulaShape, NativeFormulas, formulas_text
-from ..working_numbers import Direction, Precision, WorkingArray, WorkingNumber
 from .projection import Block
 from .recurrences import SERIES_SIGNATURES, series_text
 from .state_series import SeriesLayout, Step, TaylorSeries, series_order
+from .working_numbers import Direction, Precision, WorkingArray, WorkingNumber
 
 #: Tolerances finer than this are beyond the working precision.
 FINEST = {"double": np.finfo(float).eps, "quad": 2e-34}
@@ -107,13 +107,13 @@ class _Layout:
     Attributes
     ----------
     series : SeriesLayout
-    watched : tuple of int
+    variable_guards : tuple of int
         Guards that depend on the state.
     formulas : mapping of str to FormulaShape
     """
 
     series: SeriesLayout
-    watched: tuple[int, ...]
+    variable_guards: tuple[int, ...]
     formulas: dict[str, FormulaShape]
 
 
@@ -151,7 +151,7 @@ class _Plan:
         return cache.code_name(*formulas, repr(self.tolerance), self.precision, self.direction)
 
     @cached_property
-    def _recorded(self) -> list[sp.Expr]:
+    def _output_formulas(self) -> list[sp.Expr]:
         """What is recorded of a motion, and the guards."""
         system = self.system_in_space
         groups = system.observables, system.integrals, system.guards
@@ -176,18 +176,18 @@ class _Plan:
         reader = Reader(system, graph)
         rates = reader.components(system.rates)
         guards = reader.components([guard.value for guard in system.guards])
-        watched = tuple(i for i, guard in enumerate(guards) if _depends_on_state(guard))
+        variable = tuple(i for i, guard in enumerate(guards) if _depends_on_state(guard))
         first = len(system.parameters)
         # the steps are chosen by the events as well as by the state: a guard that is large beside
         # the state would change them, and is therefore divided by its size at the start
         events = [
-            graph.mul(graph.parameter(first + place), guards[i]) for place, i in enumerate(watched)
+            graph.mul(graph.parameter(first + place), guards[i]) for place, i in enumerate(variable)
         ]
         size = len(rates)
         order = series_order(max(self.tolerance, FINEST["double"]))
         series = series_text(rates, events, size, order)
         texts, shapes = [series.text], {}
-        formulas = {"outputs": reader.components(self._recorded)}
+        formulas = {"outputs": reader.components(self._output_formulas)}
         for name, (residuals, columns) in self._blocks.items():
             formulas[name] = reader.components(residuals)
             moved = [graph.state(i) for i in range(size)[columns]]
@@ -199,13 +199,13 @@ class _Plan:
         layout = SeriesLayout(
             size, len(events), first + len(events), order, series.doubles, series.stride
         )
-        return jit.object_code("\n".join(texts)), _Layout(layout, watched, shapes)
+        return jit.object_code("\n".join(texts)), _Layout(layout, variable, shapes)
 
     def compile(self) -> CompiledSystem:
         """The system in doubles."""
         name = jit.code_name(self.name)
         (code, layout), from_cache = cache.remember(name, self.code)
-        native = _linked(name, code, tuple(layout.formulas))
+        native = _functions_of(name, code, tuple(layout.formulas))
         formulas = {
             name: NativeFormulas(shape, native, name) for name, shape in layout.formulas.items()
         }
@@ -219,7 +219,7 @@ class _Plan:
             blocks.get("core", ()),
             blocks.get("lift", ()),
             blocks.get("laws", ()),
-            layout.watched,
+            layout.variable_guards,
             from_cache,
         )
 
@@ -233,7 +233,7 @@ class _Plan:
             cache.code_name(self.name, version("heyoka")),
             lambda: heyoka_code(
                 self.system_in_space,
-                {"outputs": self._recorded, **residuals},
+                {"outputs": self._output_formulas, **residuals},
                 double.variable_guards,
                 max(self.tolerance, FINEST["quad"]),
                 self.direction,
@@ -253,7 +253,7 @@ class _Plan:
 
 
 @lru_cache(maxsize=64)
-def _linked(name: str, code: bytes, formulas: tuple[str, ...]) -> jit.Native:
+def _functions_of(name: str, code: bytes, formulas: tuple[str, ...]) -> jit.Native:
     """The functions of a system, linked once however often the system is integrated."""
     signatures = {**dict.fromkeys(formulas, SIGNATURE), **SERIES_SIGNATURES}
     return jit.Native(*jit.link(name, code, signatures), from_cache=True)

@@ -11,9 +11,9 @@ import numpy as np
 import sympy as sp
 
 from ...core.system import System
-from ..working_numbers import Direction, WorkingArray, WorkingNumber
 from .heyoka_expressions import Translator
 from .state_series import Step
+from .working_numbers import Direction, WorkingArray, WorkingNumber
 
 # warnings of heyoka bypass Python on their way to the terminal; errors say the same here
 hy.set_logger_level_error()
@@ -102,7 +102,7 @@ class HeyokaSeries:
         code = int(outcome)
         if code > _SUCCESS:
             return Step(float(length), -code - 1 if code < 0 else code)
-        return Step(float(length), failed=code not in (_SUCCESS, _LIMIT))
+        return Step(float(length), is_failure=code not in (_SUCCESS, _LIMIT))
 
     def state_at(self, time: WorkingNumber) -> WorkingArray:
         """The state at a time of the last step."""
@@ -128,7 +128,7 @@ class HeyokaCode:
 def heyoka_code(
     system: System,
     formulas: Mapping[str, Sequence[sp.Expr]],
-    watched: Sequence[int],
+    variable_guards: Sequence[int],
     tolerance: float,
     direction: Direction,
 ) -> HeyokaCode:
@@ -140,7 +140,7 @@ def heyoka_code(
         With its motion in space.
     formulas : mapping of str to sequence of Expr
         Formulas of which functions are wanted.
-    watched : sequence of int
+    variable_guards : sequence of int
         Guards that are terminal events, times a factor that follows the parameters.
     tolerance : float
     direction : ``"forward"`` or ``"backward"``
@@ -163,7 +163,7 @@ def heyoka_code(
         fp_type=kind,
         t_events=[
             hy.t_event(guards[i] * hy.par[first + place], direction=falling, fp_type=kind)
-            for place, i in enumerate(watched)
+            for place, i in enumerate(variable_guards)
         ],
         compact_mode=True,
     )

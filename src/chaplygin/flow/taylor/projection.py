@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...core.arrays import FloatArray
-from ..working_numbers import WorkingArray
+from .working_numbers import WorkingArray
 
 
 @dataclass(frozen=True)

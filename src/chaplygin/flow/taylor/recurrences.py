@@ -89,7 +89,7 @@ def series_text(rates: Sequence[Term], events: Sequence[Term], size: int, order:
     rates : sequence of Term
         The right-hand sides of the equations of motion.
     events : sequence of Term
-        Values of events, of which the series are wanted as well.
+        Values of events, of which the series are computed as well.
     size : int
         Number of state variables.
     order : int
@@ -107,10 +107,10 @@ class _Writer:
         graph = rates[0].graph
         self.rates, self.events, self.size, self.order = rates, events, size, order
         self.integrals: dict[int, _Integral] = {}
-        wanted = [*rates, *events]
+        terms = [*rates, *events]
         # the derivative of a function is a term as well, with derivatives of its own
         while True:
-            nodes = topological_order(wanted)
+            nodes = topological_order(terms)
             new = [
                 node
                 for node in nodes
@@ -120,15 +120,15 @@ class _Writer:
                 break
             for node in new:
                 self.integrals[id(node)] = _derivative(graph, node)
-                wanted += [q for q, _ in self.integrals[id(node)].pairs]
-        self.wanted = wanted
+                terms += [q for q, _ in self.integrals[id(node)].pairs]
+        self.terms = terms
         moving: dict[int, None] = {}
         for node in nodes:
             if node.kind == "state" or any(id(a) in moving for a in node.operands):
                 moving[id(node)] = None
         self.nodes = [node for node in nodes if id(node) in moving]
         self.moving = moving
-        self.constants = parameter_only_terms(wanted)
+        self.constants = parameter_only_terms(terms)
         self._place_series()
 
     def _place_series(self) -> None:
@@ -163,7 +163,7 @@ class _Writer:
         self.doubles = next_free + len(self.constants)
 
     def _needs(self) -> dict[str, dict[int, None]]:
-        """Which terms need their series forward, slopes by the order, backward, or its first."""
+        """Which terms need their series forward, of their derivatives, backward, or its first."""
         needs: dict[str, dict[int, None]] = {
             "forward": {},
             "slopes": {},
@@ -256,21 +256,21 @@ class _Writer:
         order = w.emit(
             f"insertelement {_ONE} poison, double {w.emit(f'sitofp i64 {n} to double')}, i64 0"
         )
-        known: dict[int, str] = {}
+        coefficients: dict[int, str] = {}
         for i in range(self.size):
             change = number.load("%memory", self.rate_places[i])
             state = graph.state(i)
-            known[id(state)] = w.op("fdiv", change, order)
-            self._keep(number, state, known[id(state)], n, order)
+            coefficients[id(state)] = w.op("fdiv", change, order)
+            self._keep(number, state, coefficients[id(state)], n, order)
         for node in self.nodes:
             if node.kind != "state":
-                known[id(node)] = self._coefficient(number, node, known, n, order)
-                self._keep(number, node, known[id(node)], n, order)
+                coefficients[id(node)] = self._coefficient(number, node, coefficients, n, order)
+                self._keep(number, node, coefficients[id(node)], n, order)
         zero = number.number(Fraction(0))
         for place, rate in zip(self.rate_places, self.rates, strict=True):
-            number.store(known.get(id(rate), zero), "%memory", place)
+            number.store(coefficients.get(id(rate), zero), "%memory", place)
         for place, term in zip(self.event_places, self.events, strict=True):
-            self._put(number, known.get(id(term), zero), place, n)
+            self._put(number, coefficients.get(id(term), zero), place, n)
 
     def _keep(self, number: Double, node: Term, value: str, n: str, order: str = "") -> None:
         """Store a coefficient wherever it is needed later."""
@@ -307,15 +307,15 @@ class _Writer:
         return number.number(term.args[0])
 
     def _coefficient(
-        self, number: Double, node: Term, known: Mapping[int, str], n: str, order: str
+        self, number: Double, node: Term, coefficients: Mapping[int, str], n: str, order: str
     ) -> str:
         """The coefficient of order n of a term that depends on the state."""
         w, args = number.writer, node.operands
         zero = number.number(Fraction(0))
         moving = [id(a) in self.moving for a in args]
-        values = [known.get(id(a), zero) for a in args]
+        values = [coefficients.get(id(a), zero) for a in args]
         if id(node) in self.integrals:
-            return self._function(number, node, known, n, order)
+            return self._function(number, node, coefficients, n, order)
         match node.kind:
             case "add":
                 return number.add(*values) if all(moving) else values[moving.index(True)]
@@ -357,7 +357,7 @@ class _Writer:
                 return zero
 
     def _function(
-        self, number: Double, node: Term, known: Mapping[int, str], n: str, order: str
+        self, number: Double, node: Term, coefficients: Mapping[int, str], n: str, order: str
     ) -> str:
         """The coefficient of a term of which the derivative is known."""
         w = number.writer
@@ -368,11 +368,11 @@ class _Writer:
                 continue
             first = self._first(number, q)
             if id(q) not in self.moving:
-                part = number.mul(first, known[id(u)])
+                part = number.mul(first, coefficients[id(u)])
                 exact = part if exact is None else number.add(exact, part)
                 continue
             part = self._inner(number, self.slopes[id(u)], self.backward[id(q)], n)
-            part = number.fma(w.op("fmul", order, known[id(u)]), first, part)
+            part = number.fma(w.op("fmul", order, coefficients[id(u)]), first, part)
             total = part if total is None else number.add(total, part)
         if total is None:
             # a term that depends on the state has an operand that does

@@ -48,13 +48,13 @@ class Step:
     length : float
     event : int or None
         The terminal event that ended it.
-    failed : bool
+    is_failure : bool
         Whether the state or its series is no number; the state is that before the step.
     """
 
     length: float
     event: int | None = None
-    failed: bool = False
+    is_failure: bool = False
 
 
 def series_order(tolerance: float) -> int:
@@ -102,7 +102,7 @@ class TaylorSeries:
         # of the events: values at the end of the last step, and times in which they count no more
         self._ends, self._quiet = np.zeros(layout.events), np.zeros(layout.events)
         self._time, self._time_rest, self._begin = 0.0, 0.0, 0.0
-        self._prepared = b""
+        self._parameter_bytes = b""
         arrays = self._memory, self.state, self._rest_before, self._rest, self._ends, self._result
         self._step_arguments = tuple(a.ctypes.data for a in (*arrays, self._control))
 
@@ -149,9 +149,9 @@ class TaylorSeries:
             length, event = self._step_to_event(length)
         if not math.isfinite(length) or (length == 0 and event is None):
             # numbers that are not finite would stay in the memory
-            self._prepared = b""
+            self._parameter_bytes = b""
             self._rest[:] = self._rest_before
-            return Step(0.0, failed=True)
+            return Step(0.0, is_failure=True)
         self._begin = self._time
         change = length + self._time_rest
         self._time = self._begin + change
@@ -167,8 +167,8 @@ class TaylorSeries:
         """Compute what depends on the parameters alone, if they have changed."""
         # without parameters as well, the memory is prepared before the first step
         values = b"." + self.parameters.tobytes()
-        if values != self._prepared:
-            self._prepared = values
+        if values != self._parameter_bytes:
+            self._parameter_bytes = values
             self._memory[:] = 0.0
             self._code.functions["prepare_series"](
                 self._memory.ctypes.data, self.parameters.ctypes.data

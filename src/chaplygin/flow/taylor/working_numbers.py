@@ -6,7 +6,7 @@ from typing import Any, Literal, TypeAlias
 
 import numpy.typing as npt
 
-from ..errors import InputError
+from ...errors import InputError
 
 Precision = Literal["double", "quad"]
 Direction = Literal["forward", "backward"]

@@ -12,11 +12,14 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from ...core.system import System
-from ...core.vectors import to_components
-from ...errors import InputError
-from ..cost import Pace
-from ..trajectory import (
+from ..core.system import System
+from ..core.vectors import to_components
+from ..errors import InputError
+from .cost import Pace
+from .taylor.compiled_system import CompiledSystem
+from .taylor.projection import Projector
+from .taylor.working_numbers import Precision, WorkingArray, WorkingNumber
+from .trajectory import (
     DenseOutput,
     Event,
     Statistics,
@@ -24,10 +27,7 @@ from ..trajectory import (
     columns_by_name,
     recorded_quantities,
 )
-from ..validation import extremes_in_words
-from ..working_numbers import Precision, WorkingArray, WorkingNumber
-from .compiled_system import CompiledSystem
-from .projection import Projector
+from .validation import extremes_in_words
 
 #: Residuals of the relations that are left alone, per precision.
 LEFT_ALONE = {"double": 1e-15, "quad": 1e-32}
@@ -172,7 +172,7 @@ class TaylorRun:
         stepper.time = self.kind(0)
         stepper.state[:] = state
         stepper.parameters[: len(parameters)] = parameters[: len(stepper.parameters)]
-        return not stepper.step(self.kind(1)).failed
+        return not stepper.step(self.kind(1)).is_failure
 
     def _require_on_phase_space(self, state: WorkingArray) -> None:
         for projector in self.projectors:
@@ -222,7 +222,7 @@ class TaylorRun:
         while index < len(moments) and watched:
             before = stepper.time
             step = stepper.step(last - before)
-            if step.failed:
+            if step.is_failure:
                 if not log.steps:
                     reason = self._extreme_numbers(self.good[1], self._has_step) or NO_VALUE
                     raise InputError(f"start: the rate of the state is no number there; {reason}")
