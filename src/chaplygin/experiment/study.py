@@ -19,6 +19,7 @@ from ..core.overview import Overview, WithOverview
 from ..core.system import Guard, System
 from ..errors import InputError
 from ..flow.cost import TooMuchError
+from ..flow.taylor.working_numbers import PrecisionError
 from ..flow.trajectory import Trajectory, require_pieces
 from ..mechanics.rolling.equations import Rolling
 from .contact.dataset import contact_dataset
@@ -194,6 +195,9 @@ class Study(WithOverview):
                 )
             except TooMuchError as error:
                 where = self.experiment.where("run", "until")
+                raise InputError(error.message, where) from None
+            except PrecisionError as error:
+                where = self.experiment.where("run", "precision")
                 raise InputError(error.message, where) from None
 
 

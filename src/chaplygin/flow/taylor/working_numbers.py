@@ -16,12 +16,16 @@ WorkingNumber: TypeAlias = Any
 WorkingArray: TypeAlias = npt.NDArray[Any]
 
 
+class PrecisionError(InputError):
+    """Numbers of a precision that are not available here."""
+
+
 def number_type(precision: Precision) -> type[WorkingNumber]:
     """The type of numbers of a precision: float, or 34 digits.
 
     Raises
     ------
-    InputError
+    PrecisionError
         If heyoka is not installed, or has no 34-digit numbers on this machine.
     """
     if precision == "double":
@@ -29,11 +33,11 @@ def number_type(precision: Precision) -> type[WorkingNumber]:
     try:
         import heyoka as hy
     except ImportError:
-        raise InputError(
+        raise PrecisionError(
             "precision 'quad' with method 'taylor' needs heyoka, which is not installed: install "
             "chaplygin[taylor], or use method 'gauss', which has 30 digits"
         ) from None
     wide: type[WorkingNumber] | None = getattr(hy, "real128", None)
     if wide is None:
-        raise InputError("precision 'quad' is not available on this machine; use 'double'")
+        raise PrecisionError("precision 'quad' is not available on this machine; use 'double'")
     return wide
