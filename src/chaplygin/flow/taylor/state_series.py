@@ -105,6 +105,10 @@ class TaylorSeries:
         self._parameter_bytes = b""
         arrays = self._memory, self.state, self._rest_before, self._rest, self._ends, self._result
         self._step_arguments = tuple(a.ctypes.data for a in (*arrays, self._control))
+        # a time since the last step began, and what rounding has taken from the state then
+        self._elapsed, self._lost = np.zeros(1), np.zeros(layout.size)
+        sum_arrays = self._memory, self._rest_before, self._elapsed, self._result, self._lost
+        self._sum_arguments = tuple(a.ctypes.data for a in sum_arrays)
 
     @property
     def time(self) -> float:
@@ -160,7 +164,7 @@ class TaylorSeries:
 
     def state_at(self, time: float) -> FloatArray:
         """The state at a time of the last step."""
-        self._sum(time - self._begin, np.empty_like(self._rest))
+        self._sum(time - self._begin)
         return self._result.copy()
 
     def _prepare(self) -> None:
@@ -174,11 +178,10 @@ class TaylorSeries:
                 self._memory.ctypes.data, self.parameters.ctypes.data
             )
 
-    def _sum(self, length: float, rest: FloatArray) -> None:
-        """The state a time after the last step began."""
-        time = np.array([length])
-        arrays = self._memory, self._rest_before, time, self._result, rest
-        self._code.functions["sums"](*(a.ctypes.data for a in arrays))
+    def _sum(self, length: float) -> None:
+        """Compute the state a time after the last step began, and what rounding takes from it."""
+        self._elapsed[0] = length
+        self._code.functions["sums"](*self._sum_arguments)
 
     def _step_to_event(self, length: float) -> tuple[float, int | None]:
         """A step to the first event within a length, and that event, if there is one.
@@ -188,10 +191,10 @@ class TaylorSeries:
         terms = self._event_series * length**self._powers
         event, fraction = self._first_event(terms, abs(length))
         powers = fraction**self._powers
-        self._sum(fraction * length, self._rest)
+        self._sum(fraction * length)
         if not np.isfinite(self._result).all():
             return math.nan, None
-        self.state[:] = self._result
+        self.state[:], self._rest[:] = self._result, self._lost
         self._ends[:] = terms @ powers
         self._quiet = np.maximum(self._quiet - fraction * abs(length), 0.0)
         if event is not None:
