@@ -15,7 +15,7 @@ from ..core.parameters import Parameters, parameters_by_symbol, require_admissib
 from ..core.system import Quantity, System
 from ..core.vectors import to_components
 from ..errors import InputError
-from ..parsing import parse_formula
+from ..parsing import NamedQuantity, parse_formula
 from .digest import canonical
 from .graph import Reader, Term, of_system, term_values, topological_order
 
@@ -119,10 +119,11 @@ def formula(system: System, quantity: sp.Expr | float | str) -> sp.Expr:
     return value
 
 
-def _names(system: System) -> dict[str, Quantity]:
+def _names(system: System) -> dict[str, NamedQuantity]:
     quantities: list[Quantity] = [*system.state, *(name for name, _ in system.definitions)]
     quantities.extend(p.symbol for p in system.parameters)
-    return {str(q): q for q in quantities}
+    # a symmetric tensor has no name in formulas
+    return {str(q): q for q in quantities if isinstance(q, NamedQuantity)}
 
 
 def parameter_rows(system: System, parameters: Parameters | None, count: int) -> FloatArray:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 from flint import arb
 
@@ -144,7 +145,7 @@ def finite_times(times: Numbers) -> FloatArray:
     return moments
 
 
-def times_in_range(times: Numbers, pace: float) -> FloatArray:
+def times_in_range(times: npt.ArrayLike, pace: float) -> FloatArray:
     """Times (n,) at which states in double precision have a meaning.
 
     Parameters
@@ -231,7 +232,7 @@ class Solution(WithOverview):
         return Overview(form.heading, (*form.rows, ("left open", self.left_open)))
 
     @arguments_checked
-    def __call__(self, times: Numbers) -> States:
+    def __call__(self, times: npt.ArrayLike) -> States:
         """States at `times`, by name.
 
         Raises

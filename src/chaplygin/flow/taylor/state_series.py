@@ -106,8 +106,8 @@ class TaylorSeries:
         arrays = self._memory, self.state, self._rest_before, self._rest, self._ends, self._result
         self._step_arguments = tuple(a.ctypes.data for a in (*arrays, self._control))
         # a time since the last step began, and what rounding has taken from the state then
-        self._elapsed, self._lost = np.zeros(1), np.zeros(layout.size)
-        sum_arrays = self._memory, self._rest_before, self._elapsed, self._result, self._lost
+        self._moment, self._rounding = np.zeros(1), np.zeros(layout.size)
+        sum_arrays = self._memory, self._rest_before, self._moment, self._result, self._rounding
         self._sum_arguments = tuple(a.ctypes.data for a in sum_arrays)
 
     @property
@@ -180,7 +180,7 @@ class TaylorSeries:
 
     def _sum(self, length: float) -> None:
         """Compute the state a time after the last step began, and what rounding takes from it."""
-        self._elapsed[0] = length
+        self._moment[0] = length
         self._code.functions["sums"](*self._sum_arguments)
 
     def _step_to_event(self, length: float) -> tuple[float, int | None]:
@@ -194,7 +194,7 @@ class TaylorSeries:
         self._sum(fraction * length)
         if not np.isfinite(self._result).all():
             return math.nan, None
-        self.state[:], self._rest[:] = self._result, self._lost
+        self.state[:], self._rest[:] = self._result, self._rounding
         self._ends[:] = terms @ powers
         self._quiet = np.maximum(self._quiet - fraction * abs(length), 0.0)
         if event is not None:
