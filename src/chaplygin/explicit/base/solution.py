@@ -131,7 +131,7 @@ class States(WithShortRepr):
         return values
 
 
-def finite_times(times: Numbers) -> FloatArray:
+def finite_times(times: npt.ArrayLike) -> FloatArray:
     """Times as doubles (n,).
 
     Raises
