@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 from flint import arb, ctx
 
-from ..arguments import NumberOrText, Numbers, arguments_checked
+from ..arguments import NumberOrText, arguments_checked
 from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
@@ -66,7 +67,7 @@ class GenusTwo(Solution):
         return on_arrays(self.separated_motion, self.separable.system.symbols)
 
     @arguments_checked
-    def states(self, times: Numbers) -> FloatArray:
+    def states(self, times: npt.ArrayLike) -> FloatArray:
         """Lifted states (n, size) at `times` (n,), in double precision."""
         moment = self.clock.torus_point(finite_times(times))
         reduced = self._state(*self.separated_motion.torus.values(moment.v))

@@ -6,10 +6,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 from flint import acb_mat, arb, arb_mat, ctx
 
-from ..arguments import NumberOrText, Numbers, arguments_checked
+from ..arguments import NumberOrText, arguments_checked
 from ..core.arrays import FloatArray
 from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric
@@ -61,7 +62,7 @@ class PrincipalAxesSolution(Solution):
         return self.inner.left_open
 
     @arguments_checked
-    def states(self, times: Numbers) -> FloatArray:
+    def states(self, times: npt.ArrayLike) -> FloatArray:
         """Lifted states at `times` (n,), as an array (n, size), in double precision."""
         turn: FloatArray = np.array([[number(x) for x in row] for row in self.matrix.tolist()])
         return self.inner.states(times) @ turn.T

@@ -11,7 +11,7 @@ import numpy.typing as npt
 import sympy as sp
 from flint import arb
 
-from ...arguments import NumberOrText, Numbers, arguments_checked
+from ...arguments import NumberOrText, arguments_checked
 from ...core.arrays import FloatArray
 from ...core.overview import Overview, WithOverview, WithShortRepr
 from ...core.system import System
@@ -196,7 +196,7 @@ class Solution(WithOverview):
         """The formulas and constants of the closed form."""
 
     @abstractmethod
-    def states(self, times: Numbers) -> FloatArray:
+    def states(self, times: npt.ArrayLike) -> FloatArray:
         """Lifted states at `times` (n,), as an array (n, size), in double precision."""
 
     @property

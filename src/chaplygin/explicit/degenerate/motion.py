@@ -8,10 +8,11 @@ from functools import cached_property
 from typing import TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 from flint import arb, ctx
 
-from ...arguments import NumberOrText, Numbers, arguments_checked
+from ...arguments import NumberOrText, arguments_checked
 from ...core.arrays import FloatArray
 from ...core.system import System
 from ...formulas.balls import Values, components
@@ -175,7 +176,7 @@ class DegenerateMotion:
         return 1 / float(self.turn.mid())
 
     @arguments_checked
-    def states(self, times: Numbers) -> FloatArray:
+    def states(self, times: npt.ArrayLike) -> FloatArray:
         """Lifted states (n, size) at `times` (n,), in double precision."""
         moment = self.clock.moment(finite_times(times))
         nu, nuprime = self._directions(moment.remainder, moment.turns)

@@ -19,10 +19,11 @@ from functools import cached_property
 from typing import Generic
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 from flint import acb, arb, ctx
 
-from ...arguments import NumberOrText, Numbers, arguments_checked
+from ...arguments import NumberOrText, arguments_checked
 from ...core.arrays import FloatArray
 from ...core.system import System
 from ..base.solution import ClosedForm, Solution, finite_times
@@ -288,7 +289,7 @@ class QuadratureSolution(Solution):
         return _FastAngles(self.motion, self.frame, self._constants(FAST))
 
     @arguments_checked
-    def states(self, times: Numbers) -> FloatArray:
+    def states(self, times: npt.ArrayLike) -> FloatArray:
         """States at `times` (n,), as an array (n, size)."""
         moments = finite_times(times)
         sample = self.motion.fast.sample(moments)

@@ -14,10 +14,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 from flint import acb, arb, ctx
 
-from ...arguments import NumberOrText, Numbers, arguments_checked
+from ...arguments import NumberOrText, arguments_checked
 from ...core.arrays import FloatArray
 from ...core.system import System
 from ..base.solution import ClosedForm, Solution, finite_times
@@ -131,7 +132,7 @@ class UniformSolution(Solution):
             return tuple(self._state(BALLS, t, angles, (circle.real, circle.imag)))
 
     @arguments_checked
-    def states(self, times: Numbers) -> FloatArray:
+    def states(self, times: npt.ArrayLike) -> FloatArray:
         """Lifted states at `times` (n,), in double precision."""
         t = finite_times(times)
         # constants are rounded to doubles once

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Protocol
 
+import numpy.typing as npt
 import sympy as sp
 
-from ...arguments import NumberOrText, Numbers
+from ...arguments import NumberOrText
 from ...core.arrays import FloatArray
 from ..genus_two.separated_motion import SeparatedMotion
 
@@ -35,7 +36,7 @@ class TorusMotion(Protocol):
     def left_open(self) -> str:
         """A sentence on the part of the state that has no bounds; or ""."""
 
-    def states(self, times: Numbers) -> FloatArray:
+    def states(self, times: npt.ArrayLike) -> FloatArray:
         """Lifted states (n, size) at `times` (n,), in double precision."""
 
     def __hash__(self) -> int: ...
