@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import inspect
+import pkgutil
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -39,6 +42,7 @@ EXP = c.loads(BALL)
 T = c.integrate(S, X, [0, 1.0])
 DS = c.to_dataset(T)
 sec = c.poincare_section(S, "gamma_3", 0.0)
+RETURNS = c.analysis.orbits.ReturnMap(c.PoincareMap(S, sec))
 
 MISTAKES: dict[str, Callable[[], Any]] = {
     "Ball str": lambda: c.Ball("1"),
@@ -406,6 +410,31 @@ MISTAKES: dict[str, Callable[[], Any]] = {
     "entry settings number": lambda: c.catalogue.entry("chaplygin-ball").settings(3),
     "path at a word": lambda: figure_of_eight(1.0, 1.0, 1.0).places("x"),
     "relations that are numbers": lambda: c.System("a", "A", {x: x}, relations=(None,)),
+    "nearest of nothing": lambda: c.parsing.nearest(None, ["a"]),
+    "nearest among nothing": lambda: c.parsing.nearest("a", None),
+    "nearest among bytes": lambda: c.parsing.nearest("a", [b"x"]),
+    "ball of nothing": lambda: c.formulas.ball(None),
+    "ball of a word": lambda: c.formulas.ball("x"),
+    "ball of a complex number": lambda: c.formulas.ball(1j),
+    "ball_function of nothing": lambda: c.formulas.ball_function(None, (x,)),
+    "ball_function of a word": lambda: c.formulas.ball_function((x,), "x"),
+    "ball_function steps": lambda: c.formulas.ball_function((x,), (x,), steps="x"),
+    "multipliers of a short point": lambda: c.analysis.orbits.multipliers(
+        RETURNS, np.ones(2), np.eye(6)
+    ),
+    "multipliers of a small slope": lambda: c.analysis.orbits.multipliers(
+        RETURNS, np.array(X[:6]), np.eye(2)
+    ),
+    "multipliers of nan": lambda: c.analysis.orbits.multipliers(
+        RETURNS, np.full(6, np.nan), np.eye(6)
+    ),
+    "sizes of short points": lambda: RETURNS.sizes(np.ones((2, 2))),
+    "sizes of no points": lambda: RETURNS.sizes(np.ones((0, 6))),
+    "sizes of one point": lambda: RETURNS.sizes(np.ones(6)),
+    "CATALOGUE of nothing": lambda: c.CATALOGUE[None],
+    "CATALOGUE of a list": lambda: c.CATALOGUE[[]],
+    "CATALOGUE of an unknown name": lambda: c.CATALOGUE["nonsense"],
+    "svg_file of nothing": lambda: c.report.figures.svg_file(None),
     "patch larger than the disk": lambda: FrictionalContact(
         c.Body(1.0, (0.3, 0.3, 0.5), c.Disk(1.0)), laws=(ContensouErismann(0.3, 1.1),)
     ),
@@ -429,3 +458,45 @@ def test_one_sentence(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 def test_several_of_a_word_in_y() -> None:
     with pytest.raises(InputError, match="must be a Cavity or a sequence of Cavities, not"):
         c.Body(1.0, (0.4, 0.5, 0.6), c.Ball(1.0), cavity="x")  # type: ignore[arg-type]
+
+
+def _public_functions() -> Iterator[tuple[str, Callable[..., Any]]]:
+    """Every function with arguments of the public namespaces, by its full name."""
+    found = pkgutil.walk_packages(chaplygin.__path__, "chaplygin.")
+    # the command line and the checker of certificates refuse in ways of their own
+    apart = re.compile(r"\.(cli|check)\b|\.borisov_mamaev\.")
+    for module in ("chaplygin", *(m.name for m in found if m.ispkg and not apart.search(m.name))):
+        space = import_module(module)
+        for name in getattr(space, "__all__", ()):
+            thing = getattr(space, name)
+            if inspect.isfunction(thing) and inspect.signature(thing).parameters:
+                yield f"{module}.{name}", thing
+
+
+PUBLIC = dict(_public_functions())
+
+
+def test_public_functions_are_there() -> None:
+    assert {"chaplygin.integrate", "chaplygin.parsing.nearest"} < PUBLIC.keys()
+    assert len(PUBLIC) > 100
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_a_mere_object_is_refused(name: str) -> None:
+    function = PUBLIC[name]
+    first, *others = inspect.signature(function).parameters.values()
+    needed = [p for p in others if p.default is p.empty and p.kind is not p.VAR_KEYWORD]
+    named = first.kind in (first.KEYWORD_ONLY, first.VAR_KEYWORD)
+    with pytest.raises(InputError, match=rf"\b({first.name}|object)\b"):
+        if named:
+            function(**{first.name: object()})
+        else:
+            function(object(), **{p.name: object() for p in needed})
+
+
+def test_an_unknown_system_is_a_missing_key_too() -> None:
+    with pytest.raises(KeyError) as refused:
+        c.CATALOGUE["chaplygin-bal"]
+    assert "did you mean 'chaplygin-ball'?" in str(refused.value)
+    assert c.CATALOGUE.get("nonsense") is None
+    assert "nonsense" not in c.CATALOGUE

@@ -44,7 +44,7 @@ def nearest(name: str, names: Iterable[str]) -> str:
     ----------
     name
         The unknown name.
-    known
+    names
         The names that would have been accepted.
     """
     allowed = list(names)

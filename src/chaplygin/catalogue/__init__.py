@@ -49,6 +49,9 @@ def _entries() -> list[Entry]:
 class Catalogue(WithOverview, dict[str, Entry]):
     """The entries by name; printed, it shows the names."""
 
+    def __getitem__(self, name: str) -> Entry:
+        return lookup(self, name)
+
     def overview(self) -> Overview:
         """The names of the systems."""
         return Overview(f"{len(self)} systems", (("names", ", ".join(self)),))

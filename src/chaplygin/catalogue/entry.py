@@ -225,14 +225,22 @@ class Family(Protocol):
         """The nearest ω that the constraint admits, as a skew matrix."""
 
 
-def lookup(catalogue: Mapping[str, Entry], name: str) -> Entry:
+class UnknownSystemError(InputError, KeyError):
+    """A name that no system of the catalogue has; a KeyError too, as of any mapping."""
+
+
+def lookup(catalogue: Mapping[str, Entry], name: object) -> Entry:
     """The entry of that name, or an InputError that names the nearest one."""
-    if name not in catalogue:
-        raise InputError(
+    if not isinstance(name, str):
+        raise UnknownSystemError(
+            f"a system of the catalogue has a text for a name, not a {type(name).__name__}"
+        )
+    if (item := catalogue.get(name)) is None:
+        raise UnknownSystemError(
             f"no system {name!r} in the catalogue{_nearest(name, catalogue)}; "
             "`chaplygin list` and `chaplygin.CATALOGUE` show all of them"
         )
-    return catalogue[name]
+    return item
 
 
 def _nearest(name: str, names: Iterable[str]) -> str:

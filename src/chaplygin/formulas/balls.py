@@ -40,7 +40,11 @@ def ball(value: Any) -> Any:
         # any arithmetic would round to mpmath's own precision
         sign, mantissa, exponent, _ = value._mpf_
         return (-1) ** int(sign) * arb(int(mantissa)) * arb(2) ** int(exponent)
-    return arb(str(float(value)) if isinstance(value, np.floating) else str(value))
+    try:
+        return arb(str(float(value)) if isinstance(value, np.floating) else str(value))
+    except ValueError:
+        shown = repr(value) if isinstance(value, str) else f"of the class {type(value).__name__}"
+        raise InputError(f"ball: value must be a real number, not {shown}") from None
 
 
 def exact(value: Any) -> Fraction:
@@ -89,7 +93,7 @@ def ball_values(formulas: Iterable[sp.Expr], values: Values) -> tuple[Any, ...]:
     return ball_function(names, scalars)(*(values[name] for name in names))
 
 
-@lru_cache(maxsize=512)
+@arguments_checked
 def ball_function(
     names: tuple[sp.Symbol, ...], formulas: tuple[sp.Expr, ...], steps: Steps = ()
 ) -> Callable[..., tuple[Any, ...]]:
@@ -103,6 +107,15 @@ def ball_function(
     steps : tuple of (Symbol, sympy.Expr), optional
         Intermediate quantities that the formulas use, in order.
     """
+    return _ball_function(
+        tuple(names), tuple(map(sp.sympify, formulas)), tuple(dict(steps).items())
+    )
+
+
+@lru_cache(maxsize=512)
+def _ball_function(
+    names: tuple[sp.Symbol, ...], formulas: tuple[sp.Expr, ...], steps: Steps
+) -> Callable[..., tuple[Any, ...]]:
     program = StraightLineProgram(names, formulas, steps, REAL)
     return lambda *values: tuple(ball(value) for value in program.run(values))
 

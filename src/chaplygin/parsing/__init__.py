@@ -14,7 +14,7 @@ from collections.abc import Collection, Iterable, Mapping
 import sympy
 
 from ..arguments import arguments_checked
-from ..errors import nearest
+from ..errors import nearest as _nearest
 from .grammar import CONSTANTS, FUNCTIONS, MAX_LENGTH, PRODUCTS, RESERVED_WORDS
 from .paper_notation import code_spelling
 from .scalar import Scalars
@@ -33,6 +33,8 @@ __all__ = [
     "parse",
     "parse_formula",
 ]
+
+nearest = arguments_checked(_nearest)
 
 
 @arguments_checked

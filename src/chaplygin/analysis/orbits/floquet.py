@@ -14,6 +14,7 @@ import numpy as np
 
 from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
+from ...errors import InputError
 from .maps import Map, normalised_functions
 
 #: Differentials whose part across the others is a smaller share of them are dependent.
@@ -94,6 +95,13 @@ def multipliers(section_map: Map, point: FloatArray, slope: FloatArray) -> Multi
     slope : array (size, size)
         The derivative there of the return to this point.
     """
+    point, slope = np.asarray(point, dtype=float), np.asarray(slope, dtype=float)
+    count = len(section_map.names)
+    for what, array, shape in (("point", point, (count,)), ("slope", slope, (count, count))):
+        if array.shape != shape:
+            raise InputError(f"multipliers: {what} must be an array {shape}, not {array.shape}")
+        if not np.isfinite(array).all():
+            raise InputError(f"multipliers: {what} must be an array of finite numbers")
     sizes = section_map.sizes(point[None])
     slope = slope * sizes / sizes[:, None]
     _, domain = normalised_functions(

@@ -136,7 +136,13 @@ class ReturnMap:
 
     @arguments_checked
     def sizes(self, points: FloatArray) -> FloatArray:
-        """The greatest sizes of the vectors of the state at points (n, size), (size,)."""
+        """The greatest sizes, (size,), of the vectors of the state among points (n, size)."""
+        size = len(self.names)
+        if points.ndim != 2 or not len(points) or points.shape[1] != size:
+            raise InputError(
+                f"ReturnMap.sizes: points must be an array (n, {size}), one row or more, "
+                f"not {points.shape}"
+            )
         scales: FloatArray = state_scales_at(
             self.section.system, points[None], self.section.parameters
         )[0]

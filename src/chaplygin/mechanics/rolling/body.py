@@ -210,14 +210,14 @@ def check_inertia(inertia: Sequence[float] | Sequence[Sequence[float]]) -> None:
 
     Accepts three principal moments or a full symmetric 3×3 matrix.
     """
-    array = _numbers(inertia)
+    array, shown = _numbers(inertia), " ".join(str(inertia).split())
     if array.shape not in ((3,), (3, 3)) or not np.all(np.isfinite(array)):
         raise InputError(
-            f"inertia {inertia}: it must be three principal moments or a symmetric 3x3 matrix"
+            f"inertia {shown}: it must be three principal moments or a symmetric 3x3 matrix"
         )
     rounding = 1e-12 * np.abs(array).max()
     if array.ndim == 2 and not np.allclose(array, array.T, rtol=0, atol=rounding):
-        raise InputError(f"inertia {inertia}: the matrix must be symmetric")
+        raise InputError(f"inertia {shown}: the matrix must be symmetric")
     moments = np.sort(array if array.ndim == 1 else np.linalg.eigvalsh(array))
     shown = ", ".join(f"{x:.12g}" for x in moments)
     if moments[0] <= 0:

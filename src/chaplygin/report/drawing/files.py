@@ -92,6 +92,7 @@ def save(figure: Figure, path: str | FilePath) -> FilePath:
     return target
 
 
+@arguments_checked
 def svg_file(text: str) -> str:
     """The content of an SVG file, from the element that :func:`svg_text` returns."""
     return f"{_PROLOG}{text}\n"
