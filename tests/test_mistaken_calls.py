@@ -42,6 +42,8 @@ EXP = c.loads(BALL)
 T = c.integrate(S, X, [0, 1.0])
 DS = c.to_dataset(T)
 sec = c.poincare_section(S, "gamma_3", 0.0)
+AXES = [c.analysis.scans.Axis(name, 1.0, 2.0, 3) for name in ("I_1", "I_2")]
+GRID = c.analysis.scans.scan_grid(S, *AXES, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
 RETURNS = c.analysis.orbits.ReturnMap(c.PoincareMap(S, sec))
 
 MISTAKES: dict[str, Callable[[], Any]] = {
@@ -434,6 +436,10 @@ MISTAKES: dict[str, Callable[[], Any]] = {
     "CATALOGUE of nothing": lambda: c.CATALOGUE[None],
     "CATALOGUE of a list": lambda: c.CATALOGUE[[]],
     "CATALOGUE of an unknown name": lambda: c.CATALOGUE["nonsense"],
+    "derivative at a number": lambda: c.PoincareMap(S, sec).derivative(3),
+    "cells of row nan": lambda: GRID.cells(float("nan"), 2),
+    "cells of no row": lambda: GRID.cells(3, 2),
+    "cells past the last row": lambda: GRID.cells(3, 4),
     "svg_file of nothing": lambda: c.report.figures.svg_file(None),
     "patch larger than the disk": lambda: FrictionalContact(
         c.Body(1.0, (0.3, 0.3, 0.5), c.Disk(1.0)), laws=(ContensouErismann(0.3, 1.1),)

@@ -140,8 +140,14 @@ class ScanGrid:
     levels: tuple[tuple[sp.Expr, sp.Expr], ...]
     fixed_symbols: tuple[sp.Symbol, ...]
 
+    @arguments_checked
     def cells(self, first: int, last: int) -> GridCells:
         """The cells of rows first, …, last − 1, row by row."""
+        if not 0 <= first < min(last, len(self.y.values)):
+            raise InputError(
+                f"rows {first} to {last} of the grid: it has the rows 0 to {len(self.y.values)}, "
+                "the last not included"
+            )
         y, x = (
             a.ravel() for a in np.meshgrid(self.y.values[first:last], self.x.values, indexing="ij")
         )

@@ -179,6 +179,11 @@ class PoincareMap:
         count : int
         """
         starts = np.asarray(points, dtype=float)
+        if starts.ndim != 2:
+            raise InputError(
+                f"PoincareMap.derivative: points must be an array (n, {self.size}), "
+                f"not {starts.shape}"
+            )
         if count < 1:
             raise InputError(f"a derivative of {count} returns: there must be one at least")
         frame = np.broadcast_to(np.eye(self.size), (len(starts), self.size, self.size))
