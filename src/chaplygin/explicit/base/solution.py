@@ -137,9 +137,11 @@ def finite_times(times: npt.ArrayLike) -> FloatArray:
     Raises
     ------
     InputError
-        If one is not finite.
+        If one is not finite, or they lie in a table.
     """
     moments = np.atleast_1d(as_float_array("times", times))
+    if moments.ndim != 1:
+        raise InputError("times: they must be one number or a sequence of numbers")
     if not np.all(np.isfinite(moments)):
         raise InputError("times: all of them must be finite numbers")
     return moments
