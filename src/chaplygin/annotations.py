@@ -51,11 +51,11 @@ class _Scope(dict[str, Any]):
             own = where.partition(".")[0] == __package__
             # what is no part of this program, and not in use, has no values
             source = import_module(where) if own else sys.modules.get(where)
-            return getattr(source, what, Any) if what else source or _Unloaded()
+            return getattr(source, what, Any) if what else source or _UnknownModule()
         return Any
 
 
-class _Unloaded:
+class _UnknownModule:
     """A module that is not in use, so that nothing is known of what it defines."""
 
     def __getattr__(self, name: str) -> Any:
