@@ -107,33 +107,29 @@ class CrossingCourse(Course):
                     raise EndError("", "")
 
     def _within(self, series: StepSeries, integrator: ModeIntegrator, mode: str) -> list[Crossing]:
-        """The crossings of a continuous output, in the order of time."""
+        """The crossings of a step, in the order of time."""
+        middle, half = (series.begin + series.end) / 2, (series.end - series.begin) / 2
+        coefficients = _INTERPOLATION @ self._values(series, integrator, middle + half * _NODES)
+        size = np.abs(coefficients)
+        if not np.isfinite(size).all() or size[0] > size[1:].sum():
+            return []
         result: list[Crossing] = []
-        for first, last in ((series.begin, series.end),):
-            middle, half = (first + last) / 2, (last - first) / 2
-            values = self._values(series, integrator, middle + half * _NODES)
-            coefficients = _INTERPOLATION @ values
-            if not np.isfinite(coefficients).all():
+        roots = np.polynomial.chebyshev.chebroots(np.trim_zeros(coefficients, "b"))
+        slope: FloatArray = np.polynomial.chebyshev.chebder(coefficients).astype(np.float64)
+        real = np.sort(roots.real[(np.abs(roots.imag) < 1e-6) & (np.abs(roots.real) <= 1)])
+        for x in real.tolist():
+            time = middle + half * self._polish(series, integrator, middle, half, x, slope)
+            if result and time - result[-1].time <= 2e-12 * half:
                 continue
-            if abs(coefficients[0]) > np.abs(coefficients[1:]).sum():
+            # a start on the section is no return to it
+            if time <= max([self._first_time, *(c.time for c in self.crossings[-1:])]):
                 continue
-            roots = np.polynomial.chebyshev.chebroots(np.trim_zeros(coefficients, "b"))
-            slope: FloatArray = np.polynomial.chebyshev.chebder(coefficients).astype(np.float64)
-            real = np.sort(roots.real[(np.abs(roots.imag) < 1e-6) & (np.abs(roots.real) <= 1)])
-            for x in real.tolist():
-                time = middle + half * self._polish(series, integrator, middle, half, x, slope)
-                if result and time - result[-1].time <= 1e-12 * (last - first):
-                    continue
-                # a start on the section is no return to it
-                if time <= max([self._first_time, *(c.time for c in self.crossings[-1:])]):
-                    continue
-                rising = bool(np.polynomial.chebyshev.chebval(x, slope) > 0)
-                state = series(np.array([time]))[0].copy()
-                result.append(Crossing(time, state, integrator, mode, rising))
+            rising = bool(np.polynomial.chebyshev.chebval(x, slope) > 0)
+            result.append(Crossing(time, series(np.array([time]))[0], integrator, mode, rising))
         return result
 
     def _values(self, series: StepSeries, integrator: ModeIntegrator, t: FloatArray) -> FloatArray:
-        return self._quantity(integrator, series(t).copy())
+        return self._quantity(integrator, series(t))
 
     def _polish(
         self,

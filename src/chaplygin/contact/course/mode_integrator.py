@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import sympy as sp
+from numpy.polynomial.polynomial import polyval
 
 from ...core.arrays import FloatArray
 from ...core.system import System
@@ -16,6 +17,9 @@ from ...flow.taylor.compiled_system import CompiledSystem, StateSeries
 
 #: The guard of a piece that ended after the steps allowed.
 PAUSE = "pause"
+
+#: A step that changes nothing, for the series at a state.
+_NO_TIME = 1e-300
 
 
 @dataclass(frozen=True)
@@ -58,11 +62,8 @@ class StepSeries:
 
     def __call__(self, times: FloatArray) -> FloatArray:
         """States (n, size) at times (n,)."""
-        elapsed = (times - self.begin)[:, np.newaxis]
-        value = np.broadcast_to(self.coefficients[:, -1], (len(times), len(self.coefficients)))
-        for k in range(self.coefficients.shape[1] - 2, -1, -1):
-            value = value * elapsed + self.coefficients[:, k]
-        return value
+        values: FloatArray = np.asarray(polyval(times - self.begin, self.coefficients.T).T, float)
+        return values
 
 
 @dataclass(frozen=True)
@@ -106,7 +107,7 @@ class ModeIntegrator:
     def rates(self, state: FloatArray) -> FloatArray:
         """The right-hand sides of the equations at a state (size,)."""
         stepper = self._stepper_at(state)
-        stepper.expand()
+        stepper.step(_NO_TIME)
         return stepper.series[:, 1].copy()
 
     def guard_values(self, state: FloatArray) -> FloatArray:

@@ -51,10 +51,6 @@ class StateSeries(Protocol):
         """Forget the events that have just happened, and what rounding has taken."""
         ...
 
-    def expand(self) -> None:
-        """Compute the series at the present state."""
-        ...
-
     def copy(self) -> StateSeries:
         """Another state that moves by the same code."""
         ...

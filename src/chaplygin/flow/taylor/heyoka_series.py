@@ -92,10 +92,6 @@ class HeyokaSeries:
         """Forget the events that have just happened."""
         self._integrator.reset_cooldowns()
 
-    def expand(self) -> None:
-        """Compute the series at the present state."""
-        self._integrator.step(max_delta_t=type(self.time)(0), write_tc=True)
-
     def step(self, limit: WorkingNumber) -> Step:
         """One step, no longer than to a limit."""
         outcome, length = self._integrator.step(max_delta_t=limit, write_tc=True)

@@ -121,7 +121,6 @@ class _Writer:
             for node in new:
                 self.integrals[id(node)] = _derivative(graph, node)
                 terms += [q for q, _ in self.integrals[id(node)].pairs]
-        self.terms = terms
         moving: dict[int, None] = {}
         for node in nodes:
             if node.kind == "state" or any(id(a) in moving for a in node.operands):
@@ -150,13 +149,13 @@ class _Writer:
         # one term may be the value of two events, or a variable
         self.event_places = [next_free + i * self.stride for i in range(len(self.events))]
         next_free += len(self.events) * self.stride
+        lengths = {"forward": self.stride, "slopes": self.stride, "backward": reversed_size}
         for kind, ids in self._needs().items():
             places = getattr(self, kind)
-            length = {"forward": self.stride, "slopes": self.stride, "backward": reversed_size}
             for key in ids:
                 if key not in places:
                     places[key] = next_free
-                    next_free += length.get(kind, 1)
+                    next_free += lengths.get(kind, 1)
         self.rate_places = range(next_free, next_free + self.size)
         next_free += self.size
         self.constant_places = {id(term): next_free + i for i, term in enumerate(self.constants)}

@@ -99,8 +99,9 @@ class TaylorSeries:
         # what rounding has taken from the state before and after the last step
         self._rest_before, self._rest = np.zeros(layout.size), np.zeros(layout.size)
         self._result = np.zeros(layout.size)
-        # of the events: values at the end of the last step, and times in which they count no more
-        self._ends, self._quiet = np.zeros(layout.events), np.zeros(layout.events)
+        # of the events: values at the end of the last step, times at which they have happened,
+        # and for how long they do not count after that
+        self._ends, self._moments, self._quiet = (np.zeros(layout.events) for _ in range(3))
         self._time, self._time_rest, self._begin = 0.0, 0.0, 0.0
         self._parameter_bytes = b""
         arrays = self._memory, self.state, self._rest_before, self._rest, self._ends, self._result
@@ -131,11 +132,6 @@ class TaylorSeries:
         for array in (self._rest, self._quiet, self._ends):
             array[:] = 0.0
 
-    def expand(self) -> None:
-        """Compute the series at the present state."""
-        self._prepare()
-        self._code.functions["series"](*self._step_arguments[:2])
-
     def step(self, limit: float) -> Step:
         """One step, no longer than to a limit.
 
@@ -160,6 +156,8 @@ class TaylorSeries:
         change = length + self._time_rest
         self._time = self._begin + change
         self._time_rest = change - (self._time - self._begin)
+        if event is not None:
+            self._moments[event] = self._time
         return Step(length, event)
 
     def state_at(self, time: float) -> FloatArray:
@@ -196,7 +194,6 @@ class TaylorSeries:
             return math.nan, None
         self.state[:], self._rest[:] = self._result, self._rounding
         self._ends[:] = terms @ powers
-        self._quiet = np.maximum(self._quiet - fraction * abs(length), 0.0)
         if event is not None:
             self._ends[event] = 0.0
             slope = abs(float(terms[event, 1:] @ (self._powers[1:] * powers[:-1])))
@@ -220,11 +217,13 @@ class TaylorSeries:
         if hidden.any():
             return int(np.argmax(hidden)), 0.0
         event, fraction = None, 1.0
+        quiet = self._quiet - np.abs(self._time - self._moments)
+        after = np.clip(quiet / length, 0.0, 1.0).tolist()
         sizes = np.abs(terms)
         for i in np.flatnonzero(sizes[:, 0] <= sizes[:, 1:].sum(axis=1)).tolist():
             if not np.isfinite(terms[i]).all():
                 continue
-            root = first_falling_root(terms[i], min(self._quiet[i] / length, 1.0))
+            root = first_falling_root(terms[i], after[i])
             if root is not None and (event is None or root < fraction):
                 event, fraction = i, root
         return event, fraction
