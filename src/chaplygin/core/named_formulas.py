@@ -52,6 +52,16 @@ def expand(
     return formula
 
 
+def substituted(
+    steps: Iterable[tuple[sp.Symbol, sp.Expr]], known: Mapping[sp.Symbol, sp.Expr]
+) -> dict[sp.Symbol, sp.Expr]:
+    """Known formulas, and those of steps in order with the earlier ones written in."""
+    formulas = dict(known)
+    for symbol, value in steps:
+        formulas[symbol] = value.xreplace(formulas)
+    return formulas
+
+
 def needed_steps(
     steps: Sequence[tuple[sp.Symbol, sp.Expr]],
     formulas: Iterable[sp.Expr],

@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from ..core.named_formulas import substituted
 from ..core.system import System, flat_pairs
 from ..core.vectors import constant, real_symbol, to_components
 from .genus_two.separation import SeparatedSystem
@@ -68,11 +69,8 @@ def translation(
     home: System, system: System, parameters: Mapping[sp.Symbol, sp.Expr]
 ) -> dict[sp.Symbol, sp.Expr]:
     """State, parameters and definitions of one system in the symbols of another."""
-    known: dict[sp.Symbol, sp.Expr] = dict(zip(home.symbols, system.symbols, strict=True))
-    known |= parameters
-    for symbol, value in home.scalar_definitions:
-        known[symbol] = value.xreplace(known)
-    return known
+    names = dict(zip(home.symbols, system.symbols, strict=True))
+    return substituted(home.scalar_definitions, {**names, **parameters})
 
 
 def _constants(separable: SeparatedSystem, system: System) -> dict[sp.Symbol, sp.Symbol]:

@@ -16,6 +16,7 @@ from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
 from ..formulas.balls import ball_values, components, number
+from .base.exact_start import with_definitions
 from .base.solution import ClosedForm, NamedConstant, Solution, finite_times
 from .genus_two.reconstruction import Lift, lift
 from .genus_two.separated_motion import SeparatedMotion, on_arrays, separate
@@ -180,9 +181,7 @@ def _form(solution: GenusTwo) -> ClosedForm:
 def _meaning_and_unit(motion: SeparatedMotion, value: arb) -> tuple[str, str]:
     """Meaning and unit of a constant: those of the integral whose value it is."""
     system = motion.separable.system
-    known = {**motion.values, **dict(zip(system.symbols, motion.state, strict=True))}
-    for name, formula in system.scalar_definitions:
-        known[name] = ball_values([formula], known)[0]
+    known = with_definitions(system, motion.values, motion.state)
     for law in system.integrals:
         if ball_values(components(law.value), known)[0].overlaps(value):
             return law.meaning or law.name, law.unit

@@ -20,7 +20,7 @@ from ..mechanics.rolling.equations import Rolling
 from ..mechanics.rolling.shapes import Ball
 from .base.problem import Problem
 from .base.solution import ClosedForm, Solution
-from .rigorous.reconstruction import quaternion_products
+from .one_degree.vectors import quaternion_products
 
 #: Digits with which principal axes are computed.
 DIGITS = 220

@@ -78,7 +78,7 @@ def _leaving(form: OneForm, direction: np.ndarray) -> np.ndarray:
     system = form.system
     numbers = {p.symbol: p.default for p in system.parameters}
     centre = np.array([numbers.get(c, 0.0) for c in Vector("c").symbols])
-    inside = numerical_functions(system, (), system.relations)
+    inside = numerical_functions(system, system.relations)
 
     def value(distance: float) -> float:
         return float(inside(centre + distance * direction)[0])

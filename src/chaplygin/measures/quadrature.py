@@ -9,6 +9,7 @@ import sympy as sp
 
 from ..core.system import System
 from ..errors import InputError
+from ..formulas.compiled import CompiledTerms, SystemFormulas
 from .one_form import OneForm
 
 NODES = 24
@@ -18,28 +19,16 @@ PIECES = 8
 
 
 def numerical_functions(
-    system: System, symbols: Sequence[sp.Symbol], formulas: Sequence[sp.Expr] = ()
+    system: System, formulas: Sequence[sp.Expr]
 ) -> Callable[[np.ndarray], np.ndarray]:
-    """Definitions and further formulas as functions of the state, at the defaults."""
-    numbers = {p.symbol: p.default for p in system.parameters}
-    names = [s for s, _ in system.scalar_definitions]
-    steps = [*system.scalar_definitions, *((None, f) for f in formulas)]
-    code = [
-        (s, sp.lambdify([*system.symbols, *names[:i]], f.xreplace(numbers), "numpy"))
-        for i, (s, f) in enumerate(steps)
-    ]
+    """Formulas as functions of the state, at the defaults."""
+    read = SystemFormulas(system).term_of
+    compiled = CompiledTerms([read(formula) for formula in formulas])
+    numbers = np.array([value for _, value in system.default_values])
 
     def values(state: np.ndarray) -> np.ndarray:
-        known, named, last = list(state), {}, []
-        for symbol, function in code:
-            results = function(*known[: len(system.symbols) + len(names)])
-            known.append(results)
-            if symbol is None:
-                last.append(results)
-            else:
-                named[symbol] = results
-        values = [*(named[s] for s in symbols), *last]
-        return np.array([np.broadcast_to(v, state.shape[1:]) for v in values])
+        columns = compiled(state.reshape(len(state), -1), numbers)
+        return columns.reshape(-1, *state.shape[1:])
 
     return values
 

@@ -14,6 +14,7 @@ import numpy as np
 import sympy as sp
 
 from ..core.arrays import BoolArray
+from ..core.named_formulas import by_dependence, substituted
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
@@ -95,14 +96,9 @@ class SearchSpace:
     @cached_property
     def constants(self) -> dict[sp.Symbol, sp.Expr]:
         """Definitions that depend on parameters alone, in the free parameters."""
-        known: dict[sp.Symbol, sp.Expr] = dict(self.substitutions)
-        fixed = {p.symbol for p in self.system.parameters}
-        constants: dict[sp.Symbol, sp.Expr] = {}
-        for symbol, value in self.system.scalar_definitions:
-            if value.free_symbols <= fixed:
-                fixed.add(symbol)
-                known[symbol] = constants[symbol] = value.xreplace(known)
-        return constants
+        constants, _ = by_dependence(self.system.scalar_definitions, self.system.symbols)
+        formulas = substituted(constants, dict(self.substitutions))
+        return {symbol: formulas[symbol] for symbol, _ in constants}
 
     @cached_property
     def relations(self) -> tuple[sp.Expr, ...]:

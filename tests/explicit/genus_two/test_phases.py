@@ -4,13 +4,14 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
-from chaplygin.explicit.genus_two.phases import halves, phase_at
+from chaplygin.explicit.genus_two.phases import phase_at
+from chaplygin.explicit.one_degree.phase_reduction import pair
 
 
 @pytest.mark.parametrize("time", [0.3, -17.25, 1e6 / 3, 1e12 / 7, -1e15])
 def test_turns_keep_their_digits_at_long_times(time: float) -> None:
     with ctx.workprec(200):
-        rate = halves(arb(2).sqrt())
+        rate = pair(arb(2).sqrt())
     found = phase_at(rate, np.array([time]), 4.0)[0]
     exact = (Fraction(rate[0]) + Fraction(rate[1])) * Fraction(time)
     miss = (Fraction(float(found)) - exact) / 4
@@ -20,5 +21,5 @@ def test_turns_keep_their_digits_at_long_times(time: float) -> None:
 def test_two_halves_hold_thirty_digits() -> None:
     with ctx.workprec(200):
         value = arb.pi()
-        high, low = halves(value)
+        high, low = pair(value)
         assert abs(arb(high) + arb(low) - value) < arb("1e-31")

@@ -11,11 +11,12 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure, PoissonStructure, Symmetry
+from ...core.laws import Integral, Law, Symmetry
 from ...core.system import Observable, Parameter, System
+from ...mechanics.reduction.system import N, theorem_6
 from ..entry import Entry, Numbers, Start
 
-q_1, q_2, P_1, P_2, N, S = sp.symbols("q_1 q_2 P_1 P_2 N S", real=True)
+q_1, q_2, P_1, P_2, S = sp.symbols("q_1 q_2 P_1 P_2 S", real=True)
 STATE = (q_1, q_2, P_1, P_2)
 HALF = sp.Rational(1, 2)
 
@@ -71,51 +72,10 @@ def form(
         field={q_1: by_P1, q_2: by_P2, P_1: -by_q1 + by_P2 * S, P_2: -by_q2 - by_P1 * S},
         laws=(
             Integral("energy", hamiltonian, "energy", source="Theorem 1", unit=unit),
-            *(() if multiplier is None else _theorem_6(hamiltonian, on)),
+            *(() if multiplier is None else theorem_6(hamiltonian, on=on)),
             *laws,
         ),
         observables=(Observable("gyroscopic", S, "coefficient S of the gyroscopic forces"),),
-    )
-
-
-def bracket(on: tuple[sp.Expr, ...] = ()) -> PoissonStructure:
-    """(4.6) in the variables q, P: {q_i, P_j} = δ_ij/N, {P₁, P₂} = S/N.
-
-    With p = N P these are {q_i, p_j} = δ_ij and {p₁, p₂} = S̄ for S̄ of (4.5).
-    """
-    pair = sp.eye(2) / N
-    turn = sp.Matrix([[0, S], [-S, 0]]) / N
-    return PoissonStructure(
-        "bracket",
-        sp.zeros(2).row_join(pair).col_join((-pair).row_join(turn)),
-        rank=4,
-        meaning="canonical bracket with a 2-form of gyroscopic forces",
-        on=on,
-        source="(4.6)",
-    )
-
-
-def _theorem_6(hamiltonian: sp.Expr, on: tuple[sp.Expr, ...]) -> tuple[Law, ...]:
-    """The measure, the bracket and the conformally Hamiltonian form."""
-    structure = bracket(on)
-    return (
-        Measure(
-            "measure",
-            {N: sp.S.One},
-            "measure whose density depends on the coordinates alone",
-            on=on,
-            source="Theorem 6",
-        ),
-        structure,
-        ConformallyHamiltonian(
-            "form",
-            N,
-            structure,
-            hamiltonian,
-            "conformally Hamiltonian form with the multiplier N = ρ",
-            on=on,
-            source="Theorem 6",
-        ),
     )
 
 

@@ -12,7 +12,7 @@ from flint import arb, arb_mat
 from ...arguments import NumberOrText
 from ...core.system import System
 from ...errors import InputError
-from ...formulas.balls import ball, ball_function, exact
+from ...formulas.balls import ball, ball_function, ball_values, exact
 from ...formulas.relative_zero import START_TOLERANCE, SizedNumber, state_sizes, values_with_sizes
 
 
@@ -63,6 +63,16 @@ def on_phase_space(
         step = weighted * (gradient * weighted).solve(arb_mat(count, 1, list(misses)))
         state = [arb((x - step[i, 0]).mid()) for i, x in enumerate(state)]
     return tuple(state)
+
+
+def with_definitions(
+    system: System, values: Mapping[sp.Symbol, arb], state: Sequence[arb]
+) -> dict[sp.Symbol, arb]:
+    """Parameters, state and definitions of a system by their symbols."""
+    known = {**values, **dict(zip(system.symbols, state, strict=False))}
+    for symbol, formula in system.scalar_definitions:
+        (known[symbol],) = ball_values([formula], known)
+    return known
 
 
 def _check(

@@ -16,6 +16,7 @@ import sympy as sp
 from flint import fmpq, fmpq_mpoly
 
 from ...arguments import NumberOrText, arguments_checked
+from ...core.named_formulas import by_dependence, substituted
 from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.balls import exact
@@ -194,10 +195,8 @@ def _number(
 ) -> sp.Expr:
     """A formula with the definitions and parameters filled in."""
     known = {s: sp.Rational(x.numerator, x.denominator) for s, x in values.items()}
-    for symbol, value in plane.system.scalar_definitions:
-        if not value.free_symbols - set(known):
-            known[symbol] = value.xreplace(known)
-    return sp.sympify(formula).xreplace(known)
+    constants, _ = by_dependence(plane.system.scalar_definitions, plane.system.symbols)
+    return sp.sympify(formula).xreplace(substituted(constants, known))
 
 
 def _curve(

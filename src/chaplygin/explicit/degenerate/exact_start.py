@@ -14,9 +14,8 @@ import sympy as sp
 from flint import arb
 
 from ...arguments import NumberOrText
-from ...core.system import System
 from ...formulas.balls import ball, ball_values, components
-from ..base.exact_start import on_phase_space
+from ..base.exact_start import on_phase_space, with_definitions
 from ..genus_two.separation import SeparatedSystem
 
 Balls: TypeAlias = tuple[arb, ...]
@@ -66,16 +65,6 @@ class ExactStart:
     def size(self) -> arb:
         """The largest modulus of a root: the unit in which roots are compared."""
         return max(abs(root) for root in self.roots)
-
-
-def with_definitions(
-    system: System, values: Mapping[sp.Symbol, arb], state: Sequence[arb]
-) -> dict[sp.Symbol, arb]:
-    """Parameters, state and definitions of a system by their symbols."""
-    known = {**values, **dict(zip(system.symbols, state, strict=False))}
-    for symbol, formula in system.scalar_definitions:
-        (known[symbol],) = ball_values([formula], known)
-    return known
 
 
 def exact_start(

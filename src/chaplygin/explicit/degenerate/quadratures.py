@@ -16,9 +16,10 @@ import numpy as np
 from flint import arb
 
 from ...core.arrays import BoolArray, FloatArray
-from ..genus_two.phases import halves, phase_at
+from ..genus_two.phases import phase_at
 from ..one_degree.angles import ComplexArray
 from ..one_degree.functions import DOUBLES
+from ..one_degree.phase_reduction import pair
 from .theta_motion import Asymptotic, Periodic, direction
 
 #: The integrands at ν, ν′ (3, n): an array (m, n), the clock first.
@@ -143,7 +144,7 @@ def _periodic(motion: Periodic, integrands: Integrands, turn: arb) -> PeriodicQu
     needed = np.nonzero((np.abs(harmonics) > 1e-17 * size).any(0))[0]
     harmonics = harmonics[:, : (needed[-1] + 1 if len(needed) else 1)]
     means = waves[:, 0].real
-    return PeriodicQuadratures(period, float(turn.mid()), halves(1 / turn), means, harmonics)
+    return PeriodicQuadratures(period, float(turn.mid()), pair(1 / turn), means, harmonics)
 
 
 @dataclass(frozen=True)

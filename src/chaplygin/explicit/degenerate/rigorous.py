@@ -24,7 +24,7 @@ from ..genus_two.separated_motion import chain
 from ..one_degree.chebyshev_integrals import Integrals, integrals, working_bits
 from ..one_degree.functions import BALLS, B
 from ..one_degree.inverse import enclosed_root
-from ..one_degree.vectors import cross, dot, product
+from ..one_degree.vectors import cross, dot, product, quaternion_near
 from ..one_degree.working_precision import exact_time, working_digits
 from .analytic_formula import analytic, root, triad, velocity
 from .motion import DegenerateMotion
@@ -302,7 +302,7 @@ class Rigorous:
             [dot([k[i] for k in self._still_triad], [a[j] for a in axes]) for j in range(3)]
             for i in range(3)
         ]
-        turn = quaternion(rows, near[size : size + 4])
+        turn = quaternion_near(rows, near[size : size + 4])
         position = [
             ball(x) + self._total(index, sigma) + turns * self._total(index, 2 * arb.pi())
             if turns

@@ -20,12 +20,12 @@ from ...core.vectors import Vector, to_components
 from ...formulas.balls import ball, ball_values, exact
 from ...formulas.relative_zero import SizedNumber, state_sizes, values_with_sizes, vanishes
 from ...mechanics.rolling.attitude import place_rates
-from ..base.exact_start import on_phase_space
+from ..base.exact_start import on_phase_space, with_definitions
 from ..base.solution import ClosedForm, NamedConstant
 from ..one_degree.uniform import Rotation, UniformSolution
 from ..one_degree.vectors import cross, dot, product
 from .analytic_formula import velocity
-from .exact_start import PRECISION, with_definitions
+from .exact_start import PRECISION
 
 #: Angles of a turn about ω at which the field is compared with that turn.
 ANGLES = 7

@@ -9,9 +9,7 @@ from flint import arb
 
 from ...core.arrays import ComplexArray, FloatArray, IntArray
 from ...formulas.balls import number
-
-#: Splits a double into two halves of 26 bits (Dekker).
-_SPLITTER = 134217729.0
+from ..one_degree.phase_reduction import Pair, exact_product
 
 
 def phase_grid(sizes: Sequence[int]) -> FloatArray:
@@ -31,19 +29,13 @@ def wave_rates(
     return rates, np.exp(1j * np.pi * (k_1 * v_0[0] + k_2 * v_0[1]))
 
 
-def halves(value: arb) -> tuple[float, float]:
-    """A ball's middle as the sum of two doubles, about 32 digits."""
-    high = float(value.mid())
-    return high, float((value - arb(high)).mid())
-
-
-def phase_at(rate: tuple[float, float], times: FloatArray, modulus: float) -> FloatArray:
+def phase_at(rate: Pair, times: FloatArray, modulus: float) -> FloatArray:
     """rate · times modulo `modulus`, in absolute value at most `modulus`.
 
     Parameters
     ----------
-    rate : (float, float)
-        A number as a sum of two doubles.
+    rate : pair of doubles
+        A number as their sum.
     times : array (n,)
     modulus : float
         A power of two, so that the remainder is exact.
@@ -54,19 +46,6 @@ def phase_at(rate: tuple[float, float], times: FloatArray, modulus: float) -> Fl
     long as rate · times is below 1e16.
     """
     high, low = rate
-    product = high * times
     with np.errstate(over="ignore"):
-        error = _low_part(high, times, product)
+        product, error = exact_product(times, high)
     return np.fmod(product, modulus) + np.fmod(error + low * times, modulus)
-
-
-def _low_part(one: float, other: FloatArray, product: FloatArray) -> FloatArray:
-    """The part of a product that was lost to rounding."""
-    a, b = _split(np.asarray(one)), _split(np.asarray(other))
-    return ((a[0] * b[0] - product) + a[0] * b[1] + a[1] * b[0]) + a[1] * b[1]
-
-
-def _split(value: FloatArray) -> tuple[FloatArray, FloatArray]:
-    scaled = _SPLITTER * value
-    high = scaled - (scaled - value)
-    return high, value - high

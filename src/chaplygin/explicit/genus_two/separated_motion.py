@@ -24,7 +24,7 @@ from ...formulas.balls import (
     number,
 )
 from ...formulas.program import Steps
-from ..base.exact_start import on_phase_space
+from ..base.exact_start import on_phase_space, with_definitions
 from .curve import Curve
 from .separation import SeparatedSystem, nu, nuprime
 from .torus import InvariantTorus, torus
@@ -74,9 +74,7 @@ def separate(
     system = separable.system
     values: dict[sp.Symbol, arb] = {name: ball(x) for name, x in parameters.items()}
     state = on_phase_space(system, separable.level, start, values)
-    known = {**values, **dict(zip(system.symbols, state, strict=True))}
-    for name, formula in system.scalar_definitions:
-        known[name] = ball_values([formula], known)[0]
+    known = with_definitions(system, values, state)
     for name, formula in separable.constants:
         known[name] = values[name] = ball_values(components(formula), known)[0]
 

@@ -9,7 +9,8 @@ from flint import arb, ctx
 
 from ...core.arrays import FloatArray
 from ...formulas.balls import components, number
-from .phases import halves, phase_at
+from ..one_degree.phase_reduction import pair
+from .phases import phase_at
 from .quadrature import Quadrature, quadrature, series
 from .separated_motion import SeparatedMotion, on_arrays, on_balls
 from .torus_average import mean
@@ -100,5 +101,5 @@ def clock_of(motion: SeparatedMotion, bits: int) -> TimeMap:
     if average is None:
         average = arb(flow.mean)
     with ctx.workprec(bits):
-        Omega = (halves(torus.V[0] / average), halves(torus.V[1] / average))
+        Omega = (pair(torus.V[0] / average), pair(torus.V[1] / average))
     return TimeMap(flow, average, Omega, np.array([number(x) for x in torus.V]), v_0)

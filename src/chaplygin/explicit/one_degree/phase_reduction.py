@@ -25,7 +25,7 @@ def pair(ball: arb) -> Pair:
     return high, float((ball - high).mid())
 
 
-def _product(a: FloatArray, b: float) -> tuple[FloatArray, FloatArray]:
+def exact_product(a: FloatArray, b: float) -> tuple[FloatArray, FloatArray]:
     """a·b as the sum of two doubles, exactly (Dekker)."""
     p = a * b
     a_high = _SPLIT * a - (_SPLIT * a - a)
@@ -43,11 +43,11 @@ def reduced_phase(times: FloatArray, offset: Pair, period: Pair) -> tuple[FloatA
     offset, period : pairs of doubles
     """
     count = np.rint((times + offset[0]) / period[0])
-    whole, remainder = _product(count, period[0])
+    whole, remainder = exact_product(count, period[0])
     return count, ((times - whole) + offset[0]) - remainder - count * period[1] + offset[1]
 
 
 def fraction(counts: FloatArray, share: Pair) -> FloatArray:
     """counts·share less the nearest whole number."""
-    whole, remainder = _product(counts, share[0])
+    whole, remainder = exact_product(counts, share[0])
     return (whole - np.rint(whole)) + remainder + counts * share[1]

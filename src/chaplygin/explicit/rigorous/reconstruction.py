@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TypeVar
 
 import sympy as sp
 from flint import arb, arb_mat
@@ -16,13 +15,11 @@ from ...mechanics.rolling.attitude import attitude, place_rates
 from ..genus_two.attitude_one_axis import rotated_triad
 from ..genus_two.reconstruction import spinning_pair
 from ..genus_two.separated_motion import SeparatedMotion, chain
+from ..one_degree.vectors import quaternion_near, quaternion_products
 from .branch_formula import Branch
 
 _AXES = sp.Matrix(3, 3, lambda k, s: real_symbol(f"axis_{k + 1}{s + 1}"))
 _TRIAD = sp.Matrix(3, 3, lambda k, b: real_symbol(f"triad_{k + 1}{b + 1}"))
-
-
-Number = TypeVar("Number", arb, sp.Expr)
 
 
 @dataclass(frozen=True)
@@ -99,11 +96,7 @@ class Turn:
 
     def quaternion(self, there: Sequence[Sequence[arb]], rough: FloatArray) -> list[arb]:
         """The quaternion (w, x, y, z) at ν and ν′, next to a rough one."""
-        squares = [[x / 4 for x in row] for row in quaternion_products(self.matrix(there).table())]
-        # the largest component is safe to divide by
-        place = max(range(4), key=lambda i: abs(rough[i]))
-        largest = squares[place][place].sqrt() * (1 if rough[place] > 0 else -1)
-        return [squares[place][i] / largest if i != place else largest for i in range(4)]
+        return quaternion_near(self.matrix(there).table(), rough)
 
 
 def _triad(first: sp.MatrixExpr, second: sp.MatrixExpr) -> sp.MatrixExpr:
@@ -124,17 +117,6 @@ def _matrix(q: Sequence[arb]) -> arb_mat:
             [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
         ]
     )
-
-
-def quaternion_products(R: Sequence[Sequence[Number]]) -> list[list[Number]]:
-    """4 q_i q_j of the quaternion of a rotation matrix (rows of balls or of formulas)."""
-    (a, b, c), (d, e, f), (g, h, i) = R
-    return [
-        [1 + a + e + i, h - f, c - g, d - b],
-        [h - f, 1 + a - e - i, b + d, c + g],
-        [c - g, b + d, 1 - a + e - i, f + h],
-        [d - b, c + g, f + h, 1 - a - e + i],
-    ]
 
 
 @dataclass(frozen=True)

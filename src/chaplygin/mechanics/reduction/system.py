@@ -9,6 +9,7 @@ import sympy as sp
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure, PoissonStructure
+from ...core.named_formulas import substituted
 from ...core.system import Observable, Parameter, System
 from ...core.vectors import real_symbol
 from ..lagrangian.mechanism import Mechanism
@@ -88,7 +89,7 @@ def chaplygin_system(
         },
         laws=(
             Integral("energy", hamiltonian, "energy of (4.4)", source="Theorem 1"),
-            *(_theorem_6(hamiltonian, powers) if multiplier is not None else ()),
+            *(theorem_6(hamiltonian, powers) if multiplier is not None else ()),
         ),
         observables=(Observable("gyroscopic", S, "coefficient S of the gyroscopic forces"),),
     )
@@ -127,8 +128,11 @@ def _by_place(base: Base, closed: ClosedFormParts, level: sp.Expr, index: int) -
     return -HALF * square - sp.diff(in_base_coordinates(base, level), q)
 
 
-def bracket() -> PoissonStructure:
-    """(4.6) in q, P: {q_i, P_j} = δ_ij/N, {P₁, P₂} = S/N."""
+def bracket(on: tuple[sp.Expr, ...] = ()) -> PoissonStructure:
+    """(4.6) in q, P: {q_i, P_j} = δ_ij/N, {P₁, P₂} = S/N.
+
+    With p = N P these are {q_i, p_j} = δ_ij and {p₁, p₂} = S̄ for S̄ of (4.5).
+    """
     pair = sp.eye(2) / N
     turn = sp.Matrix([[0, S], [-S, 0]]) / N
     return PoissonStructure(
@@ -136,17 +140,24 @@ def bracket() -> PoissonStructure:
         sp.zeros(2).row_join(pair).col_join((-pair).row_join(turn)),
         rank=4,
         meaning="canonical bracket of q and p = N P, with {p₁, p₂} = S̄",
+        on=on,
         source="(4.6)",
     )
 
 
-def _theorem_6(hamiltonian: sp.Expr, powers: Iterable[tuple[sp.Expr, sp.Expr]]) -> tuple[Law, ...]:
-    structure = bracket()
+def theorem_6(
+    hamiltonian: sp.Expr,
+    powers: Iterable[tuple[sp.Expr, sp.Expr]] = ((N, sp.S.One),),
+    on: tuple[sp.Expr, ...] = (),
+) -> tuple[Law, ...]:
+    """The measure with the density N, given by its factors; bracket and Hamiltonian form."""
+    structure = bracket(on)
     return (
         Measure(
             "measure",
             tuple(powers),
             "measure whose density depends on the coordinates alone",
+            on=on,
             source="Theorem 6",
         ),
         structure,
@@ -156,6 +167,7 @@ def _theorem_6(hamiltonian: sp.Expr, powers: Iterable[tuple[sp.Expr, sp.Expr]]) 
             structure,
             hamiltonian,
             "conformally Hamiltonian form, dτ = N dt",
+            on=on,
             source="Theorem 6",
         ),
     )
@@ -188,8 +200,7 @@ def with_carried_coordinates(
         return None
     rates = dict(zip(original.symbols, original.rates, strict=True))
     steps = original.required_definitions([rates[s] for s in missing])
-    for symbol, value in steps:
-        known[symbol] = value.xreplace(known)
+    known = substituted(steps, known)
     further = tuple((s, rates[s].xreplace(known)) for s in missing)
     return replace(form, name=f"{form.name}-lifted", field=(*form.field, *further), laws=())
 
