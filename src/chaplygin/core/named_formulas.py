@@ -52,7 +52,7 @@ def expand(
     return formula
 
 
-def substituted(
+def definition_values(
     steps: Iterable[tuple[sp.Symbol, sp.Expr]], known: Mapping[sp.Symbol, sp.Expr]
 ) -> dict[sp.Symbol, sp.Expr]:
     """Known formulas, and those of steps in order with the earlier ones written in."""

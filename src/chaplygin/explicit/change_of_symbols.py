@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from ..core.named_formulas import substituted
+from ..core.named_formulas import definition_values
 from ..core.system import System, flat_pairs
 from ..core.vectors import constant, real_symbol, to_components
 from .genus_two.separation import SeparatedSystem
@@ -70,7 +70,7 @@ def translation(
 ) -> dict[sp.Symbol, sp.Expr]:
     """State, parameters and definitions of one system in the symbols of another."""
     names = dict(zip(home.symbols, system.symbols, strict=True))
-    return substituted(home.scalar_definitions, {**names, **parameters})
+    return definition_values(home.scalar_definitions, {**names, **parameters})
 
 
 def _constants(separable: SeparatedSystem, system: System) -> dict[sp.Symbol, sp.Symbol]:

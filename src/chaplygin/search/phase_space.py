@@ -14,7 +14,7 @@ import numpy as np
 import sympy as sp
 
 from ..core.arrays import BoolArray
-from ..core.named_formulas import by_dependence, substituted
+from ..core.named_formulas import by_dependence, definition_values
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
@@ -97,7 +97,7 @@ class SearchSpace:
     def constants(self) -> dict[sp.Symbol, sp.Expr]:
         """Definitions that depend on parameters alone, in the free parameters."""
         constants, _ = by_dependence(self.system.scalar_definitions, self.system.symbols)
-        formulas = substituted(constants, dict(self.substitutions))
+        formulas = definition_values(constants, dict(self.substitutions))
         return {symbol: formulas[symbol] for symbol, _ in constants}
 
     @cached_property

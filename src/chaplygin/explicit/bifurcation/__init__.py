@@ -16,7 +16,7 @@ import sympy as sp
 from flint import fmpq, fmpq_mpoly
 
 from ...arguments import NumberOrText, arguments_checked
-from ...core.named_formulas import by_dependence, substituted
+from ...core.named_formulas import by_dependence, definition_values
 from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.balls import exact
@@ -196,7 +196,7 @@ def _number(
     """A formula with the definitions and parameters filled in."""
     known = {s: sp.Rational(x.numerator, x.denominator) for s, x in values.items()}
     constants, _ = by_dependence(plane.system.scalar_definitions, plane.system.symbols)
-    return sp.sympify(formula).xreplace(substituted(constants, known))
+    return sp.sympify(formula).xreplace(definition_values(constants, known))
 
 
 def _curve(

@@ -9,7 +9,7 @@ import sympy as sp
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure, PoissonStructure
-from ...core.named_formulas import substituted
+from ...core.named_formulas import definition_values
 from ...core.system import Observable, Parameter, System
 from ...core.vectors import real_symbol
 from ..lagrangian.mechanism import Mechanism
@@ -200,7 +200,7 @@ def with_carried_coordinates(
         return None
     rates = dict(zip(original.symbols, original.rates, strict=True))
     steps = original.required_definitions([rates[s] for s in missing])
-    known = substituted(steps, known)
+    known = definition_values(steps, known)
     further = tuple((s, rates[s].xreplace(known)) for s in missing)
     return replace(form, name=f"{form.name}-lifted", field=(*form.field, *further), laws=())
 
