@@ -53,10 +53,10 @@ def expand(
 
 
 def definition_values(
-    steps: Iterable[tuple[sp.Symbol, sp.Expr]], known: Mapping[sp.Symbol, sp.Expr]
+    steps: Iterable[tuple[sp.Symbol, sp.Expr]], values: Mapping[sp.Symbol, sp.Expr]
 ) -> dict[sp.Symbol, sp.Expr]:
-    """Known formulas, and those of steps in order with the earlier ones written in."""
-    formulas = dict(known)
+    """Formulas by their symbols, and those of steps in order with the earlier ones written in."""
+    formulas = dict(values)
     for symbol, value in steps:
         formulas[symbol] = value.xreplace(formulas)
     return formulas
