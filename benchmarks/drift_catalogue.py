@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from chaplygin import CATALOGUE, RunError, Study, Trajectory, integrate, prepare
-from chaplygin.experiment.file.models import catalogue_experiment
+from chaplygin.experiment.models.experiment import catalogue_experiment
 
 UNTIL = 1e5
 PIECE = 500.0

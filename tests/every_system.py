@@ -9,10 +9,10 @@ import sympy as sp
 from chaplygin.core.system import System
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, roll
-from chaplygin.mechanics.rolling.implicit import Implicit
-from chaplygin.mechanics.rolling.revolution import Revolution
-from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Torus
-from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
+from chaplygin.mechanics.shapes.implicit import Implicit
+from chaplygin.mechanics.shapes.revolution import Revolution
+from chaplygin.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
+from chaplygin.mechanics.shapes.surfaces import Plane, Sphere
 
 x, y, z = Implicit.coordinates
 gamma_1, gamma_3 = sp.Symbol("gamma_1", real=True), sp.Symbol("gamma_3", real=True)

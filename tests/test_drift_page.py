@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from chaplygin.catalogue import CATALOGUE
-from chaplygin.experiment.file.models import catalogue_experiment
+from chaplygin.experiment.models.experiment import catalogue_experiment
 from chaplygin.experiment.study import prepare
 from chaplygin.flow.integrator import integrate
 from chaplygin.report.summary import drift

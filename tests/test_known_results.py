@@ -17,8 +17,8 @@ from chaplygin.flow.trajectory import Trajectory
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, roll
 from chaplygin.mechanics.rolling.initial_state import initial_state
-from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid
-from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
+from chaplygin.mechanics.shapes.shapes import Ball, Disk, Ellipsoid
+from chaplygin.mechanics.shapes.surfaces import Plane, Sphere
 from chaplygin.report.summary import drift
 from evaluation import jacobian, numeric
 

@@ -21,7 +21,7 @@ from chaplygin.mechanics.lagrangian.poincare_suslov import equations
 from chaplygin.mechanics.reduction.chaplygin import chaplygin_form
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Rolling
-from chaplygin.mechanics.rolling.shapes import Ball
+from chaplygin.mechanics.shapes.shapes import Ball
 from chaplygin.search import integrals, search_request
 
 SOURCE = Path(chaplygin.__file__).parent

@@ -25,7 +25,7 @@ from links import faults
 
 from chaplygin import audit
 from chaplygin.core.source_digest import package_digest
-from chaplygin.experiment.file.schema import experiment_schema
+from chaplygin.experiment.models.schema import experiment_schema
 
 HOME = Path(__file__).parent
 ROOT = HOME.parent

@@ -17,7 +17,7 @@ import chaplygin
 from chaplygin import Forces, System
 from chaplygin.catalogue.bodies import unbalanced_ball
 from chaplygin.flow.initial_states import flat_starts
-from chaplygin.flow.kernel import code_cache as cache
+from chaplygin.flow.machine_code import code_cache as cache
 from chaplygin.flow.taylor.heyoka_expressions import Translator
 
 __all__ = ["BEYOND", "BODIES", "Body", "deviation", "rows"]

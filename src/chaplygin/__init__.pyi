@@ -36,7 +36,7 @@ from .core.laws import (
 from .core.system import Parameter as Parameter, System as System
 from .errors import InputError as InputError, RunError as RunError
 from .experiment.dataset import read as read, to_dataset as to_dataset, write as write
-from .experiment.file.models import load as load, loads as loads
+from .experiment.models.experiment import load as load, loads as loads
 from .experiment.study import Study as Study, prepare as prepare
 from .explicit.base.solution import Solution as Solution
 from .explicit.solver import solve as solve
@@ -58,25 +58,25 @@ from .mechanics.lagrangian.mechanism import (
     coordinates as coordinates,
 )
 from .mechanics.lagrangian.poincare_suslov import equations as equations
-from .mechanics.lagrangian.sympy_import import (
-    from_sympy as from_sympy,
-    mechanism_from_sympy as mechanism_from_sympy,
-)
 from .mechanics.reduction.chaplygin import chaplygin_form as chaplygin_form
 from .mechanics.rolling.body import Body as Body
 from .mechanics.rolling.cavity import Cavity as Cavity
 from .mechanics.rolling.equations import Forces as Forces, Rolling as Rolling, roll as roll
-from .mechanics.rolling.implicit import Implicit as Implicit
 from .mechanics.rolling.initial_state import initial_state as initial_state
 from .mechanics.rolling.mechanism import rolling_mechanism as rolling_mechanism
-from .mechanics.rolling.revolution import Revolution as Revolution
-from .mechanics.rolling.shapes import (
+from .mechanics.shapes.implicit import Implicit as Implicit
+from .mechanics.shapes.revolution import Revolution as Revolution
+from .mechanics.shapes.shapes import (
     Ball as Ball,
     Disk as Disk,
     Ellipsoid as Ellipsoid,
     Torus as Torus,
 )
-from .mechanics.rolling.surfaces import Plane as Plane, Sphere as Sphere
+from .mechanics.shapes.surfaces import Plane as Plane, Sphere as Sphere
+from .mechanics.sympy_models.conversion import (
+    from_sympy as from_sympy,
+    mechanism_from_sympy as mechanism_from_sympy,
+)
 from .printing.code import lambdify as lambdify, source_code as source_code
 from .proof.prover import prove as prove
 from .proof.verdict import Verdict as Verdict

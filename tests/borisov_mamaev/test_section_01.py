@@ -16,8 +16,8 @@ from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import Vector, to_components
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, roll
-from chaplygin.mechanics.rolling.shapes import Ellipsoid
-from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
+from chaplygin.mechanics.shapes.shapes import Ellipsoid
+from chaplygin.mechanics.shapes.surfaces import Plane, Sphere
 from evaluation import numeric
 
 GAMMA = Vector("gamma").symbols

@@ -11,7 +11,7 @@ from catalogue import built
 from chaplygin.catalogue import Entry
 from chaplygin.core.system import System
 from chaplygin.core.vectors import to_components, vectors
-from chaplygin.experiment.file.catalogue_models import StateExperiment, SystemExperiment
+from chaplygin.experiment.models.catalogue_models import StateExperiment, SystemExperiment
 from chaplygin.experiment.study import Study, prepare
 from evaluation import on_conditions, parameter_values
 

@@ -6,7 +6,7 @@ from functools import cache
 
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.core.system import System
-from chaplygin.experiment.file.models import catalogue_experiment
+from chaplygin.experiment.models.experiment import catalogue_experiment
 from chaplygin.experiment.study import Study, prepare
 from chaplygin.mechanics.rolling.equations import Rolling
 

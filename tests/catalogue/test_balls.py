@@ -9,7 +9,7 @@ import pytest
 
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.catalogue.balls.ball_laws import known_ball_laws
-from chaplygin.experiment.file.models import catalogue_experiment
+from chaplygin.experiment.models.experiment import catalogue_experiment
 from chaplygin.experiment.study import prepare
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.ball.initial_state import ball_state

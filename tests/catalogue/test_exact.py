@@ -23,9 +23,9 @@ from chaplygin.core.vectors import dot, norm_squared, to_components, vectors
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, Rolling
 from chaplygin.mechanics.rolling.initial_state import initial_state
-from chaplygin.mechanics.rolling.revolution import Revolution
-from chaplygin.mechanics.rolling.shapes import Ball, Disk, Torus
-from chaplygin.mechanics.rolling.surfaces import Sphere
+from chaplygin.mechanics.shapes.revolution import Revolution
+from chaplygin.mechanics.shapes.shapes import Ball, Disk, Torus
+from chaplygin.mechanics.shapes.surfaces import Sphere
 from evaluation import is_rational, on_conditions, parameter_values, rates_of_change
 from spread import spread
 

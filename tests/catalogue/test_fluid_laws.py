@@ -14,8 +14,8 @@ from chaplygin.core.vectors import Diagonal, Vector, cross, dot, norm_squared, r
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.cavity import Cavity
 from chaplygin.mechanics.rolling.equations import Forces, Rolling
-from chaplygin.mechanics.rolling.shapes import Ball
-from chaplygin.mechanics.rolling.surfaces import Sphere
+from chaplygin.mechanics.shapes.shapes import Ball
+from chaplygin.mechanics.shapes.surfaces import Sphere
 from chaplygin.proof.prover import prove
 
 M, N, gamma, omega, r, xi = (Vector(n) for n in ("M", "N", "gamma", "omega", "r", "xi"))

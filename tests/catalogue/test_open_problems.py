@@ -10,7 +10,7 @@ import sympy as sp
 
 from chaplygin.catalogue import entry
 from chaplygin.core.system import System
-from chaplygin.experiment.file.models import catalogue_experiment
+from chaplygin.experiment.models.experiment import catalogue_experiment
 from chaplygin.experiment.study import prepare
 from chaplygin.flow.integrator import integrate
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from chaplygin.catalogue import CATALOGUE
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import Study, prepare
 from chaplygin.flow.integrator import integrate
 from chaplygin.proof.prover import prove

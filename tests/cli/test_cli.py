@@ -17,7 +17,7 @@ from catalogue import built
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.cli import main
 from chaplygin.experiment.dataset import read
-from chaplygin.experiment.file.models import load
+from chaplygin.experiment.models.experiment import load
 from named_states import named_states
 from spread import spread
 

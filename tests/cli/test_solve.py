@@ -70,7 +70,7 @@ def test_the_record_agrees_with_the_integration(ask: Ask) -> None:
     assert len(record["equations"]) == 8
     frequencies = [item for item in record["figures"] if item["symbol"].startswith("Omega")]
     assert all(float(item["error"]) < 1e-15 and item["unit"] == "turns/s" for item in frequencies)
-    from chaplygin.experiment.file.models import loads
+    from chaplygin.experiment.models.experiment import loads
     from chaplygin.experiment.study import prepare
 
     study = prepare(loads('[system]\nname = "veselova"\n', "x", ["run.samples=2"]))

@@ -15,8 +15,8 @@ import numpy as np
 
 from chaplygin.contact.equations.situation import FrictionalContact
 from chaplygin.contact.friction.modes import Mode
-from chaplygin.mechanics.rolling.shapes import Ball, Ellipsoid
-from chaplygin.mechanics.rolling.surfaces import Plane
+from chaplygin.mechanics.shapes.shapes import Ball, Ellipsoid
+from chaplygin.mechanics.shapes.surfaces import Plane
 from contact.friction_formulas import Touch, reaction
 
 STEP = 1e-30

@@ -18,7 +18,7 @@ from chaplygin.contact.friction.modes import Mode
 from chaplygin.contact.nearest_point import nearest_normal
 from chaplygin.contact.starts import clearance, start_in_contact, start_in_space
 from chaplygin.core.arrays import FloatArray
-from chaplygin.mechanics.rolling.gauss_map import contact_points
+from chaplygin.mechanics.shapes.gauss_map import contact_points
 
 SURFACES = {
     "plane": ch.Plane(),

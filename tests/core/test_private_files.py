@@ -18,7 +18,7 @@ from random import Random
 import pytest
 
 from chaplygin.core import cache as core_cache, private_files, source_digest as provenance
-from chaplygin.flow.kernel import code_cache as cache
+from chaplygin.flow.machine_code import code_cache as cache
 from chaplygin.proof import verdict_cache as memory
 from chaplygin.proof.verdict import Verdict
 from mutations import damaged, within

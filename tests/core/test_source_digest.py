@@ -43,7 +43,7 @@ def copy(tmp_path: Path) -> Path:
         "catalogue/rates.py",
         "explicit/one_degree/uniformisation.py",
         "flow/kernel/runge_kutta.py",
-        "flow/kernel/arithmetic.py",
+        "flow/machine_code/arithmetic.py",
         "analysis/classification/classes.py",
     ],
 )
@@ -120,7 +120,7 @@ def test_names_on_disk_hold_the_digest(place: str, monkeypatch: pytest.MonkeyPat
     from chaplygin.borisov_mamaev import claims
     from chaplygin.borisov_mamaev.audit import _name
     from chaplygin.catalogue import entry
-    from chaplygin.flow.kernel import code_cache as cache
+    from chaplygin.flow.machine_code import code_cache as cache
     from chaplygin.proof.verdict_cache import fingerprint
 
     system = entry("veselova").system()

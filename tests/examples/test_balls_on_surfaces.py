@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from chaplygin.experiment.file.models import load
+from chaplygin.experiment.models.experiment import load
 from chaplygin.experiment.study import prepare
 from chaplygin.report.summary import drift
 

@@ -20,7 +20,7 @@ from chaplygin.contact import CompiledContact, Coulomb, contact_motion
 from chaplygin.contact.pressure.pressure import CoupledFriction, Ring, Uniform
 from chaplygin.contact.starts import start_in_space
 from chaplygin.experiment.contact.trajectory import ContactTrajectory
-from chaplygin.experiment.file.models import load
+from chaplygin.experiment.models.experiment import load
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "friction.md").read_text(encoding="utf-8")

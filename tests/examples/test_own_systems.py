@@ -15,8 +15,8 @@ from scipy.integrate import solve_ivp
 from chaplygin.catalogue import from_catalogue
 from chaplygin.cli import main
 from chaplygin.experiment.dataset import read
-from chaplygin.experiment.file.described_models import OwnExperiment
-from chaplygin.experiment.file.models import load, loads
+from chaplygin.experiment.models.described_models import OwnExperiment
+from chaplygin.experiment.models.experiment import load, loads
 from chaplygin.experiment.python_file import load_python
 from chaplygin.experiment.study import Study, dataset_of, prepare
 from chaplygin.proof.prover import prove

@@ -8,7 +8,7 @@ import pytest
 from chaplygin.errors import InputError
 from chaplygin.experiment.closed_form import solution_of_study
 from chaplygin.experiment.dataset import to_dataset
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import prepare
 from chaplygin.proof.prover import prove
 

@@ -29,7 +29,7 @@ from chaplygin.experiment.closed_form import (
     solution_of_study,
     units,
 )
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import Study, prepare
 from chaplygin.explicit.base.problem import Problem
 from chaplygin.explicit.base.solution import ClosedForm, NamedConstant, Solution

@@ -10,7 +10,7 @@ import sympy as sp
 
 from chaplygin import nonholonomy
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import prepare
 from chaplygin.measures.existence import measure_exists
 from chaplygin.mechanics.reduction.chaplygin import chaplygin_form

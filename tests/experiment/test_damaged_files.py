@@ -17,7 +17,7 @@ import xarray as xr
 from chaplygin.core.vectors import Vector
 from chaplygin.errors import LONGEST, InputError, RunError, readable
 from chaplygin.experiment.dataset import read, write
-from chaplygin.experiment.file.models import load, loads
+from chaplygin.experiment.models.experiment import load, loads
 from chaplygin.experiment.python_file import load_python
 from chaplygin.experiment.study import dataset_of, prepare
 from chaplygin.flow.ensemble import zarr_store as store

@@ -19,7 +19,7 @@ from catalogue.built import ROLLING
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.errors import InputError
 from chaplygin.experiment.dataset import read, to_dataset, write
-from chaplygin.experiment.file.models import catalogue_experiment, loads
+from chaplygin.experiment.models.experiment import catalogue_experiment, loads
 from chaplygin.experiment.study import dataset_of, prepare
 from spread import spread
 

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.catalogue_models import SystemExperiment
-from chaplygin.experiment.file.models import Experiment, loads
-from chaplygin.experiment.file.rolling_model import RollingExperiment
+from chaplygin.experiment.models.catalogue_models import SystemExperiment
+from chaplygin.experiment.models.experiment import Experiment, loads
+from chaplygin.experiment.models.rolling_model import RollingExperiment
 
 BALL = """
 [body]

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from chaplygin.errors import InputError, RunError
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import prepare
 from chaplygin.report.summary import drift
 from mutations import check_message, within

@@ -10,8 +10,8 @@ import pytest
 
 from chaplygin.errors import InputError
 from chaplygin.experiment.dataset import read, write
-from chaplygin.experiment.file.models import catalogue_experiment
 from chaplygin.experiment.formats import csv_text
+from chaplygin.experiment.models.experiment import catalogue_experiment
 from chaplygin.experiment.study import dataset_of, prepare
 
 OPTIONS = ("run.until=1", "run.samples=4")

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from chaplygin.catalogue import entry
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.poincare import Place, Starts, coordinates_of, section_of
 from chaplygin.experiment.study import Study, prepare
 from chaplygin.flow.ensemble.computation import compute

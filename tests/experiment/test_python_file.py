@@ -12,8 +12,8 @@ from chaplygin.core.laws import Integral, Measure, PoissonStructure, Symmetry
 from chaplygin.core.system import Guard, Observable, Parameter, System
 from chaplygin.core.vectors import Vector, cross, norm_squared, real_symbol
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.described_models import EquationsExperiment
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.described_models import EquationsExperiment
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.python_file import load_python
 from chaplygin.experiment.study import prepare
 from chaplygin.experiment.write_equations import tables_of
@@ -138,7 +138,7 @@ def test_a_system_and_neighbours(tmp_path: Path) -> None:
 def test_a_study_is_taken_as_it_is(tmp_path: Path) -> None:
     path = tmp_path / "mine.py"
     path.write_text(
-        "from chaplygin.experiment.file.models import catalogue_experiment\n"
+        "from chaplygin.experiment.models.experiment import catalogue_experiment\n"
         "from chaplygin.experiment.study import prepare\n"
         "study = prepare(catalogue_experiment('chaplygin-ball'))\n"
     )

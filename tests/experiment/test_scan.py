@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from chaplygin.analysis.scans.grid import axis
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.scan import chart_of, plane_of
 from chaplygin.experiment.study import Study, prepare
 from chaplygin.formulas.array_evaluation import values

@@ -11,7 +11,7 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from chaplygin.cli import app
-from chaplygin.experiment.file.schema import experiment_schema
+from chaplygin.experiment.models.schema import experiment_schema
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").rglob("*.toml"))
 

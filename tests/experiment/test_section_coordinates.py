@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from chaplygin.catalogue import entry
-from chaplygin.experiment.file.models import catalogue_experiment, loads
+from chaplygin.experiment.models.experiment import catalogue_experiment, loads
 from chaplygin.experiment.poincare import coordinates_of
 from chaplygin.experiment.section_coordinates import is_angle, usual, within_a_turn
 from chaplygin.experiment.study import prepare

@@ -13,12 +13,12 @@ from chaplygin.catalogue import CATALOGUE
 from chaplygin.core.system import System
 from chaplygin.errors import InputError, RunError
 from chaplygin.experiment.dataset import to_dataset
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import Study, dataset_of, prepare
-from chaplygin.mechanics.rolling.implicit import Implicit
-from chaplygin.mechanics.rolling.revolution import Revolution
-from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Torus
-from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
+from chaplygin.mechanics.shapes.implicit import Implicit
+from chaplygin.mechanics.shapes.revolution import Revolution
+from chaplygin.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
+from chaplygin.mechanics.shapes.surfaces import Plane, Sphere
 from chaplygin.report.summary import drift
 from spread import spread
 

@@ -10,8 +10,8 @@ import sympy as sp
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, Rolling
 from chaplygin.mechanics.rolling.initial_state import initial_state
-from chaplygin.mechanics.rolling.revolution import Revolution
-from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Shape, Torus
+from chaplygin.mechanics.shapes.revolution import Revolution
+from chaplygin.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Shape, Torus
 
 KINDS = ("ball", "disk", "torus", "ellipsoid", "revolution")
 

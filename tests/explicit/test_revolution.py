@@ -21,8 +21,8 @@ from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, Rolling
 from chaplygin.mechanics.rolling.initial_state import initial_state
-from chaplygin.mechanics.rolling.revolution import Revolution
-from chaplygin.mechanics.rolling.shapes import Disk, Ellipsoid
+from chaplygin.mechanics.shapes.revolution import Revolution
+from chaplygin.mechanics.shapes.shapes import Disk, Ellipsoid
 
 from .revolution_cases import KINDS, body, start, u
 

@@ -19,7 +19,7 @@ from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import real_symbol, vectors
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import prepare
 from chaplygin.explicit.base.problem import Problem, same_field
 from chaplygin.explicit.recover_body import rolling_of
@@ -29,8 +29,8 @@ from chaplygin.formulas.balls import exact
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, Rolling
 from chaplygin.mechanics.rolling.initial_state import initial_state
-from chaplygin.mechanics.rolling.shapes import Ball
-from chaplygin.mechanics.rolling.surfaces import Sphere
+from chaplygin.mechanics.shapes.shapes import Ball
+from chaplygin.mechanics.shapes.surfaces import Sphere
 
 GAMMA = (0.36, -0.48, 0.8)
 NO_SPIN = (0.8, -0.4, -0.6)

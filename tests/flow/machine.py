@@ -9,9 +9,9 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from chaplygin.flow.kernel.arithmetic import Arithmetic
-from chaplygin.flow.kernel.ir_writer import IRWriter
-from chaplygin.flow.kernel.jit import aligned_zeros, load_code
+from chaplygin.flow.machine_code.arithmetic import Arithmetic
+from chaplygin.flow.machine_code.ir_writer import IRWriter
+from chaplygin.flow.machine_code.jit import aligned_zeros, load_code
 
 HEAD = "void @numbers(ptr %given, ptr %found, i64 %count)"
 

@@ -18,8 +18,8 @@ from chaplygin.errors import InputError
 from chaplygin.flow.batch import BatchIntegrator, batch_integrator
 from chaplygin.flow.devices.threads import THREADS, available_threads
 from chaplygin.flow.integrator import integrate
-from chaplygin.flow.kernel.double_double_conversion import from_pairs
 from chaplygin.flow.kernel.equations import poincare_section
+from chaplygin.flow.machine_code.double_double_conversion import from_pairs
 from chaplygin.formulas.array_evaluation import values
 from flow.small import (
     BODIES,

@@ -14,7 +14,7 @@ from chaplygin.core.laws import Integral
 from chaplygin.errors import InputError
 from chaplygin.flow.gauss import GaussTrajectories, gauss_integrator
 from chaplygin.flow.integrator import integrate
-from chaplygin.flow.kernel.double_double_conversion import from_pairs
+from chaplygin.flow.machine_code.double_double_conversion import from_pairs
 from chaplygin.formulas.array_evaluation import values
 from flow.small import (
     BODIES,

@@ -13,7 +13,7 @@ import pytest
 
 from browser import Opened, browsers
 from chaplygin.analysis.classification.facts import ProofBudget
-from chaplygin.experiment.file.models import load, loads
+from chaplygin.experiment.models.experiment import load, loads
 from chaplygin.experiment.study import Study, dataset_of, prepare
 from chaplygin.lab.element import page
 from chaplygin.lab.study_page import study_model

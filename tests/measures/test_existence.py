@@ -37,9 +37,9 @@ from chaplygin.mechanics.lagrangian.mechanism import (
 )
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, Rolling
-from chaplygin.mechanics.rolling.implicit import Implicit
-from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Torus
-from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
+from chaplygin.mechanics.shapes.implicit import Implicit
+from chaplygin.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
+from chaplygin.mechanics.shapes.surfaces import Plane, Sphere
 from chaplygin.parsing.exact_decimals import exact_number
 from chaplygin.proof.prover import prove
 

@@ -19,8 +19,8 @@ from chaplygin.mechanics.rolling.cavity import Cavity
 from chaplygin.mechanics.rolling.equations import Forces, Rolling
 from chaplygin.mechanics.rolling.fluid import fluids_of
 from chaplygin.mechanics.rolling.initial_state import evaluate
-from chaplygin.mechanics.rolling.shapes import Ball, Ellipsoid, Torus
-from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
+from chaplygin.mechanics.shapes.shapes import Ball, Ellipsoid, Torus
+from chaplygin.mechanics.shapes.surfaces import Plane, Sphere
 from chaplygin.proof.prover import prove
 
 FULL = ((0.5, 0.05, -0.03), (0.05, 0.6, 0.04), (-0.03, 0.04, 0.7))

@@ -11,10 +11,10 @@ import sympy as sp
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.contact import contact as contact_of
 from chaplygin.mechanics.rolling.equations import Forces, roll
-from chaplygin.mechanics.rolling.implicit import Implicit
-from chaplygin.mechanics.rolling.revolution import Revolution
-from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Torus
-from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
+from chaplygin.mechanics.shapes.implicit import Implicit
+from chaplygin.mechanics.shapes.revolution import Revolution
+from chaplygin.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
+from chaplygin.mechanics.shapes.surfaces import Plane, Sphere
 from mechanics.compare import GAMMA, XYZ
 from mechanics.portrait import Portrait
 

@@ -20,13 +20,8 @@ import reference
 from chaplygin.core.system import System
 from chaplygin.core.vectors import to_components
 from chaplygin.flow.trajectory import Trajectory
-from chaplygin.mechanics.rolling import (
-    body as bodies,
-    equations as rolling,
-    initial_state as start,
-    shapes,
-    surfaces,
-)
+from chaplygin.mechanics.rolling import body as bodies, equations as rolling, initial_state as start
+from chaplygin.mechanics.shapes import shapes, surfaces
 from reference import Case
 
 GAMMA = sp.symbols("gamma_1:4", real=True)

@@ -15,7 +15,7 @@ import sympy as sp
 from chaplygin.core.system import System
 from chaplygin.flow.linearisation.linear_stability import linear_stability
 from chaplygin.formulas.multiprecision import number, slopes
-from chaplygin.mechanics.lagrangian.sympy_import import from_sympy
+from chaplygin.mechanics.sympy_models.conversion import from_sympy
 
 ROOT = Path(__file__).parents[2]
 pytestmark = pytest.mark.slow

@@ -31,7 +31,7 @@ from chaplygin.core.vectors import (
 )
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import roll
-from chaplygin.mechanics.rolling.shapes import Ball
+from chaplygin.mechanics.shapes.shapes import Ball
 from chaplygin.printing.formula import latex, rate, text, width
 from chaplygin.printing.mathml import mathml
 from chaplygin.printing.notation import LATEX, UNICODE

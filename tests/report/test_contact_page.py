@@ -18,7 +18,7 @@ from chaplygin.contact.friction.rolling_friction import (
 )
 from chaplygin.contact.friction.user_friction import UserFriction
 from chaplygin.contact.friction.viscous_friction import NormalViscous, PowerFriction, Viscous
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import prepare
 from chaplygin.report.contact_section import law_row
 from chaplygin.report.drawing.contact_values import FrictionLimits, friction_limits

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from chaplygin.analysis.classification.facts import ProofBudget
-from chaplygin.experiment.file.models import load, loads
+from chaplygin.experiment.models.experiment import load, loads
 from chaplygin.experiment.study import prepare
 from chaplygin.report.write import write_study
 from unheard import Unheard

@@ -9,7 +9,7 @@ from functools import cache
 import pytest
 
 from chaplygin.analysis.classification.facts import ProofBudget
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import prepare
 from chaplygin.proof.fields.budget import EFFORT
 from chaplygin.report.write import write_study

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import Study, prepare
 from chaplygin.report.stored_trajectory import read_trajectory, store_trajectory, trajectory_digest
 

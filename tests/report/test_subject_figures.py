@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from chaplygin.experiment.file.models import catalogue_experiment
+from chaplygin.experiment.models.experiment import catalogue_experiment
 from chaplygin.experiment.study import dataset_of, prepare
 from chaplygin.report.subject_figures import subject_figures
 

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 import chaplygin
-from chaplygin.experiment.file.schema import experiment_schema
+from chaplygin.experiment.models.schema import experiment_schema
 
 WEBSITE = Path(__file__).parents[2] / "website"
 

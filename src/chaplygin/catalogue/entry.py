@@ -18,8 +18,8 @@ from ..errors import InputError
 from ..mechanics.ball.ball import RollingBall
 from ..mechanics.lagrangian.plan import Plan
 from ..mechanics.rolling.equations import ContactModel, Rolling
-from ..mechanics.rolling.shapes import Shape
-from ..mechanics.rolling.surfaces import Plane, Sphere
+from ..mechanics.shapes.shapes import Shape
+from ..mechanics.shapes.surfaces import Plane, Sphere
 
 Numbers = Mapping[str, float]
 #: Parameters as a user gives them: numbers, or of a family also lists and rows of numbers.

@@ -22,8 +22,8 @@ from ..core.vectors import (
 )
 from ..mechanics.rolling.equations import Rolling
 from ..mechanics.rolling.fluid import Fluid, fluids_of
-from ..mechanics.rolling.shapes import Ball
-from ..mechanics.rolling.surfaces import Plane
+from ..mechanics.shapes.shapes import Ball
+from ..mechanics.shapes.surfaces import Plane
 
 M, gamma, k = Vector("M"), Vector("gamma"), Vector("k")
 ratio = real_symbol("k")

@@ -123,7 +123,7 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
 
             study = load_python(path, options)
         else:
-            from ..experiment.file.models import catalogue_experiment, load
+            from ..experiment.models.experiment import catalogue_experiment, load
 
             experiment = catalogue_experiment(what, options) if named else load(path, options)
             # what is wrong with a name or a file is said before the rest is imported

@@ -23,7 +23,7 @@ FORMS = ("text", "latex", "julia", "c", "toml", "javascript", "wasm")
 def _print_schema(now: bool) -> None:
     """Print the schema and end, whatever else is asked for."""
     if now:
-        from ..experiment.file.schema import experiment_schema
+        from ..experiment.models.schema import experiment_schema
 
         print_json(experiment_schema())
         raise typer.Exit

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..core.arrays import FloatArray
 from ..errors import InputError
-from ..mechanics.rolling.rays import directions
+from ..mechanics.shapes.rays import directions
 
 #: Normals that are looked at over the whole sphere, then in a narrowing cap, so many times.
 _NORMALS, _IN_CAP, _CAPS = 2000, 60, 14

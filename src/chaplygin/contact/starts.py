@@ -18,11 +18,11 @@ from scipy.spatial.transform import Rotation
 from ..arguments import Finite, arguments_checked
 from ..core.arrays import FloatArray
 from ..errors import InputError
-from ..mechanics.rolling.gauss_map import contact_points
-from ..mechanics.rolling.implicit import Implicit
 from ..mechanics.rolling.initial_state import DIGITS, attitude_of_normal
-from ..mechanics.rolling.shapes import Ball, Shape
-from ..mechanics.rolling.surfaces import Plane
+from ..mechanics.shapes.gauss_map import contact_points
+from ..mechanics.shapes.implicit import Implicit
+from ..mechanics.shapes.shapes import Ball, Shape
+from ..mechanics.shapes.surfaces import Plane
 from .equations.situation import FrictionalContact
 from .nearest_point import nearest_normal
 

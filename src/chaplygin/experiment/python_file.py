@@ -26,10 +26,10 @@ from ..mechanics.lagrangian.mechanism import Mechanism
 from ..mechanics.lagrangian.plan import Plan, plan_of
 from ..mechanics.lagrangian.poincare_suslov import equations
 from ..parsing import nearest
-from .file.described_models import EquationsExperiment
 from .file.source import Source
 from .file.toml import Key, Tables
 from .file.validation import validation_messages, value_text
+from .models.described_models import EquationsExperiment
 from .study import Study
 from .subjects.described_system import described_subject
 from .subjects.initial_state import lift_of

@@ -25,11 +25,11 @@ from ..mechanics.rolling.equations import Rolling
 from .contact.dataset import contact_dataset
 from .contact.trajectory import ContactTrajectory
 from .dataset import to_dataset
-from .file.ball_model import BallExperiment
-from .file.catalogue_models import StateExperiment, SystemExperiment
-from .file.described_models import EquationsExperiment, MechanismExperiment
-from .file.models import Experiment
-from .file.rolling_model import FrictionExperiment, RollingExperiment
+from .models.ball_model import BallExperiment
+from .models.catalogue_models import StateExperiment, SystemExperiment
+from .models.described_models import EquationsExperiment, MechanismExperiment
+from .models.experiment import Experiment
+from .models.rolling_model import FrictionExperiment, RollingExperiment
 from .subjects.ball_subject import ball_subject
 from .subjects.catalogue_system import body_of_catalogue, system_of_catalogue
 from .subjects.contact_subject import ContactSubject, contact_subject

@@ -17,7 +17,7 @@ from ..core.vectors import Diagonal, Symmetric
 from ..errors import InputError
 from ..formulas.balls import ball, exact, number
 from ..mechanics.rolling.equations import Rolling
-from ..mechanics.rolling.shapes import Ball
+from ..mechanics.shapes.shapes import Ball
 from .base.problem import Problem
 from .base.solution import ClosedForm, Solution
 from .one_degree.vectors import quaternion_products

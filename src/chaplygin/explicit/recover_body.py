@@ -15,8 +15,8 @@ from ..core.vectors import Diagonal, Symmetric
 from ..errors import InputError
 from ..mechanics.rolling.body import Body
 from ..mechanics.rolling.equations import ContactModel, Forces, Rolling
-from ..mechanics.rolling.shapes import Ball
-from ..mechanics.rolling.surfaces import Plane, Sphere, Surface
+from ..mechanics.shapes.shapes import Ball
+from ..mechanics.shapes.surfaces import Plane, Sphere, Surface
 
 MODELS: tuple[ContactModel, ContactModel] = ("marble", "rubber")
 

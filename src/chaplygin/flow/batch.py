@@ -26,9 +26,9 @@ from .devices.batch_arrays import BatchInput, BatchLoop
 from .devices.graphics import Device, graphics_loop
 from .devices.processor import processor_loop
 from .initial_states import reduced_rows
-from .kernel.double_double_conversion import as_pairs, parameter_pairs
 from .kernel.equations import Section, equations_of
 from .kernel.outcomes import outcome_message
+from .machine_code.double_double_conversion import as_pairs, parameter_pairs
 from .validation import check_state_shape, moments as read_moments, require_on_phase_space
 
 #: Numbers that one call may return.

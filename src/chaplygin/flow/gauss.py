@@ -30,13 +30,13 @@ from ..formulas.graph import Term
 from .cost import FEW_STEPS, MOST_STEPS, require_steps
 from .devices.threads import run_in_threads
 from .initial_states import reduced_rows
-from .kernel import jit as native
-from .kernel.double_double_conversion import as_pairs, parameter_pairs
 from .kernel.equations import equations_of, serial, serial_terms
 from .kernel.gauss_legendre import gauss_loop
 from .kernel.outcomes import outcome_message
 from .kernel.projection_terms import projection_terms
 from .kernel.tableaux import gauss
+from .machine_code import jit as native
+from .machine_code.double_double_conversion import as_pairs, parameter_pairs
 from .validation import check_state_shape, moments as read_moments, require_on_phase_space
 
 #: Stages, and what the highest coefficient of the rates over a step may be, relative to the state.

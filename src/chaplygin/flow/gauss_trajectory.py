@@ -16,8 +16,8 @@ from ..core.parameters import parameter_values
 from ..core.system import System
 from ..errors import InputError, RunError
 from .gauss import GaussIntegrator, GaussTrajectories, gauss_integrator
-from .kernel.double_double_conversion import from_pairs
 from .kernel.outcomes import STATUS_MESSAGES
+from .machine_code.double_double_conversion import from_pairs
 from .taylor.working_numbers import WorkingArray, WorkingNumber
 from .trajectory import Event, Statistics, Trajectory, recorded_values
 

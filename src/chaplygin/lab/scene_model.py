@@ -14,7 +14,7 @@ from ..formulas.array_evaluation import values
 from ..geometry.mesh import DirectionGrid, direction_grid
 from ..geometry.surface import frame_of, ground_of_ball
 from ..mechanics.ball.ball import RollingBall
-from ..mechanics.rolling.surfaces import Plane, Surface
+from ..mechanics.shapes.surfaces import Plane, Surface
 from .columns import Column
 from .encoding import floats, integers
 from .surface_mesh import surface_mesh

@@ -29,9 +29,9 @@ from ..formulas.jets import Evaluator
 from ..formulas.number_fields import Balls, ball_precision
 from ..mechanics.rolling.contact import contact
 from ..mechanics.rolling.equations import Rolling
-from ..mechanics.rolling.implicit import Implicit
-from ..mechanics.rolling.shapes import Ball, Ellipsoid
-from ..mechanics.rolling.surfaces import Plane
+from ..mechanics.shapes.implicit import Implicit
+from ..mechanics.shapes.shapes import Ball, Ellipsoid
+from ..mechanics.shapes.surfaces import Plane
 from ..parsing.exact_decimals import exact_number
 from ..proof.level.level_set import LevelSet
 from .one_form import OneForm, Powers

@@ -14,8 +14,8 @@ import sympy as sp
 from ..core.system import Parameter
 from ..core.vectors import Diagonal, Vector, real_symbol
 from ..mechanics.rolling.equations import Rolling
-from ..mechanics.rolling.shapes import Ball, Ellipsoid
-from ..mechanics.rolling.surfaces import Plane
+from ..mechanics.shapes.shapes import Ball, Ellipsoid
+from ..mechanics.shapes.surfaces import Plane
 from ..parsing.exact_decimals import exact_number
 
 Level = tuple[sp.Expr, ...]

@@ -38,8 +38,8 @@ from ..core.vectors import (
     zero,
 )
 from ..mechanics.rolling.equations import Rolling
-from ..mechanics.rolling.shapes import Ball
-from ..mechanics.rolling.surfaces import Plane
+from ..mechanics.shapes.shapes import Ball
+from ..mechanics.shapes.surfaces import Plane
 from .shape_geometry import Geometry, geometry
 
 #: Bases with exponents.

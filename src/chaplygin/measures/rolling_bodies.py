@@ -13,8 +13,8 @@ from dataclasses import replace
 from ..core.laws import Measure
 from ..mechanics.rolling.equations import Rolling
 from ..mechanics.rolling.fluid import fluids_of
-from ..mechanics.rolling.implicit import Implicit
-from ..mechanics.rolling.shapes import Disk, Torus
+from ..mechanics.shapes.implicit import Implicit
+from ..mechanics.shapes.shapes import Disk, Torus
 from ..proof.fields.budget import EFFORT
 from ..proof.prover import POINTS_ALONE, prove
 from ..proof.verdict import Verdict

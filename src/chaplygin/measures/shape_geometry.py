@@ -16,9 +16,9 @@ from sympy.matrices.expressions import MatrixExpr
 from ..core.named_formulas import Pairs
 from ..core.system import Parameter
 from ..core.vectors import Symmetric, Vector, constant, cross, dot, norm_squared, real_symbol
-from ..mechanics.rolling.implicit import Implicit
-from ..mechanics.rolling.shapes import Shape
-from ..mechanics.rolling.surfaces import Plane, Surface
+from ..mechanics.shapes.implicit import Implicit
+from ..mechanics.shapes.shapes import Shape
+from ..mechanics.shapes.surfaces import Plane, Surface
 
 Operator = Callable[[MatrixExpr], MatrixExpr]
 

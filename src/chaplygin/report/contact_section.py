@@ -13,7 +13,7 @@ from ..contact.friction.dry_friction import Coulomb
 from ..contact.friction.friction_law import FrictionLaw
 from ..experiment.contact.trajectory import ContactTrajectory
 from ..experiment.subjects.contact_subject import ContactSubject
-from ..mechanics.rolling.surfaces import Plane
+from ..mechanics.shapes.surfaces import Plane
 from ..printing.numerals import number, typographic_signs, unit
 from .drawing.contact_values import FrictionLimits, event_impulses, friction_limits
 from .drawing.modes import changes_mode

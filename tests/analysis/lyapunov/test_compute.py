@@ -19,7 +19,7 @@ from chaplygin.core.laws import Integral, Symmetry
 from chaplygin.core.system import System
 from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError, RunError
-from chaplygin.experiment.file.models import catalogue_experiment
+from chaplygin.experiment.models.experiment import catalogue_experiment
 from chaplygin.experiment.study import prepare
 from chaplygin.flow.linearisation.linear_stability import linear_stability
 

@@ -15,7 +15,7 @@ from chaplygin.catalogue import from_catalogue
 from chaplygin.core.laws import Measure
 from chaplygin.errors import InputError
 from chaplygin.experiment.dataset import to_dataset
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import prepare
 from chaplygin.flow.integrator import integrate
 from chaplygin.proof.prover import prove

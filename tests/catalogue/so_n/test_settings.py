@@ -8,8 +8,8 @@ import sympy as sp
 
 from chaplygin.catalogue import entry, from_catalogue
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.formats import csv_text
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import dataset_of, prepare
 from chaplygin.flow.integrator import integrate
 from chaplygin.formulas.array_evaluation import values

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from chaplygin.catalogue import from_catalogue
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import dataset_of, prepare
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.rolling.initial_state import initial_state

@@ -7,7 +7,7 @@ import pytest
 from scipy.stats import special_ortho_group
 
 from catalogue.so_n import unreduced
-from chaplygin.experiment.file.catalogue_models import StateExperiment
+from chaplygin.experiment.models.catalogue_models import StateExperiment
 from chaplygin.experiment.study import dataset_of, prepare
 
 MASS, RADIUS = 1.3, 0.8

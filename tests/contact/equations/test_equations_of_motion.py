@@ -19,9 +19,9 @@ from chaplygin.contact.friction.viscous_friction import NormalViscous, Viscous
 from chaplygin.core.vectors import real_symbol
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces
-from chaplygin.mechanics.rolling.implicit import Implicit
-from chaplygin.mechanics.rolling.shapes import Ball, Ellipsoid
-from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
+from chaplygin.mechanics.shapes.implicit import Implicit
+from chaplygin.mechanics.shapes.shapes import Ball, Ellipsoid
+from chaplygin.mechanics.shapes.surfaces import Plane, Sphere
 from contact.dense_motion import accelerations, random_state, rotation
 from evaluation import numeric
 

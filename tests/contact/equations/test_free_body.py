@@ -12,8 +12,8 @@ from chaplygin.core.named_formulas import by_dependence
 from chaplygin.core.vectors import Vector, cross, dot, real_symbol
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces
-from chaplygin.mechanics.rolling.shapes import Ball
-from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
+from chaplygin.mechanics.shapes.shapes import Ball
+from chaplygin.mechanics.shapes.surfaces import Plane, Sphere
 
 x, y = real_symbol("x"), real_symbol("y")
 u, w = Vector("u"), Vector("w")

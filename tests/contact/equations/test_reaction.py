@@ -22,8 +22,8 @@ from chaplygin.contact.friction.viscous_friction import NormalViscous, Viscous
 from chaplygin.core.vectors import to_components
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces
-from chaplygin.mechanics.rolling.shapes import Ball, Ellipsoid
-from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
+from chaplygin.mechanics.shapes.shapes import Ball, Ellipsoid
+from chaplygin.mechanics.shapes.surfaces import Plane, Sphere
 from contact.dense_motion import Motion, accelerations, random_state, rotation
 
 FULL = ((1.2, 0.1, -0.2), (0.1, 1.5, 0.3), (-0.2, 0.3, 2.1))

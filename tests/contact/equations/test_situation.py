@@ -13,8 +13,8 @@ from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces
-from chaplygin.mechanics.rolling.shapes import Ball
-from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
+from chaplygin.mechanics.shapes.shapes import Ball
+from chaplygin.mechanics.shapes.surfaces import Plane, Sphere
 
 BODY = Body(0.7, (0.3, 0.4, 0.5), Ball(0.9))
 

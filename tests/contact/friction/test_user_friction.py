@@ -23,7 +23,7 @@ from chaplygin.errors import InputError
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces
-from chaplygin.mechanics.rolling.shapes import Ball
+from chaplygin.mechanics.shapes.shapes import Ball
 from contact.dense_motion import Motion, accelerations, random_state, rotation
 from contact.friction.test_viscous_friction import GRAVITY, slip_of_ball
 from contact.friction_formulas import Touch

@@ -12,7 +12,7 @@ from chaplygin.contact.friction.modes import Mode
 from chaplygin.contact.friction.viscous_friction import NormalViscous, PowerFriction
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces
-from chaplygin.mechanics.rolling.shapes import Ball
+from chaplygin.mechanics.shapes.shapes import Ball
 from contact.friction_formulas import Touch
 from contact.law_values import law_values, random_touch
 from evaluation import numeric

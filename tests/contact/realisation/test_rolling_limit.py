@@ -12,7 +12,7 @@ from chaplygin.contact.realisation.rolling_limit import ViscousContact, start_of
 from chaplygin.core.arrays import FloatArray
 from chaplygin.errors import InputError
 from chaplygin.flow.initial_states import upright
-from chaplygin.mechanics.rolling.gauss_map import contact_points
+from chaplygin.mechanics.shapes.gauss_map import contact_points
 
 LOADED = ch.Body(1.0, (0.4, 0.45, 0.5), ch.Ball(1.0, centre=(0.1, -0.05, 0.2)))
 BALANCED = ch.Body(1.0, (0.4, 0.5, 0.6), ch.Ball(1.0))

@@ -14,8 +14,8 @@ from chaplygin.catalogue import Start
 from chaplygin.core.system import Reconstruction, System
 from chaplygin.core.vectors import Diagonal, dot
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.catalogue_models import StateExperiment
-from chaplygin.experiment.file.models import catalogue_experiment, loads
+from chaplygin.experiment.models.catalogue_models import StateExperiment
+from chaplygin.experiment.models.experiment import catalogue_experiment, loads
 from chaplygin.experiment.study import Study, dataset_of, prepare
 from chaplygin.experiment.subjects.initial_state import initial_state_from_values
 from chaplygin.mechanics.rolling.attitude import (

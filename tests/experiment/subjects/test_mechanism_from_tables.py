@@ -21,8 +21,8 @@ from chaplygin.core.vectors import (
     to_components,
 )
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.described_models import EquationsExperiment, MechanismExperiment
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.described_models import EquationsExperiment, MechanismExperiment
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import Study, prepare
 from chaplygin.experiment.subjects.mechanism_from_tables import mechanism_of
 from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism, rotations

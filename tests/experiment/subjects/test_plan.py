@@ -8,7 +8,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection, PolyCollection
 
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.models import catalogue_experiment, loads
+from chaplygin.experiment.models.experiment import catalogue_experiment, loads
 from chaplygin.experiment.python_file import load_python
 from chaplygin.experiment.study import dataset_of, prepare
 from chaplygin.experiment.subjects.plan import plan_motion

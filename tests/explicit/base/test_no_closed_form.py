@@ -7,7 +7,7 @@ import re
 import pytest
 
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import prepare
 from chaplygin.explicit.base.no_closed_form import NoClosedFormError
 from chaplygin.explicit.base.problem import Problem

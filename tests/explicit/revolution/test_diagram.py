@@ -14,7 +14,7 @@ from chaplygin.explicit.revolution.diagram import Diagram, motions_at, revolutio
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, Rolling
 from chaplygin.mechanics.rolling.initial_state import initial_state
-from chaplygin.mechanics.rolling.shapes import Ball, Disk
+from chaplygin.mechanics.shapes.shapes import Ball, Disk
 from chaplygin.report.figures.bifurcation_revolution import diagram_of_revolution
 
 DISK = Rolling(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Forces(9.81))

@@ -13,14 +13,14 @@ import chaplygin.flow.devices.graphics as module
 from chaplygin.catalogue import CATALOGUE, from_catalogue
 from chaplygin.core.system import System
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.models import catalogue_experiment
+from chaplygin.experiment.models.experiment import catalogue_experiment
 from chaplygin.experiment.study import prepare
 from chaplygin.flow.batch import BatchIntegrator, batch_integrator
 from chaplygin.flow.devices.graphics import graphics_loop, refuse_graphics
 from chaplygin.flow.kernel.equations import Section, equations_of, poincare_section
-from chaplygin.flow.kernel.ir_writer import literal
 from chaplygin.flow.kernel.outcomes import NOT_A_NUMBER
 from chaplygin.flow.kernel.tableaux import explicit
+from chaplygin.flow.machine_code.ir_writer import literal
 from flow.devices.ptx_machine import PtxMachine
 from flow.small import FENCED, LOGARITHM, OSCILLATOR, RUNAWAY, body, starts, x, y
 

@@ -13,11 +13,11 @@ from chaplygin.catalogue import from_catalogue
 from chaplygin.flow import gauss as precise_module
 from chaplygin.flow.gauss import gauss_integrator
 from chaplygin.flow.integrator import integrate
-from chaplygin.flow.kernel import jit as native
 from chaplygin.flow.kernel.equations import equations_of
 from chaplygin.flow.kernel.gauss_legendre import gauss_loop
 from chaplygin.flow.kernel.outcomes import COLLAPSED, NOT_A_NUMBER, STATUS_MESSAGES, STEPS
 from chaplygin.flow.kernel.tableaux import Gauss, gauss
+from chaplygin.flow.machine_code import jit as native
 from flow.small import FENCED, LOGARITHM, OSCILLATOR, RUNAWAY, starts
 
 FAR = pytest.mark.parametrize("end", [3.0, 1e6])

@@ -19,8 +19,6 @@ from chaplygin.flow import batch as lanes_module
 from chaplygin.flow.batch import BatchIntegrator, batch_integrator
 from chaplygin.flow.devices.processor import SIGNATURE, ProcessorLoop
 from chaplygin.flow.integrator import integrate
-from chaplygin.flow.kernel import jit as native
-from chaplygin.flow.kernel.arithmetic import Double, Pair
 from chaplygin.flow.kernel.equations import Section, equations_of, poincare_section
 from chaplygin.flow.kernel.outcomes import (
     COLLAPSED,
@@ -31,6 +29,8 @@ from chaplygin.flow.kernel.outcomes import (
 )
 from chaplygin.flow.kernel.runge_kutta import runge_kutta_loop
 from chaplygin.flow.kernel.tableaux import explicit
+from chaplygin.flow.machine_code import jit as native
+from chaplygin.flow.machine_code.arithmetic import Double, Pair
 from chaplygin.formulas.array_evaluation import values
 from flow.small import (
     FENCED,

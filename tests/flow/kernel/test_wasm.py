@@ -9,9 +9,9 @@ from fractions import Fraction
 import mpmath
 import numpy as np
 
-from chaplygin.flow.kernel.arithmetic import WithoutFused
-from chaplygin.flow.kernel.ir_writer import IRWriter
 from chaplygin.flow.kernel.wasm import values_text, wasm_module, with_prefix
+from chaplygin.flow.machine_code.arithmetic import WithoutFused
+from chaplygin.flow.machine_code.ir_writer import IRWriter
 from chaplygin.formulas.graph import Graph
 from lab.node import NODE, needs_node
 

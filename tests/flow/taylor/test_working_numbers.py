@@ -7,7 +7,7 @@ import sys
 import pytest
 
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import prepare
 from chaplygin.flow.taylor.working_numbers import PrecisionError, number_type
 

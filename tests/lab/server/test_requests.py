@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.models.experiment import loads
 from chaplygin.lab.server.requests import Chart, Proof, Subject, request_of
 
 SUBJECT = {"what": "veselova"}

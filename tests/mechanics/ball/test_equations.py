@@ -17,8 +17,8 @@ from chaplygin.mechanics.lagrangian.poincare_suslov import equations
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, roll
 from chaplygin.mechanics.rolling.initial_state import initial_state
-from chaplygin.mechanics.rolling.shapes import Ball
-from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
+from chaplygin.mechanics.shapes.shapes import Ball
+from chaplygin.mechanics.shapes.surfaces import Plane, Sphere
 from chaplygin.proof.prover import prove
 from mechanics.balls import SURFACES, on
 from spread import spread

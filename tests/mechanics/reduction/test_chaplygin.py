@@ -22,8 +22,8 @@ from chaplygin.mechanics.reduction.quadratic_integral import energy_like_integra
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Rolling
 from chaplygin.mechanics.rolling.mechanism import rolling_mechanism
-from chaplygin.mechanics.rolling.shapes import Ball
-from chaplygin.mechanics.rolling.surfaces import Sphere
+from chaplygin.mechanics.shapes.shapes import Ball
+from chaplygin.mechanics.shapes.surfaces import Sphere
 from chaplygin.proof.prover import prove
 from mechanics.reducible import (
     ROTORS,

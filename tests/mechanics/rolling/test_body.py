@@ -13,7 +13,7 @@ import reference
 from chaplygin.errors import InputError
 from chaplygin.mechanics.rolling.body import Body, triangle_inequalities
 from chaplygin.mechanics.rolling.equations import Rolling
-from chaplygin.mechanics.rolling.shapes import Ball
+from chaplygin.mechanics.shapes.shapes import Ball
 
 BALL = Ball(1.0)
 UNIT = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))

@@ -15,7 +15,7 @@ from chaplygin.errors import InputError
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, Rolling, roll
-from chaplygin.mechanics.rolling.shapes import Ball, Ellipsoid
+from chaplygin.mechanics.shapes.shapes import Ball, Ellipsoid
 from mechanics import bodies
 from mechanics.bodies import (
     CENTRE,

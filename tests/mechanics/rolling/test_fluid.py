@@ -21,11 +21,11 @@ from chaplygin.mechanics.lagrangian.poincare_suslov import equations
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.cavity import Cavity
 from chaplygin.mechanics.rolling.equations import Forces, Rolling
-from chaplygin.mechanics.rolling.implicit import Implicit
 from chaplygin.mechanics.rolling.initial_state import evaluate, initial_state
 from chaplygin.mechanics.rolling.mechanism import rolling_mechanism
-from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid
-from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
+from chaplygin.mechanics.shapes.implicit import Implicit
+from chaplygin.mechanics.shapes.shapes import Ball, Disk, Ellipsoid
+from chaplygin.mechanics.shapes.surfaces import Plane, Sphere
 from mechanics.rolling.fluid_reference import Chamber, Filled, turn_of
 
 x, y, z = (real_symbol(name) for name in "xyz")

@@ -18,11 +18,11 @@ from chaplygin.core.vectors import Vector, real_symbol, to_components
 from chaplygin.errors import InputError
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, roll
-from chaplygin.mechanics.rolling.implicit import Implicit
 from chaplygin.mechanics.rolling.initial_state import evaluate, initial_state
-from chaplygin.mechanics.rolling.revolution import Revolution
-from chaplygin.mechanics.rolling.shapes import Ball, Ellipsoid
-from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
+from chaplygin.mechanics.shapes.implicit import Implicit
+from chaplygin.mechanics.shapes.revolution import Revolution
+from chaplygin.mechanics.shapes.shapes import Ball, Ellipsoid
+from chaplygin.mechanics.shapes.surfaces import Plane, Sphere
 from mechanics.bodies import CENTRE, FIELD, FULL, QUARTIC, SHAPES, SURFACES
 from mechanics.compare import XYZ
 from mechanics.portrait import coordinates, directions

@@ -17,7 +17,7 @@ from chaplygin.contact.friction.modes import MODE_NAMES
 from chaplygin.errors import InputError
 from chaplygin.geometry.mesh import outline_from_contact
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.shapes import Ball
+from chaplygin.mechanics.shapes.shapes import Ball
 from chaplygin.report.drawing.contact_values import (
     FrictionLimits,
     event_impulses,

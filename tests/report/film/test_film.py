@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from chaplygin.errors import InputError
-from chaplygin.experiment.file.models import load, loads
+from chaplygin.experiment.models.experiment import load, loads
 from chaplygin.experiment.study import Study, dataset_of, prepare
 from chaplygin.experiment.subjects.plan import plan_motion
 from chaplygin.report.film.encode import require_encoder, write_film

@@ -19,7 +19,7 @@ from ...core.arrays import FloatArray
 from ...core.vectors import to_components
 from ...flow.batch import batch_integrator
 from ...flow.gauss import gauss_integrator
-from ...flow.kernel.double_double_conversion import from_pairs
+from ...flow.machine_code.double_double_conversion import from_pairs
 from ...formulas.multiprecision import slopes
 from .maps import normalised_functions
 from .periodic import NoOrbitError, Orbit, held_values, periodic_difference, shortest

@@ -20,7 +20,7 @@ from ...core.system import System
 from ...core.vectors import real_symbol, vectors
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, roll
-from ...mechanics.rolling.revolution import Revolution
+from ...mechanics.shapes.revolution import Revolution
 
 M, omega, gamma, r = vectors("M omega gamma r")
 m, I_1, I_2, I_3 = (real_symbol(s) for s in ("m", "I_1", "I_2", "I_3"))

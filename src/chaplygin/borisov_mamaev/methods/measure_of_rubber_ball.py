@@ -27,7 +27,7 @@ from ...core.vectors import Diagonal, Vector, real_symbol
 from ...measures.one_form import one_form
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Rolling
-from ...mechanics.rolling.shapes import Ball
+from ...mechanics.shapes.shapes import Ball
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from .conclusion import computed_verdict

@@ -27,7 +27,7 @@ from ...mechanics.lagrangian.structure_functions import VectorField, lie_derivat
 from ...mechanics.rolling.attitude import rotation
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import roll
-from ...mechanics.rolling.shapes import Ellipsoid
+from ...mechanics.shapes.shapes import Ellipsoid
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.conclusion import computed_verdict

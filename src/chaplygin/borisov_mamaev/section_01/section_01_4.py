@@ -26,8 +26,8 @@ from ...core.vectors import (
 )
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, roll
-from ...mechanics.rolling.shapes import Ball, Ellipsoid
-from ...mechanics.rolling.surfaces import Sphere
+from ...mechanics.shapes.shapes import Ball, Ellipsoid
+from ...mechanics.shapes.surfaces import Sphere
 from ..claim import Case, Claim, Remark
 from ..methods.any_motion import any_motion, driven, newton_euler, reduced_equation
 from ..methods.rigid_body_in_space import POTENTIAL

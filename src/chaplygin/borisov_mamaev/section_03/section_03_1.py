@@ -11,7 +11,7 @@ from ...core.vectors import Vector
 from ...mechanics.lagrangian.structure_functions import lie_derivative
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, roll
-from ...mechanics.rolling.shapes import Ellipsoid
+from ...mechanics.shapes.shapes import Ellipsoid
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import law_named
 from ..methods.unspecified import fields, gradient, system, unspecified_functions

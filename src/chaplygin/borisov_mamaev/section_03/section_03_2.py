@@ -10,7 +10,7 @@ from ...core.laws import Identity, Measure, Rate
 from ...core.vectors import Diagonal, Vector, dot, real_symbol
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, roll
-from ...mechanics.rolling.shapes import Ellipsoid
+from ...mechanics.shapes.shapes import Ellipsoid
 from ...parsing.exact_decimals import exact_number
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark

@@ -25,7 +25,7 @@ from ...core.vectors import (
 )
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, roll
-from ...mechanics.rolling.shapes import Ball
+from ...mechanics.shapes.shapes import Ball
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark

@@ -14,8 +14,8 @@ from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, cross, dot, identity, norm_squared, real_symbol, vectors, zero
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import roll
-from ...mechanics.rolling.shapes import Ball
-from ...mechanics.rolling.surfaces import Plane, Sphere, Surface
+from ...mechanics.shapes.shapes import Ball
+from ...mechanics.shapes.surfaces import Plane, Sphere, Surface
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified
 

@@ -22,8 +22,8 @@ from ...core.vectors import (
 )
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
-from ...mechanics.rolling.shapes import Ball
-from ...mechanics.rolling.surfaces import Sphere
+from ...mechanics.shapes.shapes import Ball
+from ...mechanics.shapes.surfaces import Sphere
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.independence import independent, rational_point

@@ -12,8 +12,8 @@ from ...core.system import System
 from ...core.vectors import cross, dot, norm_squared, zero
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Rolling
-from ...mechanics.rolling.shapes import Ball
-from ...mechanics.rolling.surfaces import Sphere
+from ...mechanics.shapes.shapes import Ball
+from ...mechanics.shapes.surfaces import Sphere
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.conclusion import computed_verdict

@@ -8,8 +8,8 @@ from ...core.laws import Integral, Law, Measure
 from ...core.system import System
 from ...core.vectors import norm_squared, vectors
 from ...mechanics.rolling.equations import Forces, Rolling
-from ...mechanics.rolling.shapes import Ball
-from ...mechanics.rolling.surfaces import Sphere
+from ...mechanics.shapes.shapes import Ball
+from ...mechanics.shapes.surfaces import Sphere
 from ..chaplygin_ball.chaplygin_ball import BRUNS, MOMENTUM_UNIT, K
 from ..chaplygin_ball.chaplygin_bracket import DET_IQ
 from ..entry import Entry, Numbers, Start, bruns_factor, laws_for

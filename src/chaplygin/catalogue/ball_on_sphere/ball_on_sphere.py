@@ -11,8 +11,8 @@ from ...core.system import System
 from ...core.vectors import Diagonal, constant, dot, norm_squared, real_symbol, vectors, zero
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Rolling
-from ...mechanics.rolling.shapes import Ball
-from ...mechanics.rolling.surfaces import Sphere
+from ...mechanics.shapes.shapes import Ball
+from ...mechanics.shapes.surfaces import Sphere
 from ..entry import Entry, Numbers, Start, laws_for
 from .ball_around_sphere_coordinates import coordinates_around_sphere
 from .ball_on_sphere_equations import equations_on_sphere

@@ -15,8 +15,8 @@ from ...core.laws import Integral, Law, Measure
 from ...core.system import System
 from ...core.vectors import Diagonal, dot, norm_squared, vectors
 from ...mechanics.rolling.equations import Forces, Rolling
-from ...mechanics.rolling.shapes import Ball
-from ...mechanics.rolling.surfaces import Sphere
+from ...mechanics.shapes.shapes import Ball
+from ...mechanics.shapes.surfaces import Sphere
 from ..chaplygin_ball import chaplygin_ball
 from ..chaplygin_ball.chaplygin_ball import BRUNS, MOMENTUM_UNIT, K
 from ..chaplygin_ball.chaplygin_bracket import DET_IQ

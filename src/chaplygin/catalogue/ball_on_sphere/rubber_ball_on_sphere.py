@@ -12,8 +12,8 @@ from ...core.system import System
 from ...core.vectors import Diagonal, Symmetric, dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
-from ...mechanics.rolling.shapes import Ball
-from ...mechanics.rolling.surfaces import Sphere
+from ...mechanics.shapes.shapes import Ball
+from ...mechanics.shapes.surfaces import Sphere
 from ..entry import Entry, Numbers, Start, laws_for
 from . import ball_on_sphere, rubber_ball_ratio
 

@@ -25,8 +25,8 @@ from ...core.vectors import (
 )
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import ContactModel, Forces, Rolling
-from ...mechanics.rolling.shapes import Ellipsoid
-from ...mechanics.rolling.surfaces import Sphere
+from ...mechanics.shapes.shapes import Ellipsoid
+from ...mechanics.shapes.surfaces import Sphere
 from ..entry import Entry, Numbers, Start
 
 omega, gamma, r, rdot, gammadot = vectors("omega gamma r rdot gammadot")

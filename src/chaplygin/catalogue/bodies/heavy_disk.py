@@ -7,8 +7,8 @@ from ...core.system import System
 from ...core.vectors import dot, real_symbol, vectors
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
-from ...mechanics.rolling.shapes import Disk
-from ...mechanics.rolling.surfaces import Plane
+from ...mechanics.shapes.shapes import Disk
+from ...mechanics.shapes.surfaces import Plane
 from ..entry import Entry, Numbers, Start, laws_for
 
 M, gamma = vectors("M gamma")

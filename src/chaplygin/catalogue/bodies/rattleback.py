@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
-from ...mechanics.rolling.shapes import Ellipsoid
+from ...mechanics.shapes.shapes import Ellipsoid
 from ..entry import Entry, Numbers, Start
 
 

@@ -13,10 +13,10 @@ from ...core.system import System
 from ...core.vectors import dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.body import AnyBody, Body
 from ...mechanics.rolling.equations import Forces, Rolling
-from ...mechanics.rolling.implicit import Implicit
-from ...mechanics.rolling.revolution import Revolution
-from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Torus
-from ...mechanics.rolling.surfaces import Plane
+from ...mechanics.shapes.implicit import Implicit
+from ...mechanics.shapes.revolution import Revolution
+from ...mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
+from ...mechanics.shapes.surfaces import Plane
 from ..entry import Entry, Numbers, Start, laws_for
 from .rubber_profile import HEIGHT, POTENTIAL, from_support, profile_system
 

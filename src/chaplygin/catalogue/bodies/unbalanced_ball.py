@@ -9,8 +9,8 @@ from ...core.system import System
 from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import ContactModel, Rolling
-from ...mechanics.rolling.shapes import Ball
-from ...mechanics.rolling.surfaces import Plane, Sphere
+from ...mechanics.shapes.shapes import Ball
+from ...mechanics.shapes.surfaces import Plane, Sphere
 from ..entry import Entry, Numbers, Start, laws_for
 
 M, omega, gamma, r, c = vectors("M omega gamma r c")

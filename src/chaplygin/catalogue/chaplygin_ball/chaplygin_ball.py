@@ -16,8 +16,8 @@ from ...core.system import System
 from ...core.vectors import Diagonal, dot, norm_squared, real_symbol, to_components, vectors, zero
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
-from ...mechanics.rolling.shapes import Ball
-from ...mechanics.rolling.surfaces import Plane
+from ...mechanics.shapes.shapes import Ball
+from ...mechanics.shapes.surfaces import Plane
 from ..e3 import lie_poisson
 from ..entry import Entry, Numbers, Start, bruns_factor, laws_for
 from .chaplygin_ball_clebsch import onto_clebsch, onto_fedorov

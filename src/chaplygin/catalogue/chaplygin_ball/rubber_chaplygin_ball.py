@@ -11,8 +11,8 @@ from ...core.laws import Integral, Law, Measure
 from ...core.system import System
 from ...core.vectors import Diagonal, cross, dot, norm_squared, vectors, zero
 from ...mechanics.rolling.equations import Forces, Rolling
-from ...mechanics.rolling.shapes import Ball
-from ...mechanics.rolling.surfaces import Plane
+from ...mechanics.shapes.shapes import Ball
+from ...mechanics.shapes.surfaces import Plane
 from ..entry import Entry, Numbers, Start, bruns_factor, laws_for
 from ..fixed_point import veselova
 from . import chaplygin_ball

@@ -8,8 +8,8 @@ from ...core.isomorphism import Isomorphism
 from ...core.laws import Law
 from ...core.system import System
 from ...mechanics.rolling.equations import Forces, Rolling
-from ...mechanics.rolling.shapes import Ball
-from ...mechanics.rolling.surfaces import Plane
+from ...mechanics.shapes.shapes import Ball
+from ...mechanics.shapes.surfaces import Plane
 from ..entry import Entry, Numbers, bruns_factor, laws_for
 from ..fixed_point import veselova
 from . import chaplygin_ball, rubber_chaplygin_ball

@@ -8,7 +8,7 @@ from ...contact.invariants import sliding_top as top
 from ...contact.invariants.free_contact import free_contact, jellett
 from ...core.system import Parameter, System
 from ...mechanics.rolling.body import Body, check_mass
-from ...mechanics.rolling.shapes import Ball
+from ...mechanics.shapes.shapes import Ball
 from ..entry import Entry, Numbers, Start
 from ..positive_numbers import positive
 

@@ -15,7 +15,7 @@ from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...core.system import System, flat
 from ...core.vectors import constant, to_components
-from ...flow.kernel.native_formulas import NativeFormulas, native_formulas
+from ...flow.machine_code.native_formulas import NativeFormulas, native_formulas
 from ...flow.taylor.compiled_system import compile_system
 from ...flow.validation import extremes_in_words
 from ...formulas.graph import Graph, Reader, Term

@@ -9,8 +9,8 @@ from dataclasses import replace
 import numpy as np
 
 from ...core.arrays import FloatArray
-from ...mechanics.rolling.shapes import Disk
-from ...mechanics.rolling.surfaces import Plane
+from ...mechanics.shapes.shapes import Disk
+from ...mechanics.shapes.surfaces import Plane
 from ..friction.friction_law import FrictionLaw
 from .compiled import OMEGA, WORK
 from .course_state import NO_SLIP, SLIP_FLOOR

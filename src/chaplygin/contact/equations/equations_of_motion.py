@@ -29,7 +29,7 @@ from ...mechanics.rolling.attitude import (
     rotation,
     unit_length,
 )
-from ...mechanics.rolling.surfaces import Plane
+from ...mechanics.shapes.surfaces import Plane
 from ..friction.friction_law import Reaction
 from ..friction.modes import Mode
 from ..friction.rolling_friction import ContourResistance

@@ -28,8 +28,8 @@ from ...core.vectors import (
 from ...mechanics.rolling.attitude import rotation
 from ...mechanics.rolling.body import Body, body_parameters
 from ...mechanics.rolling.contact import Contact, contact
-from ...mechanics.rolling.shapes import Shape
-from ...mechanics.rolling.surfaces import Sphere, Surface
+from ...mechanics.shapes.shapes import Shape
+from ...mechanics.shapes.surfaces import Sphere, Surface
 from ..friction.symbols import (
     contact_velocity,
     contour_couple,

@@ -10,8 +10,8 @@ from ...arguments import arguments_checked
 from ...errors import InputError
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces
-from ...mechanics.rolling.gauss_map import half_breadth
-from ...mechanics.rolling.surfaces import Plane, Sphere, Surface
+from ...mechanics.shapes.gauss_map import half_breadth
+from ...mechanics.shapes.surfaces import Plane, Sphere, Surface
 from ..friction.compatible_laws import require_compatible
 from ..friction.dry_friction import ContensouErismann
 from ..friction.friction_law import FrictionLaw

@@ -9,8 +9,8 @@ from functools import cached_property
 
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces
-from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Torus
-from ...mechanics.rolling.surfaces import Plane, Sphere
+from ...mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
+from ...mechanics.shapes.surfaces import Plane, Sphere
 from ..friction.air_film import AirFilm
 from ..friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
 from ..friction.rolling_friction import ContourResistance, RollingResistance, ViscousRolling

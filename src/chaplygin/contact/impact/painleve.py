@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ...core.arrays import FloatArray
-from ...mechanics.rolling.rays import directions
+from ...mechanics.shapes.rays import directions
 from .mobility import Mobility, mobility as mobility_of_contact
 
 #: Attitudes from which the search for the least coefficient begins.

@@ -32,9 +32,9 @@ from ...core.vectors import (
 from ...errors import InputError
 from ...mechanics.rolling.body import Body, body_parameters
 from ...mechanics.rolling.contact import contact
-from ...mechanics.rolling.implicit import Implicit
-from ...mechanics.rolling.shapes import Ball
-from ...mechanics.rolling.surfaces import Plane
+from ...mechanics.shapes.implicit import Implicit
+from ...mechanics.shapes.shapes import Ball
+from ...mechanics.shapes.surfaces import Plane
 from ..friction.symbols import gamma, omega, r, v
 
 m, g = real_symbol("m"), real_symbol("g")

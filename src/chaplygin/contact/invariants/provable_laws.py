@@ -14,9 +14,9 @@ from ...core.laws import Integral, Law
 from ...core.system import System
 from ...core.vectors import to_components, zero
 from ...errors import InputError
-from ...mechanics.rolling.implicit import Implicit
-from ...mechanics.rolling.shapes import Ball
-from ...mechanics.rolling.surfaces import Plane
+from ...mechanics.shapes.implicit import Implicit
+from ...mechanics.shapes.shapes import Ball
+from ...mechanics.shapes.surfaces import Plane
 from ..equations.situation import FrictionalContact
 from ..friction.friction_law import FrictionLaw
 from ..friction.modes import Mode

@@ -25,8 +25,8 @@ from ...errors import InputError
 from ...flow.integrator import integrate
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces
-from ...mechanics.rolling.gauss_map import contact_points
-from ...mechanics.rolling.surfaces import Plane
+from ...mechanics.shapes.gauss_map import contact_points
+from ...mechanics.shapes.surfaces import Plane
 from ..course.compiled import NORMAL, OMEGA, VELOCITY, WORK
 from ..equations.equations_of_motion import equations_of_motion
 from ..equations.situation import FrictionalContact

@@ -14,7 +14,7 @@ import numpy as np
 
 from ...core.arrays import FloatArray
 from ...errors import InputError
-from ...mechanics.rolling.rays import directions as spread_directions
+from ...mechanics.shapes.rays import directions as spread_directions
 from ..impact.impact_segments import ROUNDING
 from .frozen_slip import CoupledSlip, FrozenSlip, PointSlip, growth_and_turning
 

@@ -10,9 +10,9 @@ from typing import ClassVar, Literal, get_args
 
 from pydantic import Field, StrictBool, ValidationInfo, field_validator, model_validator
 
-from ...mechanics.rolling.implicit import Implicit
-from ...mechanics.rolling.revolution import Revolution
-from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Shape, Torus
+from ...mechanics.shapes.implicit import Implicit
+from ...mechanics.shapes.revolution import Revolution
+from ...mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Shape, Torus
 from .table import FORMULA, POSITIVE, THREE, FormulaTable, Number, Positive, Vector
 
 

@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...parsing import nearest
-from ..file.rolling_model import FrictionExperiment
+from ..models.rolling_model import FrictionExperiment
 
 #: Tables, keys and the place in an array, from the outside in.
 Path: TypeAlias = tuple[str | int, ...]

@@ -18,9 +18,9 @@ from ...contact.equations.situation import FrictionalContact
 from ...contact.motion import ContactMotion, contact_motion
 from ...core.arrays import FloatArray
 from ...errors import InputError
-from ..file.models import loads
-from ..file.rolling_model import FrictionExperiment
 from ..file.validation import validation_messages
+from ..models.experiment import loads
+from ..models.rolling_model import FrictionExperiment
 from ..subjects.contact_subject import ContactSubject, contact_and_rules, contact_subject, start_of
 from .file_numbers import FileNumbers
 

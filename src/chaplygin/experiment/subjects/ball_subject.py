@@ -14,9 +14,9 @@ from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.initial_state import ball_state
 from ...mechanics.ball.surface import ImplicitSurface, SmoothSurface
 from ...printing.numerals import number
-from ..file.ball_model import BallExperiment, moment
-from ..file.base import identifier
 from ..file.shape_tables import BallTable
+from ..models.ball_model import BallExperiment, moment
+from ..models.base import identifier
 from .subject import BallSubject
 
 R = Vector("R")

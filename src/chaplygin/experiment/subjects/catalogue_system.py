@@ -24,7 +24,7 @@ from ...errors import InputError
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.fluid import fluids_of_cavities
 from ...mechanics.rolling.initial_state import DIGITS
-from ..file.catalogue_models import CatalogueExperiment, StateExperiment, SystemExperiment
+from ..models.catalogue_models import CatalogueExperiment, StateExperiment, SystemExperiment
 from .initial_state import StartValues, initial_state_from_values
 from .rolling_subject import letters_with_fluid, rolling_setting
 from .subject import BallSubject, BodySubject, Subject

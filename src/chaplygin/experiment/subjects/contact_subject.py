@@ -31,16 +31,16 @@ from ...core.arrays import FloatArray
 from ...core.system import System
 from ...errors import InputError
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.shapes import Disk
-from ...mechanics.rolling.surfaces import Plane, Sphere, Surface
+from ...mechanics.shapes.shapes import Disk
+from ...mechanics.shapes.surfaces import Plane, Sphere, Surface
 from ...printing.numerals import number
 from ..contact.dataset import work_meanings
 from ..contact.trajectory import ContactTrajectory, contact_trajectory
-from ..file.base import identifier
 from ..file.contact_tables import FrictionSurfaceTable, FrictionTable
-from ..file.rolling_model import FrictionExperiment
 from ..file.shape_tables import shape_name
 from ..file.tables import CommonRunTable
+from ..models.base import identifier
+from ..models.rolling_model import FrictionExperiment
 from .rolling_subject import body_of, forces_of, ground_words
 from .subject import Subject, Variables
 

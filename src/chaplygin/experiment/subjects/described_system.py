@@ -17,9 +17,9 @@ from ...mechanics.lagrangian.mechanism import TIME, Mechanism
 from ...mechanics.lagrangian.poincare_suslov import equations
 from ...parsing import nearest
 from ...printing.formula import text
-from ..file.base import identifier
-from ..file.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from ..file.toml import Key
+from ..models.base import identifier
+from ..models.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from .initial_state import StartValues
 from .mechanism_from_tables import DEFAULT_TITLE, mechanism_of, system_of, with_claims
 from .plan import described_plan

@@ -16,10 +16,10 @@ from ...errors import InputError
 from ...mechanics.lagrangian.mechanism import TIME, Frame, Mechanism, euclidean, rotations
 from ...mechanics.lagrangian.structure_functions import check_structure
 from ...parsing import Formula, NamedQuantity, nearest
-from ..file.base import identifier
-from ..file.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from ..file.mechanism_tables import NumberTable
-from ..file.names import Names
+from ..models.base import identifier
+from ..models.described_models import EquationsExperiment, MechanismExperiment, OwnExperiment
+from ..models.names import Names
 
 DEFAULT_TITLE = "Untitled system"
 

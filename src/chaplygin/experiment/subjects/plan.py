@@ -14,9 +14,9 @@ from ...flow.trajectory import Trajectory
 from ...formulas.array_evaluation import values
 from ...mechanics.lagrangian.mechanism import TIME, Mechanism
 from ...mechanics.lagrangian.plan import Plan, plan_of
-from ..file.described_models import OwnExperiment
 from ..file.mechanism_tables import PlanTable
-from ..file.names import Names
+from ..models.described_models import OwnExperiment
+from ..models.names import Names
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,12 +8,12 @@ from ...catalogue import known_laws_of
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.fluid import Fluid, fluids_of
-from ...mechanics.rolling.surfaces import Plane, Sphere, Surface
+from ...mechanics.shapes.surfaces import Plane, Sphere, Surface
 from ...printing.numerals import number
-from ..file.base import identifier
-from ..file.rolling_model import BodyOnSurface, RollingExperiment
 from ..file.shape_tables import shape_name
 from ..file.tables import PlaneTable
+from ..models.base import identifier
+from ..models.rolling_model import BodyOnSurface, RollingExperiment
 from .subject import BodySubject
 
 

@@ -27,9 +27,9 @@ from ...mechanics.lagrangian.mechanism import TIME, Mechanism
 from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.rolling.body import AnyBody
 from ...mechanics.rolling.equations import Rolling
-from ...mechanics.rolling.gauss_map import centre_outside, contact_points
 from ...mechanics.rolling.initial_state import initial_state
-from ...mechanics.rolling.surfaces import Surface
+from ...mechanics.shapes.gauss_map import centre_outside, contact_points
+from ...mechanics.shapes.surfaces import Surface
 from ...printing.formula import text
 from ..file.tables import CommonRunTable
 from .glossary import glossary

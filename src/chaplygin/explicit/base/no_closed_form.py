@@ -14,8 +14,8 @@ from ...errors import InputError
 from ...formulas.relative_zero import ROUNDING
 from ...mechanics.rolling.equations import Rolling
 from ...mechanics.rolling.fluid import fluids_of
-from ...mechanics.rolling.shapes import Ball
-from ...mechanics.rolling.surfaces import Sphere
+from ...mechanics.shapes.shapes import Ball
+from ...mechanics.shapes.surfaces import Sphere
 from ...printing.formula import text
 from .problem import Problem
 

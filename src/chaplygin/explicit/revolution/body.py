@@ -22,9 +22,9 @@ from ...errors import InputError
 from ...formulas.balls import exact
 from ...formulas.relative_zero import vanishes
 from ...mechanics.rolling.equations import Rolling
-from ...mechanics.rolling.revolution import Revolution
-from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Shape, Torus
-from ...mechanics.rolling.surfaces import Plane
+from ...mechanics.shapes.revolution import Revolution
+from ...mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Shape, Torus
+from ...mechanics.shapes.surfaces import Plane
 from ..one_degree.divided_differences import Argument, value
 from ..one_degree.formula import program
 from ..one_degree.uniformisation import Equation

@@ -7,10 +7,10 @@ so that the threads of a warp take their steps together.
 
 from __future__ import annotations
 
-from ..kernel.arithmetic import Arithmetic, V
 from ..kernel.equations import Equations
 from ..kernel.runge_kutta import RungeKuttaLoop
 from ..kernel.tableaux import Explicit
+from ..machine_code.arithmetic import Arithmetic, V
 
 #: The name of the function that a graphics processor starts.
 ENTRY = "march"

@@ -5,10 +5,10 @@ from __future__ import annotations
 import ctypes
 from dataclasses import dataclass, field
 
-from ..kernel import jit as native
 from ..kernel.equations import Equations, serial
 from ..kernel.runge_kutta import runge_kutta_loop
 from ..kernel.tableaux import arithmetic_and_method
+from ..machine_code import jit as native
 from .batch_arrays import BatchInput, BatchOutput, empty_output
 from .threads import run_in_threads
 

@@ -13,8 +13,8 @@ from functools import lru_cache
 import llvmlite
 import llvmlite.binding as llvm
 
-from ..kernel import code_cache as cache
-from ..kernel.jit import optimise
+from ..machine_code import code_cache as cache
+from ..machine_code.jit import optimise
 
 #: The oldest processor that the newest driver knows (Turing).
 ARCHITECTURE = "sm_75"

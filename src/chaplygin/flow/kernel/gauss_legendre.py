@@ -15,10 +15,10 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from ...formulas.graph import Term
-from .arithmetic import Arithmetic, Double, Pair, Registers, V
-from .codegen import functions
+from ..machine_code.arithmetic import Arithmetic, Double, Pair, Registers, V
+from ..machine_code.codegen import functions
+from ..machine_code.ir_writer import IRWriter, literal
 from .equations import Equations
-from .ir_writer import IRWriter, literal
 from .outcomes import COLLAPSED, NOT_A_NUMBER, STATUS_MESSAGES, STEPS
 from .projection_terms import ProjectionTerms
 from .runge_kutta import Workspace

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .ir_writer import IRWriter
+from ..machine_code.ir_writer import IRWriter
 
 #: Distance of an extremum from the ends of a step, of its length, from which on it is looked at.
 NEAR = 1e-6

@@ -17,11 +17,11 @@ from fractions import Fraction
 from typing import Generic
 
 from ...formulas.graph import Term
-from .arithmetic import Arithmetic, V
-from .codegen import functions
+from ..machine_code.arithmetic import Arithmetic, V
+from ..machine_code.codegen import functions
+from ..machine_code.ir_writer import IRWriter, literal
 from .equations import Equations
 from .hermite import dipping, hence, root
-from .ir_writer import IRWriter, literal
 from .outcomes import COLLAPSED, IN_VAIN, NOT_A_NUMBER, OVER, STATUS_MESSAGES, STEPS
 from .tableaux import Explicit
 

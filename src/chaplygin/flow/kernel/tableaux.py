@@ -10,7 +10,7 @@ from typing import Any
 import mpmath
 
 from ...core.arrays import FloatArray
-from .arithmetic import Arithmetic, Double, Pair
+from ..machine_code.arithmetic import Arithmetic, Double, Pair
 
 
 @dataclass(frozen=True)

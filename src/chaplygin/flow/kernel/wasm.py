@@ -1,7 +1,7 @@
 """WebAssembly from text in LLVM's language: the machine code of a page.
 
-The text is that of :mod:`chaplygin.flow.kernel.codegen`, in vectors of one lane or two.  The one
-difference: WebAssembly has no fused product and sum, so that last bits differ from native code.
+The text is that of :mod:`chaplygin.flow.machine_code.codegen`, in vectors of one lane or two.  The
+one difference: WebAssembly has no fused product and sum, so that last bits differ from native code.
 """
 
 from __future__ import annotations
@@ -13,15 +13,15 @@ from functools import lru_cache
 import llvmlite.binding as llvm
 
 from ...formulas.graph import Term
-from . import code_cache as cache
-from .arithmetic import WithoutFused
-from .codegen import functions
+from ..machine_code import code_cache as cache
+from ..machine_code.arithmetic import WithoutFused
+from ..machine_code.codegen import functions
+from ..machine_code.ir_writer import IRWriter
+from ..machine_code.jit import ATTRIBUTES, optimised_object
+from ..machine_code.wasm_object import module_of_object
 from .equations import Equations
-from .ir_writer import IRWriter
-from .jit import ATTRIBUTES, optimised_object
 from .runge_kutta import runge_kutta_loop
 from .tableaux import explicit
-from .wasm_object import module_of_object
 
 _FEATURES = "+simd128,+bulk-memory,+sign-ext,+nontrapping-fptoint"
 

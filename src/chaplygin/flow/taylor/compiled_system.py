@@ -15,8 +15,8 @@ from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.graph import Graph, Reader, Term, topological_order
-from ..kernel import code_cache as cache, jit
-from ..kernel.native_formulas import SIGNATURE, FormulaShape, NativeFormulas, formulas_text
+from ..machine_code import code_cache as cache, jit
+from ..machine_code.native_formulas import SIGNATURE, FormulaShape, NativeFormulas, formulas_text
 from .projection import Block
 from .recurrences import SERIES_SIGNATURES, series_text
 from .state_series import SeriesLayout, Step, TaylorSeries, series_order

@@ -15,9 +15,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from ...formulas.graph import Graph, Term, topological_order
-from ..kernel.arithmetic import Double
-from ..kernel.codegen import evaluate, parameter_only_terms
-from ..kernel.ir_writer import IRWriter
+from ..machine_code.arithmetic import Double
+from ..machine_code.codegen import evaluate, parameter_only_terms
+from ..machine_code.ir_writer import IRWriter
 from .scalar_product import WIDTH, scalar_product_text
 from .step_code import step_text, sums_text
 

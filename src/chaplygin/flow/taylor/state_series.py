@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...core.arrays import FloatArray
-from ..kernel.jit import Native, aligned_zeros
+from ..machine_code.jit import Native, aligned_zeros
 from .first_root import first_falling_root
 
 #: A zero of an event so many roundings after the event itself is the same one.

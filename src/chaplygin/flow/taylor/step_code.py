@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-from ..kernel.arithmetic import Double
-from ..kernel.elementary import FUNCTIONS
-from ..kernel.ir_writer import IRWriter
+from ..machine_code.arithmetic import Double
+from ..machine_code.elementary import FUNCTIONS
+from ..machine_code.ir_writer import IRWriter
 
 _ONE = "<1 x double>"
 _ATTRIBUTES = "#1"

@@ -70,7 +70,7 @@ def study_of(subject: Subject, experiment: str | None) -> Study:
     InputError
         If something in it is wrong.
     """
-    from ...experiment.file.models import catalogue_experiment, loads
+    from ...experiment.models.experiment import catalogue_experiment, loads
     from ...experiment.study import prepare
 
     if experiment is None:

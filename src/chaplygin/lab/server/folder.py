@@ -9,8 +9,8 @@ from types import MappingProxyType
 
 from ...catalogue import CATALOGUE
 from ...errors import InputError
-from ...experiment.file.models import loads
 from ...experiment.files import atomic_file, check_target
+from ...experiment.models.experiment import loads
 from ...experiment.study import prepare
 from ...parsing import nearest
 

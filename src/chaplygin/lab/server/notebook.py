@@ -109,7 +109,7 @@ def widget(what: Study | System) -> AnyWidget:
 def _study_of(system: System) -> Study:
     """The study that the catalogue suggests for a system."""
     from ...catalogue import CATALOGUE
-    from ...experiment.file.models import catalogue_experiment
+    from ...experiment.models.experiment import catalogue_experiment
     from ...experiment.study import prepare
 
     if system.name not in CATALOGUE:

@@ -1,3 +1,7 @@
+from ..sympy_models.conversion import (
+    from_sympy as from_sympy,
+    mechanism_from_sympy as mechanism_from_sympy,
+)
 from .mechanism import (
     Frame as Frame,
     Mechanism as Mechanism,
@@ -6,4 +10,3 @@ from .mechanism import (
 )
 from .plan import Plan as Plan
 from .poincare_suslov import equations as equations
-from .sympy_import import from_sympy as from_sympy, mechanism_from_sympy as mechanism_from_sympy

@@ -16,9 +16,9 @@ from ...core.system import Parameter
 from ...core.vectors import Diagonal, Symmetric, Vector, real_symbol, to_components
 from ...errors import InputError
 from ...parsing.exact_decimals import exact_number
+from ..shapes.shapes import Shape
 from .cavity import Cavity
 from .cavity_fit import check_cavities
-from .shapes import Shape
 
 m, k = real_symbol("m"), Vector("k")
 

@@ -9,10 +9,10 @@ import numpy as np
 
 from ...core.arrays import FloatArray
 from ...errors import InputError
+from ..shapes.gauss_map import contact_points
+from ..shapes.rays import directions
+from ..shapes.shapes import Ball, Shape
 from .cavity import Cavity
-from .gauss_map import contact_points
-from .rays import directions
-from .shapes import Ball, Shape
 
 #: Tangent planes that are looked at, and how often the neighbourhood of the worst is looked at.
 PLANES, ROUNDS = 2000, 12

@@ -26,10 +26,10 @@ from ...core.vectors import (
     zero,
 )
 from ...errors import InputError
-from .implicit import IMPLICIT_GRADIENT, IMPLICIT_HESSIAN, IMPLICIT_POINT, Implicit
-from .shape_base import GaussMap, convexity
-from .shapes import Ball, Shape
-from .surfaces import Plane, Sphere, Surface
+from ..shapes.implicit import IMPLICIT_GRADIENT, IMPLICIT_HESSIAN, IMPLICIT_POINT, Implicit
+from ..shapes.shape_base import GaussMap, convexity
+from ..shapes.shapes import Ball, Shape
+from ..shapes.surfaces import Plane, Sphere, Surface
 
 omega = Vector("omega")
 gamma = Vector("gamma")

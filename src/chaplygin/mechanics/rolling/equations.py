@@ -39,12 +39,12 @@ from ...core.vectors import (
     zero,
 )
 from ...errors import InputError
+from ..shapes.shape_base import check_values, real_values
+from ..shapes.surfaces import Plane, Surface
 from .body import AnyBody, body_parameters, equivalent_body
 from .contact import contact as contact_of
 from .contact_models import Balance, marble, rubber
 from .fluid import fluids_of
-from .shape_base import check_values, real_values
-from .surfaces import Plane, Surface
 
 ContactModel = Literal["marble", "rubber"]
 

@@ -20,8 +20,8 @@ from ...core.system import System, flat
 from ...core.vectors import Vector, to_components
 from ...errors import InputError
 from ...formulas.multiprecision import Multiprecision
+from ..shapes.gauss_map import contact_points_of_normals
 from .attitude import attitude
-from .gauss_map import contact_points_of_normals
 
 DIGITS = 50
 

@@ -26,10 +26,10 @@ from ...core.vectors import (
     to_components,
 )
 from ..lagrangian.mechanism import Frame, Mechanism, StructureConstants, euclidean, rotations
+from ..shapes.surfaces import Plane
 from .contact import contact as contact_of
 from .equations import Rolling
 from .fluid import Fluid, fluids_of
-from .surfaces import Plane
 
 omega, v, gamma, zeta, X, k = (Vector(n) for n in ("omega", "v", "gamma", "zeta", "X", "k"))
 m, g, R_3, U = (real_symbol(name) for name in ("m", "g", "R_3", "U"))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...core.named_formulas import Pairs
 from ...core.system import Observable, Reconstruction
 from ...core.vectors import Vector, constant, cross, real_symbol, to_components
+from ..shapes.surfaces import Plane, Surface
 from .attitude import (
     attitude,
     attitude_observable,
@@ -14,7 +15,6 @@ from .attitude import (
     unit_length,
 )
 from .contact import Contact
-from .surfaces import Plane, Surface
 
 omega, gamma, zeta = (Vector(name) for name in ("omega", "gamma", "zeta"))
 place, a = Vector("place", 2), real_symbol("a")

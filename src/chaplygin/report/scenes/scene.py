@@ -8,7 +8,7 @@ from ...experiment.subjects.subject import Subject
 from ...geometry.mesh import BodyMesh, outline_from_contact
 from ...geometry.surface import SurfaceGround, ground_of_ball
 from ...mechanics.ball.ball import RollingBall
-from ...mechanics.rolling.surfaces import Plane
+from ...mechanics.shapes.surfaces import Plane
 from ..drawing.shading import Ground, PlaneGround, SphereGround
 
 

@@ -1,0 +1,1 @@
+"""Experiment files by kind of subject: which tables each has and what they mean together."""

@@ -1,0 +1,1 @@
+"""Arithmetic and formulas as LLVM code: text, elementary functions, compiling, and its cache."""
