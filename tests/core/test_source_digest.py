@@ -62,7 +62,7 @@ def test_a_module_that_comes_goes_or_moves_changes_the_digest(copy: Path) -> Non
     (copy / "proof" / "new.py").rename(copy / "flow" / "new.py")
     seen.add(text_digest(module_digests(copy), PRESENTATION))
     (copy / "flow" / "new.py").unlink()
-    (copy / "flow" / "kernel" / "jit.py").unlink()
+    (copy / "flow" / "machine_code" / "jit.py").unlink()
     seen.add(text_digest(module_digests(copy), PRESENTATION))
     assert len(seen) == 4
 
@@ -114,7 +114,7 @@ def test_what_computes_imports_nothing_that_is_left_apart() -> None:
 
 
 @pytest.mark.parametrize(
-    "place", ["proof.verdict_cache", "flow.kernel.code_cache", "borisov_mamaev.audit"]
+    "place", ["proof.verdict_cache", "flow.machine_code.code_cache", "borisov_mamaev.audit"]
 )
 def test_names_on_disk_hold_the_digest(place: str, monkeypatch: pytest.MonkeyPatch) -> None:
     from chaplygin.borisov_mamaev import claims
@@ -126,7 +126,7 @@ def test_names_on_disk_hold_the_digest(place: str, monkeypatch: pytest.MonkeyPat
     system = entry("veselova").system()
     name = {
         "proof.verdict_cache": lambda: fingerprint(system, system.laws[0]),
-        "flow.kernel.code_cache": lambda: cache.code_name("formulas"),
+        "flow.machine_code.code_cache": lambda: cache.code_name("formulas"),
         "borisov_mamaev.audit": lambda: _name(claims(12)[0][1], "printed"),
     }[place]
     before = name()

@@ -4,4 +4,6 @@ from . import (
     lagrangian as lagrangian,
     reduction as reduction,
     rolling as rolling,
+    shapes as shapes,
+    sympy_models as sympy_models,
 )

@@ -1,7 +1,3 @@
-from ..sympy_models.conversion import (
-    from_sympy as from_sympy,
-    mechanism_from_sympy as mechanism_from_sympy,
-)
 from .mechanism import (
     Frame as Frame,
     Mechanism as Mechanism,
