@@ -13,7 +13,7 @@ import pytest
 
 import chaplygin
 from chaplygin import measure_exists, nonholonomy, prove, solve
-from chaplygin.borisov_mamaev.methods.limit_cycle import displacement
+from chaplygin.borisov_mamaev.obstructions.limit_cycle import displacement
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.vectors import real_symbol
 from chaplygin.mechanics.lagrangian.mechanism import Mechanism, coordinates

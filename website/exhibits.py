@@ -123,7 +123,7 @@ def compute(name: str, what: str, store: Path) -> None:
     """Study a system, and keep what is shown of it."""
     from chaplygin.analysis.classification.classifier import classify
     from chaplygin.analysis.classification.facts import ProofBudget
-    from chaplygin.cli.common import study_of
+    from chaplygin.cli.terminal.options import study_of
     from chaplygin.errors import RunError
     from chaplygin.experiment.study import dataset_of
     from chaplygin.experiment.subjects.plan import plan_motion

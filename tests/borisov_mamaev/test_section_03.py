@@ -8,7 +8,10 @@ import sympy as sp
 
 from chaplygin.borisov_mamaev.methods.catalogue_laws import law_named
 from chaplygin.borisov_mamaev.methods.conclusion import contrary
-from chaplygin.borisov_mamaev.methods.divergence_at_equilibria import divergence, excludes_measure
+from chaplygin.borisov_mamaev.obstructions.divergence_at_equilibria import (
+    divergence,
+    excludes_measure,
+)
 from chaplygin.borisov_mamaev.section_03 import section_03_2, section_03_3
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.catalogue.fixed_point import suslov

@@ -9,14 +9,14 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from chaplygin.borisov_mamaev.methods.limit_cycle import (
+from chaplygin.borisov_mamaev.obstructions.limit_cycle import (
     ABOVE,
     BELOW,
     CASE,
     displacement,
     limit_cycle,
 )
-from chaplygin.borisov_mamaev.methods.measure_at_rest import divergence_of_spin
+from chaplygin.borisov_mamaev.obstructions.measure_at_rest import divergence_of_spin
 from chaplygin.catalogue import CATALOGUE, from_catalogue
 from chaplygin.proof.verdict import Verdict
 

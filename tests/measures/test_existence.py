@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
-from chaplygin.borisov_mamaev.methods.limit_cycle import CASE
+from chaplygin.borisov_mamaev.obstructions.limit_cycle import CASE
 from chaplygin.core.laws import Identity, Measure
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import (

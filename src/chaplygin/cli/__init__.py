@@ -28,8 +28,8 @@ from . import (
     study,
     sweep,
 )
-from .common import complain
-from .progress import LOG
+from .terminal.options import complain
+from .terminal.progress import LOG
 from .words.usage import sentence
 
 __all__ = ["app", "main"]

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from ..interruption import NOTHING, ending
-from .common import Force, Override, What, inform, study_of
-from .output_destination import STANDARD_OUTPUT, check_output
-from .progress import progress
+from .terminal.options import Force, Override, What, inform, study_of
+from .terminal.output_destination import STANDARD_OUTPUT, check_output
+from .terminal.progress import progress
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

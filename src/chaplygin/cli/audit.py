@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from ..interruption import CODE, concluding, say
-from .common import Force, Json, console, inform, print_json
-from .output_destination import STANDARD_OUTPUT, beside, check_output, name_of, output_file
-from .progress import progress, waiting
-from .stores import require_processes
+from .terminal.options import Force, Json, console, inform, print_json
+from .terminal.output_destination import STANDARD_OUTPUT, beside, check_output, name_of, output_file
+from .terminal.progress import progress, waiting
+from .terminal.stores import require_processes
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .common import Force, Json, Override, inform, print_json, study_of
-from .output_destination import check_figure, check_output
-from .progress import waiting
+from .terminal.options import Force, Json, Override, inform, print_json, study_of
+from .terminal.output_destination import check_figure, check_output
+from .terminal.progress import waiting
 
 if TYPE_CHECKING:
     from ..explicit.bifurcation import Diagram

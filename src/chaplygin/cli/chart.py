@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .common import Force, Json, Override, What, console, inform, print_json, study_of
-from .output_destination import check_figure
-from .progress import progress
-from .stores import (
+from .terminal.options import Force, Json, Override, What, console, inform, print_json, study_of
+from .terminal.output_destination import check_figure
+from .terminal.progress import progress
+from .terminal.stores import (
     OnDevice,
     Workers,
     check_picture,

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .common import Force, Json, Override, What, inform, print_json, study_of
-from .progress import progress
-from .stores import (
+from .terminal.options import Force, Json, Override, What, inform, print_json, study_of
+from .terminal.progress import progress
+from .terminal.stores import (
     OnDevice,
     Workers,
     check_store,

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from ..interruption import CODE, concluding, say
-from .common import Effort, Json, Override, What, inform, operations, print_json, study_of
-from .progress import progress
+from .terminal.options import Effort, Json, Override, What, inform, operations, print_json, study_of
+from .terminal.progress import progress
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from ..interruption import CODE, ending
-from .common import Override, study_of
+from .terminal.options import Override, study_of
 
 #: Where pages are served unless another port is asked for.
 PORT = 8714

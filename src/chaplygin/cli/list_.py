@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from .common import Json, console, print_json
+from .terminal.options import Json, console, print_json
 
 #: Columns of a terminal that has room for names, titles and sources.
 WIDE = 110

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from ..interruption import CODE, NOTHING, ending, say
-from .common import Force, Json, Override, What, console, inform, print_json, study_of
-from .output_destination import STANDARD_OUTPUT, beside, check_output, deliver, name_of
-from .progress import progress
-from .stores import OnDevice, device_of, level_of
+from .terminal.options import Force, Json, Override, What, console, inform, print_json, study_of
+from .terminal.output_destination import STANDARD_OUTPUT, beside, check_output, deliver, name_of
+from .terminal.progress import progress
+from .terminal.stores import OnDevice, device_of, level_of
 
 if TYPE_CHECKING:
     from ..analysis.lyapunov.averages import Average

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from ..interruption import NOTHING, ending
-from .common import Force, Json, Override, What, inform, print_json, study_of
-from .output_destination import check_figure, check_output, deliver
-from .progress import progress
+from .terminal.options import Force, Json, Override, What, inform, print_json, study_of
+from .terminal.output_destination import check_figure, check_output, deliver
+from .terminal.progress import progress
 
 if TYPE_CHECKING:
     from ..analysis.orbits.continuation import Branch

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 import typer
 
 from ..interruption import CODE, concluding, say
-from .common import (
+from .terminal.options import (
     NO_LAWS,
     Effort,
     Force,
@@ -21,8 +21,8 @@ from .common import (
     print_json,
     study_of,
 )
-from .output_destination import beside, check_output, name_of, output_file
-from .progress import progress
+from .terminal.output_destination import beside, check_output, name_of, output_file
+from .terminal.progress import progress
 
 if TYPE_CHECKING:
     from ..core.laws import Law

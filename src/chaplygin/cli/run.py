@@ -8,9 +8,9 @@ from typing import Annotated
 import typer
 
 from ..interruption import CODE, NOTHING, ending, say
-from .common import Force, Json, Override, Precision, What, inform, print_json, study_of
-from .output_destination import beside, check_output, deliver, name_of
-from .progress import progress
+from .terminal.options import Force, Json, Override, Precision, What, inform, print_json, study_of
+from .terminal.output_destination import beside, check_output, deliver, name_of
+from .terminal.progress import progress
 from .words.results import results
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from .common import NO_LAWS, Json, Override, What, print_json, study_of
+from .terminal.options import NO_LAWS, Json, Override, What, print_json, study_of
 
 if TYPE_CHECKING:
     from ..core.laws import Law

@@ -9,9 +9,19 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from .common import Force, Json, Override, What, complain, console, inform, print_json, study_of
-from .output_destination import beside, check_figure, check_output, deliver, name_of
-from .progress import progress, waiting
+from .terminal.options import (
+    Force,
+    Json,
+    Override,
+    What,
+    complain,
+    console,
+    inform,
+    print_json,
+    study_of,
+)
+from .terminal.output_destination import beside, check_figure, check_output, deliver, name_of
+from .terminal.progress import progress, waiting
 
 if TYPE_CHECKING:
     from flint import arb

@@ -8,9 +8,18 @@ from typing import Annotated
 import typer
 
 from ..interruption import NOTHING, ending
-from .common import Force, Json, Override, Precision, What, operations, print_json, study_of
-from .output_destination import STANDARD_OUTPUT
-from .progress import progress
+from .terminal.options import (
+    Force,
+    Json,
+    Override,
+    Precision,
+    What,
+    operations,
+    print_json,
+    study_of,
+)
+from .terminal.output_destination import STANDARD_OUTPUT
+from .terminal.progress import progress
 from .words.results import results
 
 

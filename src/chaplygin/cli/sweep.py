@@ -8,11 +8,11 @@ from typing import Annotated, Any
 
 import typer
 
-from .common import Force, Json, Override, What, inform, print_json, study_of
 from .ensemble import given_start
-from .output_destination import check_figure
-from .progress import progress
-from .stores import (
+from .terminal.options import Force, Json, Override, What, inform, print_json, study_of
+from .terminal.output_destination import check_figure
+from .terminal.progress import progress
+from .terminal.stores import (
     Workers,
     check_picture,
     check_store,

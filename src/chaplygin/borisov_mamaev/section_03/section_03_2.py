@@ -14,8 +14,8 @@ from ...mechanics.shapes.shapes import Ellipsoid
 from ...parsing.exact_decimals import exact_number
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.divergence_at_equilibria import excludes_measure
 from ..methods.unspecified import fields, system, unspecified_functions
+from ..obstructions.divergence_at_equilibria import excludes_measure
 
 x = sp.symbols("x_1:4", real=True)
 y = sp.symbols("y_1:4(1:4)", real=True)

@@ -14,7 +14,6 @@ from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.conclusion import contrary
-from ..methods.divergence_at_equilibria import excludes_measure
 from ..methods.unspecified import (
     bracket,
     gradient,
@@ -23,6 +22,7 @@ from ..methods.unspecified import (
     system,
     unspecified_functions,
 )
+from ..obstructions.divergence_at_equilibria import excludes_measure
 
 x = sp.symbols("x_1:4", real=True)
 z = sp.symbols("z_1:5", real=True)

@@ -32,7 +32,7 @@ from ..claim import Case, Claim, Remark
 from ..methods.conclusion import conclusion_verdict, contrary
 from ..methods.independence import independent, rational_point
 from ..methods.tori import of_rank_two
-from ..methods.unequal_periods import unequal_periods
+from ..obstructions.unequal_periods import unequal_periods
 from ..section_04.section_04_2 import equal_periods
 
 M, omega, gamma, k = vectors("M omega gamma k")

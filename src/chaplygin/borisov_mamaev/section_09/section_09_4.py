@@ -33,8 +33,8 @@ from ...core.vectors import constant, cross, dot, gradient, norm_squared, real_s
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.conclusion import contrary
-from ..methods.normal_variations import no_second_integral
 from ..methods.quadratic_integrals import no_quadratic_integral
+from ..obstructions.normal_variations import no_second_integral
 from .section_09_3 import with_point, z
 
 omega, n, M, gamma = vectors("omega n M gamma")

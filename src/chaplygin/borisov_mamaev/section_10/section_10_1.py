@@ -18,7 +18,6 @@ from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.conclusion import computed_verdict
 from ..methods.independence import independent, rational_point
-from ..methods.measure_at_rest import divergence_of_spin
 from ..methods.unbalanced_ball_symbols import (
     M_RATE,
     NORMAL,
@@ -33,6 +32,7 @@ from ..methods.unbalanced_ball_symbols import (
     omega,
     r,
 )
+from ..obstructions.measure_at_rest import divergence_of_spin
 
 
 def marble() -> System:

@@ -19,7 +19,6 @@ from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.conclusion import conclusion_verdict
 from ..methods.independence import independent, rational_point
-from ..methods.limit_cycle import CASE, limit_cycle
 from ..methods.measure_of_rubber_ball import only_symmetric_balls
 from ..methods.unbalanced_ball_symbols import (
     GAMMA_RATE,
@@ -37,6 +36,7 @@ from ..methods.unbalanced_ball_symbols import (
     omega,
     r,
 )
+from ..obstructions.limit_cycle import CASE, limit_cycle
 
 J, gammatilde = Diagonal("J"), Vector("gammatilde")
 

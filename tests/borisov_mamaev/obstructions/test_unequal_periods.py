@@ -7,7 +7,12 @@ import pytest
 from flint import arb
 from scipy.integrate import solve_ivp
 
-from chaplygin.borisov_mamaev.methods.unequal_periods import BALL, BETWEEN, half_period, resonance
+from chaplygin.borisov_mamaev.obstructions.unequal_periods import (
+    BALL,
+    BETWEEN,
+    half_period,
+    resonance,
+)
 
 MOMENTS = np.array([float(x) for x in BALL[0]])
 LEVER = float(BALL[1])

@@ -15,7 +15,7 @@ from .progress import LOG, waiting
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from ..experiment.study import Study
+    from ...experiment.study import Study
 
 NO_LAWS = "No laws of it are known."
 PRECISIONS = ("double", "quad")
@@ -88,8 +88,8 @@ def operations(effort: float) -> int:
     InputError
         If it is not positive and finite.
     """
-    from ..errors import InputError
-    from ..proof.fields.budget import EFFORT
+    from ...errors import InputError
+    from ...proof.fields.budget import EFFORT
 
     if not 0 < effort < float("inf"):
         raise InputError(f"--effort {effort:g}: it must be a positive number")
@@ -104,7 +104,7 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
     InputError
         If there is no such file or system, or something in it is wrong.
     """
-    from ..errors import InputError
+    from ...errors import InputError
 
     if not what.strip():
         raise InputError("NAME|FILE is empty: a catalogue name or a file is needed")
@@ -119,15 +119,15 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
         options.append(f"run.precision={precision}")
     with waiting(f"preparing {what}"):
         if path.suffix == ".py":
-            from ..experiment.python_file import load_python
+            from ...experiment.python_file import load_python
 
             study = load_python(path, options)
         else:
-            from ..experiment.models.experiment import catalogue_experiment, load
+            from ...experiment.models.experiment import catalogue_experiment, load
 
             experiment = catalogue_experiment(what, options) if named else load(path, options)
             # what is wrong with a name or a file is said before the rest is imported
-            from ..experiment.study import prepare
+            from ...experiment.study import prepare
 
             study = prepare(experiment)
     for remark in study.remarks:

@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..interruption import NOTHING, ending
+from ...interruption import NOTHING, ending
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from ..experiment.study import Study
-    from ..flow.devices.graphics import Device
-    from ..flow.ensemble.task import Progress
+    from ...experiment.study import Study
+    from ...flow.devices.graphics import Device
+    from ...flow.ensemble.task import Progress
 
 Workers = Annotated[
     str | None,
@@ -46,13 +46,13 @@ def device_of(text: str) -> Device:
     InputError
         If it is another word, or there is no graphics processor.
     """
-    from ..errors import InputError
+    from ...errors import InputError
 
     if text == "cpu":
         return "cpu"
     if text != "gpu":
         raise InputError(f"--device {text}: it must be cpu or gpu")
-    from ..flow.devices.cuda import open_processor
+    from ...flow.devices.cuda import open_processor
 
     # before anything is prepared
     open_processor()
@@ -67,7 +67,7 @@ def level_of(text: str) -> dict[str, float]:
     InputError
         If the text is not of the form NAME=VALUE,NAME=VALUE.
     """
-    from ..errors import InputError
+    from ...errors import InputError
 
     level = {}
     for part in text.split(","):
@@ -87,8 +87,8 @@ def check_store(output: Path) -> None:
     """Raise InputError if a store cannot be written."""
     from stat import S_ISDIR
 
-    from ..errors import InputError
-    from ..experiment.files import status_of_target
+    from ...errors import InputError
+    from ...experiment.files import status_of_target
 
     if output.suffix != ".zarr":
         raise InputError(f"--output {output}: its name must end in .zarr")
@@ -107,8 +107,8 @@ def vacate(output: Path, force: bool) -> None:
     """
     import shutil
 
-    from ..experiment.files import check_replaced_store
-    from ..flow.ensemble.zarr_store import read_store
+    from ...experiment.files import check_replaced_store
+    from ...flow.ensemble.zarr_store import read_store
 
     if output.exists() and force:
         check_replaced_store(output)
@@ -122,7 +122,7 @@ def check_picture(output: Path, picture: Path, force: bool, by_user: bool = Fals
     That which belongs to a store is drawn again with it, but one that is named `by_user` is only
     replaced with `force`.
     """
-    from ..experiment.files import check_target
+    from ...experiment.files import check_target
 
     check_target(picture, force or (output.exists() and not by_user))
 
@@ -135,7 +135,7 @@ def check_workers(workers: str | None) -> str | int | None:
     InputError
         If it is neither a number nor an address.
     """
-    from ..errors import InputError
+    from ...errors import InputError
 
     if workers is None or "://" in workers:
         return workers
@@ -158,7 +158,7 @@ def require_processes(count: int) -> None:
     """
     import os
 
-    from ..errors import InputError
+    from ...errors import InputError
 
     processors = os.cpu_count() or 1
     most = MOST_PROCESSES * processors
@@ -177,9 +177,9 @@ def require_parameter(option: str, name: str, study: Study) -> None:
     InputError
         If the equations have no parameter of this name.
     """
-    from ..catalogue import CATALOGUE
-    from ..errors import InputError
-    from ..experiment.file.tables import OF_A_DIMENSION
+    from ...catalogue import CATALOGUE
+    from ...errors import InputError
+    from ...experiment.file.tables import OF_A_DIMENSION
 
     known = [str(parameter.symbol) for parameter in study.system.parameters]
     if name in known:
@@ -207,7 +207,7 @@ def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
     """
     import shutil
 
-    from ..errors import InputError
+    from ...errors import InputError
 
     share = 0.0
 

@@ -51,8 +51,8 @@ def check_output(
     InputError
         If it may not.
     """
-    from ..errors import InputError
-    from ..experiment.files import check_target
+    from ...errors import InputError
+    from ...experiment.files import check_target
 
     if output == STANDARD_OUTPUT:
         if json:
@@ -72,7 +72,7 @@ def check_output(
 
 def check_figure(option: str, figure: Path) -> None:
     """Raise InputError unless a figure can have this name."""
-    from ..errors import InputError
+    from ...errors import InputError
 
     if figure.suffix not in FIGURES:
         raise InputError(f"{option} {figure}: its name must end in {', '.join(FIGURES)}")
@@ -80,8 +80,8 @@ def check_figure(option: str, figure: Path) -> None:
 
 def deliver(dataset: xr.Dataset, output: Path, force: bool) -> None:
     """Write a dataset as its name says, or NetCDF to standard output."""
-    from ..experiment.dataset import write
-    from ..experiment.formats import netcdf
+    from ...experiment.dataset import write
+    from ...experiment.formats import netcdf
 
     if output == STANDARD_OUTPUT:
         sys.stdout.buffer.write(netcdf(dataset))
@@ -105,7 +105,7 @@ def output_file(output: Path) -> Iterator[Path]:
     """A temporary path, whose content becomes the output when all has gone well."""
     from tempfile import TemporaryDirectory
 
-    from ..experiment.files import atomic_file
+    from ...experiment.files import atomic_file
 
     if output != STANDARD_OUTPUT:
         with atomic_file(output) as place:

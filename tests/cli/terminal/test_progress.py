@@ -11,7 +11,7 @@ import time
 #: A first block of two seconds, then a second one.
 WORK = """
 import time
-from chaplygin.cli.progress import progress, waiting
+from chaplygin.cli.terminal.progress import progress, waiting
 with waiting("importing"):
     time.sleep(0.01)
 with progress("first block of 200 [starts]") as report:
@@ -52,9 +52,7 @@ def test_a_log_has_a_line_and_no_bar() -> None:
 
 
 def test_what_is_done_in_a_moment_says_nothing() -> None:
-    script = (
-        "from chaplygin.cli.progress import progress\nwith progress('work') as report: report(1)"
-    )
+    script = "from chaplygin.cli.terminal.progress import progress\nwith progress('work') as report: report(1)"
     done = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, check=True
     )
