@@ -52,7 +52,10 @@ def test_a_log_has_a_line_and_no_bar() -> None:
 
 
 def test_what_is_done_in_a_moment_says_nothing() -> None:
-    script = "from chaplygin.cli.terminal.progress import progress\nwith progress('work') as report: report(1)"
+    script = (
+        "from chaplygin.cli.terminal.progress import progress\n"
+        "with progress('work') as report: report(1)"
+    )
     done = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, check=True
     )
