@@ -102,6 +102,9 @@ def test_every_figure_is_there_for_wide_and_narrow_screens(page: Callable[[str],
 
 def test_what_is_wider_than_the_line_says_how_wide(page: Callable[[str], str]) -> None:
     widths = [
-        int(w) for w in re.findall(r'class="formula" style="--width: (\d+)"', page("sleigh.toml"))
+        int(w)
+        for w in re.findall(
+            r'<math displaystyle="true" style="--width: (\d+);', page("sleigh.toml")
+        )
     ]
     assert widths and all(width > 0 for width in widths)

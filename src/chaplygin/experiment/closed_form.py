@@ -25,10 +25,10 @@ from ..explicit.bifurcation.diagram_of import diagram_of
 from ..explicit.solvable_cases import solution_of
 from ..flow.trajectory import Statistics, Trajectory, recorded_values
 from ..printing import numerals
+from ..printing.displayed import displayed
 from ..printing.formula import latex, text
 from ..printing.mathml import mathml
 from ..printing.numerals import typographic_signs, unit
-from ..printing.system import displayed_formula
 from .study import Study, dataset_of
 from .without_lift import single_system
 
@@ -193,7 +193,7 @@ def closed_form_section(solution: Solution, trajectory: Trajectory) -> ClosedFor
         motion=form.motion,
         source=form.source,
         equations=tuple(
-            Markup(displayed_formula(equation(left, right))) for left, right in form.equations
+            Markup(displayed([("", equation(left, right))])) for left, right in form.equations
         ),
         rows=tuple(
             (_symbol(figure.symbol), typeset_value(number(figure)), letters(figure.meaning))

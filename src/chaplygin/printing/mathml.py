@@ -62,8 +62,8 @@ def _bold_greek(match: re.Match[str]) -> str:
 
 
 #: Width in em of what takes no letters, and of a letter, figure or sign with what is about it.
-_LETTER = 0.55
-_SIGN = 1.2
+_LETTER = 0.66
+_SIGN = 1.4
 #: Size of indices and exponents, and of what stands in a fraction within a line.
 _SCRIPT = 0.7
 

@@ -15,12 +15,14 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from ..core.named_formulas import Pairs
+from .displayed import STYLE, displayed
 from .formula import latex, rate, signed_terms, text, width
 from .laws import caption, equation, equation_sides, heading
 from .layout import Layout, layout, reconstruction_layout
-from .mathml import mathml, width_of
+from .mathml import mathml
 from .notation import LATEX, UNICODE, Notation
 from .numerals import number, unit
+from .poisson_brackets import Side
 
 if TYPE_CHECKING:
     from ..core.laws import Integral, Law
@@ -240,15 +242,17 @@ def _sum_lines(formula: sp.Basic, notation: Notation) -> list[str]:
 
 # --- HTML ----------------------------------------------------------------------------------
 
-_STYLE = """\
+_STYLE = (
+    """\
 <style>
 .chaplygin-system table { border-collapse: collapse; margin: 0.3em 0 0.8em; }
 .chaplygin-system th, .chaplygin-system td
   { padding: 0.15em 0.8em 0.15em 0; text-align: left; vertical-align: baseline; }
 .chaplygin-system th { font-weight: normal; opacity: 0.8; }
-.chaplygin-system .formula { overflow: auto hidden; margin: 0.4em 0 0.4em 1.5em; }
-.chaplygin-system .formula math { font-size: clamp(0.58em, calc(44em / var(--width)), 1.04em); }
-</style>"""
+"""
+    + STYLE
+    + "\n</style>"
+)
 
 
 def system_html(system: System) -> str:
@@ -264,21 +268,19 @@ def system_html(system: System) -> str:
     parts = [_STYLE, f"<h3>{html.escape(system.title)}</h3>"]
     if system.summary:
         parts.append(f"<p>{html.escape(system.summary)}</p>")
-    field = _aligned_rows((rate(name, LATEX), formula) for name, formula in page.field)
-    parts += ["<h4>Equations of motion</h4>", _display(field)]
+    parts += ["<h4>Equations of motion</h4>", displayed(_rates(page.field))]
     if page.where:
-        parts += ["<p>where</p>", _display(_defining_rows(page.where))]
+        parts += ["<p>where</p>", displayed(_named(page.where))]
     if system.relations:
         sides = [equation(zero) for zero in system.relations]
-        rows = [f"{latex(left)} &= {latex(right)}" for left, right in sides]
-        parts += ["<p>on the phase space</p>", _display(rows)]
+        parts += ["<p>on the phase space</p>", displayed(_named(sides))]
     if system.parameters:
         parts += ["<h4>Parameters</h4>", _parameter_table(system)]
     if system.integrals:
         parts += ["<h4>Constant along the motion</h4>", _law_table(system)]
     parts += [law_html(law, system) for law in _other_laws(system)]
     if page.further:
-        parts += ["<h4>In the laws</h4>", _display(_defining_rows(page.further))]
+        parts += ["<h4>In the laws</h4>", displayed(_named(page.further))]
     if system.source:
         parts.append(f"<p>Source: {html.escape(system.source)}</p>")
     return '<section class="chaplygin-system">\n' + "\n".join(parts) + "\n</section>"
@@ -287,13 +289,13 @@ def system_html(system: System) -> str:
 def motion_html(system: System) -> str:
     """The equations of the lift to space as HTML; empty without a lift."""
     page = reconstruction_layout(system)
-    rows = _aligned_rows((rate(name, LATEX), formula) for name, formula in page.field)
-    return _display(rows + _defining_rows(page.where)) if rows else ""
+    return displayed([*_rates(page.field), *_named(page.where)]) if page.field else ""
 
 
 def law_html(law: Law, system: System) -> str:
     """A law of any kind as HTML: what it is, its equations in MathML, its caption."""
-    parts = [f"<h4>{html.escape(heading(law))}</h4>", _display(_law_rows_latex(law, system))]
+    sides = equation_sides(law, system, LATEX)
+    parts = [f"<h4>{html.escape(heading(law))}</h4>", displayed(sides)]
     sentence = _caption_html(law, system)
     if sentence:
         parts.append(f'<p class="caption">{sentence}</p>')
@@ -305,7 +307,7 @@ def claims_html(system: System) -> str:
     parts = [law_html(law, system) for law in system.laws]
     further = layout(system).further
     if parts and further:
-        parts += ["<h4>In the laws</h4>", _display(_defining_rows(further))]
+        parts += ["<h4>In the laws</h4>", displayed(_named(further))]
     return "\n".join(parts)
 
 
@@ -338,21 +340,12 @@ def _caption_html(law: Law, system: System) -> str:
     return re.sub(r"\0(\d+)\0", lambda match: formulas[int(match[1])], sentence)
 
 
-def _defining_rows(pairs: Pairs) -> list[str]:
-    return _aligned_rows((latex(name), formula) for name, formula in pairs)
+def _rates(pairs: Pairs) -> list[Side]:
+    return [(rate(name, LATEX), formula) for name, formula in pairs]
 
 
-def _display(rows: Sequence[str]) -> str:
-    return displayed_formula(_aligned_environment(rows))
-
-
-def displayed_formula(formula: str) -> str:
-    """LaTeX as a displayed formula in HTML, with the width that it needs.
-
-    The width in em is there as ``--width``, for style sheets that shrink what would be cut.
-    """
-    written = mathml(formula)
-    return f'<div class="formula" style="--width: {width_of(written):.0f}">{written}</div>'
+def _named(pairs: Iterable[tuple[sp.Basic, sp.Basic]]) -> list[Side]:
+    return [(latex(name), formula) for name, formula in pairs]
 
 
 def _html_table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:

@@ -25,11 +25,12 @@ from ..explicit.base.solution import Solution
 from ..flow.trajectory import Trajectory
 from ..lab.element import element
 from ..lab.study_page import study_model
+from ..printing.displayed import displayed
 from ..printing.formula import latex, text
 from ..printing.laws import heading
 from ..printing.mathml import mathml
 from ..printing.numerals import number, typographic_signs, unit
-from ..printing.system import claims_html, displayed_formula, motion_html, system_html
+from ..printing.system import claims_html, motion_html, system_html
 from ..proof.fields.budget import EFFORT
 from ..proof.verdict import Verdict
 from . import figures
@@ -178,7 +179,7 @@ def render(
             {
                 "name": law.name,
                 "meaning": law.meaning,
-                "formula": Markup(displayed_formula(latex(law.value))),
+                "formula": Markup(displayed([("", law.value)])),
                 "source": law.source,
                 "verdict": verdicts[law.name],
                 "value": number(float(trajectory.records[f"law_{law.name}"][0]), 12),
