@@ -113,6 +113,27 @@ def test_a_report_is_never_wider_than_the_screen(width: int, chromium: Any, repo
     assert widest <= width
 
 
+#: Equations, or their right sides, that are wider than the place that they have.
+CUT = """
+() => [...document.querySelectorAll('.chaplygin-formula, .chaplygin-formula .right')]
+  .filter((each) => each.clientWidth > 0 && each.scrollWidth > each.clientWidth + 1)
+  .map((each) => each.textContent)
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("width", [390, 1280])
+@pytest.mark.parametrize("name", ["tippe_top", "trailer"])
+def test_no_equation_is_cut(name: str, width: int, chromium: Any, tmp_path: Path) -> None:
+    study = prepare(load(EXAMPLES / f"{name}.toml", ["run.until=0.01", "run.samples=11"]))
+    write_study(study, tmp_path, True, ProofBudget(1, 0), Unheard())
+    opened = Opened(
+        chromium, tmp_path / "report.html", viewport={"width": width, "height": 900}
+    ).ready()
+    assert opened.page.locator(".chaplygin-formula").count() > 2
+    assert opened.page.evaluate(CUT) == []
+
+
 def test_the_still_stays_without_javascript(chromium: Any, report: Path) -> None:
     opened = Opened(chromium, report, java_script_enabled=False)
     assert opened.page.locator(".chaplygin-still svg").first.is_visible()

@@ -12,6 +12,7 @@ import pytest
 import chaplygin as ch
 from chaplygin.experiment.study import dataset_of
 from chaplygin.experiment.subjects.plan import plan_motion
+from chaplygin.lab.columns import symbol_mathml
 from chaplygin.lab.page_model import page_model
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -102,3 +103,8 @@ def test_a_motion_that_ends_early_says_why():
     end = page_model(study, dataset)["recorded"]["end"]
     assert dataset.attrs["events"].endswith(end["reason"])
     assert end["time"] == dataset["time"][-1] < study.until
+
+
+def test_a_rate_is_written_with_a_dot_and_a_word_as_a_word() -> None:
+    assert "<mover" in symbol_mathml("phidot")
+    assert symbol_mathml("spin") == ""

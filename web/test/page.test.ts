@@ -6,6 +6,7 @@ import { changed, fromFragment, History, instants, opening, same, toFragment, ty
 import { extent, readable, roundNumber, ticks } from "../src/page/numbers";
 import { unitText } from "../src/page/units";
 import { onScale } from "../src/page/palette";
+import { font } from "../src/page/type";
 
 const model = {
   until: 10,
@@ -17,11 +18,16 @@ const model = {
 test("numbers are written as in print", () => {
   assert.equal(readable(0), "0");
   assert.equal(readable(-1.5), "−1.5");
-  assert.equal(readable(3.2e-7), "3.2·10⁻⁷");
-  assert.equal(readable(-2e12), "−2·10¹²");
+  assert.equal(readable(3.2e-7), "3.2 × 10⁻⁷");
+  assert.equal(readable(-2e12), "−2 × 10¹²");
   assert.equal(readable(1200), "1200");
   assert.equal(readable(0.1 + 0.2), "0.3");
   assert.equal(readable(NaN), "–");
+});
+
+test("fonts of plots have whole sizes", () => {
+  assert.match(font(12.8), /^13px /);
+  assert.match(font(14), /^14px /);
 });
 
 test("units have raised exponents", () => {

@@ -25,7 +25,7 @@ from ..explicit.bifurcation.diagram_of import diagram_of
 from ..explicit.solvable_cases import solution_of
 from ..flow.trajectory import Statistics, Trajectory, recorded_values
 from ..printing import numerals
-from ..printing.displayed import displayed
+from ..printing.equations import equations_html
 from ..printing.formula import latex, text
 from ..printing.mathml import mathml
 from ..printing.numerals import typographic_signs, unit
@@ -193,7 +193,7 @@ def closed_form_section(solution: Solution, trajectory: Trajectory) -> ClosedFor
         motion=form.motion,
         source=form.source,
         equations=tuple(
-            Markup(displayed([("", equation(left, right))])) for left, right in form.equations
+            Markup(equations_html([("", equation(left, right))])) for left, right in form.equations
         ),
         rows=tuple(
             (_symbol(figure.symbol), typeset_value(number(figure)), letters(figure.meaning))

@@ -80,7 +80,7 @@ class Scalar:
 
 def symbol_mathml(name: str, size: int = 1) -> str:
     """A letter in MathML; empty for what is a word."""
-    letter = name.partition("_")[0].rstrip("0123456789")
+    letter = name.partition("_")[0].rstrip("0123456789").removesuffix("dot")
     if len(letter) > 1 and letter not in GREEK:
         return ""
     return mathml(latex(Vector(name, size) if size > 1 else real_symbol(name)))

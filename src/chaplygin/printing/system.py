@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from ..core.named_formulas import Pairs
-from .displayed import STYLE, displayed
+from .equations import STYLE, equations_html
 from .formula import latex, rate, signed_terms, text, width
 from .laws import caption, equation, equation_sides, heading
 from .layout import Layout, layout, reconstruction_layout
@@ -268,19 +268,19 @@ def system_html(system: System) -> str:
     parts = [_STYLE, f"<h3>{html.escape(system.title)}</h3>"]
     if system.summary:
         parts.append(f"<p>{html.escape(system.summary)}</p>")
-    parts += ["<h4>Equations of motion</h4>", displayed(_rates(page.field))]
+    parts += ["<h4>Equations of motion</h4>", equations_html(_rates(page.field))]
     if page.where:
-        parts += ["<p>where</p>", displayed(_named(page.where))]
+        parts += ["<p>where</p>", equations_html(_definitions(page.where))]
     if system.relations:
         sides = [equation(zero) for zero in system.relations]
-        parts += ["<p>on the phase space</p>", displayed(_named(sides))]
+        parts += ["<p>on the phase space</p>", equations_html(_definitions(sides))]
     if system.parameters:
         parts += ["<h4>Parameters</h4>", _parameter_table(system)]
     if system.integrals:
         parts += ["<h4>Constant along the motion</h4>", _law_table(system)]
     parts += [law_html(law, system) for law in _other_laws(system)]
     if page.further:
-        parts += ["<h4>In the laws</h4>", displayed(_named(page.further))]
+        parts += ["<h4>In the laws</h4>", equations_html(_definitions(page.further))]
     if system.source:
         parts.append(f"<p>Source: {html.escape(system.source)}</p>")
     return '<section class="chaplygin-system">\n' + "\n".join(parts) + "\n</section>"
@@ -289,13 +289,13 @@ def system_html(system: System) -> str:
 def motion_html(system: System) -> str:
     """The equations of the lift to space as HTML; empty without a lift."""
     page = reconstruction_layout(system)
-    return displayed([*_rates(page.field), *_named(page.where)]) if page.field else ""
+    return equations_html([*_rates(page.field), *_definitions(page.where)]) if page.field else ""
 
 
 def law_html(law: Law, system: System) -> str:
     """A law of any kind as HTML: what it is, its equations in MathML, its caption."""
     sides = equation_sides(law, system, LATEX)
-    parts = [f"<h4>{html.escape(heading(law))}</h4>", displayed(sides)]
+    parts = [f"<h4>{html.escape(heading(law))}</h4>", equations_html(sides)]
     sentence = _caption_html(law, system)
     if sentence:
         parts.append(f'<p class="caption">{sentence}</p>')
@@ -307,7 +307,7 @@ def claims_html(system: System) -> str:
     parts = [law_html(law, system) for law in system.laws]
     further = layout(system).further
     if parts and further:
-        parts += ["<h4>In the laws</h4>", displayed(_named(further))]
+        parts += ["<h4>In the laws</h4>", equations_html(_definitions(further))]
     return "\n".join(parts)
 
 
@@ -344,7 +344,7 @@ def _rates(pairs: Pairs) -> list[Side]:
     return [(rate(name, LATEX), formula) for name, formula in pairs]
 
 
-def _named(pairs: Iterable[tuple[sp.Basic, sp.Basic]]) -> list[Side]:
+def _definitions(pairs: Iterable[tuple[sp.Basic, sp.Basic]]) -> list[Side]:
     return [(latex(name), formula) for name, formula in pairs]
 
 

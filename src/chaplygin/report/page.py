@@ -25,7 +25,7 @@ from ..explicit.base.solution import Solution
 from ..flow.trajectory import Trajectory
 from ..lab.element import element
 from ..lab.study_page import study_model
-from ..printing.displayed import displayed
+from ..printing.equations import equations_html
 from ..printing.formula import latex, text
 from ..printing.laws import heading
 from ..printing.mathml import mathml
@@ -179,7 +179,7 @@ def render(
             {
                 "name": law.name,
                 "meaning": law.meaning,
-                "formula": Markup(displayed([("", law.value)])),
+                "formula": Markup(equations_html([("", law.value)])),
                 "source": law.source,
                 "verdict": verdicts[law.name],
                 "value": number(float(trajectory.records[f"law_{law.name}"][0]), 12),

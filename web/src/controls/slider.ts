@@ -46,7 +46,7 @@ export function slider(given: SliderValue, begin: () => void, act: (value: numbe
   });
   range.addEventListener("change", () => (moving = false));
   const entered = (): void => {
-    const value = Number(field.value.replace("\u2212", "-").replace(",", "."));
+    const value = Number(field.value.replaceAll("\u2212", "-").replace(",", "."));
     if (field.value.trim() === "" || !Number.isFinite(value)) {
       field.setAttribute("aria-invalid", "true");
       return;
@@ -72,7 +72,7 @@ export function slider(given: SliderValue, begin: () => void, act: (value: numbe
 
 /** A number in five digits, or all that it has if they are fewer. */
 function shortest(value: number): string {
-  return String(Number(value.toPrecision(5)));
+  return String(Number(value.toPrecision(5))).replaceAll("-", "\u2212");
 }
 
 /** A number rounded to a step that is small on a range. */

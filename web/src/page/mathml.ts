@@ -29,6 +29,8 @@ function written(element: Element): string {
       return first + shifted(second, LOWERED) + shifted(third, RAISED);
     case "mfrac":
       return `${first}/${second}`;
+    case "mover":
+      return first + (second === "˙" ? "\u0307" : second === "¨" ? "\u0308" : second);
     default:
       return parts.length > 0 ? parts.join("") : (element.textContent ?? "");
   }

@@ -3,7 +3,7 @@
 const MINUS = "\u2212";
 const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
-/** A number with `digits` significant ones, as it is printed: 1.5, −0.02, 3.2·10⁻⁷. */
+/** A number with `digits` significant ones, as it is printed: 1.5, −0.02, 3.2 × 10⁻⁷. */
 export function readable(value: number, digits = 4): string {
   if (Number.isNaN(value)) return "–";
   if (!Number.isFinite(value)) return value > 0 ? "∞" : `${MINUS}∞`;
@@ -15,7 +15,7 @@ export function readable(value: number, digits = 4): string {
   const power = Number(exponent);
   const sign = power < 0 ? "⁻" : "";
   const raised = [...String(Math.abs(power))].map((digit) => RAISED[Number(digit)]).join("");
-  return `${short}·10${sign}${raised}`;
+  return `${short} × 10${sign}${raised}`;
 }
 
 function trimmed(text: string): string {

@@ -3,7 +3,7 @@
 import uPlot from "uplot";
 import type { Lab } from "../lab";
 import { element, toggle } from "../page/dom";
-import { letter, SERIF } from "../page/type";
+import { font, letter } from "../page/type";
 import { formula } from "../page/mathml";
 import { readable } from "../page/numbers";
 import { onSchemeChange, palette, type Palette } from "../page/palette";
@@ -25,7 +25,7 @@ export function plotsPanel(lab: Lab): PlotsPanel {
   const chips = element("div", { class: "lab-chips", role: "toolbar", "aria-label": "Quantities" });
   const sheets = element("div", { class: "lab-plots" });
   const panel = element("div", {}, chips, sheets);
-  let plots: { plot: uPlot; readings: Reading[] }[] = [];
+  let plots: { plot: uPlot; readings: Reading[]; size: number }[] = [];
   const groups = (): SeriesGroup[] => seriesGroups(lab.model, lab.shown.value.motion);
   const drawn = (): SeriesGroup[] => groups().filter(({ name }) => chosen.has(name));
   const build = (): void => {
@@ -36,26 +36,32 @@ export function plotsPanel(lab: Lab): PlotsPanel {
       sheets.append(holder);
       const width = Math.max(240, sheets.clientWidth || 600);
       const readings = legend(group, holder);
-      return { plot: plotOf(lab, group, holder, width), readings };
+      return { plot: plotOf(lab, group, holder, width), readings, size: largest(group) };
     });
     now();
   };
   const now = (): void => {
-    for (const { plot, readings } of plots) {
+    for (const { plot, readings, size } of plots) {
       cursor(plot, lab);
       const { times } = lab.shown.value.motion;
       const { index, share } = place(times, lab.clock.time.value);
       readings.forEach((reading, k) => {
         const values = plot.data[k + 1];
         const value = (1 - share) * (values?.[index] ?? NaN) + (share > 0 ? share * (values?.[index + 1] ?? NaN) : 0);
-        reading.textContent = readable(value, 4);
+        // what is nothing beside the curves is rounding
+        reading.textContent = readable(Math.abs(value) < 1e-12 * size ? 0 : value, 4);
       });
     }
   };
   const renew = (): void => {
     const groups = drawn();
     if (groups.length !== plots.length) return build();
-    groups.forEach((group, k) => plots[k]?.plot.setData(dataOf(lab, group)));
+    plots = plots.map((drawn, k) => {
+      const group = groups[k];
+      if (group === undefined) return drawn;
+      drawn.plot.setData(dataOf(lab, group));
+      return { ...drawn, size: largest(group) };
+    });
     now();
   };
   for (const group of groups()) {
@@ -80,6 +86,11 @@ export function plotsPanel(lab: Lab): PlotsPanel {
     else for (const { plot } of plots) plot.setSize({ width, height: Math.round(HEIGHT * letter()) });
   }).observe(sheets);
   return { element: panel, chosen: drawn };
+}
+
+/** The largest absolute value of the curves. */
+function largest(group: SeriesGroup): number {
+  return group.components.reduce((size, { values }) => values.reduce((high, value) => Math.max(high, Math.abs(value) || 0), size), 0);
 }
 
 type Reading = HTMLElement;
@@ -115,7 +126,7 @@ function dataOf(lab: Lab, group: SeriesGroup): uPlot.AlignedData {
 
 function plotOf(lab: Lab, group: SeriesGroup, holder: HTMLElement, width: number): uPlot {
   const colours = palette();
-  const marks = { stroke: colours.quiet, font: `${0.8 * letter()}px ${SERIF}`, ticks: { stroke: colours.line, width: 1, size: 4 }, grid: { stroke: colours.line, width: 0.5 } };
+  const marks = { stroke: colours.quiet, font: font(0.8 * letter()), ticks: { stroke: colours.line, width: 1, size: 4 }, grid: { stroke: colours.line, width: 0.5 } };
   const dashes = [[], [7, 3], [2, 3], [8, 3, 2, 3]];
   const label = `${group.text}${group.unit ? `  (${group.unit})` : ""}`;
   const plot: uPlot = new uPlot(
@@ -127,7 +138,7 @@ function plotOf(lab: Lab, group: SeriesGroup, holder: HTMLElement, width: number
       cursor: { y: false, drag: { x: false, y: false }, points: { size: 6 }, focus: { prox: 24 } },
       axes: [
         { ...marks, size: 1.9 * letter(), values: (_, values) => values.map((value) => readable(value, 6)) },
-        { ...marks, size: 3.9 * letter(), label, labelSize: 1.4 * letter(), labelFont: `italic ${0.88 * letter()}px ${SERIF}`, values: (_, values) => values.map((value) => readable(value, 6)) },
+        { ...marks, size: 3.9 * letter(), label, labelSize: 1.4 * letter(), labelFont: `italic ${font(0.88 * letter())}`, values: (_, values) => values.map((value) => readable(value, 6)) },
       ],
       series: [
         {},

@@ -26,7 +26,8 @@ const AXES: Record<string, readonly string[]> = {
 export function seriesGroups(model: PageModel, motion: Motion): SeriesGroup[] {
   return model.columns.flatMap((column) => {
     const values = motion.columns[column.name];
-    if (values === undefined) return [];
+    // places of a drawing in the plane are seen in the scene
+    if (values === undefined || column.axes === "plane") return [];
     const isLaw = column.name.startsWith("law_");
     const name = (isLaw ? column.name.slice(4) : column.name).replaceAll("_", " ");
     const text = isLaw ? `drift of ${name}` : letter(column.mathml) ?? name;

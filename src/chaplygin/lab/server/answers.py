@@ -163,7 +163,7 @@ def _solve(task: Assignment) -> Answer:
         letters,
         solution_of_study,
     )
-    from ...printing.displayed import displayed
+    from ...printing.equations import equations_html
 
     yield {"doing": "looking for a closed form"}
     study = _study(task)
@@ -185,7 +185,7 @@ def _solve(task: Assignment) -> Answer:
             "title": form.title,
             "motion": form.motion,
             "source": form.source,
-            "equations": [displayed([("", equation(*pair))]) for pair in form.equations],
+            "equations": [equations_html([("", equation(*pair))]) for pair in form.equations],
             "constants": constants,
             "ovals": [list(map(float, oval)) for oval in form.ovals],
         }

@@ -11,8 +11,8 @@ from .mathml import mathml, width_of
 from .notation import LATEX
 from .poisson_brackets import Side
 
-#: The style sheet of what `displayed` writes. On a narrow screen the right side goes on below the
-#: left one; what is still wider than the line is set smaller, by its width in em, ``--width``.
+#: The style sheet of what `equations_html` writes. On a narrow screen the right side goes on below
+#: the left one; what is still wider than the line is set smaller, by its width in em, ``--width``.
 STYLE = """\
 .chaplygin-formula { display: grid; grid-template-columns: max-content minmax(0, 1fr);
   align-items: baseline; margin: 0.4em 0 0.4em 1.5em; }
@@ -35,7 +35,7 @@ STYLE = """\
 }"""
 
 
-def displayed(equations: Iterable[Side]) -> str:
+def equations_html(equations: Iterable[Side]) -> str:
     """Equations as a displayed formula in HTML.
 
     Parameters
@@ -50,17 +50,17 @@ def displayed(equations: Iterable[Side]) -> str:
         A ``<div class="chaplygin-formula">``, for which `STYLE` has the rules.
     """
     rows = list(equations)
-    named = any(left for left, _ in rows)
-    body = "\n".join(f"<div>{_row(left, right, named)}</div>" for left, right in rows)
+    has_names = any(left for left, _ in rows)
+    body = "\n".join(f"<div>{_row(left, right, has_names)}</div>" for left, right in rows)
     return f'<div class="chaplygin-formula">{body}</div>'
 
 
-def _row(left: str, right: sp.Basic | str, named: bool) -> str:
+def _row(left: str, right: sp.Basic | str, has_names: bool) -> str:
     first, *others = _terms(right)
     # braces keep a minus close to the term that it belongs to
     pieces = [rf"{{}} = {{{first}}}" if left else first, *others]
     cells = [f'<div class="right">{" ".join(map(_term, pieces))}</div>']
-    if named:
+    if has_names:
         # on a narrow screen, where both sides are one paragraph, a line may break between them
         cells.insert(0, f'<div class="left">{_term(left) if left else ""}<wbr/></div>')
     return "".join(cells)

@@ -7,13 +7,13 @@ import re
 import sympy as sp
 
 from chaplygin.core.vectors import real_symbol
-from chaplygin.printing.displayed import displayed
+from chaplygin.printing.equations import equations_html
 
 a, b, c = map(real_symbol, "abc")
 
 
 def test_a_sum_is_broken_into_terms_and_a_product_stays_whole() -> None:
-    written = displayed([("x", a - b + c * (a + b)), ("y", a * b)])
+    written = equations_html([("x", a - b + c * (a + b)), ("y", a * b)])
     sums, products = (row for row in written.split("\n"))
     assert len(re.findall("<math", sums)) == 1 + 3
     assert len(re.findall("<math", products)) == 1 + 1
@@ -21,7 +21,7 @@ def test_a_sum_is_broken_into_terms_and_a_product_stays_whole() -> None:
 
 def test_every_term_has_its_width() -> None:
     narrow, wide = (
-        max(map(int, re.findall(r"--width: (\d+)", displayed([("", formula)]))))
+        max(map(int, re.findall(r"--width: (\d+)", equations_html([("", formula)]))))
         for formula in (a * b, sp.sqrt(a + b) * (a + b + c) * (a - b - c))
     )
     assert 0 < narrow < wide
@@ -30,14 +30,14 @@ def test_every_term_has_its_width() -> None:
 def test_the_width_of_equations_is_that_of_their_widest_term() -> None:
     terms = [a * b * (a + k) for k in range(2, 12)]
     one, sum_of_ten = (
-        max(map(int, re.findall(r"--width: (\d+)", displayed([("", formula)]))))
+        max(map(int, re.findall(r"--width: (\d+)", equations_html([("", formula)]))))
         for formula in (terms[-1], sp.Add(*terms))
     )
     assert sum_of_ten <= one + 3
 
 
 def test_a_remark_without_a_left_side_stands_under_the_right_sides() -> None:
-    row = displayed([("x", a), ("", r"\text{rank } 4")]).split("\n")[1]
+    row = equations_html([("x", a), ("", r"\text{rank } 4")]).split("\n")[1]
     assert row.startswith('<div><div class="left"><wbr/></div><div class="right"><math')
-    alone = displayed([("", a)])
+    alone = equations_html([("", a)])
     assert 'class="left"' not in alone
