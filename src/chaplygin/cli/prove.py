@@ -241,11 +241,19 @@ def _count_text(verdicts: list[Verdict]) -> str:
 def _write(path: Path, verdicts: list[Verdict]) -> None:
     import json
 
-    certificates = [verdict.certificate for verdict in verdicts if verdict.certificate is not None]
+    own = [verdict.certificate for verdict in verdicts if verdict.certificate is not None]
+    by_theorem = [verdict for verdict in verdicts if verdict.identities]
+    identities = [part for verdict in by_theorem for part in verdict.identities]
+    # one identity may serve several laws
+    further = [part for i, part in enumerate(identities) if part not in identities[:i]]
     with output_file(path) as place:
-        place.write_text(json.dumps(certificates, ensure_ascii=False), encoding="utf-8")
-    inform(f"certificates of {len(certificates)} of {len(verdicts)} laws: {name_of(path)}")
+        place.write_text(json.dumps([*own, *further], ensure_ascii=False), encoding="utf-8")
+    inform(f"certificates of {len(own)} of {len(verdicts)} laws: {name_of(path)}")
+    for verdict in by_theorem:
+        count = len(verdict.identities)
+        what = f"{count} identities are" if count > 1 else "1 identity is"
+        inform(f"{verdict.law} follows from a theorem, of which {what} certified")
     for verdict in verdicts:
-        if verdict.certificate is None:
+        if verdict.certificate is None and not verdict.identities:
             why = verdict.no_certificate or "it is undecided"
             inform(f"no certificate of {verdict.law}: {why}")

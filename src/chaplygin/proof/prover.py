@@ -69,7 +69,7 @@ def prove(
         law = _by_name(system, law)
     _check_defaults(system)
     _check_formulas(system, law)
-    theorem = next((t for t in system.theorems if law in system.laws and law.name in t.laws), None)
+    theorem = theorem_of(system, law)
     name = fingerprint(system, law, theorem)
     stored = load_verdict(name, effort)
     if stored is not None:
@@ -93,6 +93,13 @@ def prove(
     verdict = replace(verdict, effort=budget.used, seconds=time.monotonic() - started)
     store_verdict(name, verdict, effort)
     return verdict
+
+
+def theorem_of(system: System, law: Law) -> Theorem | None:
+    """The theorem of a system from which a law of it follows, if there is one."""
+    if law not in system.laws:
+        return None
+    return next((t for t in system.theorems if law.name in t.laws), None)
 
 
 def _by_theorem(system: System, law: Law, theorem: Theorem, budget: Budget) -> Verdict:

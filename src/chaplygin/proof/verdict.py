@@ -50,6 +50,9 @@ class Verdict(WithOverview):
         What another program needs in order to check the verdict.
     no_certificate : str
         Why there is no certificate, where one was asked for.
+    identities : tuple of mappings
+        Of a law without a certificate of its own that follows from a theorem: the certificates of
+        the identities that the theorem leaves to be proven.
 
     Examples
     --------
@@ -72,6 +75,7 @@ class Verdict(WithOverview):
     witness: dict[str, Any] | None = None
     certificate: dict[str, Any] | None = None
     no_certificate: str = ""
+    identities: tuple[dict[str, Any], ...] = ()
 
     @property
     def is_untried(self) -> bool:

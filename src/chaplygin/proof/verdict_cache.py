@@ -81,7 +81,8 @@ def store_verdict(name: str, verdict: Verdict, effort: int | None = None) -> Non
     """
     if effort is not None and verdict.effort >= effort:
         name = _name_at_effort(name, effort)
-    content = {n: v for n, v in vars(verdict).items() if n not in ("certificate", "no_certificate")}
+    left_out = ("certificate", "no_certificate", "identities")
+    content = {n: v for n, v in vars(verdict).items() if n not in left_out}
     private_files.write_private(_file(name), json.dumps(content).encode())
 
 

@@ -97,6 +97,16 @@ def test_systems_of_the_catalogue(name):
             assert verdict.certificate is not None, verdict.no_certificate
 
 
+@pytest.mark.slow
+def test_a_law_by_a_theorem_has_the_certificates_of_its_identities():
+    system = from_catalogue("veselova-nd", dimension=4)
+    verdict = prove_with_certificate(system, next(x for x in system.laws if x.name == "measure"))
+    assert verdict.certificate is None and verdict.no_certificate
+    (identity,) = verdict.identities
+    check(identity)
+    assert identity["claim"] != claim_text(system, system.laws[-1])
+
+
 # --- each means of a proof -----------------------------------------------------------------------
 
 

@@ -28,13 +28,17 @@ from ..fields.unreduced_fields import UnreducedField, UnreducedFormal
 from ..level.alternatives import alternatives
 from ..level.level_set import LevelSet
 from ..level.polynomial_problems import polynomial_problems
-from ..prover import prove
+from ..prover import prove, theorem_of
 from ..random_test import trials
 from ..symbolic_proof import MOST_RUNS, flipped_decisions
 from ..verdict import Verdict
 from ..witness_points import witness_point
 from .identities import ExclusionOf, proof_text
 from .proof_setting import ProofSetting
+
+
+#: The part of the effort that is spent on a certificate of a law that a theorem proves already.
+BESIDE_THEOREM = 50
 
 
 @arguments_checked
@@ -52,7 +56,8 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
     -------
     Verdict
         Without a certificate where the law is undecided, or where none can be made: then
-        `no_certificate` says why.
+        `no_certificate` says why, and `identities` are the certificates of those that a theorem
+        needs for it.
 
     Raises
     ------
@@ -62,14 +67,25 @@ def prove_with_certificate(system: System, law: Law, effort: int = EFFORT) -> Ve
     verdict = prove(system, law, effort=effort)
     if verdict.decision == "undecided":
         return verdict
+    theorem = theorem_of(system, law)
     try:
-        certificate = _certificate(system, law, verdict, effort)
+        own = effort if theorem is None else effort // BESIDE_THEOREM
+        certificate = _certificate(system, law, verdict, own)
         check(certificate)
     except OutOfReachError as reason:
-        return replace(verdict, no_certificate=str(reason))
+        verdict = replace(verdict, no_certificate=str(reason))
     except (BadInputError, CheckError) as reason:
-        return replace(verdict, no_certificate=f"the certificate does not check: {reason}")
-    return replace(verdict, certificate=certificate)
+        verdict = replace(verdict, no_certificate=f"the certificate does not check: {reason}")
+    else:
+        return replace(verdict, certificate=certificate)
+    if theorem is None or not verdict:
+        return verdict
+    parts = [
+        prove_with_certificate(whole, identity, effort).certificate
+        for whole in theorem.identities()
+        for identity in whole.laws
+    ]
+    return replace(verdict, identities=tuple(p for p in parts if p is not None))
 
 
 def _certificate(system: System, law: Law, verdict: Verdict, effort: int) -> Text:
