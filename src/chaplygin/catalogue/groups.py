@@ -103,7 +103,7 @@ GROUPS = (
             *("suslov-nd", "veselova-nd", "special-veselova-nd", "chaplygin-ball-nd"),
             *("special-chaplygin-ball-nd", "rubber-chaplygin-ball-nd", "special-rubber-ball-nd"),
             *("chaplygin-ball-on-level-nd", "chaplygin-ball-on-sphere-nd"),
-            "rubber-ball-on-sphere-nd",
+            *("rubber-ball-on-sphere-nd", "special-rubber-ball-on-sphere-nd"),
         ),
     ),
     Group(

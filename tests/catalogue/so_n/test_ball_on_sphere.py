@@ -145,6 +145,21 @@ def test_laws_are_proven_and_another_measure_is_refuted(name, n):
     assert prove(replace(ball, laws=slips), "measure").decision == "refuted"
 
 
+def test_on_a_sphere_of_its_own_radius_the_rubber_ball_is_hamiltonian():
+    ball = from_catalogue(RUBBER, dimension=4, a=1.0)
+    form = next(law for law in ball.laws if law.name == "hamiltonian")
+    assert prove(ball, form).decision == "proven"
+    # for other radii it is not, with or without the theorem
+    for system in (ball, replace(ball, theorems=())):
+        assert prove(system, replace(form, on=())).decision == "refuted"
+
+
+@pytest.mark.slow
+def test_its_form_in_three_dimensions_is_proven_without_the_theorem():
+    ball = replace(from_catalogue(RUBBER, dimension=3), theorems=())
+    assert prove(ball, "hamiltonian").decision == "proven"
+
+
 @pytest.mark.parametrize("a", [0.0, -1.0, float("nan")])
 def test_a_sphere_that_cannot_be_is_refused(a):
     with pytest.raises(InputError) as caught:

@@ -66,19 +66,21 @@ def _bivector(n: int, place: tuple[int, int]) -> sp.Matrix:
     )
 
 
-def _named_operator(name: str, size: int) -> sp.Matrix:
+def named_operator(name: str, size: int) -> sp.Matrix:
     """A symmetric matrix of symbols ``name_i_j``."""
     return sp.Matrix(
         size, size, lambda i, j: real_symbol(f"{name}_{min(i, j) + 1}_{max(i, j) + 1}")
     )
 
 
-def _parameters(matrix: sp.Matrix, meaning: str) -> tuple[Parameter, ...]:
+def parameters_of(matrix: sp.Matrix, meaning: str) -> tuple[Parameter, ...]:
+    """The entries of a symmetric matrix as parameters; by default it is the unit matrix."""
     places = combinations_with_replacement(range(matrix.shape[0]), 2)
     return tuple(Parameter(matrix[i, j], meaning, float(i == j)) for i, j in places)
 
 
-def _above(matrix: sp.MatrixBase) -> list[sp.Expr]:
+def above(matrix: sp.MatrixBase) -> list[sp.Expr]:
+    """The entries above the diagonal, in the order of the planes."""
     return [matrix[i, j] for i, j in pairs(matrix.shape[0])]
 
 
@@ -105,13 +107,13 @@ def chaplygin_ball(n: int, exponent: sp.Rational = -HALF) -> System:
     """
     places = pairs(n)
     k, omega, gamma = Skew("k", n), Skew("omega", n), Column("gamma", n)
-    S = _named_operator("S", len(places))
+    S = named_operator("S", len(places))
     K, W = (sp.Matrix(to_components(name)) for name in (k, omega))
     residual = _of_the_normal(omega, gamma, S, exponent)
     # ∂/∂k of [k, ω], with ∂ω/∂k = S
     for row, place in enumerate(places):
         unit = _bivector(n, place)
-        turned = _skew(n, S.col(row))
+        turned = skew(n, S.col(row))
         rate = unit * W - W * unit + K * turned - turned * K
         residual += rate[place]
     return _measure_of_ball(
@@ -145,14 +147,14 @@ def chaplygin_ball_on_level(n: int, exponent: sp.Rational = -HALF) -> System:
     'proven'
     """
     p, omega, gamma = Column("p", n), Skew("omega", n), Column("gamma", n)
-    S = _named_operator("S", len(pairs(n)))
+    S = named_operator("S", len(pairs(n)))
     x, y = (sp.Matrix(to_components(name)) for name in (p, gamma))
     residual = _of_the_normal(omega, gamma, S, exponent)
     # ∂/∂p of −ωp and ∂/∂γ of −ωγ, as far as ω = S(p∧γ) moves with k
     for a in range(n):
         e = _unit(n, a)
-        residual -= (_skew(n, S * sp.Matrix(_above(e * y.T - y * e.T))) * x)[a]
-        residual -= (_skew(n, S * sp.Matrix(_above(x * e.T - e * x.T))) * y)[a]
+        residual -= (skew(n, S * sp.Matrix(above(e * y.T - y * e.T))) * x)[a]
+        residual -= (skew(n, S * sp.Matrix(above(x * e.T - e * x.T))) * y)[a]
     return _measure_of_ball(
         "chaplygin-ball-measure-on-level",
         f"The measure of the Chaplygin ball on k = p∧γ in {n} dimensions",
@@ -176,7 +178,7 @@ def _measure_of_ball(
         title=title,
         field={variable: _still(variable) for variable in variables},
         parameters=(
-            *_parameters(S, "entry of the inverse of the operator from ω to k"),
+            *parameters_of(S, "entry of the inverse of the operator from ω to k"),
             Parameter(m, "mass", 1.0, "kg"),
             Parameter(R, "radius", 1.0, "m"),
         ),
@@ -192,19 +194,19 @@ def _of_the_normal(omega: Skew, gamma: Column, S: sp.Matrix, exponent: sp.Ration
     for i in range(n):
         around = (y * y.T).diff(y[i])
         columns = [
-            _above(D * (unit * around + around * unit))
+            above(D * (unit * around + around * unit))
             for unit in (_bivector(n, place) for place in pairs(n))
         ]
         slopes.append(sp.Matrix(columns).T)
     residual, velocity = sp.S.Zero, -W * y
     # ∂/∂γ of −ωγ, with ∂ω/∂γᵢ = −S ∂ᵢA ω; the factor γ itself gives tr ω = 0
     for i, slope in enumerate(slopes):
-        residual += (_skew(n, S * (slope * sp.Matrix(_above(W)))) * y)[i]
+        residual += (skew(n, S * (slope * sp.Matrix(above(W)))) * y)[i]
         residual += exponent * velocity[i] * (S * slope).trace()
     return residual
 
 
-def _skew(n: int, entries: sp.MatrixBase) -> sp.Matrix:
+def skew(n: int, entries: sp.MatrixBase) -> sp.Matrix:
     """The skew matrix with these entries above the diagonal."""
     matrix = sp.zeros(n)
     for value, place in zip(entries, pairs(n), strict=True):
@@ -238,9 +240,9 @@ def veselova(n: int, exponent: sp.Expr = -HALF, ratio: sp.Expr = sp.S.One) -> Sy
     """
     places = pairs(n)
     u, gamma, S = Column("u", n), Column("gamma", n), SymmetricMatrix("S", n)
-    inertia = _named_operator("I", len(places))
+    inertia = named_operator("I", len(places))
     x, y, inverse = (sp.Matrix(to_components(name)) for name in (u, gamma, S))
-    B = _operator_of_planes(inertia, y)
+    B = operator_of_planes(inertia, y)
     slopes = [B.diff(s) for s in y]
     weight = sp.expand(ratio * exponent)
     # ∂/∂γ of −εu, with ∂u/∂γᵢ = −S ∂ᵢB u
@@ -251,16 +253,16 @@ def veselova(n: int, exponent: sp.Expr = -HALF, ratio: sp.Expr = sp.S.One) -> Sy
     vanishing = (ratio - 2 * weight) * (x.T * inverse * y)[0]
     vanishing += ratio * (x.T * y)[0] * inverse.trace()
     # ∂/∂p of (1 − ε) I(u∧γ) u, with ∂u/∂p = S
-    turns = [_above(_unit(n, b) * y.T - y * _unit(n, b).T) for b in range(n)]
+    turns = [above(_unit(n, b) * y.T - y * _unit(n, b).T) for b in range(n)]
     for b, turn in enumerate(turns):
-        matrix = _skew(n, inertia * sp.Matrix(turn))
+        matrix = skew(n, inertia * sp.Matrix(turn))
         residual += (1 - ratio) * (inverse.row(b) * matrix * x)[0]
     return System(
         name="veselova-measure",
         title=f"The measure of the Veselova system in {n} dimensions",
         field={name: _still(name) for name in (u, gamma, S)},
         parameters=(
-            *_parameters(inertia, "entry of the operator of inertia"),
+            *parameters_of(inertia, "entry of the operator of inertia"),
             *(Parameter(s, "ratio of radii", 0.5) for s in sorted(ratio.free_symbols, key=str)),
         ),
         laws=(
@@ -288,9 +290,9 @@ def energy_of_ball(n: int) -> System:
     K, W, y = (sp.Matrix(to_components(name)) for name in (k, omega, gamma))
     turning = -W * y
     change = turning * y.T + y * turning.T
-    terms = zip(_above(K * W - W * K), _above(W), strict=True)
+    terms = zip(above(K * W - W * K), above(W), strict=True)
     rate = sp.Add(*(a * b for a, b in terms))
-    pairing = zip(_above(W * change + change * W), _above(W), strict=True)
+    pairing = zip(above(W * change + change * W), above(W), strict=True)
     rate -= HALF * D * sp.Add(*(a * b for a, b in pairing))
     law = Identity("energy", rate, "the energy is constant", source=SOURCE)
     return System(
@@ -314,9 +316,9 @@ def energy_of_veselova(n: int) -> System:
         The dimension of space.
     """
     u, gamma = Column("u", n), Column("gamma", n)
-    inertia = _named_operator("I", len(pairs(n)))
+    inertia = named_operator("I", len(pairs(n)))
     x, y = (sp.Matrix(to_components(name)) for name in (u, gamma))
-    B = _operator_of_planes(inertia, y)
+    B = operator_of_planes(inertia, y)
     rate = HALF * sp.Add(*(x[i] * (x.T * B.diff(y[i]) * x)[0] for i in range(n)))
     vanishing = (x.T * x)[0] * (x.T * y)[0]
     law = Identity("energy", rate - vanishing, "the energy is constant", source=SOURCE)
@@ -324,7 +326,7 @@ def energy_of_veselova(n: int) -> System:
         name="veselova-energy",
         title=f"The energy of the Veselova system in {n} dimensions",
         field={name: _still(name) for name in (u, gamma)},
-        parameters=_parameters(inertia, "entry of the operator of inertia"),
+        parameters=parameters_of(inertia, "entry of the operator of inertia"),
         laws=(law,),
     )
 
@@ -373,10 +375,10 @@ def suslov(n: int) -> System:
     )
 
 
-def _operator_of_planes(inertia: sp.Matrix, y: sp.Matrix) -> sp.Matrix:
+def operator_of_planes(inertia: sp.Matrix, y: sp.Matrix) -> sp.Matrix:
     """B with (Bx, z) = (I(x∧γ), z∧γ) + (x, γ)(z, γ)."""
     n = len(y)
-    turns = [sp.Matrix(_above(_unit(n, a) * y.T - y * _unit(n, a).T)) for a in range(n)]
+    turns = [sp.Matrix(above(_unit(n, a) * y.T - y * _unit(n, a).T)) for a in range(n)]
     return sp.Matrix(n, n, lambda a, b: (turns[a].T * inertia * turns[b])[0] + y[a] * y[b])
 
 

@@ -29,6 +29,7 @@ from ...errors import InputError
 from ..entry import Numbers
 from .chaplygin_ball import DENSITY, ChaplyginBall, Delta, momentum_of
 from .entry_of_dimension import SOURCE, D, Family, R
+from .equal_radii import bracket, hamiltonian
 from .inertia import Inertia
 from .motion_in_space import attitude_of, gamma_of, omega_of
 from .theorems import of_ball, of_rubber_ball_on_sphere
@@ -41,8 +42,12 @@ SPHERE = 2.0
 NORMAL = ("outward normal of the sphere at the contact, body axes", "1")
 
 
+@dataclass(frozen=True, kw_only=True)
 class OnSphere(Family):
     """The part of balls on a sphere that those on a hyperplane do not have."""
+
+    #: Radius of the sphere in the example, m.
+    sphere: float = SPHERE
 
     @property
     def upright(self) -> bool:
@@ -55,7 +60,7 @@ class OnSphere(Family):
         return (*super().settings, "a")
 
     def _ball(self, settings: dict[str, object]) -> dict[str, float]:
-        given = settings.pop("a", SPHERE)
+        given = settings.pop("a", self.sphere)
         numbers = super()._ball(settings)
         sphere = float(given) if isinstance(given, int | float) else float("nan")
         if not abs(sphere) < float("inf") or sphere in (0.0, -numbers["R"]):
@@ -71,8 +76,14 @@ class OnSphere(Family):
         return (*super()._ball_parameters(values), sphere)
 
 
-def _lift(n: int) -> Reconstruction:
-    """The attitude, of which γ is no row, and the contact point."""
+def lift(n: int) -> Reconstruction:
+    """The attitude, of which γ is no row, and the contact point.
+
+    Parameters
+    ----------
+    n : int
+        The dimension of space.
+    """
     g = attitude_of(n)
     point = Components(a * to_components(g) * to_components(gamma_of(n)))
     rows = [to_components(g).row(i) for i in range(n)]
@@ -123,7 +134,7 @@ class BallOnSphere(OnSphere, ChaplyginBall):
             ),
             field={k: k * omega - omega * k, gamma: -epsilon * (omega * gamma)},
             laws=laws,
-            reconstruction=_lift(n),
+            reconstruction=lift(n),
             theorems=of_ball(n, Delta, invariants),
         )
 
@@ -148,7 +159,7 @@ class RubberBallOnSphere(OnSphere, Veselova):
             omega_of(n),
             Skew("k", n),
         )
-        energy = next(law for law in plain.laws if law.name == "energy")
+        energy = next(law for law in plain.integrals if law.name == "energy")
         density = {Delta: HALF / epsilon - 1}
         powers = {name for name, _ in plain.definitions if str(name)[0] in "gh"} - {gamma}
         momentum = (k, inertia.image(omega) + D * omega)
@@ -163,8 +174,13 @@ class RubberBallOnSphere(OnSphere, Veselova):
             ),
             printed_definitions=(RATIO, *page[:-1], momentum, (p, k * gamma), page[-1]),
             field={p: dot(u, p) * gamma + (1 - epsilon) * (k * u), gamma: -epsilon * u},
-            laws=(energy, Measure("measure", density, DENSITY, source=SOURCE)),
-            reconstruction=_lift(n),
+            laws=(
+                energy,
+                Measure("measure", density, DENSITY, source=SOURCE),
+                bracket(p),
+                hamiltonian(p, energy.value),
+            ),
+            reconstruction=lift(n),
             theorems=of_rubber_ball_on_sphere(n, Delta),
         )
 

@@ -152,7 +152,7 @@ class Special(Family):
             parameters=(*inertia.parameters, *parameters),
             definitions=definitions,
             field=dict(field),
-            relations=_cotangent(Column("p", n), gamma_of(n)),
+            relations=cotangent(Column("p", n), gamma_of(n)),
             laws=laws,
             observables=(angular_velocity(n),),
             reconstruction=motion_in_space(n, R if self.rolls else None),
@@ -308,7 +308,7 @@ def _ball_integrals(p: Vector, gamma: Vector, factors: Sequence[sp.Symbol]) -> t
     return tuple(found)
 
 
-def _cotangent(p: Vector, gamma: Vector) -> tuple[sp.Expr, ...]:
+def cotangent(p: Vector, gamma: Vector) -> tuple[sp.Expr, ...]:
     """Vanish on the cotangent bundle of the sphere."""
     return unit_length(gamma), sp.Add(*(a * b for a, b in zip(p, gamma, strict=True)))
 
@@ -318,7 +318,7 @@ def _hamiltonian(
 ) -> tuple[Law, ...]:
     """The measure, and the Hamiltonian form after the change of time dτ = W^(−1/2) dt."""
     n = len(weights)
-    relations = _cotangent(p, gamma)
+    relations = cotangent(p, gamma)
     structure = PoissonStructure(
         "bracket",
         canonical_structure(p, gamma, weights),

@@ -24,6 +24,7 @@ from .any_inertia import (
     suslov,
     veselova,
 )
+from .equal_radii import identities as equal_radii
 from .invariants import invariants_of_ball, momentum_on_level
 
 WORDS = "theorem for every operator of inertia (docs/n-dimensions.md)"
@@ -127,7 +128,7 @@ def of_suslov(n: int) -> tuple[Theorem, ...]:
 
 
 def of_rubber_ball_on_sphere(n: int, determinant: sp.Symbol) -> tuple[Theorem, ...]:
-    """Energy and measure of the rubber ball on a sphere, for every ratio ε of the radii.
+    """Energy and measure of the rubber ball on a sphere, for every ratio ε; its form for ε = 1/2.
 
     Parameters
     ----------
@@ -141,4 +142,5 @@ def of_rubber_ball_on_sphere(n: int, determinant: sp.Symbol) -> tuple[Theorem, .
     return (
         _theorem(("energy",), partial(energy_of_veselova, n)),
         _theorem(("measure",), measure, determinant),
+        Theorem(("bracket", "hamiltonian"), WORDS, partial(equal_radii, n)),
     )

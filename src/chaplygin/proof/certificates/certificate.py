@@ -36,7 +36,6 @@ from ..witness_points import witness_point
 from .identities import ExclusionOf, proof_text
 from .proof_setting import ProofSetting
 
-
 #: The part of the effort that is spent on a certificate of a law that a theorem proves already.
 BESIDE_THEOREM = 50
 
