@@ -139,6 +139,30 @@ except KeyboardInterrupt:
     assert err == "interrupted: nothing was saved; the same command starts from the beginning\n"
 
 
+def test_what_cannot_raise_an_interruption_shows_no_traceback() -> None:
+    script = block("""
+class Lost:
+    def __del__(self):
+        ready()
+        time.sleep(60)
+Lost()
+time.sleep(60)
+""")
+    code, _, err, _ = interrupted(script)
+    assert code == 130
+    assert err == "interrupted: nothing was saved; the same command starts from the beginning\n"
+
+
+def test_the_exit_code_is_130_as_a_module_too(tmp_path: Path) -> None:
+    """It was −2 where a string was being executed, as dataclasses do."""
+    (tmp_path / "long.py").write_text(block("""exec("ready(); time.sleep(60)")"""))
+    script = f"import os, sys; os.chdir({str(tmp_path)!r})\n"
+    script += 'os.execv(sys.executable, [sys.executable, "-m", "long"])'
+    code, _, err, _ = interrupted(script)
+    assert code == 130
+    assert err == "interrupted: nothing was saved; the same command starts from the beginning\n"
+
+
 def test_nothing_is_interrupted_while_the_interpreter_ends() -> None:
     script = f"""
 {HEARING}

@@ -128,6 +128,8 @@ def interruptible() -> Iterator[None]:
     if signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
         yield
         return
+    unraisable = sys.unraisablehook
+    sys.unraisablehook = _without_interruptions(unraisable)
     ear, mouth = socket.socketpair()
     mouth.setblocking(False)
     before = signal.set_wakeup_fd(mouth.fileno(), warn_on_full_buffer=False)
@@ -149,6 +151,7 @@ def interruptible() -> Iterator[None]:
         raise
     finally:
         over.set()
+        sys.unraisablehook = unraisable
         signal.set_wakeup_fd(before)
         signal.signal(signal.SIGINT, signal.default_int_handler)
         mouth.close()
@@ -159,10 +162,28 @@ def _act(number: int, frame: FrameType | None) -> None:
     raise KeyboardInterrupt
 
 
+def _without_interruptions(
+    report: Callable[[sys.UnraisableHookArgs], object],
+) -> Callable[[sys.UnraisableHookArgs], object]:
+    """Report exceptions that finalisers and callbacks cannot raise, but no interruption.
+
+    The interruption is lost there; the thread that listens ends the program.
+    """
+
+    def hook(unraisable: sys.UnraisableHookArgs) -> None:
+        if not issubclass(unraisable.exc_type, KeyboardInterrupt):
+            report(unraisable)
+
+    return hook
+
+
 def _conclude() -> None:
     """Leave no process behind, and end."""
     say()
     _end_children()
+    # a string that was executed when it was interrupted makes Python end by SIGINT under -m,
+    # unless another is executed after it
+    exec("")
     raise SystemExit(CODE)
 
 

@@ -11,6 +11,7 @@ from chaplygin.borisov_mamaev import Claim, audit as module, claims, remarks
 from chaplygin.borisov_mamaev.audit import DECISIONS, TITLES, Judgement, audit, counts, page
 from chaplygin.borisov_mamaev.methods.conclusion import contrary
 from chaplygin.catalogue import from_catalogue
+from chaplygin.cli import main
 from chaplygin.core.laws import Integral
 from chaplygin.core.vectors import norm_squared, vectors
 from chaplygin.proof.verdict import Verdict
@@ -58,6 +59,22 @@ def test_an_interrupted_audit_keeps_what_is_done(monkeypatch, tmp_path):
     assert len(done) == rounds[0] > 0
     assert left == len(claims(SECTION)) - len(done) > 0
     assert all(j.printed.decision in DECISIONS for j in done)
+
+
+def test_the_page_of_an_interrupted_audit_is_not_in_the_way_of_the_next(
+    monkeypatch, tmp_path, capsys
+):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(module, "audit", lambda *_: ([], 5))
+    monkeypatch.setattr("sys.argv", ["chaplygin", "audit", "-o", "a.html"])
+    with pytest.raises(SystemExit) as end:
+        main()
+    assert end.value.code == 130
+    assert capsys.readouterr().err.endswith(
+        "interrupted: 5 claims were not judged and no page was written; verdicts are saved, and "
+        "the same command resumes\n"
+    )
+    assert not list(tmp_path.iterdir())
 
 
 def test_one_worker_is_no_other_process_and_can_be_interrupted(monkeypatch, tmp_path):

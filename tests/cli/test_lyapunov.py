@@ -166,7 +166,10 @@ def test_ctrl_c_gives_the_spectrum_until_then(
     code, out, err = ask("unbalanced-ball", "--until", 200, "-o", "half.nc")
     assert code == 130
     assert "integrated to t = 100 s" in out
-    assert err.endswith("interrupted: at t = 100 of 200; this is the spectrum up to then\n")
+    assert err.endswith(
+        "interrupted: at t = 100 of 200; the spectrum up to then is in half.nc; the same command "
+        "with --force starts from the beginning\n"
+    )
     assert (tmp_path / "half.nc").exists()
     monkeypatch.setattr(followed, "propagate", stopped(50))
     code, out, err = ask("unbalanced-ball", "--until", 200, "-o", "none.nc")

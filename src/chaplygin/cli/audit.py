@@ -62,12 +62,17 @@ def command(
                 print_json([judgement.record() for judgement in judgements])
             else:
                 _print(judgements)
-        if output is not None:
+        # a page of some claims alone would stand in the way of the command that goes on
+        if output is not None and not left:
             with output_file(output) as place:
                 place.write_text(page(judgements, section), encoding="utf-8")
             inform(f"page: {name_of(output)}")
     if left:
-        say(f"{left} claims were not judged; verdicts are saved, and the same command resumes")
+        page_too = "" if output is None else " and no page was written"
+        say(
+            f"{left} claims were not judged{page_too}; verdicts are saved, and the same command "
+            "resumes"
+        )
         raise typer.Exit(CODE)
     if any(j.corrected is not None and j.corrected.decision == "refuted" for j in judgements):
         raise typer.Exit(1)

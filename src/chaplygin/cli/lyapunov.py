@@ -88,8 +88,14 @@ def command(
             if not isinstance(stop.partial, Spectrum):
                 raise KeyboardInterrupt from stop
             spectrum = stop.partial
+            kept, again = (
+                ("printed", "the same command")
+                if output is None or output == STANDARD_OUTPUT
+                else (f"in {output}", "the same command with --force")
+            )
             interrupted = (
-                f"at t = {spectrum.until:g} of {length:g}; this is the spectrum up to then"
+                f"at t = {spectrum.until:g} of {length:g}; the spectrum up to then is {kept}; "
+                f"{again} starts from the beginning"
             )
         turned = reversors(system)
         if output is not None:
