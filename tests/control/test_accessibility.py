@@ -7,8 +7,8 @@ import pytest
 
 from chaplygin.control import MovingMass, Rotor, SphericalRobot, accessibility, pendulum
 from chaplygin.control.accessible import Accessibility
+from chaplygin.control.compiled_equations import CompiledEquations
 from chaplygin.control.equations import controlled_system
-from chaplygin.control.rates import Rates
 
 SLIDER = MovingMass(1.0, ("s", "0", "1/5"), ("s",), (0.0,))
 
@@ -44,13 +44,13 @@ def test_the_second_dimensions_are_those_of_commutators_by_differences() -> None
     """Drift, ∂/∂u and [∂/∂u, f] = ∂f/∂u at a state, by the exact slopes of the rates."""
     found = accessibility(robot(moving_mass=SLIDER))
     system = controlled_system(robot(moving_mass=SLIDER))
-    rates = Rates(system)
+    equations = CompiledEquations(system)
     rng = np.random.default_rng(4)
     point = rng.normal(size=len(system.state) + 1)
     point[:4] /= np.linalg.norm(point[:4])
-    drift = np.append(rates.rates(point[None])[0], 0.0)
+    drift = np.append(equations.rates(point[None])[0], 0.0)
     control = np.eye(len(point))[-1]
-    bracket = np.append(rates.slopes(point[None])[0][:, -1], 0.0)
+    bracket = np.append(equations.slopes(point[None])[0][:, -1], 0.0)
     rank = np.linalg.matrix_rank(np.array([drift, control, bracket]), tol=1e-9)
     assert found.growth[:2] == (2, 3) and rank == 3
     assert isinstance(found, Accessibility)

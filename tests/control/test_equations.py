@@ -19,8 +19,8 @@ from chaplygin.control import (
     driven_system,
     pendulum,
 )
+from chaplygin.control.compiled_equations import CompiledEquations
 from chaplygin.control.equations import M, b, gamma, omega, rho, rhodot
-from chaplygin.control.rates import Rates
 from chaplygin.core.vectors import cross
 from chaplygin.errors import InputError
 from chaplygin.formulas.array_formulas import Formulas
@@ -220,13 +220,13 @@ def test_without_momentum_the_speeds_alone_set_the_rates() -> None:
         2.0, (0.4, 0.5, 0.6), 0.5, (Rotor((1, 0, 0), 0.1), Rotor((0, 1, 0), 0.2))
     )
     system = driftless_system(robot)
-    rates = Rates(system)
+    equations = CompiledEquations(system)
     upright = np.array([1.0, 0, 0, 0, 0, 0])
     points = np.array([[*upright, *u] for u in ((0, 0), (1, 0), (0, 1))])
     # upright, ω = −(I + D − Dγγᵀ)⁻¹ K u with D = 1/2: ω_1 = −0.1 u_1/0.9, ω_2 = −0.2 u_2/1, and
     # the contact moves with R(ω_2, −ω_1)
     expected = [[0] * 6, [0, -1 / 18, 0, 0, 0, 1 / 18], [0, 0, -0.1, 0, -0.1, 0]]
-    assert np.abs(rates.rates(points) - expected).max() < 1e-15
+    assert np.abs(equations.rates(points) - expected).max() < 1e-15
 
 
 MISTAKES = {

@@ -23,8 +23,8 @@ from chaplygin.control import (
     pendulum,
 )
 from chaplygin.control.collocation import Transcription, radau
+from chaplygin.control.compiled_equations import CompiledEquations
 from chaplygin.control.guess import rotation
-from chaplygin.control.rates import Rates
 from chaplygin.errors import InputError, RunError
 
 E = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
@@ -92,7 +92,7 @@ def test_radau_integrates_polynomials_of_high_degree() -> None:
 def test_the_tangents_of_the_collocation_are_exact(robot: SphericalRobot) -> None:
     system = driftless_system(robot) if robot.is_balanced else controlled_system(robot)
     n, m = len(system.state), len(system.inputs)
-    problem = Transcription(Rates(system), EIGHT, [4, 5], 3, 3, {4: 0.0, 5: 0.0})
+    problem = Transcription(CompiledEquations(system), EIGHT, [4, 5], 3, 3, {4: 0.0, 5: 0.0})
     rng = np.random.default_rng(1)
     state = np.zeros(n)
     state[0] = 1.0

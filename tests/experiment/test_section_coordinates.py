@@ -7,8 +7,8 @@ from chaplygin.catalogue import entry
 from chaplygin.experiment.models.experiment import catalogue_experiment, loads
 from chaplygin.experiment.poincare import coordinates_of
 from chaplygin.experiment.section_coordinates import is_angle, usual, within_a_turn
+from chaplygin.experiment.single_system import without_reconstruction
 from chaplygin.experiment.study import prepare
-from chaplygin.experiment.without_lift import without_reconstruction
 from chaplygin.formulas.array_evaluation import values
 
 PENDULUM = """

@@ -60,7 +60,7 @@ def command(
 def _diagram(what: str, overrides: list[str] | None) -> tuple[Diagram, tuple[float, float] | None]:
     """The diagram of an experiment with its motion in it, or that of a plane."""
     from ..errors import InputError
-    from ..experiment.without_lift import single_system
+    from ..experiment.single_system import single_system
     from ..explicit.base.problem import Problem
     from ..explicit.bifurcation import bifurcation_diagram
     from ..explicit.bifurcation.diagram_of import diagram_of

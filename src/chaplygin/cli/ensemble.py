@@ -131,7 +131,7 @@ def _task(
     from dataclasses import replace
 
     from ..errors import InputError
-    from ..experiment.without_lift import without_reconstruction
+    from ..experiment.single_system import without_reconstruction
     from ..flow.ensemble.run import SHARES, ensemble_task
 
     if draw:

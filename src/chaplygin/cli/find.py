@@ -97,7 +97,7 @@ def command(
         if number < 0:
             raise InputError(f"{option} {number}: it must not be negative")
     study = study_of(what, overrides)
-    from ..experiment.without_lift import single_system
+    from ..experiment.single_system import single_system
     from ..search import search_request
 
     system = single_system(study)

@@ -63,7 +63,7 @@ def command(
     from ..analysis.lyapunov.compute import lyapunov_spectrum
     from ..analysis.lyapunov.report import Spectrum, record
     from ..analysis.orbits.reversing_symmetries import reversors
-    from ..experiment.without_lift import without_reconstruction
+    from ..experiment.single_system import without_reconstruction
     from ..flow.sampling.draw import sample_level
 
     system = without_reconstruction(study)

@@ -86,7 +86,7 @@ def command(
     how = (after, period, tolerance)
     from ..analysis.orbits.orbit_near import orbit_near
     from ..experiment.poincare import DIRECTIONS
-    from ..experiment.without_lift import without_reconstruction
+    from ..experiment.single_system import without_reconstruction
     from ..report.drawing.files import save
 
     if direction not in DIRECTIONS:

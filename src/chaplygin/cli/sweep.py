@@ -69,7 +69,7 @@ def command(
     study = study_of(what, overrides)
     from dataclasses import replace
 
-    from ..experiment.without_lift import without_reconstruction
+    from ..experiment.single_system import without_reconstruction
     from ..flow.ensemble.computation import compute
     from ..flow.ensemble.members import grid, single
     from ..flow.ensemble.run import SHARES, ensemble_task

@@ -16,8 +16,8 @@ from scipy.sparse import coo_matrix, csr_matrix
 from scipy.special import roots_jacobi
 
 from ..core.arrays import FloatArray
+from .compiled_equations import CompiledEquations
 from .path import PlanePath
-from .rates import Rates
 
 
 @lru_cache(maxsize=16)
@@ -40,7 +40,7 @@ class Transcription:
 
     Attributes
     ----------
-    rates : Rates
+    equations : CompiledEquations
     path : PlanePath
     output : list of int
         Places of x and y in the state.
@@ -49,7 +49,7 @@ class Transcription:
         Given components of the state at the start; the others are free.
     """
 
-    rates: Rates
+    equations: CompiledEquations
     path: PlanePath
     output: list[int]
     intervals: int
@@ -59,7 +59,7 @@ class Transcription:
     @property
     def width(self) -> int:
         """States and inputs at a node."""
-        return self.rates.size + self.rates.inputs
+        return self.equations.size + self.equations.inputs
 
     @property
     def step(self) -> float:
@@ -88,17 +88,17 @@ class Transcription:
 
     def start_and_nodes(self, unknowns: FloatArray) -> tuple[FloatArray, FloatArray]:
         """The start (n,), and states with inputs at the nodes (k, n + m)."""
-        n = self.rates.size
+        n = self.equations.size
         return unknowns[:n], unknowns[n:].reshape(-1, self.width)
 
     def residuals(self, unknowns: FloatArray) -> FloatArray:
         """What vanishes: conditions at the start, defects of the motion, distances to the path."""
         _, a = radau(self.stages)
-        n, s, e = self.rates.size, self.stages, self.intervals
+        n, s, e = self.equations.size, self.stages, self.intervals
         start, points = self.start_and_nodes(unknowns)
         states = points[:, :n].reshape(e, s, n)
         before = np.concatenate([start[None], states[:-1, -1]])
-        rates = self.rates.rates(points).reshape(e, s, n)
+        rates = self.equations.rates(points).reshape(e, s, n)
         defects = states - before[:, None] - self.step * np.einsum("ij,ejn->ein", a, rates)
         off = points[:, self.output] - self._target
         given = np.array([start[i] - value for i, value in self.start.items()])
@@ -106,31 +106,31 @@ class Transcription:
         return np.concatenate([given, free, defects.ravel(), off.ravel()])
 
     def _start_row(self, start: FloatArray) -> FloatArray:
-        return np.append(start, np.zeros(self.rates.inputs))[None]
+        return np.append(start, np.zeros(self.equations.inputs))[None]
 
     @cached_property
     def _open(self) -> list[int]:
         """Relations that free components of the start have to satisfy."""
-        slopes = self.rates.normals(np.ones((1, self.width)) * np.sqrt(0.7))[0]
+        slopes = self.equations.normals(np.ones((1, self.width)) * np.sqrt(0.7))[0]
         return [
             r
-            for r in range(self.rates.relations)
-            if any(slopes[r, j] != 0 and j not in self.start for j in range(self.rates.size))
+            for r in range(self.equations.relations)
+            if any(slopes[r, j] != 0 and j not in self.start for j in range(self.equations.size))
         ]
 
     def _conditions(self, start: FloatArray) -> FloatArray:
-        return self.rates.conditions(self._start_row(start))[0, self._open]
+        return self.equations.conditions(self._start_row(start))[0, self._open]
 
     def jacobian(self, unknowns: FloatArray) -> csr_matrix:
         """The derivatives of the residuals."""
         _, a = radau(self.stages)
-        n, s, e, w = self.rates.size, self.stages, self.intervals, self.width
+        n, s, e, w = self.equations.size, self.stages, self.intervals, self.width
         start, points = self.start_and_nodes(unknowns)
-        slopes = self.rates.slopes(points).reshape(e, s, n, w)
+        slopes = self.equations.slopes(points).reshape(e, s, n, w)
         blocks = -self.step * np.einsum("ij,ejnk->einjk", a, slopes)
         stage, entry = np.arange(s), np.arange(n)
         blocks[:, stage[:, None], entry, stage[:, None], entry] += 1.0
-        normals = self.rates.normals(self._start_row(start))[0, self._open, :n]
+        normals = self.equations.normals(self._start_row(start))[0, self._open, :n]
         rows, columns = self._places
         values = np.concatenate(
             [
@@ -152,7 +152,7 @@ class Transcription:
         from node to node; a jump between two intervals counts as a change that takes δ.
         """
         c, a = radau(self.stages)
-        s, e, m = self.stages, self.intervals, self.rates.inputs
+        s, e, m = self.stages, self.intervals, self.equations.inputs
         powers = np.arange(s)
         inverse = np.linalg.inv(c[:, None] ** powers)
         slope = (powers * c[:, None] ** np.maximum(powers - 1, 0)) @ inverse
@@ -164,7 +164,7 @@ class Transcription:
             jump[k - 1, k * s - 1] -= 1.0
         total = coo_matrix((grid + self.step / s * jump.T @ jump) / self.path.period)
         node, which = np.divmod(np.arange(len(total.data) * m), m)
-        n, w = self.rates.size, self.width
+        n, w = self.equations.size, self.width
         rows, columns = (n + index[node] * w + n + which for index in (total.row, total.col))
         size = n + e * s * w
         return coo_matrix((total.data[node], (rows, columns)), shape=(size, size)).tocsr()
@@ -172,7 +172,7 @@ class Transcription:
     @cached_property
     def _places(self) -> tuple[FloatArray, FloatArray]:
         """Rows and columns of the entries of the jacobian, in the order of its values."""
-        n, s, e, w = self.rates.size, self.stages, self.intervals, self.width
+        n, s, e, w = self.equations.size, self.stages, self.intervals, self.width
         first = len(self.start) + len(self._open)
         rows, columns = [np.arange(len(self.start))], [np.array(list(self.start), dtype=int)]
         grid = np.indices((len(self._open), n))

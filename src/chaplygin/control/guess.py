@@ -37,12 +37,12 @@ def least_inputs(
     reached : float
         The time up to which this was possible; beyond it the last state is repeated, at rest.
     """
-    rates, path = plan.rates, plan.path
+    equations, path = plan.equations, plan.path
     wanted = [] if spin is None else [spin]
 
     def rows(z: FloatArray) -> FloatArray:
         fields = _fields(plan, z)
-        turns = _spins(z, fields)[None] if wanted else np.empty((0, rates.inputs))
+        turns = _spins(z, fields)[None] if wanted else np.empty((0, equations.inputs))
         return np.concatenate([fields[plan.output], turns])
 
     best = float(np.linalg.svd(rows(start))[1][0])
@@ -70,7 +70,7 @@ def least_inputs(
     states = np.array([run.sol(min(t, reached)) for t in plan.times])
     inputs = np.array(
         [
-            least(t, z) if t <= reached else np.zeros(rates.inputs)
+            least(t, z) if t <= reached else np.zeros(equations.inputs)
             for t, z in zip(plan.times, states, strict=True)
         ]
     )
@@ -79,8 +79,8 @@ def least_inputs(
 
 def _fields(plan: Transcription, state: FloatArray) -> FloatArray:
     """B of ż = B(z) u, for a driftless system."""
-    points = np.hstack([np.tile(state, (plan.rates.inputs, 1)), np.eye(plan.rates.inputs)])
-    return plan.rates.rates(points).T
+    points = np.hstack([np.tile(state, (plan.equations.inputs, 1)), np.eye(plan.equations.inputs)])
+    return plan.equations.rates(points).T
 
 
 def _spins(state: FloatArray, fields: FloatArray) -> FloatArray:

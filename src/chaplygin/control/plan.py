@@ -177,7 +177,7 @@ def inputs_motion(
 
         def rates(t: float, z: FloatArray) -> FloatArray:
             point = np.append(z, speeds((t - begin) / plan.step))  # noqa: B023
-            rate: FloatArray = plan.rates.rates(point[None])[0]
+            rate: FloatArray = plan.equations.rates(point[None])[0]
             return rate
 
         run = solve_ivp(

@@ -17,12 +17,12 @@ from ..arguments import arguments_checked
 from ..core.arrays import FloatArray
 from ..errors import InputError, RunError
 from .collocation import Transcription
+from .compiled_equations import CompiledEquations
 from .controlled import ControlledSystem
 from .equations import controlled_system, driftless_system
 from .guess import hanging, least_inputs, unit_quaternion
 from .path import PlanePath
 from .plan import MotionPlan, distances, inputs_motion
-from .rates import Rates
 from .robot import SphericalRobot
 
 OPTIMAL = 1e-6
@@ -178,7 +178,7 @@ def _checked_plan(
 ) -> MotionPlan:
     """A plan with its motion integrated anew."""
     start, points = problem.start_and_nodes(unknowns)
-    inputs = points[:, problem.rates.size :]
+    inputs = points[:, problem.equations.size :]
     times, motion = inputs_motion(problem, start, inputs)
     return MotionPlan(
         robot,
@@ -228,12 +228,12 @@ def _transcription(
     start = dict(zip(output, path.places([0.0])[0].tolist(), strict=True))
     if attitude is not None:
         start |= dict(enumerate(attitude.tolist()))
-    return Transcription(_rates(system), path, output, intervals, stages, start)
+    return Transcription(_compiled_equations(system), path, output, intervals, stages, start)
 
 
 @lru_cache(maxsize=16)
-def _rates(system: ControlledSystem) -> Rates:
-    return Rates(system)
+def _compiled_equations(system: ControlledSystem) -> CompiledEquations:
+    return CompiledEquations(system)
 
 
 def _guess_with_rotors(
@@ -257,7 +257,7 @@ def _guess_with_rotors(
     if not free:
         raise InputError(
             f"spherical robot: from this attitude the path cannot be followed beyond t = "
-            f"{reached:.4g}, where no speed of the {problem.rates.inputs} rotors moves the contact "
+            f"{reached:.4g}, where no speed of the {problem.equations.inputs} rotors moves the contact "
             "along it; another attitude, attitude=None, a smaller path or a third rotor may help"
         )
     size, spent = 1.0, 0
@@ -291,7 +291,7 @@ def _with_scale(problem: Transcription, size: float) -> Transcription:
 
 def _effort(problem: Transcription, unknowns: FloatArray) -> float:
     _, points = problem.start_and_nodes(unknowns)
-    squares = np.sum(points[:, problem.rates.size :] ** 2, axis=1)
+    squares = np.sum(points[:, problem.equations.size :] ** 2, axis=1)
     return float(0.5 * problem.weights @ squares / problem.path.period)
 
 

@@ -29,8 +29,8 @@ from ..printing.equations import equations_html
 from ..printing.formula import latex, text
 from ..printing.mathml import mathml
 from ..printing.numerals import typographic_signs, unit
+from .single_system import single_system
 from .study import Study, dataset_of
-from .without_lift import single_system
 
 
 def solution_of_study(study: Study) -> Solution:

@@ -22,8 +22,8 @@ from ..flow.sections.poincare_map import PoincareMap, slab
 from ..formulas.array_evaluation import formula, values
 from .scan import VECTORS
 from .section_coordinates import is_angle, usual, within_a_turn
+from .single_system import without_reconstruction
 from .study import Study
-from .without_lift import without_reconstruction
 
 #: Functions whose value is an angle.
 ANGLES = (sp.atan2, sp.atan, sp.asin, sp.acos)

@@ -12,8 +12,8 @@ from ..analysis.scans.system_quantities import meaning
 from ..core.system import System, flat
 from ..flow.batch import batch_integrator
 from ..flow.devices.graphics import Device
+from .single_system import without_reconstruction
 from .study import Study
-from .without_lift import without_reconstruction
 
 #: Meaning and unit of the vectors of a rolling body.
 VECTORS = {

@@ -123,7 +123,7 @@ def _data(task: Assignment) -> Answer:
 
 
 def _prove(task: Assignment) -> Answer:
-    from ...experiment.without_lift import single_system
+    from ...experiment.single_system import single_system
     from ...proof.fields.budget import EFFORT
     from ...proof.prover import prove
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from ...analysis.orbits.orbit_near import orbit_facts, orbit_near
 from ...experiment.poincare import DIRECTIONS
+from ...experiment.single_system import without_reconstruction
 from ...experiment.study import Study
-from ...experiment.without_lift import without_reconstruction
 from .requests import PeriodicOrbit
 from .workers import Message
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...core.vectors import real_symbol
+from ...experiment.single_system import single_system
 from ...experiment.study import Study
-from ...experiment.without_lift import single_system
 from ...printing.formula import latex, text
 from ...printing.mathml import mathml
 from ...search import SearchResult, integrals, measures, search_request, symmetries

@@ -1,4 +1,4 @@
-"""The equations of a ControlledSystem in floating point, with their exact derivatives."""
+"""The equations of a controlled system compiled to floating point, with exact derivatives."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ..formulas.compiled import CompiledTerms, SystemFormulas
 from .controlled import ControlledSystem
 
 
-class Rates:
+class CompiledEquations:
     """Rates ż = f(z, u) and their derivatives in z and u, at many points at once.
 
     The derivatives are terms of the same graph as the rates (chain rule), not differences.

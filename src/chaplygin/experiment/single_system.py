@@ -1,4 +1,4 @@
-"""The one system of equations of a study, with or without its motion in space."""
+"""The one system of equations of a study, with or without its reconstruction in space."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def single_system(study: Study) -> System:
 
 
 def without_reconstruction(study: Study) -> System:
-    """The system without its lift, and without lift-off guards if they only warn.
+    """The system without its reconstruction, and without lift-off guards that only warn.
 
     Raises
     ------
