@@ -49,7 +49,7 @@ def motion_along(
 
     The unknowns are states and inputs at the nodes of a collocation; SciPy's ``trust-constr``
     minimises ½∫|inputs|² dt under its equations, with their exact derivatives.  The result is
-    integrated anew with the inputs that were found.
+    integrated anew with the inputs found.
 
     Parameters
     ----------
@@ -257,8 +257,9 @@ def _guess_with_rotors(
     if not free:
         raise InputError(
             f"spherical robot: from this attitude the path cannot be followed beyond t = "
-            f"{reached:.4g}, where no speed of the {problem.equations.inputs} rotors moves the contact "
-            "along it; another attitude, attitude=None, a smaller path or a third rotor may help"
+            f"{reached:.4g}, where no speed of the {problem.equations.inputs} rotors moves the "
+            "contact along it; another attitude, attitude=None, a smaller path or a third rotor "
+            "may help"
         )
     size, spent = 1.0, 0
     while reached < period and size > SMALLEST:

@@ -8,8 +8,8 @@ import pytest
 
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.laws import Integral, Reduction
-from chaplygin.explicit.degenerate.axisymmetric_laws import chaplygin_laws, veselova_laws
 from chaplygin.proof.prover import prove
+from explicit.degenerate.axisymmetric_laws import chaplygin_laws, veselova_laws
 
 LAWS = {
     f"{name}-{law.name}": (name, law)

@@ -11,9 +11,9 @@ import sympy as sp
 
 from chaplygin.explicit.genus_two.separation_laws import separation_laws
 from chaplygin.explicit.separations.ball_sphere import hollow_ball, of_tensor
-from chaplygin.explicit.separations.ball_sphere_coordinates import in_coordinates
 from chaplygin.proof.prover import prove
 from explicit.along import abel_sums, at, located, restored, states
+from explicit.separations.ball_sphere_coordinates import in_coordinates
 
 BY_TENSOR, BALL = of_tensor(), hollow_ball()
 INSTANT = in_coordinates(BY_TENSOR)

@@ -18,9 +18,9 @@ from chaplygin.explicit.separations.chaplygin_ball_area_constant import (
     chaplygin_area,
     gamma,
 )
-from chaplygin.explicit.separations.chaplygin_reduction import chart, chart_at_level
 from chaplygin.proof.prover import prove
 from explicit.along import at, follows, located, slips, states
+from explicit.separations.chaplygin_reduction import chart, chart_at_level
 
 SEPARABLE = chaplygin_area()
 SLIPS = dict(slips(replace(SEPARABLE, fixed=(M, gamma))))

@@ -40,9 +40,7 @@ from .section_09_3 import with_point, z
 omega, n, M, gamma = vectors("omega n M gamma")
 h = real_symbol("h")
 
-M_RATE, GAMMA_RATE, N_RATE = (
-    constant([Rate(s) for s in vector.symbols]) for vector in (M, gamma, n)
-)
+M_RATE, GAMMA_RATE = (constant([Rate(s) for s in vector.symbols]) for vector in (M, gamma))
 
 # --- §9.4 ----------------------------------------------------------------------------------
 

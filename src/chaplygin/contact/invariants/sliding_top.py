@@ -25,15 +25,15 @@ from ...core.vectors import (
 )
 
 v, omega, gamma, r, slip, p = vectors("v omega gamma r slip p")
-m, R, c, g, I_1, I_3, nu, mu, N, slip_speed = (
-    real_symbol(s) for s in ("m", "R", "c", "g", "I_1", "I_3", "nu", "mu", "N", "slip_speed")
+m, R, c, g, I_1, I_3, nu, N, slip_speed = (
+    real_symbol(s) for s in ("m", "R", "c", "g", "I_1", "I_3", "nu", "N", "slip_speed")
 )
 AXIS = unit_vector(3)
 INERTIA = constant(sp.diag(I_1, I_1, I_3))
 SOURCE = "§11.3"
 
-#: Friction in proportion to slip and normal force, and dry friction, for each unit of it.
-NORMAL_VISCOUS, DRY = -nu * slip, -mu * slip / slip_speed
+#: Friction in proportion to slip and normal force, for each unit of it.
+NORMAL_VISCOUS = -nu * slip
 
 
 def body_parameters(mass: float, across: float, about: float) -> tuple[Parameter, ...]:

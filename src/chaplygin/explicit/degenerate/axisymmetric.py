@@ -11,8 +11,8 @@ Both systems have two vectors that stand still in space, and e is known in the f
         k₃ = γ, k₁ ∥ M − gγ, m² = f − g²,      e = ((M₃ − gu)/m, a u̇/m, u),
         ω = (M + Dsγ)/a + ε(M₃ + Dsu)e,      s = (ω, γ) = (g/a + εM₃u)/W.
 
-c and K are constants of the motion that only these bodies have; :mod:`.axisymmetric_laws` states
-them and the equations of u as laws of the systems.
+c and K are constants of the motion that only these bodies have.  That they are constant, and the
+equations of u, are proven in ``tests/explicit/degenerate``.
 """
 
 from __future__ import annotations

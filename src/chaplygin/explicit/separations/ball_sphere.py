@@ -24,7 +24,7 @@ quadratic 2hzL − fQ is not positive at the smaller and not negative at the lar
 roots are real on every motion.  Where fd = 2he₂ one of them is at infinity, and the curve of degree
 five; where two moments I_i agree, poles do.  h = 0 is rest.
 
-That z₁, z₂ obey these equations is proven by :mod:`.ball_sphere_coordinates`, all else by the laws
+That z₁, z₂ obey these equations is proven in ``tests/explicit/separations``, all else by the laws
 of the separated system itself.
 """
 

@@ -7,7 +7,7 @@ as without the field: in the coordinates of :mod:`.ball_sphere`, the roots of
     (n, In) zL + det J (n, J⁻¹n) Q = (¼T² + e₂) L − det J (½T − z)²,
 
 in which the other coordinate is absent.  That the kinetic parts of both integrals separate is an
-identity of the instant, proven by :mod:`.ball_sphere_coordinates`; so with the energy h and the
+identity at every instant, proven as for :mod:`.ball_sphere`; so with the energy h and the
 momentum integral f = M² − K det J (n, J⁻¹n) the curve, again of genus two, is
 
     y² = p L (2hzL − fQ − K((¼T² + e₂) L − det J (½T − z)²)).

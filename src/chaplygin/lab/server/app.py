@@ -26,9 +26,6 @@ from .workers import BusyError, Message, Pool
 #: Seconds in which a message must have arrived.
 PATIENCE = 20.0
 
-#: Seconds without news after which a page is told that the computation goes on.
-NEWS = 10.0
-
 
 @dataclass(frozen=True)
 class Laboratory:

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ...catalogue.chaplygin_ball import chaplygin_bracket
-from ...catalogue.fixed_point.veselova import F, I, gamma, h, omega
-from ...core.laws import Identity, Integral, Law, Rate, Reduction
-from ...core.vectors import cross, dot, norm_squared, real_symbol, to_components, vectors
+from chaplygin.catalogue.chaplygin_ball import chaplygin_bracket
+from chaplygin.catalogue.fixed_point.veselova import F, I, gamma, h, omega
+from chaplygin.core.laws import Identity, Integral, Law, Rate, Reduction
+from chaplygin.core.vectors import cross, dot, norm_squared, real_symbol, to_components, vectors
 
 (M,) = vectors("M")
 u, own, f, g = (real_symbol(s) for s in ("u", "c_squared", "f", "g"))

@@ -1,7 +1,7 @@
 """The separated equations of the hollow ball around a sphere, proven in its coordinates.
 
 Written out in M and n the separated equations are too long to be reduced.  In the coordinates
-u = ½T − z of :mod:`chaplygin.catalogue.ball_on_sphere.ball_around_sphere_coordinates`, moving at
+u = ½T − z of `chaplygin.catalogue.ball_on_sphere.ball_around_sphere_coordinates`, moving at
 arbitrary rates v₁, v₂, they are short: every motion passes through such instants, n being a
 function of u, and ω of n and ṅ.  There it is proven that
 
@@ -16,11 +16,11 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ...catalogue.ball_on_sphere import ball_around_sphere_coordinates as instant
-from ...core.laws import Identity
-from ...core.system import Parameter, System
-from ..genus_two.separation import SeparatedSystem
-from .ball_sphere import f, h
+from chaplygin.catalogue.ball_on_sphere import ball_around_sphere_coordinates as instant
+from chaplygin.core.laws import Identity
+from chaplygin.core.system import Parameter, System
+from chaplygin.explicit.genus_two.separation import SeparatedSystem
+from chaplygin.explicit.separations.ball_sphere import f, h
 
 
 def in_coordinates(of: SeparatedSystem) -> System:
@@ -34,7 +34,7 @@ def in_coordinates(of: SeparatedSystem) -> System:
     Returns
     -------
     System
-        State u₁, u₂; the laws of :func:`.ball_around_sphere_coordinates.coordinates`, that n is
+        State u₁, u₂; the laws of `ball_around_sphere_coordinates.coordinates`, that n is
         the unit vector with the poles and weights of `of`, and that its curve is the right one.
     """
     system = instant.coordinates_around_sphere()

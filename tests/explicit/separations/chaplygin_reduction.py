@@ -5,16 +5,16 @@ A ball with D′, I′ at (M′, γ′) = 0 and a number b give a ball with D, I
     N² = 1 + b²f′,  e = 1 + 2h′D′b²:      D = D′N²/e,      I = I′ + D′ − D,
     M = (M′ + 2h′D′bγ′)/e,      γ = (γ′ − bM′)/N,      dt = (1 + bD′(ω′, γ′)) dt′,
 
-with the energy h′ and f′ = M′².  Read the other way this is :mod:`.chaplygin_ball_area_constant`,
-with b = β/n.  Here nothing but N is a root, and the claims there come in parts that can be proven:
+with the energy h′ and f′ = M′².  Read the other way this is the module
+`chaplygin_ball_area_constant`, with b = β/n.  Here nothing but N is a root,
+and the claims there come in parts that can be proven:
 
-- :func:`chart`: h′ and f′ are constant; M is the momentum that belongs to ω, γ, I and D; its
+- `chart`: h′ and f′ are constant; M is the momentum that belongs to ω, γ, I and D; its
   energy, square and area constant.  So M and γ, which like M′ and γ′ stay in space, move as those
   of a ball.
-- :func:`chart_at_level`: for all values of h′ and f′ the constants of
-  :mod:`.chaplygin_ball_area_constant` are D′, β/n = b, …, its formulas lead from M, γ to γ′ and
-  from γ′, M′ back, and its curve, clock and momentum M′ are those of :mod:`.chaplygin_ball` with
-  I′, D′, h′, f′, the curve shifted by δ.
+- `chart_at_level`: for all values of h′ and f′ the constants of that module are D′, β/n = b, …, its
+  formulas lead from M, γ to γ′ and from γ′, M′ back, and its curve, clock and momentum M′ are those
+  of the module `chaplygin_ball` with I′, D′, h′, f′, the curve shifted by δ.
 """
 
 from __future__ import annotations
@@ -23,10 +23,10 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ...catalogue.chaplygin_ball.chaplygin_bracket import A, D, I, J, R, m
-from ...core.laws import Identity, Integral, Law
-from ...core.system import Guard, Parameter, System
-from ...core.vectors import (
+from chaplygin.catalogue.chaplygin_ball.chaplygin_bracket import A, D, I, J, R, m
+from chaplygin.core.laws import Identity, Integral, Law
+from chaplygin.core.system import Guard, Parameter, System
+from chaplygin.core.vectors import (
     Diagonal,
     cross,
     dot,
@@ -36,9 +36,9 @@ from ...core.vectors import (
     to_components,
     vectors,
 )
-from ..genus_two.separation import nu, nuprime
-from .chaplygin_ball import SPIN, chaplygin_ball
-from .chaplygin_ball_area_constant import (
+from chaplygin.explicit.genus_two.separation import nu, nuprime
+from chaplygin.explicit.separations.chaplygin_ball import SPIN, chaplygin_ball
+from chaplygin.explicit.separations.chaplygin_ball_area_constant import (
     BETA,
     D_ZERO,
     MOMENTUM,
