@@ -12,6 +12,7 @@ import pytest
 from chaplygin.analysis.classification.facts import ProofBudget
 from chaplygin.experiment.models.experiment import load, loads
 from chaplygin.experiment.study import prepare
+from chaplygin.report.page import _legend
 from chaplygin.report.write import write_study
 from unheard import Unheard
 
@@ -108,3 +109,11 @@ def test_what_is_wider_than_the_line_says_how_wide(page: Callable[[str], str]) -
         )
     ]
     assert widths and all(width > 0 for width in widths)
+
+
+def test_letters_stand_one_below_the_other() -> None:
+    shown = _legend("In body axes: M momentum; r arm; slip: velocity; E is the unit tensor.")
+    assert shown["words"] == "In body axes: "
+    assert shown["letters"] == ["M momentum", "r arm", "slip: velocity", "E is the unit tensor"]
+    assert _legend("The state: γ vertical.") == {"words": "The state: γ vertical.", "letters": []}
+    assert _legend("") == {}

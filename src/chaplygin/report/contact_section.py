@@ -19,9 +19,8 @@ from .drawing.contact_values import FrictionLimits, event_impulses, friction_lim
 from .drawing.modes import changes_mode
 from .figures.contact_time import energy_parts
 
-#: Meaning and unit of values of a start that are no variables of the dataset.
 #: So many events stand in the table of the page; all are in the dataset.
-MOST_EVENTS = 60
+MOST_EVENTS = 24
 
 _WORDS = {
     "coulomb": "Dry friction at a point: while the contact slides, the force μN against the slip; "

@@ -170,7 +170,7 @@ def render(
         still=bool(system.integrals) and "drift" not in drawn,
         energy_changes="energy" in dataset and not system.integrals,
         equations=Markup(system_html(replace(study.system, laws=()))),
-        legend=study.subject.legend,
+        legend=_legend(study.subject.legend),
         reconstruction=Markup(
             motion_html(study.system) if study.subject.has_own_reconstruction else ""
         ),
@@ -246,6 +246,15 @@ def _start(study: Study, dataset: xr.Dataset) -> list[dict[str, object]]:
     return rows
 
 
+def _legend(words: str) -> dict[str, object]:
+    """The meaning of the letters, one below the other where there are several."""
+    head, colon, listed = words.partition(": ")
+    letters = listed.removesuffix(".").split("; ")
+    if len(letters) < 3:
+        return {"words": words, "letters": []} if words else {}
+    return {"words": head + colon, "letters": letters}
+
+
 def _section(part: Classification) -> dict[str, object]:
     """A place in the hierarchy, as the page shows it."""
     return {"level": part.level, "rows": [row for row in rows(part) if row[1]]}
@@ -253,8 +262,10 @@ def _section(part: Classification) -> dict[str, object]:
 
 def _law_text(law: Law) -> str:
     """Kind and meaning of a law."""
-    meaning = str(getattr(law, "meaning", ""))
-    return f"{heading(law)}: {meaning}" if meaning else heading(law)
+    kind, meaning = heading(law), str(getattr(law, "meaning", ""))
+    if meaning.casefold().startswith(kind.casefold()):
+        return kind + meaning[len(kind) :]
+    return f"{kind}: {meaning}" if meaning else kind
 
 
 def _unobserved_laws(study: Study) -> tuple[Law, ...]:
@@ -288,7 +299,7 @@ def _facts(study: Study, trajectory: Trajectory) -> list[tuple[str, str]]:
     corrections = statistics.corrections
     plural = "" if corrections == 1 else "s"
     facts = [
-        ("time", f"{first:g} … {last:.10g}, {len(trajectory.times)} samples"),
+        ("time", f"{first:g} … {last:.10g} s, {len(trajectory.times)} samples"),
         ("method", f"{METHODS[run.method]} of order {statistics.order}, {statistics.steps} steps"),
         ("tolerance", f"{number(statistics.tolerance, 3)}, {run.precision} precision"),
         ("corrections", f"{corrections} projection{plural} onto the phase space"),

@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from catalogue import built
+from chaplygin.experiment.models.experiment import load
+from chaplygin.experiment.study import prepare
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
 
 
 def test_a_body_about_a_fixed_point_touches_nothing() -> None:
@@ -40,8 +46,21 @@ def test_every_letter_of_the_equations_has_words(name: str) -> None:
     """But for parameters, which have a table of their own, and rates with a dot."""
     system = built.system(name)
     words = built.study(name).subject.legend
-    sentence = {part.split()[0] for part in words.removeprefix("In body axes: ").split(", ")}
+    sentence = {part.split()[0] for part in words.removeprefix("In body axes: ").split("; ")}
     for letter in ("ω", "γ", "J", "A", "X", "p", "q", "λ₀"):
         shown = str(system).partition("Parameters")[0]
         if f"    {letter} = " in shown:
             assert letter in sentence, (name, letter)
+
+
+def test_letters_of_a_body_with_friction() -> None:
+    words = prepare(load(EXAMPLES / "tippe_top.toml")).subject.legend
+    for part in (
+        "v velocity of the centre of mass",
+        "slip: velocity of the body's point in contact over the support",
+        "Fᵤ friction over μN by a unit slip",
+        "Y inverse of I",
+        "W contensou: work lost to this law",
+    ):
+        assert part in words
+    assert "u length of the slip" not in words, "its equations have no u"

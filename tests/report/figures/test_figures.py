@@ -670,3 +670,19 @@ def test_scalars_of_one_letter_share_a_panel(data):
     ]
     labels = [line.get_label() for line in panels[3].lines]
     assert labels == [rf"$q_{{{index}}}$" for index in "wxyz"]
+
+
+def test_an_angle_of_many_turns_has_a_plot_of_its_own() -> None:
+    times = np.linspace(0.0, 10.0, 201)
+    turned = {}
+    for rate in (0.3, 30.0):
+        half = rate * times / 2
+        attitude = np.stack([np.cos(half), 0 * half, 0 * half, np.sin(half)], axis=1)
+        dataset = xr.Dataset(
+            {"attitude": (("time", "quaternion"), attitude)}, {"time": times}, {"title": "top"}
+        )
+        turned[rate] = [
+            [line.get_label() for line in axes.get_lines() if not line.get_label().startswith("_")]
+            for axes in figures.attitude(dataset).axes
+        ]
+    assert turned == {0.3: [["yaw", "pitch", "roll"]], 30.0: [["yaw"], ["pitch", "roll"]]}

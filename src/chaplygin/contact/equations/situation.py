@@ -48,7 +48,7 @@ class FrictionalContact:
     >>> ball = ch.Body(1.0, (0.4, 0.4, 0.4), ch.Ball(1.0))
     >>> billiard = FrictionalContact(ball, laws=(Coulomb(0.2),), field=ch.Forces(gravity=9.81))
     >>> billiard.setting
-    'dry friction, mu = 0.2'
+    'dry friction, μ = 0.2'
     """
 
     body: Body

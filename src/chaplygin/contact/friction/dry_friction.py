@@ -47,7 +47,7 @@ class Coulomb(FrictionLaw):
     --------
     >>> from chaplygin.contact import Coulomb
     >>> Coulomb(0.3).words
-    'dry friction, mu = 0.3'
+    'dry friction, μ = 0.3'
     """
 
     mu: float
@@ -60,7 +60,7 @@ class Coulomb(FrictionLaw):
     @property
     def words(self) -> str:
         """The law in words."""
-        return f"dry friction, mu = {self.mu:g}"
+        return f"dry friction, μ = {self.mu:g}"
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
@@ -177,7 +177,7 @@ class ContensouErismann(FrictionLaw):
     --------
     >>> from chaplygin.contact import ContensouErismann
     >>> ContensouErismann(0.3, 5e-4).words
-    'dry friction over a patch of radius 0.0005 m, mu = 0.3'
+    'dry friction over a patch of radius 0.0005 m, μ = 0.3'
     """
 
     mu: float
@@ -194,7 +194,7 @@ class ContensouErismann(FrictionLaw):
     @property
     def words(self) -> str:
         """The law in words."""
-        return f"dry friction over a patch of radius {self.patch:g} m, mu = {self.mu:g}"
+        return f"dry friction over a patch of radius {self.patch:g} m, μ = {self.mu:g}"
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:

@@ -41,17 +41,39 @@ from ..file.shape_tables import shape_name
 from ..file.tables import CommonRunTable
 from ..models.base import identifier
 from ..models.rolling_model import FrictionExperiment
+from .glossary import glossary
 from .rolling_subject import body_of, forces_of, ground_words
 from .subject import Subject, Variables
 
-_LEGEND = (
-    "In body axes: v velocity of the centre of mass, ω angular velocity, γ outward normal of the "
-    "support, r from the centre of mass to the contact point, slip velocity of the contact point "
-    "over the support, u its length, spin angular velocity about γ, rolling the rest of ω, ωₜ its "
-    "length, N normal force, friction tangential force and couple couple of the support, W the "
-    "work lost to each law; q is the attitude, a unit quaternion that turns body axes into space "
-    "axes, and x the position of the centre of mass in space (in files attitude and position)."
-)
+#: Letters of a body that slides, in body axes, besides those of every body on a surface.
+_LETTERS = {
+    "attitude": "unit quaternion that turns body axes into space axes",
+    "position": "centre of mass in space",
+    "v": "velocity of the centre of mass",
+    "gamma": "outward normal of the support",
+    "N": "normal force",
+    "A": "acceleration of the contact point by a unit force there",
+    "acceleration": "that of the centre of mass without contact force",
+    "angular_acceleration": "that without contact force",
+    "contact_velocity": "that of the body's point in contact",
+    "slip": "velocity of the body's point in contact over the support",
+    "slip_speed": "length of the slip",
+    "slip_rate": "rate of the slip without contact force",
+    "spin": "angular velocity about γ",
+    "rolling": "the rest of ω",
+    "rolling_speed": "length of the rolling",
+    "wandering": "velocity of the contact point over the body",
+    "contour_couple": "couple along the contour by a unit coefficient and a unit normal force",
+    "reaction": "force of the support",
+    "couple": "couple of the support",
+    "friction": "tangential force of the support",
+    "force_share": "friction over μN by a unit slip",
+    "couple_share": "couple of friction over μN and the radius of the patch",
+    "normal_rate": "part of bₙ that the rate of γ gives",
+    "normal_rate_free": "acceleration of the contact along γ without normal force",
+    "normal_response": "acceleration of the contact along γ by a unit normal force alone",
+    "work_impact": "work lost in impacts",
+}
 
 _ONE_MODE = (
     "These are the equations of one mode of the contact, {mode}. They change where friction holds "
@@ -146,7 +168,8 @@ class ContactSubject(Subject):
     @property
     def legend(self) -> str:
         """The meaning of the letters of its equations."""
-        return _LEGEND
+        lost = {f"work_{law.name}": "work lost to this law" for law in self.contact.laws}
+        return glossary(self.system, True, _LETTERS | lost)
 
     @property
     def derivation_notes(self) -> tuple[str, ...]:

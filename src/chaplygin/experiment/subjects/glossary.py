@@ -68,8 +68,11 @@ def glossary(system: System, touching: bool, besides: Mapping[str, str] | None =
     sentence: dict[str, str] = {}
     for letter in _letters(system):
         if words := _meaning(letter, system, known, observed):
-            sentence[str(letter)] = f"{text(letter)} {words}"
-    return f"In body axes: {', '.join(sentence.values())}; E is the unit tensor."
+            # a name that is a word would be read as part of the words
+            shown = text(letter)
+            is_word = shown.isascii() and len(shown) > 2
+            sentence[str(letter)] = f"{shown.replace('_', ' ')}{':' * is_word} {words}"
+    return f"In body axes: {'; '.join(sentence.values())}; E is the unit tensor."
 
 
 def _letters(system: System) -> tuple[NamedQuantity, ...]:

@@ -196,6 +196,7 @@ def _make_narrow(figure: Figure) -> None:
         for axes in figure.axes:
             if axes.axison and axes.name == "rectilinear":
                 axes.locator_params(nbins=4)
+                _uncut(figure, axes)
         return
     panels = [axes for axes in figure.axes if axes.axison]
     for axes in panels:
@@ -255,6 +256,15 @@ def _widen_margins(figure: Figure, larger: float) -> None:
     tall = high + foot - box.y0 * high
     figure.set_size_inches(wide, tall)
     axes.set_position((left / wide, foot / tall, box.x1 - left / wide, box.height * high / tall))
+
+
+def _uncut(figure: Figure, axes: Axes) -> None:
+    """Move the left side of axes so far that nothing of their label is cut away."""
+    figure.draw_without_rendering()
+    beyond = -axes.get_tightbbox().x0 / figure.bbox.width
+    if beyond > 0.0:
+        box = axes.get_position()
+        axes.set_position((box.x0 + beyond, box.y0, box.width - beyond, box.height))
 
 
 def _is_long(figure: Figure, axes: Axes) -> bool:

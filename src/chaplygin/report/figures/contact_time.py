@@ -221,6 +221,9 @@ def slip_and_spin(dataset: xr.Dataset) -> Figure:
             axes.set_axisbelow(True)
             axes.set_ylabel(with_unit(words, unit_of(dataset, name)))
             widen(axes, np.append(values, 0.0))
+            if name != "spin":
+                # lengths are not below zero
+                axes.set_ylim(bottom=min(0.0, -0.03 * axes.get_ylim()[1]))
         if times[-1] > times[0]:
             panels[-1].set_xlim(times[0], times[-1])
         panels[-1].set_xlabel(time_label(dataset))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -19,16 +21,26 @@ def time_label(dataset: xr.Dataset) -> str:
 
 def time_chart(dataset: xr.Dataset, height: float, description: str) -> tuple[Figure, Axes]:
     """A figure with one plot against time."""
-    figure = Figure(figsize=(WIDTH, height), layout="constrained")
-    figure.set_label(f"{description}: {title_of(dataset)}")
-    axes = figure.add_subplot()
-    axes.set_xlabel(time_label(dataset))
-    times = times_of(dataset)
-    if times[-1] > times[0]:
-        axes.set_xlim(times[0], times[-1])
-    axes.grid(axis="y", color=FAINT, linewidth=0.4)
-    axes.set_axisbelow(True)
+    figure, (axes,) = time_charts(dataset, [height], description)
     return figure, axes
+
+
+def time_charts(
+    dataset: xr.Dataset, heights: Sequence[float], description: str
+) -> tuple[Figure, list[Axes]]:
+    """A figure with plots of these heights in inches against time, one above the other."""
+    figure = Figure(figsize=(WIDTH, sum(heights)), layout="constrained")
+    figure.set_label(f"{description}: {title_of(dataset)}")
+    grid = figure.subplots(len(heights), sharex=True, squeeze=False, height_ratios=heights)
+    panels = list(grid[:, 0])
+    panels[-1].set_xlabel(time_label(dataset))
+    times = times_of(dataset)
+    for axes in panels:
+        if times[-1] > times[0]:
+            axes.set_xlim(times[0], times[-1])
+        axes.grid(axis="y", color=FAINT, linewidth=0.4)
+        axes.set_axisbelow(True)
+    return figure, panels
 
 
 def widen(axes: Axes, values: FloatArray) -> None:

@@ -21,10 +21,13 @@ from ..drawing.dataset_access import (
     with_unit,
 )
 from ..drawing.style import ALARM, COMPONENTS, INK, QUIET, STYLE
-from .time_axis import legend_above, marker, time_chart, widen
+from .time_axis import legend_above, marker, time_chart, time_charts, widen
 
 _MOST = 0.995
 """Share of the instants whose ratio of friction to normal force is within the picture."""
+
+_TURNS = 4.0 * np.pi
+"""Angles that change by more than this have a plot of their own."""
 
 
 @arguments_checked
@@ -200,7 +203,7 @@ def attitude(dataset: xr.Dataset) -> Figure:
     """Three angles of the body's axes against space.
 
     Euler's angles ψ, θ, φ, or yaw, pitch and roll: those that are farther from where they are not
-    defined.  Whole turns are counted on.
+    defined.  Whole turns are counted on; angles that make several turns have a plot of their own.
 
     Parameters
     ----------
@@ -219,14 +222,21 @@ def attitude(dataset: xr.Dataset) -> Figure:
     require(dataset, "attitude")
     times = times_of(dataset)
     names, angles = turning_angles(values_of(dataset, "attitude"))
+    curves = list(zip(names, angles, COMPONENTS, strict=False))
+    # beside an angle that counts many turns the others would be flat
+    turning = [curve for curve in curves if np.nanmax(curve[1]) - np.nanmin(curve[1]) > _TURNS]
+    others = [curve for curve in curves if not any(curve is other for other in turning)]
+    groups = [group for group in (turning, others) if group]
     with mpl.rc_context(STYLE):
-        figure, axes = time_chart(dataset, 2.6, "Angles of the body in space")
-        for label, values, colour in zip(names, angles, COMPONENTS, strict=True):
-            axes.plot(times, values, color=colour, marker=marker(times), label=label)
-        axes.axhline(0.0, color=QUIET, linewidth=0.6, zorder=1)
-        axes.set_ylabel(with_unit("angle", "rad"))
-        widen(axes, np.concatenate(angles))
-        legend_above(axes, 3)
+        heights = [2.6] if len(groups) == 1 else [2.0, 2.0]
+        figure, panels = time_charts(dataset, heights, "Angles of the body in space")
+        for axes, group in zip(panels, groups, strict=True):
+            for label, values, colour in group:
+                axes.plot(times, values, color=colour, marker=marker(times), label=label)
+            axes.axhline(0.0, color=QUIET, linewidth=0.6, zorder=1)
+            axes.set_ylabel(with_unit("angle", "rad"))
+            widen(axes, np.concatenate([values for _, values, _ in group]))
+            legend_above(axes, 3)
     return figure
 
 
