@@ -261,7 +261,8 @@ def _widen_margins(figure: Figure, larger: float) -> None:
 def _uncut(figure: Figure, axes: Axes) -> None:
     """Move the left side of axes so far that nothing of their label is cut away."""
     figure.draw_without_rendering()
-    beyond = -axes.get_tightbbox().x0 / figure.bbox.width
+    drawn = axes.get_tightbbox()
+    beyond = 0.0 if drawn is None else -drawn.x0 / figure.bbox.width
     if beyond > 0.0:
         box = axes.get_position()
         axes.set_position((box.x0 + beyond, box.y0, box.width - beyond, box.height))
