@@ -21,8 +21,8 @@ SIGNS = {"kept": "positive", "changes": "singular", "unknown": "sign undecided"}
 def classification(name: str) -> Classification:
     """The place of a system of the catalogue, with its suggested parameters."""
     system = entry(name).system()
-    patience = ProofBudget(EFFORT)
-    return classify(system, patience.verdicts(system), patience, entry(name).rolling())
+    budget = ProofBudget(EFFORT)
+    return classify(system, budget.verdicts(system), budget, entry(name).rolling())
 
 
 def rows(name: str) -> list[str]:

@@ -1,4 +1,4 @@
-"""Tests of values that were given as arguments: numbers, numbers in order, formulas."""
+"""Predicates on argument values: whether they are numbers, sequences, arrays or formulas."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ def is_number(value: Any) -> bool:
     """Whether it is one real number that a float can hold."""
     if isinstance(value, (bool, *TEXT)) or is_array(value) or class_name(value) == "bool":
         return False
-    return is_readable(value)
+    return converts_to_float(value)
 
 
-def is_written(value: Any) -> bool:
-    """Whether it is a number, or a text with a number."""
-    return is_readable(value) if isinstance(value, str) else is_number(value)
+def is_number_or_text(value: Any) -> bool:
+    """Whether it is a number, or a string that reads as one."""
+    return converts_to_float(value) if isinstance(value, str) else is_number(value)
 
 
 def is_array(value: Any) -> bool:
-    """Whether it is an array, but of one number."""
+    """Whether it is an array with at least one axis."""
     return getattr(value, "ndim", 0) != 0
 
 
-def is_readable(value: Any) -> bool:
-    """Whether a float can be had of it."""
+def converts_to_float(value: Any) -> bool:
+    """Whether `float` accepts it."""
     try:
         float(value)
     except (TypeError, ValueError, OverflowError):
@@ -41,13 +41,13 @@ def class_name(value: object) -> str:
     return type(value).__name__
 
 
-def is_whole(value: Any) -> bool:
-    """Whether it is one whole number."""
+def is_integer(value: Any) -> bool:
+    """Whether it is one integer."""
     return not isinstance(value, bool) and hasattr(value, "__index__") and is_number(value)
 
 
-def is_many(value: Any) -> bool:
-    """Whether it holds values in order; a text or a mapping is no such thing."""
+def is_collection(value: Any) -> bool:
+    """Whether it is an iterable of values, neither a string nor a mapping."""
     if isinstance(value, (type, Mapping, *TEXT)):
         return False
     return hasattr(value, "__len__") if hasattr(value, "shape") else isinstance(value, Iterable)
@@ -55,11 +55,13 @@ def is_many(value: Any) -> bool:
 
 def are_numbers(value: Any) -> bool:
     """Whether these are numbers in order."""
-    if not is_many(value) or getattr(value, "ndim", 1) != 1:
+    if not is_collection(value) or getattr(value, "ndim", 1) != 1:
         return False
     kind = getattr(getattr(value, "dtype", None), "kind", "O")
     # an iterator is read once, by the function itself
-    return kind in "iuf" or (kind == "O" and (iter(value) is value or all(map(is_written, value))))
+    return kind in "iuf" or (
+        kind == "O" and (iter(value) is value or all(map(is_number_or_text, value)))
+    )
 
 
 def is_numeric_array(value: Any) -> bool:
@@ -67,11 +69,11 @@ def is_numeric_array(value: Any) -> bool:
     return getattr(getattr(value, "dtype", None), "kind", "") in ("i", "u", "f", "O")
 
 
-def becomes_array(value: Any) -> bool:
+def is_array_like(value: Any) -> bool:
     """Whether these are numbers, alone, in order, or in rows of equal lengths."""
-    if is_written(value) or is_numeric_array(value):
+    if is_number_or_text(value) or is_numeric_array(value):
         return True
-    if not isinstance(value, list | tuple) or not all(map(becomes_array, value)):
+    if not isinstance(value, list | tuple) or not all(map(is_array_like, value)):
         return False
     return len({getattr(row, "shape", ()) or length(row) for row in value}) <= 1
 
@@ -90,7 +92,7 @@ def is_start(value: Any) -> bool:
     """Whether it is a state: numbers in order, or by name."""
     if isinstance(value, Mapping):
         return all(
-            is_written(v) or are_numbers(v) or (k == "attitude" and are_rows(v))
+            is_number_or_text(v) or are_numbers(v) or (k == "attitude" and are_rows(v))
             for k, v in value.items()
         )
     return are_numbers(value)
@@ -98,7 +100,7 @@ def is_start(value: Any) -> bool:
 
 def are_rows(value: Any) -> bool:
     """Whether these are numbers in rows."""
-    return is_many(value) and all(map(are_numbers, value))
+    return is_collection(value) and all(map(are_numbers, value))
 
 
 def are_parameters(value: Any) -> bool:
@@ -106,7 +108,7 @@ def are_parameters(value: Any) -> bool:
     if value is None:
         return True
     return isinstance(value, Mapping) and all(
-        is_written(v) or are_numbers(v) for v in value.values()
+        is_number_or_text(v) or are_numbers(v) for v in value.values()
     )
 
 
@@ -128,8 +130,8 @@ def are_formulas(value: Any) -> bool:
     return is_formula(value)
 
 
-def is_declared(value: Any) -> bool:
-    """Whether these are names with formulas; neither is a text."""
+def are_named_formulas(value: Any) -> bool:
+    """Whether it pairs names with formulas, none of them a string."""
     pairs = pairs_of(value)
     return pairs is not None and not any(
         isinstance(part, (*TEXT, NoneType)) for pair in pairs for part in pair

@@ -34,19 +34,19 @@ from typing import (
 from .annotations import annotations_of
 from .argument_values import (
     are_formulas,
+    are_named_formulas,
     are_numbers,
     are_parameters,
-    becomes_array,
     class_name,
-    is_declared,
+    is_array_like,
+    is_collection,
     is_formula,
-    is_many,
+    is_integer,
     is_number,
+    is_number_or_text,
     is_numeric_array,
     is_row,
     is_start,
-    is_whole,
-    is_written,
     length,
 )
 from .errors import InputError
@@ -91,7 +91,7 @@ Numbers: TypeAlias = Annotated[
     Iterable[SupportsFloat | str], _Kind("a sequence of numbers", are_numbers)
 ]
 #: One number; in quotes it keeps digits that a float has not.
-NumberOrText: TypeAlias = Annotated[SupportsFloat | str, _Kind("a number", is_written)]
+NumberOrText: TypeAlias = Annotated[SupportsFloat | str, _Kind("a number", is_number_or_text)]
 Formula: TypeAlias = Annotated["Expr | float", _Kind("a SymPy expression", is_formula)]
 #: One formula, or several in a matrix or in nested sequences.
 Formulas: TypeAlias = Annotated[
@@ -110,21 +110,23 @@ Setting: TypeAlias = Annotated[
     Any,
     _Kind(
         "a number, or numbers in a list",
-        lambda value: is_number(value) or (is_many(value) and all(map(is_row, value))),
+        lambda value: is_number(value) or (is_collection(value) and all(map(is_row, value))),
     ),
 ]
 #: Named quantities with their formulas, as a mapping or as pairs.
 NamedFormulas: TypeAlias = Annotated[
     Any,
-    _Kind("a mapping of symbols to SymPy expressions, or a sequence of such pairs", is_declared),
+    _Kind(
+        "a mapping of symbols to SymPy expressions, or a sequence of such pairs", are_named_formulas
+    ),
 ]
 
 _ARRAY = _Kind("an array of numbers", is_numeric_array)
-_ARRAY_LIKE = _Kind("numbers in an array or in nested sequences", becomes_array)
+_ARRAY_LIKE = _Kind("numbers in an array or in nested sequences", is_array_like)
 
 _SIMPLE: dict[Any, _Kind] = {
     float: _Kind("a number", is_number),
-    int: _Kind("a whole number", is_whole),
+    int: _Kind("a whole number", is_integer),
     bool: _Kind(
         "True or False", lambda value: isinstance(value, bool) or class_name(value) == "bool"
     ),
@@ -228,7 +230,7 @@ def _collection(origin: type, inner: tuple[Any, ...]) -> _Kind | None:
         return _Kind(
             f"a mapping of symbols to {_plural(of)}, or a sequence of such pairs",
             lambda value: (
-                is_declared(value) and (not of or all(map(of.fits, dict(value).values())))
+                are_named_formulas(value) and (not of or all(map(of.fits, dict(value).values())))
             ),
         )
     several = [_kind(item) for item in inner if item is not ...]
@@ -238,13 +240,15 @@ def _collection(origin: type, inner: tuple[Any, ...]) -> _Kind | None:
     size = len(inner) if origin is tuple and ... not in inner else 0
     if len(set(several)) != 1:
         words = f"a sequence of {size} values" if size else "a sequence"
-        return _Kind(words, lambda value: is_many(value) and (not size or length(value) == size))
+        return _Kind(
+            words, lambda value: is_collection(value) and (not size or length(value) == size)
+        )
     of = several[0]
     count = {2: "two ", 3: "three "}.get(size, "a sequence of ")
     return _Kind(
         f"{count}{_plural(of)}",
         lambda value: (
-            (is_many(value) or (isinstance(value, Mapping) and origin is Iterable))
+            (is_collection(value) or (isinstance(value, Mapping) and origin is Iterable))
             and (not of or iter(value) is value or all(map(of.fits, value)))
         ),
     )

@@ -242,7 +242,7 @@ def test_a_file_in_which_hdf5_comes_to_no_end_is_refused(
     content[content.index(b"GCOL") + 24] = 0
     path = tmp_path / "circle.nc"
     path.write_bytes(content)
-    monkeypatch.setattr("chaplygin.experiment.dataset._PATIENCE", 5.0)
+    monkeypatch.setattr("chaplygin.experiment.dataset._READ_TIMEOUT", 5.0)
     with pytest.raises(InputError, match=r"circle\.nc: not a readable NetCDF file"):
         read(path)
     assert read(trajectory).sizes["time"] == 11

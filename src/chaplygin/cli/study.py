@@ -65,10 +65,10 @@ def command(
     allowed = None if effort is None else operations(effort)
     study = study_of(what, overrides, precision)
     from ..analysis.classification.facts import ProofBudget
-    from ..report.page import PATIENCE, TIMES
+    from ..report.page import EFFORT_PER_PROOF, TIMES
     from ..report.write import write_study
 
-    each = allowed or PATIENCE
+    each = allowed or EFFORT_PER_PROOF
     # a law of one mode alone says nothing of a motion through several
     altogether = 0 if quick or study.subject.changes_equations else TIMES * each
 
@@ -78,9 +78,9 @@ def command(
         return f"the part that is done is in {folder}; the same command resumes there"
 
     with ending(words), progress(f"integrating: {study.system.title}") as report:
-        patience = ProofBudget(each, altogether, lambda what: report.say(f"proving: {what}"))
+        budget = ProofBudget(each, altogether, lambda what: report.say(f"proving: {what}"))
         try:
-            trajectory, failure = write_study(study, folder, force, patience, report)
+            trajectory, failure = write_study(study, folder, force, budget, report)
         except InterruptionError as stop:
             raise KeyboardInterrupt from stop
     facts, text = results(study, trajectory)

@@ -1,4 +1,4 @@
-"""Motions along a given path of the contact point, with as little effort as possible."""
+"""Motion planning: inputs of least effort that lead the contact point along a given path."""
 
 from __future__ import annotations
 

@@ -252,7 +252,7 @@ except Exception:
 _DAMAGE_CODE = 3
 
 #: Seconds after which HDF5 is taken to go round in circles; it needs a hundredth of one.
-_PATIENCE = 20.0
+_READ_TIMEOUT = 20.0
 
 
 def _require_readable(path: Path) -> None:
@@ -265,12 +265,12 @@ def _require_readable(path: Path) -> None:
             [sys.executable, "-c", _LOOK, str(path)],
             env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
             capture_output=True,
-            timeout=_PATIENCE,
+            timeout=_READ_TIMEOUT,
             check=False,
         )
     except subprocess.TimeoutExpired:
         raise InputError(
-            f"{path}: not a readable NetCDF file: HDF5 came to no end of it in {_PATIENCE:g} s"
+            f"{path}: not a readable NetCDF file: HDF5 came to no end of it in {_READ_TIMEOUT:g} s"
         ) from None
     # a signal ends it where HDF5 breaks down
     if looked.returncode == _DAMAGE_CODE or looked.returncode < 0:

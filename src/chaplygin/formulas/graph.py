@@ -1,8 +1,8 @@
-"""Formulas as one graph in which equal things are the same thing.
+"""Formulas as a graph of terms in which equal subexpressions are one node.
 
-SymPy is the language of formulas; here they become terms of a few operations, each made once
-(equal terms are one object), so that common parts are shared without being looked for.  Named
-intermediate quantities of a System are followed, never expanded.  Derivatives are terms as well.
+SymPy formulas become terms of a few operations.  Each term is made only once, so that common parts
+are shared without a search for them.  Named intermediate quantities of a System become shared
+nodes and are never expanded.  Derivatives are terms as well.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Zero relative to the size of its terms.
+"""Whether a number is zero relative to the size of the terms that it is a sum of.
 
 A number that has a unit is neither small nor large by itself: 10⁻¹³ is a usual moment of inertia
 in kg m² for a ball of a millimetre.  So a sum is zero where it is small beside the terms that were

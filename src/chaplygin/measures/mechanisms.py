@@ -26,7 +26,7 @@ from .positivity import Powers, Signs, positive
 from .result import Existence
 
 FURTHER = 3
-PATIENCE = EFFORT // 10
+EFFORT_PER_PROOF = EFFORT // 10
 """Term operations for the proof in all variables of the motion; one in the coordinates remains."""
 
 Domain: TypeAlias = tuple[Any, ...]
@@ -166,7 +166,7 @@ def _measure(
         on=level,
     )
     try:
-        verdict = prove(system, law, effort=min(effort, PATIENCE))
+        verdict = prove(system, law, effort=min(effort, EFFORT_PER_PROOF))
     except InputError as reason:
         # the equations of motion may be singular where the distribution is not
         verdict = Verdict(law.name, "undecided", reason=str(reason))

@@ -1,4 +1,4 @@
-"""Answers on invariant measures whose density depends on the configuration alone."""
+"""Whether an invariant measure with a density in the configuration alone exists: the result."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ from .one_form import OneForm, Powers, one_form
 from .quadrature import log_density
 from .result import Existence
 
-PATIENCE = EFFORT // 10
+EFFORT_PER_PROOF = EFFORT // 10
 """Term operations for each attempt to prove the density as a law of the equations of motion."""
 
 
@@ -140,7 +140,7 @@ def _with_density(
     )
     for level in levels_tried:
         again = replace(law, on=level)
-        verdict = prove(system, again, effort=min(effort, PATIENCE))
+        verdict = prove(system, again, effort=min(effort, EFFORT_PER_PROOF))
         if verdict:
             return replace(
                 existence, density=again, system=system, verdicts=(*existence.verdicts, verdict)

@@ -39,7 +39,7 @@ from .summary import drift
 
 #: Term operations that the proof of one law may take, and those of all together: the first unless
 #: more is asked for, the second so many times the first.
-PATIENCE = EFFORT // 20
+EFFORT_PER_PROOF = EFFORT // 20
 TIMES = 4
 
 #: Pictures whose colours stay as they are: shades, and the colours of time.
@@ -92,7 +92,7 @@ def render(
     dataset: xr.Dataset,
     pictures: Mapping[str, Figure],
     svgs: Mapping[str, str],
-    patience: ProofBudget,
+    budget: ProofBudget,
     failure: RunError | None = None,
     solution: Solution | None = None,
 ) -> str:
@@ -109,7 +109,7 @@ def render(
         By name, as :func:`chaplygin.report.figures.all_figures` returns them.
     svgs : mapping of str to str
         The same as SVG, by :func:`chaplygin.report.figures.svg_text`.
-    patience : ProofBudget
+    budget : ProofBudget
         For the proofs of its laws and of its place among all systems.
     failure : RunError, optional
         Why the run ended early, if it failed.
@@ -139,8 +139,8 @@ def render(
         mine = contact_plates(subject, trajectory, dataset)
         plates = mine | {name: plate for name, plate in PLATES.items() if name not in mine}
     else:
-        verdicts = patience.verdicts(study.system)
-        stands = classify(study.system, verdicts, patience, subject.model)
+        verdicts = budget.verdicts(study.system)
+        stands = classify(study.system, verdicts, budget, subject.model)
         places = [_section(part) for part in (stands, *stands.levels)]
         uncounted = stands.uncounted_by_reason
     both, letters = figures.page_svgs(pictures, svgs)

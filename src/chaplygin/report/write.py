@@ -39,7 +39,7 @@ class Report(Protocol):
 
 @arguments_checked
 def write_study(
-    study: Study, folder: Path, force: bool, patience: ProofBudget, report: Report
+    study: Study, folder: Path, force: bool, budget: ProofBudget, report: Report
 ) -> tuple[Trajectory, RunError | None]:
     """Integrate and write everything; a failed run is written as far as it went.
 
@@ -50,7 +50,7 @@ def write_study(
         New, or that of the same study, which was interrupted.
     force : bool
         Whether files of another study may be replaced.
-    patience : ProofBudget
+    budget : ProofBudget
         For the proofs.
     report : Report
 
@@ -93,7 +93,7 @@ def write_study(
         with atomic_file(folder / "figures" / f"{name}.svg") as place:
             place.write_text(figures.svg_file(svgs[name]), encoding="utf-8")
         figures.save(figure, folder / "figures" / f"{name}.png")
-    text = page.render(study, trajectory, dataset, pictures, svgs, patience, failure, solution)
+    text = page.render(study, trajectory, dataset, pictures, svgs, budget, failure, solution)
     with atomic_file(folder / "report.html") as temporary:
         temporary.write_text(text, encoding="utf-8")
     end(folder)

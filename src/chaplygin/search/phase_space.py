@@ -23,7 +23,7 @@ from .modular_jets import Evaluator, Integers, Jet, inverse, prime, square_root
 from .real_points import has_real_points
 
 _PROBE = 64
-_PATIENCE = 3
+_MOST_FRUITLESS = 3
 _NEXT = 1_000_003
 _MOST = 120
 """Values of the parameters that are tried."""
@@ -153,7 +153,7 @@ class SearchSpace:
             }
             fruitless = 0 if len(next(iter(values.values()))) > have else fruitless + 1
             have = len(next(iter(values.values())))
-            if fruitless == _PATIENCE:
+            if fruitless == _MOST_FRUITLESS:
                 # a root of parameters alone that does not exist for these values of them
                 return self._again(points, seed, common)
         sample = self._jets({s: v[:points] for s, v in values.items()})

@@ -12,7 +12,7 @@ import sympy as sp
 from chaplygin.analysis.classification.classifier import classify
 from chaplygin.analysis.classification.conserved_covectors import sources
 from chaplygin.analysis.classification.facts import ProofBudget
-from chaplygin.analysis.classification.lie_theorem import fields, lie
+from chaplygin.analysis.classification.lie_theorem import independent_symmetries, lie_symmetries
 from chaplygin.analysis.classification.place import Classification
 from chaplygin.analysis.classification.ranks import RankSample
 from chaplygin.analysis.classification.sign_test import sign
@@ -37,8 +37,8 @@ x, p = vectors("x p")
 
 def found(system: System, **verdicts: Verdict) -> Classification:
     """The place, with some verdicts replaced."""
-    patience = ProofBudget(EFFORT // 5)
-    return classify(system, patience.verdicts(system) | verdicts, ProofBudget(EFFORT // 5))
+    budget = ProofBudget(EFFORT // 5)
+    return classify(system, budget.verdicts(system) | verdicts, ProofBudget(EFFORT // 5))
 
 
 def of(name: str, **parameters: float) -> Classification:
@@ -250,10 +250,10 @@ def turning(i: int) -> Symmetry:
 
 def solved_by(system: System, needed: int) -> list[str]:
     """Symmetry fields by which Theorem 3 applies, if `needed` are enough."""
-    standing, patience = RankSample(system), ProofBudget(EFFORT // 10)
-    chosen = fields(standing, system.laws, patience)
+    standing, budget = RankSample(system), ProofBudget(EFFORT // 10)
+    chosen = independent_symmetries(standing, system.laws, budget)
     own = [s for s in sources(system.laws) if len(s.functions) == 1]
-    return [f.law for f in lie(standing, needed, own, chosen, patience)]
+    return [f.law for f in lie_symmetries(standing, needed, own, chosen, budget)]
 
 
 def test_an_algebra_that_is_not_solvable_does_not_help() -> None:
@@ -314,13 +314,13 @@ def test_a_fast_answer_says_what_it_leaves_out(
 ) -> None:
     monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path))
     system = entry("chaplygin-ball").system()
-    patience = ProofBudget(EFFORT, 1)
-    patience.effort_used = 1
-    verdicts = patience.verdicts(system)
+    budget = ProofBudget(EFFORT, 1)
+    budget.effort_used = 1
+    verdicts = budget.verdicts(system)
     assert {v.decision for v in verdicts.values()} == {"undecided"}
     assert all("was spent" in v.reason for v in verdicts.values())
     named = replace(system, laws=system.laws[:1])
-    assert "was spent" in str(classify(named, verdicts, patience))
+    assert "was spent" in str(classify(named, verdicts, budget))
 
 
 @pytest.mark.slow
@@ -360,9 +360,9 @@ def classified_with(system: System, verdict: Verdict) -> str:
 
 def with_what_moves(name: str) -> Classification:
     """The place, with the body and the surface known."""
-    item, patience = entry(name), ProofBudget(EFFORT // 5)
+    item, budget = entry(name), ProofBudget(EFFORT // 5)
     system = item.system()
-    return classify(system, patience.verdicts(system), patience, item.rolling())
+    return classify(system, budget.verdicts(system), budget, item.rolling())
 
 
 @pytest.mark.slow

@@ -46,10 +46,10 @@ def test_parities_follow_through_definitions() -> None:
 
 @pytest.mark.slow
 def test_what_it_means_is_told() -> None:
-    patience = ProofBudget(EFFORT // 10)
+    budget = ProofBudget(EFFORT // 10)
     system = entry("rattleback").system()
-    standing = classify(system, patience.verdicts(system), patience)
+    standing = classify(system, budget.verdicts(system), budget)
     assert standing.reversal == ("M",)
     assert "to every attracting set there belongs a repelling" in str(standing)
     ball = entry("chaplygin-ball").system()
-    assert "repelling" not in str(classify(ball, patience.verdicts(ball), patience))
+    assert "repelling" not in str(classify(ball, budget.verdicts(ball), budget))

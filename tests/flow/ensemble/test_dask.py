@@ -143,7 +143,7 @@ def test_workers_without_the_package(
 @pytest.mark.slow
 @pytest.mark.parametrize("address", ["nonsense", "tcp://127.0.0.1:1"])
 def test_no_scheduler(address: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("chaplygin.flow.ensemble.dask.PATIENCE", "0.2s")
+    monkeypatch.setattr("chaplygin.flow.ensemble.dask.CONNECTION_TIMEOUT", "0.2s")
     with pytest.raises(InputError, match=f"^there is no Dask scheduler at '{address}'"):
         compute(task(), client=address)
 

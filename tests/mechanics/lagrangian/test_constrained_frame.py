@@ -11,7 +11,7 @@ import sympy as sp
 from chaplygin import Ball, Body, Ellipsoid, InputError, Plane, Rolling
 from chaplygin.core.vectors import real_symbol
 from chaplygin.mechanics.lagrangian.constrained_frame import constraint_distribution
-from chaplygin.mechanics.lagrangian.generic_points import GenericPoint, samples
+from chaplygin.mechanics.lagrangian.generic_points import GenericPoint, generic_points
 from chaplygin.mechanics.lagrangian.mechanism import TIME, Mechanism, coordinates
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
 from chaplygin.mechanics.rolling.mechanism import rolling_mechanism
@@ -54,7 +54,7 @@ def test_equations_on_the_distribution_are_those_of_the_mechanism(name: str) -> 
     mechanism = MECHANISMS[name]()
     made, system = constraint_distribution(mechanism), equations(mechanism)
     count = range(len(made.velocities))
-    point = dict(samples("test", mechanism.frame, mechanism)[0].point)
+    point = dict(generic_points("test", mechanism.frame, mechanism)[0].point)
     with mpmath.workdps(50):
         chosen = {s: point[s] for s in made.velocities}
         base = {s: value for s, value in point.items() if s not in mechanism.frame.w}

@@ -40,7 +40,7 @@ from chaplygin.core.vectors import (
     zero,
 )
 from chaplygin.mechanics.lagrangian.assembly import balance
-from chaplygin.mechanics.lagrangian.generic_points import GenericPoint, samples
+from chaplygin.mechanics.lagrangian.generic_points import GenericPoint, generic_points
 from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism, euclidean
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
 from chaplygin.mechanics.rolling.contact import contact
@@ -195,7 +195,7 @@ def test_accelerations_and_reactions_to_forty_digits(shape: str, surface: str, m
     mechanism, closed = rolling_mechanism(made), made.system()
     derived = equations(mechanism)
     touch = contact(made.body.shape, made.surface)
-    point = dict(samples("test", mechanism.frame, mechanism)[0].point)
+    point = dict(generic_points("test", mechanism.frame, mechanism)[0].point)
     with mpmath.workdps(50):
         before = GenericPoint(point, mechanism.steps)
         normal = [before.value(e) for e in to_components(gamma)]

@@ -27,7 +27,7 @@ from .configuration_measures import MeasureFacts, configuration_measure
 from .conserved_covectors import sources
 from .facts import Fact, ProofBudget, fact_of
 from .hamiltonian_forms import Forms, hamiltonian, measures
-from .lie_theorem import fields, lie
+from .lie_theorem import independent_symmetries, lie_symmetries
 from .place import Classification
 from .ranks import RankSample, rational_parameters, with_numeric_parameters
 from .sign_reversal import reversal
@@ -35,20 +35,20 @@ from .statements import IntegrabilityClass
 from .via_isomorphism import TargetResults, through_isomorphisms
 
 #: Term operations for the proof of one law, and for all, where the place must be there at once.
-PATIENCE = EFFORT // 50
-ALTOGETHER = EFFORT // 25
+EFFORT_PER_PROOF = EFFORT // 50
+TOTAL_EFFORT = EFFORT // 25
 
 
 def classify_laws(
     system: System,
     verdicts: Mapping[str, Verdict],
-    patience: ProofBudget,
+    budget: ProofBudget,
     source: Rolling | Mechanism | None,
 ) -> Classification:
     """The place of a system; see :func:`place`."""
     try:
         whole = _without_angles(system)
-        place = _place_with_levels(whole, verdicts, patience, source)
+        place = _place_with_levels(whole, verdicts, budget, source)
     except (OutOfReachError, InputError) as reason:
         return _unknown_place(system, verdicts, str(reason))
     return _in_angles(place, len(whole.symbols) - len(system.symbols))
@@ -104,21 +104,21 @@ def _unknown_place(system: System, verdicts: Mapping[str, Verdict], reason: str)
 def _place_with_levels(
     system: System,
     verdicts: Mapping[str, Verdict],
-    patience: ProofBudget,
+    budget: ProofBudget,
     model: Rolling | Mechanism | None,
 ) -> Classification:
     whole = RankSample(system)
     laws = sorted_laws(whole, verdicts)
     levels = []
     for on, special in laws.levels.items():
-        general = [law for law in laws.general if _holds(system, law, on, patience)]
+        general = [law for law in laws.general if _holds(system, law, on, budget)]
         words = condition_text(replace(special[0], on=on), system, text)
         try:
-            place = _place(RankSample(system, on), (*special, *general), patience)
+            place = _place(RankSample(system, on), (*special, *general), budget)
         except (OutOfReachError, InputError) as reason:
             place = _unknown_place(replace(system, laws=special), verdicts, str(reason))
         levels.append(replace(place, level=words))
-    main = _place(whole, laws.general, patience, model, _open_questions(system, verdicts))
+    main = _place(whole, laws.general, budget, model, _open_questions(system, verdicts))
     return replace(main, ignored_laws=laws.ignored_laws, levels=tuple(levels))
 
 
@@ -133,11 +133,11 @@ def _open_questions(system: System, verdicts: Mapping[str, Verdict]) -> tuple[st
     )
 
 
-def _holds(system: System, law: Law, on: tuple[Any, ...], patience: ProofBudget) -> bool:
+def _holds(system: System, law: Law, on: tuple[Any, ...], budget: ProofBudget) -> bool:
     """Whether a law holds for a level by itself: functions do, the rest is proven."""
     if isinstance(law, Integral | Reduction | Isomorphism):
         return True
-    return bool(patience.verdict(system, replace(law, on=(*law.on, *on))))
+    return bool(budget.verdict(system, replace(law, on=(*law.on, *on))))
 
 
 # --- one phase space -----------------------------------------------------------------------
@@ -146,16 +146,16 @@ def _holds(system: System, law: Law, on: tuple[Any, ...], patience: ProofBudget)
 def _place(
     sample: RankSample,
     laws: Sequence[Law],
-    patience: ProofBudget,
+    budget: ProofBudget,
     model: Rolling | Mechanism | None = None,
     left: tuple[str, ...] = (),
 ) -> Classification:
     system = sample.system
     variables = len(system.symbols)
-    forms = hamiltonian(sample, laws, patience)
+    forms = hamiltonian(sample, laws, budget)
     there = TargetResults()
     if not forms.brackets:
-        there = through_isomorphisms(sample, laws, patience)
+        there = through_isomorphisms(sample, laws, budget)
         forms = Forms(there.brackets, there.liouville)
     own = sources(laws)
     every = [*own, *there.sources]
@@ -163,11 +163,11 @@ def _place(
     chosen = [every[i] for i in independent]
     named = {law.name for law in laws if isinstance(law, Integral)}
     spare = [s.fact for i, s in enumerate(own) if i not in independent and s.fact.law in named]
-    volumes = measures(sample, laws, patience) or there.measures
+    volumes = measures(sample, laws, budget) or there.measures
     existence = (
-        MeasureFacts() if volumes or forms.brackets else configuration_measure(model, patience)
+        MeasureFacts() if volumes or forms.brackets else configuration_measure(model, budget)
     )
-    symmetries = fields(sample, laws, patience)
+    symmetries = independent_symmetries(sample, laws, budget)
     structure = DynamicalStructure(
         dimension=sample.dimension,
         count=count,
@@ -176,7 +176,7 @@ def _place(
         absence=existence.absence,
         brackets=forms.brackets,
         symmetries=tuple(fact_of(law) for law in symmetries),
-        lie=lie(sample, sample.dimension - count - 1, chosen, symmetries, patience),
+        lie=lie_symmetries(sample, sample.dimension - count - 1, chosen, symmetries, budget),
         liouville=forms.liouville,
         reversal=(),
         reductions=tuple(_words(law) for law in laws if isinstance(law, Reduction)),
@@ -213,7 +213,7 @@ def _words(law: Law) -> Fact:
 def classify(
     system: System,
     verdicts: Mapping[str, Verdict] | None = None,
-    patience: ProofBudget | None = None,
+    budget: ProofBudget | None = None,
     source: Rolling | Mechanism | None = None,
 ) -> Classification:
     """The place of a system in the hierarchy of dynamics.
@@ -224,8 +224,8 @@ def classify(
         Its parameters count with their present values (their defaults), taken as exact decimals.
     verdicts : mapping of str to Verdict
         On its laws, by name; a law without a verdict does not count.  By default what can
-        be proven with `patience`.
-    patience : ProofBudget, optional
+        be proven with `budget`.
+    budget : ProofBudget, optional
         For the proofs needed besides: that symmetries leave the integrals alone, that integrals
         are in involution, laws of the targets of isomorphisms, laws restricted to a level.
     source : Rolling or Mechanism, optional
@@ -252,9 +252,9 @@ def classify(
     >>> [kind.name for kind in place.kinds]
     ['none known']
     """
-    patience = patience or ProofBudget(PATIENCE, ALTOGETHER)
-    known = patience.verdicts(system) if verdicts is None else verdicts
-    return classify_laws(system, known, patience, source)
+    budget = budget or ProofBudget(EFFORT_PER_PROOF, TOTAL_EFFORT)
+    known = budget.verdicts(system) if verdicts is None else verdicts
+    return classify_laws(system, known, budget, source)
 
 
 def classify_quickly(system: System, source: Rolling | Mechanism | None = None) -> Classification:

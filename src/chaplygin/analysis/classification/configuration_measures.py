@@ -42,9 +42,7 @@ class MeasureFacts:
     open: str = ""
 
 
-def configuration_measure(
-    source: Rolling | Mechanism | None, patience: ProofBudget
-) -> MeasureFacts:
+def configuration_measure(source: Rolling | Mechanism | None, budget: ProofBudget) -> MeasureFacts:
     """Whether a model preserves a measure with a density on the configuration space.
 
     Parameters
@@ -52,19 +50,19 @@ def configuration_measure(
     source : Rolling or Mechanism, optional
         The mechanical model with its numbers; nothing can be said without it.  The parameters of a
         mechanism have their present values, as exact decimals.
-    patience : ProofBudget
+    budget : ProofBudget
     """
     if source is None:
         return MeasureFacts()
-    if patience.over:
+    if budget.over:
         return MeasureFacts(open=f"{_OPEN} was not tried")
-    patience.report("a measure whose density depends on the configuration alone")
+    budget.report("a measure whose density depends on the configuration alone")
     try:
         model = _at_present(source) if isinstance(source, Mechanism) else source
-        existence = measure_exists(model, effort=patience.effort)
+        existence = measure_exists(model, effort=budget.effort)
     except (InputError, OutOfReachError, ZeroDivisionError):
         return MeasureFacts(open=f"{_OPEN} is undecided")
-    patience.effort_used += sum(verdict.effort for verdict in existence.verdicts)
+    budget.effort_used += sum(verdict.effort for verdict in existence.verdicts)
     if existence.decision == "none":
         return MeasureFacts(absence=_witness(existence))
     if existence.decision == "undecided":

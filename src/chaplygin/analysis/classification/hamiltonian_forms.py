@@ -37,18 +37,18 @@ def density(sample: RankSample, law: Measure) -> Density:
     return Density(fact_of(law), sign(sample, bases))
 
 
-def measures(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) -> tuple[Density, ...]:
+def measures(sample: RankSample, laws: Sequence[Law], budget: ProofBudget) -> tuple[Density, ...]:
     """The proven measures; without any, the volume is tried."""
     densities = tuple(density(sample, law) for law in laws if isinstance(law, Measure))
     if densities:
         return densities
     on = (*conditions_on_parameters(sample, laws), *sample.on)
     volume = Measure("volume", {sp.S.One: 1}, "volume of the state", on=on, source=HERE)
-    proven = patience.verdict(sample.system, volume)
+    proven = budget.verdict(sample.system, volume)
     return (density(sample, volume),) if proven else ()
 
 
-def hamiltonian(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) -> Forms:
+def hamiltonian(sample: RankSample, laws: Sequence[Law], budget: ProofBudget) -> Forms:
     """The proven Hamiltonian forms; and complete integrals in involution, if any.
 
     Parameters
@@ -56,7 +56,7 @@ def hamiltonian(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) 
     sample : RankSample
     laws : sequence of Law
         Proven on it.
-    patience : ProofBudget
+    budget : ProofBudget
         For the proofs that integrals are in involution.
     """
     brackets = []
@@ -68,7 +68,7 @@ def hamiltonian(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) 
             brackets.append(bracket)
             chosen = None
             if bracket.closed and bracket.rank > 4:
-                chosen = _involution(sample, law, integrals, bracket.rank // 2, patience)
+                chosen = _involution(sample, law, integrals, bracket.rank // 2, budget)
             if chosen is not None and not complete:
                 complete = (fact_of(law), *map(fact_of, chosen))
     return Forms(tuple(brackets), complete)
@@ -101,7 +101,7 @@ def _involution(
     law: ConformallyHamiltonian,
     integrals: Sequence[Integral],
     dimension: int,
-    patience: ProofBudget,
+    budget: ProofBudget,
 ) -> tuple[Integral, ...] | None:
     """Integrals in involution whose fields, with that of H, span `dimension` dimensions.
 
@@ -113,7 +113,7 @@ def _involution(
             break
         values = [law.hamiltonian, *(i.value for i in chosen), candidate.value]
         spans = sample.full(len(values), partial(_fields, law, values))
-        if spans and all(_commute(sample, law, candidate, i, patience) for i in chosen):
+        if spans and all(_commute(sample, law, candidate, i, budget) for i in chosen):
             chosen = (*chosen, candidate)
     return chosen if len(chosen) + 1 == dimension else None
 
@@ -145,7 +145,7 @@ def _commute(
     law: ConformallyHamiltonian,
     one: Integral,
     other: Integral,
-    patience: ProofBudget,
+    budget: ProofBudget,
 ) -> bool:
     """Whether two integrals are proven to be in involution."""
     system = sample.level_set.system
@@ -153,4 +153,4 @@ def _commute(
     gradient = sp.Matrix([sp.diff(formula, s) for s in system.symbols])
     field = dict(zip(system.symbols, to_components(law.structure.matrix) * gradient, strict=True))
     named = f"{other.name} along {one.name}"
-    return bool(patience.verdict(replace(system, field=field), Integral(named, other.value)))
+    return bool(budget.verdict(replace(system, field=field), Integral(named, other.value)))

@@ -1,4 +1,4 @@
-"""Symmetry fields: their independence, their algebra, and Lie's theorem (Theorem 3)."""
+"""Lie's theorem (Theorem 3): independent symmetry fields that span a solvable algebra."""
 
 from __future__ import annotations
 
@@ -15,12 +15,14 @@ from ...proof.rank import rank
 from .conserved_covectors import AnnihilatingCovectors
 from .facts import HERE, Fact, ProofBudget, fact_of
 from .ranks import RankSample, View, conditions_on_parameters
-from .rotation_symmetry import Turning, is_rotation_invariant
+from .rotation_symmetry import RotationSymmetry, proven_rotation_symmetry
 
 Components = dict[sp.Symbol, sp.Expr]
 
 
-def fields(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) -> list[Symmetry]:
+def independent_symmetries(
+    sample: RankSample, laws: Sequence[Law], budget: ProofBudget
+) -> list[Symmetry]:
     """The proven symmetry fields, independent of the motion and of one another.
 
     If none is stated, rotations about the body axes are tried at the present parameters.
@@ -31,36 +33,36 @@ def fields(sample: RankSample, laws: Sequence[Law], patience: ProofBudget) -> li
         stated = [
             law
             for axis, law in rotations
-            if is_rotation_invariant(sample, axis) or patience.verdict(sample.system, law)
+            if proven_rotation_symmetry(sample, axis) or budget.verdict(sample.system, law)
         ]
     return _independent(sample, stated)
 
 
-def lie(
+def lie_symmetries(
     sample: RankSample,
     count: int,
     sources: Sequence[AnnihilatingCovectors],
     symmetries: Sequence[Symmetry],
-    patience: ProofBudget,
+    budget: ProofBudget,
 ) -> tuple[Fact, ...]:
     """The symmetry fields of Theorem 3, if there are as many as needed.
 
-    They leave the integrals alone and span a solvable Lie algebra, both proven.
+    They are tangent to the levels of the integrals and span a solvable Lie algebra, both proven.
 
     Parameters
     ----------
     sample : RankSample
     count : int
         n − k − 1 for dimension n and k integrals.
-    sources : sequence of Source
+    sources : sequence of AnnihilatingCovectors
         The integrals.
     symmetries : sequence of Symmetry
         Independent of one another and of the motion.
-    patience : ProofBudget
+    budget : ProofBudget
     """
     if count <= 0 or len(symmetries) < count:
         return ()
-    fitting = [law for law in symmetries if _tangent(sample, law, sources, patience)]
+    fitting = [law for law in symmetries if _tangent(sample, law, sources, budget)]
     if len(fitting) < count or not _solvable(sample, fitting):
         return ()
     return tuple(fact_of(law) for law in fitting)
@@ -110,27 +112,27 @@ def _tangent(
     sample: RankSample,
     law: Symmetry,
     sources: Sequence[AnnihilatingCovectors],
-    patience: ProofBudget,
+    budget: ProofBudget,
 ) -> bool:
-    """Whether a symmetry field leaves every one of some integrals alone; proven."""
+    """Whether a symmetry field is proven to be tangent to the levels of all integrals."""
     if not all(source.functions for source in sources):
         return False
     field = _full(sample, law)
     moved = replace(sample.level_set.system, field=field)
-    turn = _as_rotation(sample, field)
+    rotation = _as_rotation(sample, field)
     return all(
-        (turn and turn.keeps(formula))
-        or patience.verdict(moved, Integral(f"along {law.name}", formula, on=sample.on))
+        (rotation and rotation.keeps(formula))
+        or budget.verdict(moved, Integral(f"along {law.name}", formula, on=sample.on))
         for source in sources
         for formula in source.functions
     )
 
 
-def _as_rotation(sample: RankSample, field: Components) -> Turning | None:
+def _as_rotation(sample: RankSample, field: Components) -> RotationSymmetry | None:
     """The rotation about a body axis that equals a field, if a proven symmetry."""
     for axis, law in enumerate(_rotations(sample, ())):
         if _full(sample, law) == field:
-            return is_rotation_invariant(sample, axis)
+            return proven_rotation_symmetry(sample, axis)
     return None
 
 

@@ -1,4 +1,4 @@
-"""Equations that turn with the body: a symmetry proven definition by definition.
+"""Symmetry under rotations about a body axis, proven definition by definition.
 
 Written out, the equations of a body of revolution are too long to compute their commutator with a
 rotation.  But every vector among their definitions turns with the vectors before it, every scalar
@@ -19,7 +19,7 @@ from .ranks import RankSample
 LARGEST = 1500
 
 
-def is_rotation_invariant(sample: RankSample, axis: int) -> Turning | None:
+def proven_rotation_symmetry(sample: RankSample, axis: int) -> RotationSymmetry | None:
     """The rotation about a body axis, if it is proven to be a symmetry.
 
     Parameters
@@ -31,30 +31,30 @@ def is_rotation_invariant(sample: RankSample, axis: int) -> Turning | None:
 
     Returns
     -------
-    Turning or None
+    RotationSymmetry or None
         None where it is not a symmetry, or this proof does not reach: where the state or a
         definition is no vector, scalar or tensor of space in body axes.
     """
-    turning = Turning(sample, axis)
+    symmetry = RotationSymmetry(sample, axis)
     system = sample.system
     vectors = all(isinstance(name, Vector) and len(name.symbols) == 3 for name in system.state)
     if not vectors:
         return None
     for name in system.state:
-        turning.motion.update(zip(name.symbols, turning.rotation(name.symbols), strict=True))
-    if not all(turning.follows(name, formula) for name, formula in system.definitions):
+        symmetry.motion.update(zip(name.symbols, symmetry.rotation(name.symbols), strict=True))
+    if not all(symmetry.follows(name, formula) for name, formula in system.definitions):
         return None
-    rates = [turning.expand(rate) for rate in system.rates]
+    rates = [symmetry.expand(rate) for rate in system.rates]
     wanted = [
         component
         for i in range(0, len(rates), 3)
-        for component in turning.rotation(rates[i : i + 3])
+        for component in symmetry.rotation(rates[i : i + 3])
     ]
-    shown = all(map(turning.keeps, system.relations)) and turning.agree(rates, wanted)
-    return turning if shown else None
+    shown = all(map(symmetry.keeps, system.relations)) and symmetry.agree(rates, wanted)
+    return symmetry if shown else None
 
 
-class Turning:
+class RotationSymmetry:
     """The change of every symbol under an infinitesimal rotation, as far as known."""
 
     def __init__(self, sample: RankSample, axis: int) -> None:

@@ -40,7 +40,7 @@ class TargetResults:
 
 
 def through_isomorphisms(
-    sample: RankSample, laws: Sequence[Law], patience: ProofBudget, depth: int = DEPTH
+    sample: RankSample, laws: Sequence[Law], budget: ProofBudget, depth: int = DEPTH
 ) -> TargetResults:
     """Results from the targets of the isomorphisms among some proven laws.
 
@@ -49,7 +49,7 @@ def through_isomorphisms(
     sample : RankSample
     laws : sequence of Law
         Proven on it.
-    patience : ProofBudget
+    budget : ProofBudget
         For the proofs of the laws of the targets.
     depth : int
         Number of isomorphisms that may follow one another.
@@ -57,7 +57,7 @@ def through_isomorphisms(
     results = TargetResults()
     for law in laws:
         if isinstance(law, Isomorphism) and depth:
-            more = _through(sample, law, patience, depth)
+            more = _through(sample, law, budget, depth)
             results = TargetResults(
                 results.sources + more.sources,
                 results.brackets + more.brackets,
@@ -68,20 +68,20 @@ def through_isomorphisms(
 
 
 def _through(
-    sample: RankSample, law: Isomorphism, patience: ProofBudget, depth: int
+    sample: RankSample, law: Isomorphism, budget: ProofBudget, depth: int
 ) -> TargetResults:
     values, moving = _constants(sample, law)
     target = _with_laws(law.target)
     there = RankSample(target, values=values)
-    laws = sorted_laws(there, patience.verdicts(target)).general
+    laws = sorted_laws(there, budget.verdicts(target)).general
     if moving:
         # a law at one value of a parameter need not hold at all values
         laws = tuple(each for each in laws if not each.on)
-    beyond = TargetResults() if moving else through_isomorphisms(there, laws, patience, depth - 1)
+    beyond = TargetResults() if moving else through_isomorphisms(there, laws, budget, depth - 1)
     constant = tuple(pulled_back(law, s) for s in (*sources(laws), *beyond.sources))
     if not _diffeomorphic(sample, there, law, moving):
         return TargetResults(constant)
-    forms = hamiltonian(there, laws, patience)
+    forms = hamiltonian(there, laws, budget)
     volumes = tuple(density(there, each) for each in laws if isinstance(each, Measure))
     brackets = forms.brackets + beyond.brackets
     return TargetResults(

@@ -1,9 +1,9 @@
-"""Multipliers of a periodic orbit without those that something forces to be one.
+"""Floquet multipliers of a periodic orbit, the trivial ones left out.
 
-An integral F has dF·S = dF for the slope S of the return to a point of the orbit: S acts on the
-level of all integrals, and its eigenvalues there are the multipliers that tell something.  How
-well dF·S = dF holds in numbers, and how well S leaves the tangents of the section and of the
-relations where they are, is the error of S, and so of them.
+An integral F has dF·S = dF for the derivative S of the return map at a point of the orbit, so that
+S acts on the level of all integrals; its eigenvalues there are the nontrivial multipliers.  The
+error of S, and of the multipliers, is estimated by how well dF·S = dF holds and how well S maps the
+tangents of the section and of the relations to themselves.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from ...core.arrays import FloatArray
 from ...errors import InputError
 from .maps import Map, normalised_functions
 
-#: Differentials whose part across the others is a smaller share of them are dependent.
+#: Differentials are dependent if the part of one across the others is a smaller share of it.
 DEPENDENT = 1e-7
 #: Two eigenvalues that rounding drew apart from one are twice as far from it as the first-order
 #: estimate says, three of them three times.
@@ -138,7 +138,7 @@ def multipliers(section_map: Map, point: FloatArray, slope: FloatArray) -> Multi
 
 
 def complement(rows: FloatArray) -> FloatArray:
-    """An orthonormal basis, in columns, of what all rows annul."""
+    """An orthonormal basis, in columns, of the common kernel of the rows."""
     if not len(rows):
         return np.eye(rows.shape[1])
     _, sizes, other = np.linalg.svd(rows)

@@ -1,7 +1,7 @@
-"""Numbers of motions that come of watching a formula: means, extremes, frequencies, how long.
+"""Observables of a formula along motions: means, extremes, frequencies; and survival times.
 
-Each is a rule for many motions at once, as charts and ensembles ask for.  A motion that ends early
-has no number, and does not disturb the others.
+Each is evaluated for many motions at once, as in charts and ensembles.  A motion that ends early
+has no value, and does not disturb the others.
 """
 
 from __future__ import annotations

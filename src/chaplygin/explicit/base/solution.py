@@ -1,4 +1,4 @@
-"""Solutions: motions that are known at every time."""
+"""Base classes of closed-form solutions: motions that are known at every time."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ _WAITING = 1
 _MOST_FAILURES = 3
 
 #: The time within which a scheduler must answer.
-PATIENCE = "10s"
+CONNECTION_TIMEOUT = "10s"
 
 
 def results(
@@ -163,7 +163,7 @@ def _client(client: Client | str | int) -> Iterator[Client]:
     else:
         try:
             # a client that fails as it is made would stay the process's default
-            connected = distributed.Client(client, timeout=PATIENCE, set_as_default=False)
+            connected = distributed.Client(client, timeout=CONNECTION_TIMEOUT, set_as_default=False)
         except (OSError, ValueError) as problem:
             raise InputError(
                 f"there is no Dask scheduler at {client!r} ({problem}); an address such as "

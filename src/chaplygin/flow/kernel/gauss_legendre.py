@@ -34,7 +34,7 @@ MOST = 60
 SETTLING = 8
 
 #: Steps are lengthened after the estimate was this much below its bound for this many steps.
-CALM, PATIENCE = 0.1, 32
+ROOM_TO_LENGTHEN, STEPS_TO_LENGTHEN = 0.1, 32
 
 
 class _LoopGenerator:
@@ -498,12 +498,11 @@ class _LoopGenerator:
         w.store("i64", done, self.accepted_steps)
         planned = w.load("double", self.planned_step)
         early = w.emit(f"icmp sle i64 {done}, {SETTLING}")
-        calm = w.emit(
-            f"fcmp ole double {estimate}, {self._scalar('fmul', bound, literal(CALM**2))}"
-        )
+        room = literal(ROOM_TO_LENGTHEN**2)
+        calm = w.emit(f"fcmp ole double {estimate}, {self._scalar('fmul', bound, room)}")
         count = w.emit(f"add i64 {w.load('i64', self.calm)}, 1")
         count = w.emit(f"select i1 {calm}, i64 {count}, i64 0")
-        long = w.emit(f"icmp sge i64 {count}, {PATIENCE}")
+        long = w.emit(f"icmp sge i64 {count}, {STEPS_TO_LENGTHEN}")
         w.store("i64", w.emit(f"select i1 {long}, i64 0, i64 {count}"), self.calm)
         free = self._scalar("fmul", planned, factor)
         longer = self._scalar("fmul", planned, literal(1.25))

@@ -1,4 +1,4 @@
-"""Arithmetics of the vector code: doubles, and pairs of doubles."""
+"""Arithmetic of the vector code: in doubles, and in pairs of doubles (double-double)."""
 
 from __future__ import annotations
 
@@ -167,8 +167,8 @@ class Double:
 class WithoutFused(Double):
     """Doubles of a machine without fused products and sums.
 
-    Where a result must be rounded once, because what rounding has taken is wanted, the product is
-    split (Dekker 1971); formulas have products and sums of their own.
+    Where a result must be rounded only once, because the rounding error itself is needed, the
+    product is split (Dekker 1971); in formulas products and sums are rounded separately.
     """
 
     def fma(self, a: str, b: str, c: str) -> str:

@@ -39,7 +39,7 @@ _MARGIN = 1.15
 #: Attempts from which their yield is estimated.
 _TRIAL = 1 << 11
 #: Attempts for one point after which the level counts as too thin.
-_PATIENCE = 10**6
+_MOST_ATTEMPTS = 10**6
 #: Newton steps by which a point is settled on its level.
 _NEWTON = 2
 
@@ -138,7 +138,7 @@ class LevelSampler:
                 unmet.append(some[~done])
             pending, attempt = np.concatenate(unmet), attempt + tries
             tries = min(tries + 1, _BATCH)
-            if attempt > _PATIENCE:
+            if attempt > _MOST_ATTEMPTS:
                 raise InputError(
                     f"{self.system.name}: the level {level_label(self.values)} is too thin: no "
                     f"point of it was met in {attempt} attempts"

@@ -24,7 +24,7 @@ from .requests import LARGEST, Chart, Listing, Saving, request_of
 from .workers import BusyError, Message, Pool
 
 #: Seconds in which a message must have arrived.
-PATIENCE = 20.0
+MESSAGE_TIMEOUT = 20.0
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ class Laboratory:
         if kind != "application/json":
             return _refusal("a request is sent as application/json", 415)
         try:
-            async with asyncio.timeout(PATIENCE):
+            async with asyncio.timeout(MESSAGE_TIMEOUT):
                 body = await _body(request)
         except TimeoutError:
             return _refusal("the message did not arrive in time", 408)

@@ -1,4 +1,4 @@
-"""What a page may ask, checked before anything is done.
+"""Requests that a page may send, validated before anything is done.
 
 A request is a JSON object; ``do`` says what is asked. Its subject is a system of the catalogue or
 an experiment, with options as of ``--set``.
@@ -41,7 +41,7 @@ class _Request(BaseModel):
 
 
 class Subject(_Request):
-    """What is spoken of: a name of the catalogue or a file, and options.
+    """The subject of a request: a name of the catalogue or a file, and options.
 
     Attributes
     ----------

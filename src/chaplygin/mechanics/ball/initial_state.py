@@ -1,4 +1,4 @@
-"""The state of a homogeneous ball on a surface from place and angular velocity.
+"""The initial state of a homogeneous ball on a surface, from place and angular velocity.
 
 As in :mod:`chaplygin.mechanics.rolling.initial_state`, numbers are carried with 50 digits.
 """

@@ -1,4 +1,4 @@
-"""Functions that are constant along all admissible motions.
+"""Holonomic constraints as integrals: functions constant along all admissible motions.
 
 Such a function F(q) is sought as a combination of monomials in the coordinates, the definitions,
 sines and cosines, and, if that is not enough, inverses and logarithms.  η_s(F) = 0 at sufficiently
@@ -36,7 +36,7 @@ SPARE = 8
 
 
 @dataclass(frozen=True)
-class Constancy:
+class ConstraintIntegral:
     """A function that is constant along all admissible motions.
 
     Attributes
@@ -74,9 +74,9 @@ def _rates(distribution: Distribution, function: sp.Expr) -> Iterator[sp.Expr]:
         yield total
 
 
-def constants(
+def constraint_integrals(
     distribution: Distribution, many: int, free: Sequence[sp.Symbol] = ()
-) -> tuple[Constancy, ...]:
+) -> tuple[ConstraintIntegral, ...]:
     """Independent functions that are constant along all admissible motions.
 
     Parameters
@@ -87,7 +87,7 @@ def constants(
     free : sequence of Symbol
         Parameters that the functions may contain, and for all values of which they are constant.
     """
-    chosen: tuple[Constancy, ...] = ()
+    chosen: tuple[ConstraintIntegral, ...] = ()
     narrow = _Search(distribution, free, wide=False)
     for degree, wide in STAGES:
         if len(chosen) == many:
@@ -155,14 +155,14 @@ class _Search:
         return points[:many]
 
     def extension(
-        self, degree: int, many: int, constancies: tuple[Constancy, ...]
-    ) -> tuple[Constancy, ...]:
+        self, degree: int, many: int, integrals: tuple[ConstraintIntegral, ...]
+    ) -> tuple[ConstraintIntegral, ...]:
         """The functions chosen already, and more of them."""
         monomials = self._monomials(degree)
         width = max(1, len(self.distribution.fields))
         points = self.points((len(monomials) + SPARE) // width + 2)
         if not points:
-            return constancies
+            return integrals
         rows = [
             [_rate(monomial, point.letters, rates) for monomial in monomials]
             for point in points
@@ -170,10 +170,10 @@ class _Search:
         ]
         kernel = _kernel(self.numbers, rows, len(monomials))
         test = points[-1]
-        span = test.normals + [slopes(test.germs, f.formula) for f in constancies]
+        span = test.normals + [slopes(test.germs, f.formula) for f in integrals]
         rank = int(self.numbers.matrix(span, len(test.gradient)).rank()) if span else 0
         for vector in reversed(kernel):
-            if len(constancies) == many:
+            if len(integrals) == many:
                 break
             row = [
                 sum(
@@ -186,8 +186,10 @@ class _Search:
             formula = self._formula(vector, monomials)
             if grown > rank and formula is not None:
                 span, rank = [*span, row], grown
-                constancies += (Constancy(formula, constant_along(self.distribution, formula)),)
-        return constancies
+                integrals += (
+                    ConstraintIntegral(formula, constant_along(self.distribution, formula)),
+                )
+        return integrals
 
     def _formula(
         self, vector: Mapping[int, Any], monomials: Sequence[tuple[int, ...]]

@@ -25,7 +25,7 @@ from .distribution import Distribution, distribution
 from .exact_points import ParameterValue, UnsolvedError
 from .frobenius import involutive
 from .growth import Filtration, filtration, generic
-from .holonomic import Constancy, constants
+from .holonomic import ConstraintIntegral, constraint_integrals
 
 Word = Literal["free", "holonomic", "in between", "completely nonholonomic"]
 
@@ -52,7 +52,7 @@ class Nonholonomy:
         Dimensions spanned by the admissible fields, with their commutators, and so on.
     words : tuple of tuple of str
         The commutators that span each step, such as ``[η1, η2]``.
-    integrals : tuple of Constancy
+    integrals : tuple of ConstraintIntegral
         F of the holonomic constraints F(q) = const, as many as were found.
     point : mapping of Symbol to formula
         A rational point (angles by arcs of rational tangent) at which the growth is this; empty
@@ -73,7 +73,7 @@ class Nonholonomy:
     rank: int
     growth: tuple[int, ...]
     words: tuple[tuple[str, ...], ...]
-    integrals: tuple[Constancy, ...]
+    integrals: tuple[ConstraintIntegral, ...]
     point: Mapping[sp.Symbol, sp.Expr]
     elsewhere: tuple[int, ...] = ()
     depends_on_time: bool = False
@@ -138,9 +138,9 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
     everywhere = generic(admissible, symbols) if symbols and not almost else here
     special = everywhere.growth != here.growth
     missing = here.dimension - here.final
-    integrals = () if special else constants(admissible, missing, symbols)
+    integrals = () if special else constraint_integrals(admissible, missing, symbols)
     if len(integrals) < missing and symbols and not almost:
-        integrals = max(integrals, constants(admissible.with_numbers, missing), key=len)
+        integrals = max(integrals, constraint_integrals(admissible.with_numbers, missing), key=len)
     certain = missing == 0 or (len(integrals) == missing and all(f.proven for f in integrals))
     if not certain and not almost and _word(here) == "holonomic":
         certain = involutive(admissible.with_numbers)

@@ -11,7 +11,7 @@ import sympy as sp
 
 from ...errors import InputError
 from .assembly import Balance
-from .generic_points import rank, with_working_precision
+from .generic_points import regular_minor, with_working_precision
 from .ldl import Factorisation, product
 
 
@@ -130,7 +130,7 @@ def _numbers(parts: Balance, matrix: Sequence[Sequence[sp.Expr]]) -> list[list[m
 
 
 def _deficient(parts: Balance, mass: Sequence[Sequence[sp.Expr]]) -> bool:
-    return bool(mass) and len(rank(_numbers(parts, mass))[0]) < len(mass)
+    return bool(mass) and len(regular_minor(_numbers(parts, mass))[0]) < len(mass)
 
 
 def _refuse_negative(parts: Balance, solver: Factorisation) -> None:
@@ -144,7 +144,7 @@ def _refuse_negative(parts: Balance, solver: Factorisation) -> None:
 
 
 def _refuse_singular(parts: Balance, mass: Sequence[Sequence[sp.Expr]]) -> None:
-    chosen, _ = rank(_numbers(parts, mass))
+    chosen, _ = regular_minor(_numbers(parts, mass))
     w = parts.mechanism.frame.w
     idle = [str(w[s]) for r, s in enumerate(parts.free) if r not in chosen]
     if idle:

@@ -12,9 +12,9 @@ from ...errors import InputError
 from ...formulas.tape import Derivation, Tape
 from .generic_points import (
     GenericPoint,
-    defaults,
+    default_parameters,
+    generic_points,
     is_numerically_zero,
-    samples,
     with_working_precision,
 )
 from .independence import check_constraints, check_velocities
@@ -94,8 +94,8 @@ class Balance:
     def typical(self, formulas: Sequence[sp.Expr]) -> GenericPoint:
         """A configuration with the default parameters."""
         mechanism = self.mechanism
-        values = defaults(mechanism)
-        point = samples(mechanism.name, mechanism.frame, mechanism, values, many=1)[0].point
+        values = default_parameters(mechanism)
+        point = generic_points(mechanism.name, mechanism.frame, mechanism, values, many=1)[0].point
         steps = self.tape.steps(formulas)
         return GenericPoint({s: v for s, v in point.items() if s not in self.constraint_of}, steps)
 
@@ -119,7 +119,7 @@ def balance(mechanism: Mechanism) -> Balance:
     w = frame.w
     parameters = [p.symbol for p in mechanism.parameters]
     tape = Tape(mechanism.steps, (*mechanism.symbols, *parameters, TIME))
-    points = samples(name, frame, mechanism)
+    points = generic_points(name, frame, mechanism)
     coefficients = structure(written_frame(mechanism), name)
     _check_tangent(mechanism, tape, points)
     here = Derivation((*zip(frame.coordinates, frame.qdot, strict=True), (TIME, sp.S.One)))

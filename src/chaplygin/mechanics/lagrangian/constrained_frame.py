@@ -21,7 +21,7 @@ from ...core.named_formulas import expand
 from ...errors import InputError
 from ...formulas.tape import Derivation, Step
 from .assembly import Balance, balance
-from .generic_points import is_numerically_zero, rank, with_working_precision
+from .generic_points import is_numerically_zero, regular_minor, with_working_precision
 from .ldl import Factorisation, product
 from .mechanism import TIME, Mechanism
 
@@ -177,7 +177,7 @@ def _pivot(parts: Balance, row: Mapping[int, sp.Expr]) -> int:
     """
     entries = [c for c in row.values() if c != 0]
     points = parts.at(entries)
-    regular = [s for s, c in row.items() if c != 0 and rank([[points[0].value(c)]])[0]]
+    regular = [s for s, c in row.items() if c != 0 and regular_minor([[points[0].value(c)]])[0]]
     steps = parts.tape.steps(entries)
     parameters = {p.symbol for p in parts.mechanism.parameters}
 

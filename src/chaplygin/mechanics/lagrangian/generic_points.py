@@ -106,7 +106,7 @@ def _with_generic_functions(formula: sp.Expr) -> sp.Expr:
 
 
 @with_working_precision
-def generic(mechanism: Mechanism) -> dict[sp.Symbol, mpmath.mpf]:
+def generic_parameters(mechanism: Mechanism) -> dict[sp.Symbol, mpmath.mpf]:
     """Parameters near their defaults, but of no special value."""
     dice = random.Random(SEED)
     return {
@@ -116,13 +116,13 @@ def generic(mechanism: Mechanism) -> dict[sp.Symbol, mpmath.mpf]:
 
 
 @with_working_precision
-def defaults(mechanism: Mechanism) -> dict[sp.Symbol, mpmath.mpf]:
+def default_parameters(mechanism: Mechanism) -> dict[sp.Symbol, mpmath.mpf]:
     """Parameters at their defaults."""
     return {p.symbol: mpmath.mpf(repr(float(p.default))) for p in mechanism.parameters}
 
 
 @with_working_precision
-def samples(
+def generic_points(
     owner: str,
     frame: Frame,
     mechanism: Mechanism | None = None,
@@ -141,7 +141,7 @@ def samples(
     dice = random.Random(SEED)
     relations = [*frame.relations, *(mechanism.F if mechanism else ())]
     steps = mechanism.steps if mechanism else ()
-    constants = dict(parameters or (generic(mechanism) if mechanism else {}))
+    constants = dict(parameters or (generic_parameters(mechanism) if mechanism else {}))
     named = {*frame.coordinates, *frame.w, *constants, *(s for s, _ in steps), TIME}
     loose = sorted(
         {s for formula in (*frame.qdot, *relations) for s in formula.free_symbols} - named, key=str
@@ -213,7 +213,7 @@ def is_numerically_zero(formula: sp.Expr, points: Iterable[GenericPoint]) -> boo
 
 
 @with_working_precision
-def rank(rows: Sequence[Sequence[mpmath.mpf]]) -> tuple[list[int], list[int]]:
+def regular_minor(rows: Sequence[Sequence[mpmath.mpf]]) -> tuple[list[int], list[int]]:
     """Rows and columns of a largest regular minor, the first rows preferred."""
     left = [list(row) for row in rows]
     chosen: list[int] = []

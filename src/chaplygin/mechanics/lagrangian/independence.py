@@ -9,7 +9,7 @@ import sympy as sp
 
 from ...errors import InputError
 from ...formulas.tape import Step, Tape
-from .generic_points import ZERO, GenericPoint, rank, with_working_precision
+from .generic_points import ZERO, GenericPoint, regular_minor, with_working_precision
 from .mechanism import Mechanism
 
 NEWTON_STEPS = 80
@@ -38,7 +38,7 @@ def check_constraints(
     steps = tape.steps([*flat, *constraints])
     for point in (p.further(steps) for p in points):
         rows = [[point.value(e) for e in row] for row in slopes]
-        chosen, _ = rank(rows)
+        chosen, _ = regular_minor(rows)
         if len(chosen) == len(constraints):
             return
     spare = next(i for i in range(len(constraints)) if i not in chosen)
@@ -136,4 +136,4 @@ def _contradicts(
         [*row, sum(c * x for c, x in zip(row, w0, strict=True)) - point.value(f)]
         for row, f in zip(rows, constraints, strict=True)
     ]
-    return len(rank(extended)[0]) > len(rank(rows)[0])
+    return len(regular_minor(extended)[0]) > len(regular_minor(rows)[0])

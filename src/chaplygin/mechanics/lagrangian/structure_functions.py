@@ -13,9 +13,9 @@ from ...formulas.tape import simplify_small
 from .generic_points import (
     ZERO,
     GenericPoint,
+    generic_points,
     is_numerically_zero,
-    rank,
-    samples,
+    regular_minor,
     with_working_precision,
 )
 from .mechanism import Frame, Mechanism
@@ -65,7 +65,7 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
         if frame.matrix.det() == 0:
             raise InputError(f"{owner}: the frame does not span: its fields are dependent")
         return {}
-    points = samples(owner, frame)
+    points = generic_points(owner, frame)
     rows = _spanning(frame, points[0], owner)
     fields = [frame.field(i) for i in range(len(frame.w))]
     coefficients: dict[tuple[int, int, int], sp.Expr] = {}
@@ -104,7 +104,7 @@ def check_structure(frame: Frame, owner: str = "frame") -> None:
         If they break the identity of Jacobi, or differ from the commutators on the coordinates.
     """
     coefficients = _stated_coefficients(frame, owner)
-    points = samples(owner, frame)
+    points = generic_points(owner, frame)
     size = range(len(frame.w))
     fields = [frame.field(i) for i in size]
 
@@ -159,9 +159,9 @@ def _stated_coefficients(frame: Frame, owner: str) -> Coefficients:
 def _spanning(frame: Frame, point: GenericPoint, owner: str) -> list[int]:
     """Rows of a regular minor of G; InputError if the fields form no frame."""
     numbers = [[point.value(e) for e in frame.matrix.row(i)] for i in range(len(frame.qdot))]
-    rows, _ = rank(numbers)
+    rows, _ = regular_minor(numbers)
     slopes = [[point.value(sp.diff(f, q)) for q in frame.coordinates] for f in frame.relations]
-    dimension = len(frame.coordinates) - len(rank(slopes)[0])
+    dimension = len(frame.coordinates) - len(regular_minor(slopes)[0])
     if len(rows) < len(frame.w):
         raise InputError(
             f"{owner}: the frame does not span: its {len(frame.w)} fields have rank {len(rows)} "

@@ -111,7 +111,7 @@ class Formulas:
 
 
 def bare(symbols: Iterable[sp.Symbol]) -> list[sp.Symbol]:
-    """The symbols that are no sines and cosines."""
+    """The symbols that do not name sines or cosines."""
     return [s for s in symbols if not str(s).startswith(("sin_", "cos_"))]
 
 

@@ -1,4 +1,4 @@
-"""The lift of the equations of a rolling body back to space."""
+"""Reconstruction of the motion of a rolling body in space."""
 
 from __future__ import annotations
 
@@ -20,23 +20,23 @@ omega, gamma, zeta = (Vector(name) for name in ("omega", "gamma", "zeta"))
 place, a = Vector("place", 2), real_symbol("a")
 
 
-def motion_in_space(touch: Contact, surface: Surface, tilting: bool) -> Reconstruction:
-    """Attitude and place of a rolling body, from its motion relative to itself.
+def motion_in_space(contact: Contact, surface: Surface, tilting: bool) -> Reconstruction:
+    """The equations for attitude and place of a rolling body, driven by its reduced motion.
 
     Parameters
     ----------
-    touch : Contact
+    contact : Contact
     surface : Plane or Sphere
     tilting : bool
         Whether ζ, the vertical in body axes, belongs to the state on a sphere.
     """
     turn = rotation()
-    reach = turn * to_components(touch.r)
+    reach = turn * to_components(contact.r)
     if isinstance(surface, Plane):
         # the centre's velocity is r×ω in body axes; its height follows from the position
-        velocity = turn * to_components(cross(touch.r, omega))
+        velocity = turn * to_components(cross(contact.r, omega))
         x, y = place.symbols
-        centre = constant([x, y, touch.height])
+        centre = constant([x, y, contact.height])
         point = constant([x + reach[0], y + reach[1], 0])
         field: Pairs = (
             (attitude, quaternion_rate(omega)),

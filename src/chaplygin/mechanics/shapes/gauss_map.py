@@ -1,4 +1,4 @@
-"""Contact points as numbers: the inverse Gauss map at many normals at once."""
+"""The inverse Gauss map in numbers: contact points at many normals at once."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .shapes import Ball, Shape
 
 _ITERATIONS = 200
 
-#: Tangent planes that are looked at.
+#: Tangent planes examined.
 PLANES = 2000
 
 

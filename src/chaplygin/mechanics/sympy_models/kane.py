@@ -29,9 +29,9 @@ from ..lagrangian.assembly import balance
 from ..lagrangian.generic_points import (
     DIGITS,
     GenericPoint,
+    generic_points,
     is_numerically_zero,
-    rank,
-    samples,
+    regular_minor,
     with_working_precision,
 )
 from ..lagrangian.ldl import Factorisation, product
@@ -190,9 +190,9 @@ class Kane:
             ]
             for f in self.positions
         ]
-        point = samples(self.name, free.frame, free)[0]
+        point = generic_points(self.name, free.frame, free)[0]
         rows = [[point.value(e) for e in row] for row in (*rates, *self.slopes)]
-        chosen = rank(rows)[0]
+        chosen = regular_minor(rows)[0]
         return tuple(f for i, f in enumerate(self.constraints, len(rates)) if i in chosen)
 
     @with_working_precision
@@ -275,7 +275,7 @@ class Kane:
             values |= {p.symbol: mpmath.mpf(repr(p.default)) for p in self.words.parameters}
             point = GenericPoint(values, tape.steps([e for row in matrix for e in row]))
             numbers = [[point.value(e) for e in row] for row in matrix]
-            return len(rank(numbers)[0]) < len(numbers)
+            return len(regular_minor(numbers)[0]) < len(numbers)
 
     def _used_symbols(self, tape: Tape, formulas: Iterable[sp.Expr]) -> set[sp.Symbol]:
         listed = list(formulas)

@@ -1,4 +1,4 @@
-"""Angles in the conditions of a phase space, replaced by points of a circle.
+"""Replacement of angles in the conditions of a phase space by points of the unit circle.
 
 Where a relation or a level holds sines or cosines of a state variable or a parameter φ, the prover
 works with s = sin φ and c = cos φ as variables in place of φ, with s² + c² = 1.  Nothing else of φ
