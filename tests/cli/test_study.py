@@ -12,7 +12,7 @@ import pytest
 
 from chaplygin.cli import main, study as command
 from chaplygin.flow.taylor_run import TaylorRun
-from chaplygin.report import write as folders
+from chaplygin.report import study_output as folders
 
 Ask = Callable[..., tuple[int, str, str]]
 SHORT = ("study", "veselova", "--set", "run.until=0.2")

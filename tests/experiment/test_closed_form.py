@@ -34,7 +34,7 @@ from chaplygin.experiment.study import Study, prepare
 from chaplygin.explicit.base.problem import Problem
 from chaplygin.explicit.base.solution import ClosedForm, NamedConstant, Solution
 from chaplygin.report.figures import closed_form, svg_text
-from chaplygin.report.write import write_study
+from chaplygin.report.study_output import write_study
 from unheard import Unheard
 
 FORM = ClosedForm(

@@ -17,7 +17,7 @@ from chaplygin.experiment.models.experiment import load, loads
 from chaplygin.experiment.study import Study, dataset_of, prepare
 from chaplygin.lab.element import page
 from chaplygin.lab.study_page import study_model
-from chaplygin.report.write import write_study
+from chaplygin.report.study_output import write_study
 from unheard import Unheard
 
 pytestmark = pytest.mark.slow(every=3)

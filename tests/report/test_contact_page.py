@@ -23,7 +23,7 @@ from chaplygin.experiment.study import prepare
 from chaplygin.report.contact_section import law_row
 from chaplygin.report.drawing.contact_values import FrictionLimits, friction_limits
 from chaplygin.report.figures.contact_time import LOSSES
-from chaplygin.report.write import write_study
+from chaplygin.report.study_output import write_study
 from unheard import Unheard
 
 LAWS: list[FrictionLaw] = [

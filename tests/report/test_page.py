@@ -13,7 +13,7 @@ from chaplygin.analysis.classification.facts import ProofBudget
 from chaplygin.experiment.models.experiment import load, loads
 from chaplygin.experiment.study import prepare
 from chaplygin.report.page import _legend
-from chaplygin.report.write import write_study
+from chaplygin.report.study_output import write_study
 from unheard import Unheard
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

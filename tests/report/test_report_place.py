@@ -12,7 +12,7 @@ from chaplygin.analysis.classification.facts import ProofBudget
 from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import prepare
 from chaplygin.proof.fields.budget import EFFORT
-from chaplygin.report.write import write_study
+from chaplygin.report.study_output import write_study
 from spread import spread
 from unheard import Unheard
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from ..experiment.study import Study
     from ..report.film.frames import Picture
-    from ..report.write import Report
+    from ..report.study_output import Report
 
 #: Samples of a motion through which paths are drawn, at least.
 SMOOTH = 2000

@@ -66,7 +66,7 @@ def command(
     study = study_of(what, overrides, precision)
     from ..analysis.classification.facts import ProofBudget
     from ..report.page import EFFORT_PER_PROOF, TIMES
-    from ..report.write import write_study
+    from ..report.study_output import write_study
 
     each = allowed or EFFORT_PER_PROOF
     # a law of one mode alone says nothing of a motion through several

@@ -1,2 +1,2 @@
 from . import figures as figures
-from .write import write_study as write_study
+from .study_output import write_study as write_study

@@ -10,7 +10,7 @@ from ..experiment.subjects.plan import PlanMotion
 from ..experiment.subjects.subject import BallSubject, BodySubject, Subject
 from . import figures
 from .drawing.contact_values import friction_limits
-from .figures.contact import contact_figures
+from .figures.contact_figures import contact_figures
 from .scenes.scene import ball_scene_of, scene_of
 
 

@@ -18,7 +18,7 @@ from chaplygin.experiment.models.experiment import catalogue_experiment, loads
 from chaplygin.experiment.models.rolling_model import RollingExperiment
 from chaplygin.experiment.study import dataset_of, prepare
 from chaplygin.proof.prover import prove
-from chaplygin.report.write import write_study
+from chaplygin.report.study_output import write_study
 from spread import spread
 from unheard import Unheard
 

@@ -25,7 +25,7 @@ from chaplygin.mechanics.rolling.attitude import (
     unit_length,
 )
 from chaplygin.report.drawing.dataset_access import unit_of
-from chaplygin.report.write import write_study
+from chaplygin.report.study_output import write_study
 from named_states import ENTRIES, M, gamma, named_states
 from spread import spread
 from unheard import Unheard

@@ -34,10 +34,15 @@ from chaplygin.report.drawing.modes import (
 )
 from chaplygin.report.drawing.shading import PlaneGround, SphereGround
 from chaplygin.report.drawing.style import QUIET
-from chaplygin.report.figures.contact import contact_figures, near_support
+from chaplygin.report.figures.contact_figures import contact_figures, near_support
+from chaplygin.report.figures.contact_mode_bar import (
+    EventGroup,
+    EventNames,
+    add_mode_bars,
+    label_positions,
+)
 from chaplygin.report.figures.contact_plane import friction_cone, slip_hodograph, turned_steps
 from chaplygin.report.figures.contact_time import energy_parts, energy_stack, friction_share
-from chaplygin.report.figures.mode_bar import EventGroup, EventNames, add_mode_bars, label_positions
 from chaplygin.report.figures.time_series import angular_velocity
 
 MASS, RADIUS, MU, GRAVITY = 0.2, 0.05, 0.25, 9.81

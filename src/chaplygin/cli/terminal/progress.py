@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
 
-    from ...report.write import Report
+    from ...report.study_output import Report
 
 #: What is said besides results: notes and progress (info), where time goes (debug).
 LOG = logging.getLogger("chaplygin")

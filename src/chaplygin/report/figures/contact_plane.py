@@ -22,7 +22,7 @@ from ..drawing.contact_values import (
 from ..drawing.dataset_access import NOTHING, require_all, title_of, unit_of, with_unit
 from ..drawing.modes import MODE_STYLES, mode_runs, present_modes, sample_modes
 from ..drawing.style import FAINT, INK, QUIET, STYLE, WIDTH
-from .mode_bar import key
+from .contact_mode_bar import key
 
 _VARIABLES = ("mode", "event_time", "attitude", "gamma")
 #: Vectors of sliding that turn by more than this (rad) from one sample to the next are no chord.

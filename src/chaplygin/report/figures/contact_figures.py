@@ -1,4 +1,4 @@
-"""The figures of a body with friction."""
+"""All figures of a motion with friction."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from ..drawing.contact_values import FrictionLimits, presses
 from ..drawing.dataset_access import NOTHING, values_of
 from ..drawing.shading import Ground, PlaneGround
 from ..scenes.rolling_body import scene
+from .contact_mode_bar import add_mode_bars
 from .contact_plane import friction_cone, slip_hodograph
 from .contact_time import energy_stack, friction_share, slip_and_spin
 from .integral_drift import drift, drifts
-from .mode_bar import add_mode_bars
 from .paths import contact_path, normal_on_sphere
 from .time_series import angular_velocity, attitude, normal_force
 

@@ -1,4 +1,4 @@
-"""The bar of modes under plots against time, with the events by name."""
+"""The bar of contact modes under plots against time, with the events by name."""
 
 from __future__ import annotations
 
