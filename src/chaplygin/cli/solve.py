@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -206,11 +207,14 @@ def _rows(
         if variable.ndim == 1:
             yield label, unit, [_double(x) for x in variable.values]
             continue
-        (dim,) = (d for d in variable.dims if d != "time")
-        indices = (
-            variables[dim].values if dim in variables.coords else range(1, variable.shape[1] + 1)
-        )
-        for index, column in zip(indices, variable.transpose(dim, "time").values, strict=True):
+        dims = [d for d in variable.dims if d != "time"]
+        indices = [
+            variables[d].values if d in variables.coords else range(1, variable.sizes[d] + 1)
+            for d in dims
+        ]
+        columns = variable.transpose(*dims, "time").values.reshape(-1, variable.sizes["time"])
+        for place, column in zip(product(*indices), columns, strict=True):
+            index = "".join(map(str, place))
             yield f"{label}_{index}", unit, [_double(x) for x in column]
 
 

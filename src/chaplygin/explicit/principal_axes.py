@@ -187,7 +187,7 @@ def _blocks(lifted: System, axes: arb_mat) -> arb_mat:
     """
     size = len(lifted.symbols)
     matrix = [[arb(int(i == j)) for j in range(size)] for i in range(size)]
-    blocks = {SPACE: axes, QUATERNION: _times_conjugate(_quaternion(axes))}
+    blocks = {SPACE: axes, QUATERNION: _times_conjugate(quaternion_of(axes))}
     for _, place in lifted.slices:
         block = blocks.get(place.stop - place.start)
         if block is not None:
@@ -196,7 +196,7 @@ def _blocks(lifted: System, axes: arb_mat) -> arb_mat:
     return arb_mat(matrix)
 
 
-def _quaternion(turn: arb_mat) -> tuple[arb, arb, arb, arb]:
+def quaternion_of(turn: arb_mat) -> tuple[arb, arb, arb, arb]:
     """The unit quaternion (w, x, y, z) of a rotation matrix, divided by its largest component."""
     columns = quaternion_products(turn.tolist())
     largest = max(range(QUATERNION), key=lambda i: number(columns[i][i]))

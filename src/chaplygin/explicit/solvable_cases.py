@@ -331,7 +331,14 @@ def _solve_lagrange_top(problem: Problem) -> Solution | None:
     return solve_top(problem.system, problem.start, problem.parameters)
 
 
+def _solve_in_three_dimensions(problem: Problem) -> Solution | None:
+    from .three_dimensions import solve_in_three_dimensions
+
+    return solve_in_three_dimensions(problem, solution_of)
+
+
 RECOGNISERS: tuple[Recogniser, ...] = (
+    _solve_in_three_dimensions,
     _solve_lagrange_top,
     _solve_body_of_revolution,
     _solve_in_principal_axes,

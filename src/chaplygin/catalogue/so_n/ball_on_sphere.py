@@ -21,7 +21,8 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from ...core.laws import Measure
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Integral, Measure
 from ...core.matrices import Column, Skew
 from ...core.system import Observable, Parameter, Reconstruction, System
 from ...core.vectors import Components, dot, real_symbol, to_components
@@ -119,7 +120,7 @@ class BallOnSphere(OnSphere, ChaplyginBall):
         plain = super().equations(inertia, tuple(ball))
         k, omega, gamma = momentum_of(n), omega_of(n), gamma_of(n)
         laws = tuple(law for law in plain.laws if not law.name.startswith("lever"))
-        invariants = tuple(law.name for law in laws if law.name not in ("energy", "measure"))
+        kept = tuple(x.name for x in laws if isinstance(x, Integral) and x.name != "energy")
         # kγ, k²γ, … are not constant in space
         levers = {name for name, _ in plain.definitions if isinstance(name, Column)} - {
             Column("u", n)
@@ -135,7 +136,7 @@ class BallOnSphere(OnSphere, ChaplyginBall):
             field={k: k * omega - omega * k, gamma: -epsilon * (omega * gamma)},
             laws=laws,
             reconstruction=lift(n),
-            theorems=of_ball(n, Delta, invariants),
+            theorems=of_ball(n, Delta, kept),
         )
 
 
@@ -179,6 +180,7 @@ class RubberBallOnSphere(OnSphere, Veselova):
                 Measure("measure", density, DENSITY, source=SOURCE),
                 bracket(p),
                 hamiltonian(p, energy.value),
+                *(law for law in plain.laws if isinstance(law, Isomorphism)),
             ),
             reconstruction=lift(n),
             theorems=of_rubber_ball_on_sphere(n, Delta),

@@ -32,6 +32,7 @@ from .inertia import Inertia, MassTensor, Moments, pairs
 from .invariants import invariants
 from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
 from .theorems import of_ball
+from .three_dimensions import onto_three_dimensions
 
 HALF = sp.Rational(1, 2)
 DENSITY = "invariant measure; Δ up to a constant factor"
@@ -136,6 +137,7 @@ class ChaplyginBall(Family):
             Integral("energy", energy, "energy", source=SOURCE, unit="J"),
             *integrals,
             Measure("measure", {Delta: -HALF}, DENSITY, source=SOURCE),
+            *onto_three_dimensions(self.name, inertia, k),
         )
         around = outer(gamma, gamma)
         return System(

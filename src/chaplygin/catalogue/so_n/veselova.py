@@ -44,6 +44,7 @@ from .inertia import SMALLEST, Inertia, MassTensor, Moments, pairs
 from .mass_tensor_identities import rate_of_pencil
 from .motion_in_space import angular_velocity, gamma_of, motion_in_space, omega_of, unit_length
 from .theorems import of_quadratic_integrals, of_veselova
+from .three_dimensions import onto_three_dimensions
 from .weighted_integrals import lemma, weighted_integrals
 
 HALF = sp.Rational(1, 2)
@@ -161,6 +162,7 @@ class Veselova(Family):
             ),
             *quadratic,
             Measure("measure", {Delta: -HALF}, DENSITY, source=SOURCE),
+            *onto_three_dimensions(self.name, inertia, None),
         )
         return System(
             name=self.name,
