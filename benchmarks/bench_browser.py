@@ -1,0 +1,144 @@
+"""Pages in headless Chromium: opening, a slider, a click into a section, frames per second.
+
+WebGL is drawn by software, as on a machine without a graphics card. With `--peers PYTHON`, an
+interpreter that has viser and NiceGUI, the same motion plays in their scenes in turn with ours;
+they are sent each pose by a server, 60 times a second.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import shutil
+import socket
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+from statistics import median
+
+import numpy as np
+from playwright.sync_api import Browser, Page, sync_playwright
+
+from chaplygin import loads, prepare
+from chaplygin.experiment.study import dataset_of
+from chaplygin.lab.element import page
+from chaplygin.lab.study_page import study_model
+
+SYSTEMS = ("unbalanced-ball", "rattleback", "marble-ball-on-torus", "heavy-disk")
+NAMES = ("chromium", "chromium-browser", "google-chrome")
+BY_SOFTWARE = "--no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader"
+HERE = Path(__file__).parent
+SECONDS = 5.0
+
+
+def opened(chromium: Browser, address: str) -> Page:
+    view = chromium.new_page(viewport={"width": 1280, "height": 900})
+    view.add_init_script(path=HERE / "page_times.js")
+    view.goto(address)
+    return view
+
+
+def clicks(view: Page, count: int) -> list[float]:
+    """Milliseconds from each click into the section to its thousand points."""
+    view.get_by_role("tab", name="Section").click()
+    view.wait_for_timeout(3000)
+    sheet = view.locator(".lab-panel-section .lab-sheet")
+    box = sheet.bounding_box()
+    if box is None:
+        raise RuntimeError("the page shows no section")
+    spent = []
+    for angle in 2.4 * np.arange(count):
+        x, y = 0.5 + 0.15 * np.cos(angle), 0.5 + 0.15 * np.sin(angle)
+        view.evaluate("times.click()")
+        sheet.click(position={"x": x * box["width"], "y": y * box["height"]})
+        spent.append(float(view.evaluate("times.clicked")))
+        view.wait_for_timeout(400)
+    return spent
+
+
+def peer_frames(chromium: Browser, python: str, peer: str, poses: Path) -> float:
+    """Frames per second of the scene of another program that plays a motion."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    command = [python, HERE / "contest" / "scenes.py", peer, poses, str(port)]
+    quiet = subprocess.DEVNULL
+    with subprocess.Popen(command, stdout=quiet, stderr=quiet) as server:
+        try:
+            for _ in range(100):
+                with socket.socket() as trial:
+                    if trial.connect_ex(("127.0.0.1", port)) == 0:
+                        break
+                time.sleep(0.2)
+            view = opened(chromium, f"http://127.0.0.1:{port}")
+            view.wait_for_selector("canvas")
+            view.wait_for_timeout(4000)
+            rate = float(view.evaluate("seconds => times.frames(seconds)", SECONDS))
+            view.close()
+            return rate
+        finally:
+            server.terminate()
+
+
+def row(
+    chromium: Browser, name: str, count: int, peers: str | None, folder: Path
+) -> dict[str, object]:
+    study = prepare(loads(f'system = {{name = "{name}"}}'))
+    motion = dataset_of(study, study.trajectory())
+    path = folder / f"{name}.html"
+    path.write_text(page(study_model(study, motion)))
+    openings = []
+    for _ in range(3):
+        view = opened(chromium, path.as_uri())
+        openings.append(view.evaluate("times.opening()"))
+        view.close()
+    paint, ready = np.median(openings, axis=0)
+    view = opened(chromium, path.as_uri())
+    view.evaluate("times.opening()")
+    # the first move makes the programs of the graphics card
+    slider = median(view.evaluate("count => times.slider(count)", count)[1:])
+    click = median(clicks(view, count))
+    view.close()
+    view = opened(chromium, path.as_uri())
+    view.evaluate("times.opening()")
+    view.locator(".lab-play").click()
+    rates = {"chaplygin": float(view.evaluate("seconds => times.frames(seconds)", SECONDS))}
+    view.close()
+    if peers is not None:
+        poses = folder / f"{name}.npz"
+        np.savez(poses, attitude=motion["attitude"], centre=motion["centre"])
+        rates |= {peer: peer_frames(chromium, peers, peer, poses) for peer in ("viser", "nicegui")}
+    return {
+        "system": name,
+        "first_paint_ms": float(paint),
+        "ready_ms": float(ready),
+        "slider_ms": slider,
+        "click_ms": click,
+        "frames_per_second": rates,
+    }
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--json", action="store_true")
+    parser.add_argument("--quick", action="store_true", help="the first system alone")
+    parser.add_argument("--peers", metavar="PYTHON", help="an interpreter with viser and NiceGUI")
+    options = parser.parse_args()
+    place = next(filter(None, map(shutil.which, NAMES)), None)
+    if place is None:
+        parser.error("there is no Chromium on this machine")
+    rows = []
+    with sync_playwright() as started, tempfile.TemporaryDirectory() as folder:
+        chromium = started.chromium.launch(executable_path=place, args=BY_SOFTWARE.split())
+        for name in SYSTEMS[: 1 if options.quick else None]:
+            one = row(chromium, name, 12, options.peers, Path(folder))
+            rows.append(one)
+            if not options.json:
+                print(", ".join(f"{key} {value}" for key, value in one.items()), flush=True)
+    if options.json:
+        print(json.dumps(rows))
+
+
+if __name__ == "__main__":
+    main()
