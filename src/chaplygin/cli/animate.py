@@ -124,11 +124,23 @@ def _film(
 def _model(study: Study, steps: int, output: Path) -> None:
     from ..errors import InputError
     from ..experiment.study import dataset_of
+    from ..experiment.subjects.plan import plan_motion
     from ..geometry.mesh import outline_from_contact
-    from ..report.film.gltf import write_gltf
+    from ..report.film.gltf import Solid, body_solid, write_gltf
+    from ..report.film.mechanism_solids import mechanism_solids
 
-    outline = study.subject.outline
-    if outline is None:
-        raise InputError(f"{study.system.title} has no body that could be a model in space")
+    outline, plan = study.subject.outline, study.subject.plan
+    if outline is None and plan is None:
+        raise InputError(
+            f"{study.system.title} has no body that could be a model in space, and no drawing of a "
+            "mechanism (the table [plan])"
+        )
     sampled = _with_frames(study, steps)
-    write_gltf(dataset_of(sampled, sampled.trajectory()), outline_from_contact(outline), output)
+    trajectory = sampled.trajectory()
+    dataset = dataset_of(sampled, trajectory)
+    solids: list[Solid] = []
+    if outline is not None:
+        solids.append(body_solid(dataset, outline_from_contact(outline)))
+    if plan is not None:
+        solids.extend(mechanism_solids(plan_motion(plan, trajectory)))
+    write_gltf(dataset, solids, output)

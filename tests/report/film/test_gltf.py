@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from chaplygin.geometry.mesh import outline_from_contact
-from chaplygin.report.film.gltf import gltf
+from chaplygin.report.film.gltf import Solid, gltf
 
 OUTLINE = outline_from_contact(lambda gamma: -0.5 * gamma, 8, 12)
 
@@ -43,7 +43,9 @@ def test_the_body_moves_as_it_did() -> None:
     turns = Rotation.from_euler("zxz", np.outer(times, [3.0, 1.0, -2.0]))
     attitude = turns.as_quat(canonical=True)[:, [3, 0, 1, 2]]
     centre = np.column_stack([times, np.sin(times), 0.5 + 0 * times])
-    document, arrays = read(gltf(times, centre, attitude, OUTLINE, "a ball"))
+    document, arrays = read(
+        gltf(times, [Solid("body", OUTLINE.facets, centre, attitude)], "a ball")
+    )
     animation = document["animations"][0]  # type: ignore[index]
     for channel in animation["channels"]:
         sampler = animation["samplers"][channel["sampler"]]
@@ -62,7 +64,8 @@ def test_the_body_moves_as_it_did() -> None:
 
 def test_the_triangles_are_the_surface_seen_from_outside() -> None:
     attitude, centre = np.tile([1.0, 0, 0, 0], (2, 1)), np.zeros((2, 3))
-    document, arrays = read(gltf(np.array([0.0, 1.0]), centre, attitude, OUTLINE, "a ball"))
+    body = Solid("body", OUTLINE.facets, centre, attitude)
+    document, arrays = read(gltf(np.array([0.0, 1.0]), [body], "a ball"))
     area = 0.0
     for primitive in document["meshes"][0]["primitives"]:  # type: ignore[index]
         points = arrays[primitive["attributes"]["POSITION"]]

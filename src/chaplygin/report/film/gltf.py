@@ -1,4 +1,4 @@
-"""A moving body as a glTF file, as programs for scenes in space read it (.glb).
+"""Moving solids as a glTF file, as programs for scenes in space read it (.glb).
 
 The axis z of space, which points upwards here, becomes the axis y of glTF.
 """
@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import json
 import struct
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -14,13 +16,17 @@ import numpy.typing as npt
 import xarray as xr
 
 from ..._version import __version__
-from ...core.arrays import FloatArray
+from ...core.arrays import BoolArray, FloatArray
 from ...experiment.files import atomic_file
-from ...geometry.mesh import BodyMesh
+from ...geometry.mesh import BodyMesh, Facets
 from ..drawing.dataset_access import require, times_of, title_of, values_of
 
-#: Colours of the octants of a body in linear light: red, green, blue, opacity.
-_COLOURS = ((0.105, 0.228, 0.413, 1.0), (0.863, 0.831, 0.791, 1.0))
+#: Colours by tone, in linear light: red, green, blue, opacity.
+_COLOURS = {
+    "octants 1": (0.105, 0.228, 0.413, 1.0),
+    "octants 2": (0.863, 0.831, 0.791, 1.0),
+    "wheels": (0.033, 0.054, 0.078, 1.0),
+}
 
 _FLOAT, _UNSIGNED = 5126, 5125
 _VERTICES, _CORNERS = 34962, 34963
@@ -55,8 +61,38 @@ class _Buffer:
         return len(self.accessors) - 1
 
 
-def write_gltf(dataset: xr.Dataset, outline: BodyMesh, path: Path) -> None:
-    """Write the motion of a body.
+@dataclass(frozen=True, eq=False)
+class Solid:
+    """A solid and its motion at n instants.
+
+    Attributes
+    ----------
+    name : str
+    facets : Facets
+        Its surface, in axes of its own; tone 2 is that of wheels.
+    centre : (n, 3) array
+        Place of its origin, space axes.
+    attitude : (n, 4) array
+        Unit quaternions (w, x, y, z).
+    scale : (n, 3) array, optional
+        By which its lengths along its axes are multiplied.
+    """
+
+    name: str
+    facets: Facets
+    centre: FloatArray
+    attitude: FloatArray
+    scale: FloatArray | None = None
+
+    @property
+    def placed(self) -> BoolArray:
+        """Whether it has a place, of each instant."""
+        numbers = np.column_stack([self.centre, self.attitude])
+        return np.asarray(np.isfinite(numbers).all(axis=1))
+
+
+def body_solid(dataset: xr.Dataset, outline: BodyMesh) -> Solid:
+    """A body that moves as in a dataset.
 
     Parameters
     ----------
@@ -64,69 +100,88 @@ def write_gltf(dataset: xr.Dataset, outline: BodyMesh, path: Path) -> None:
         Needs `contact`, `centre`, `attitude` and `gamma`.
     outline : BodyMesh
         The body, body axes.
+
+    Raises
+    ------
+    InputError
+        If the dataset lacks a variable.
+    """
+    require(dataset, "scene")
+    return Solid(
+        "body", outline.facets, values_of(dataset, "centre"), values_of(dataset, "attitude")
+    )
+
+
+def write_gltf(dataset: xr.Dataset, solids: Sequence[Solid], path: Path) -> None:
+    """Write the motion of solids.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        For instants and title.
+    solids : sequence of Solid
+        At the instants of the dataset.
     path : Path
         Ending in .glb.
 
     Raises
     ------
     InputError
-        If the dataset lacks a variable, or the file cannot be written.
+        If the file cannot be written.
     """
-    require(dataset, "scene")
-    content = gltf(
-        times_of(dataset),
-        values_of(dataset, "centre"),
-        values_of(dataset, "attitude"),
-        outline,
-        title_of(dataset),
-    )
+    content = gltf(times_of(dataset), solids, title_of(dataset))
     with atomic_file(path) as place:
         place.write_bytes(content)
 
 
-def gltf(
-    times: FloatArray, centre: FloatArray, attitude: FloatArray, outline: BodyMesh, title: str
-) -> bytes:
-    """The content of a glTF file (binary): a body, its path and its motion.
+def gltf(times: FloatArray, solids: Sequence[Solid], title: str) -> bytes:
+    """The content of a glTF file (binary): solids and their motion.
 
     Parameters
     ----------
     times : array (n,)
         In seconds, increasing.
-    centre : array (n, 3)
-        Space axes.
-    attitude : array (n, 4)
-        Unit quaternions (w, x, y, z).
-    outline : BodyMesh
-        The body, body axes.
+    solids : sequence of Solid
     title : str
     """
     buffer = _Buffer()
-    good = np.isfinite(centre).all(axis=1) & np.isfinite(attitude).all(axis=1)
-    turns = attitude[good][:, [1, 2, 3, 0]]
-    # neighbours on the same side of the sphere, so that the way between them is the short one
-    signs = np.where(np.sum(turns[1:] * turns[:-1], axis=1) < 0.0, -1.0, 1.0)
-    turns = turns * np.concatenate([[1.0], np.cumprod(signs)])[:, None]
+    good = np.logical_and.reduce([solid.placed for solid in solids])
     instants = buffer.add(times[good] - times[good][0], "SCALAR")
-    places = buffer.add(centre[good], "VEC3")
-    rotations = buffer.add(turns, "VEC4")
+    nodes: list[dict[str, object]] = [
+        {
+            "name": "space",
+            "rotation": [-np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)],
+            "children": list(range(1, len(solids) + 1)),
+        }
+    ]
+    meshes: list[dict[str, object]] = []
+    samplers: list[dict[str, int]] = []
+    channels: list[dict[str, object]] = []
+    for number, solid in enumerate(solids):
+        turns = solid.attitude[good][:, [1, 2, 3, 0]]
+        # neighbours on the same side of the sphere, so that the way between them is the short one
+        signs = np.where(np.sum(turns[1:] * turns[:-1], axis=1) < 0.0, -1.0, 1.0)
+        turns = turns * np.concatenate([[1.0], np.cumprod(signs)])[:, None]
+        moves = {"translation": solid.centre[good], "rotation": turns}
+        if solid.scale is not None:
+            moves["scale"] = solid.scale[good]
+        meshes.append({"name": solid.name, "primitives": _primitives(buffer, solid.facets)})
+        first = {path: rows[0].tolist() for path, rows in moves.items()}
+        nodes.append({"name": solid.name, "mesh": number, **first})
+        for path, rows in moves.items():
+            target = {"node": number + 1, "path": path}
+            channels.append({"sampler": len(samplers), "target": target})
+            kind = "VEC4" if path == "rotation" else "VEC3"
+            samplers.append({"input": instants, "output": buffer.add(rows, kind)})
     document = {
         "asset": {"version": "2.0", "generator": f"chaplygin {__version__}"},
         "scene": 0,
         "scenes": [{"name": title, "nodes": [0]}],
-        "nodes": [
-            {"name": "space", "rotation": [-np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)], "children": [1]},
-            {
-                "name": "body",
-                "mesh": 0,
-                "translation": centre[good][0].tolist(),
-                "rotation": turns[0].tolist(),
-            },
-        ],
-        "meshes": [{"name": "body", "primitives": _primitives(buffer, outline)}],
+        "nodes": nodes,
+        "meshes": meshes,
         "materials": [
             {
-                "name": f"octants {number}",
+                "name": name,
                 "doubleSided": True,
                 "pbrMetallicRoughness": {
                     "baseColorFactor": list(colour),
@@ -134,18 +189,9 @@ def gltf(
                     "roughnessFactor": 0.55,
                 },
             }
-            for number, colour in enumerate(_COLOURS, 1)
+            for name, colour in _COLOURS.items()
         ],
-        "animations": [
-            {
-                "name": "motion",
-                "samplers": [{"input": instants, "output": o} for o in (places, rotations)],
-                "channels": [
-                    {"sampler": 0, "target": {"node": 1, "path": "translation"}},
-                    {"sampler": 1, "target": {"node": 1, "path": "rotation"}},
-                ],
-            }
-        ],
+        "animations": [{"name": "motion", "samplers": samplers, "channels": channels}],
         "accessors": buffer.accessors,
         "bufferViews": buffer.views,
         "buffers": [{"byteLength": len(buffer.content)}],
@@ -153,19 +199,18 @@ def gltf(
     return _binary(document, bytes(buffer.content))
 
 
-def _primitives(buffer: _Buffer, outline: BodyMesh) -> list[dict[str, object]]:
+def _primitives(buffer: _Buffer, facets: Facets) -> list[dict[str, object]]:
     """The facets of each colour as triangles, with the normals of the smooth surface."""
     primitives: list[dict[str, object]] = []
     for tone in range(len(_COLOURS)):
-        chosen = outline.tones == tone
-        faces = outline.faces[chosen]
-        if not len(faces):
+        chosen = facets.select(facets.tones == tone)
+        if not len(chosen):
             continue
-        corners = np.concatenate([faces[:, [0, 1, 2]], faces[:, [0, 2, 3]]])
-        normals = np.concatenate([outline.normals[chosen]] * 2)
+        corners = np.concatenate([chosen.polygons[:, [0, 1, 2]], chosen.polygons[:, [0, 2, 3]]])
+        normals = np.concatenate([chosen.normals] * 2)
         # a triangle repeats its last corner
-        proper = corners[:, 1] != corners[:, 2]
-        triangles = outline.vertices[corners[proper]].reshape(-1, 3)
+        proper = (corners[:, 1] != corners[:, 2]).any(axis=1)
+        triangles = corners[proper].reshape(-1, 3)
         primitives.append(
             {
                 "attributes": {
