@@ -85,7 +85,7 @@ class Solid:
     scale: FloatArray | None = None
 
     @property
-    def placed(self) -> BoolArray:
+    def presence(self) -> BoolArray:
         """Whether it has a place, of each instant."""
         numbers = np.column_stack([self.centre, self.attitude])
         return np.asarray(np.isfinite(numbers).all(axis=1))
@@ -145,7 +145,7 @@ def gltf(times: FloatArray, solids: Sequence[Solid], title: str) -> bytes:
     title : str
     """
     buffer = _Buffer()
-    good = np.logical_and.reduce([solid.placed for solid in solids])
+    good = np.logical_and.reduce([solid.presence for solid in solids])
     instants = buffer.add(times[good] - times[good][0], "SCALAR")
     nodes: list[dict[str, object]] = [
         {
