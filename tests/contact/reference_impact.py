@@ -151,6 +151,9 @@ def impact(problem: Problem, y: list[float], rtol: float) -> tuple[bool, bool, b
         if state_kind == "stopped":
             held_slide, fixed, held_spin, sign = after_stop(held_spin, sign)
             state_kind = "held" if held_slide else "restarted"
+            if state_kind == "restarted" and law.slip:
+                # friction that grows with the speed turns it: no direction lasts
+                z[1:3], state_kind = math.exp(-40.0) * np.array(fixed), "sliding"
         blown = state_kind == "sliding"
         if blown:
             speed = root((z[1] * z[1] + z[2] * z[2]).item())

@@ -35,6 +35,8 @@ LAST = -42.0
 TERMS = 18
 """Number of terms of the Taylor series with which sliding begins."""
 
+_ACCUMULATION = "bounces that accumulate before the end are not followed"
+
 
 @dataclass(frozen=True)
 class Event:
@@ -268,6 +270,9 @@ class Motion:
             gap = problem.geometry(z.tolist())[2]
             if gap > threshold:
                 armed[0] = True
+            elif not armed[0] and gap < -1e-9 * problem.body.size:
+                # a hop lower than the threshold has gone unseen
+                raise ArithmeticError(_ACCUMULATION)
             return [gap if armed[0] else 0.0]
 
         y = np.array(self.y)
@@ -277,7 +282,7 @@ class Motion:
         if which is not None:
             self.land()
         elif problem.geometry(self.y)[2] < -1e-9 * problem.body.size:
-            raise ArithmeticError("bounces that accumulate before the end are not followed")
+            raise ArithmeticError(_ACCUMULATION)
 
     def land(self) -> None:
         """Impact, and what follows it."""
@@ -648,10 +653,13 @@ class Motion:
         _, x = pass_with(w)
         along = zero_w[0] @ x
         if along[2] <= 0.0:
-            # slips nearby turn away from this direction: another one grows at once
+            # slips nearby turn away from this direction, or shrink along it: another grows at once
             e = self.exit(mode, kind)
-            if e is None:
-                raise ArithmeticError(f"sliding that begins at t = {self.t} does not grow")
+            if e is None or self.problem.response(self.y, mode, self.given(kind, e)).normal <= 0.0:
+                # nothing slides: it is no slip, but a lift-off if anything
+                self.events.pop()
+                self.leave()
+                return
             self.mode, self.dying = mode, Dying(kind, LAST + math.log(SMALL), e)
             return
         growing = Series(along[: TERMS - 2])

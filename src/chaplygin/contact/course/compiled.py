@@ -225,6 +225,8 @@ class CompiledContact:
             free_turn=turn,
             slip_rate=numbers.slip_rate + np.cross(change, touch.r),
             spin_rate=numbers.spin_rate + float(touch.gamma @ change),
+            # that of a rolling which is zero but for rounding would have any direction
+            q=np.zeros(3),
             mobility=mobility_at(
                 touch.mass, np.outer(touch.gamma, touch.gamma) / moment, touch.r, touch.gamma
             ),

@@ -351,7 +351,8 @@ class Course(RollingCourse):
             sign = self._spin_sign if self.mode.spinning else 0.0
             sudden = sudden_direction(self._numbers(), self._dry, sign, direction)
             if sudden is None:
-                raise EndError("no beginning", "static friction ends, but sliding cannot begin")
+                self._leave_support(None, before)
+                return
             direction = sudden
         spinning = self.mode.spinning or bool(self._dry.patch)
         self.mode = Mode(spinning=spinning, rolling=self.mode.rolling)

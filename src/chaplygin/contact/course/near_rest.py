@@ -29,6 +29,9 @@ _HERTZ = Hertz()
 #: Friction so close to its limit is at it, and directions as close are one.
 _AT_LIMIT = 1e-6
 
+#: Factor of a friction that has just been passed.
+_BELOW = 1 - _AT_LIMIT
+
 
 def _force_factor(k: float) -> float:
     return float(_HERTZ.force(k))
@@ -252,7 +255,8 @@ def sudden_direction(
     Static friction above that of sliding falls to it, and the slip grows at once.  Otherwise the
     slip begins gently against the force, if nearby slips turn towards this direction.  If they
     turn away, which needs a normal force that depends on friction, the slip grows at once in
-    another direction, as it already could while friction held the contact.
+    another direction, as it already could while friction held the contact.  A slip against the
+    force may also shrink as soon as friction holds it no longer; if none grows, there is none.
 
     Parameters
     ----------
@@ -265,11 +269,15 @@ def sudden_direction(
     """
     falls = dry.static_mu > dry.mu
     # a hold that has reached its limit is none, whatever rounding says
-    limit = dry.mu if falls else (1 - _AT_LIMIT) * dry.mu
-    choice = departure(numbers, replace(dry, static_mu=limit), spin_sign)
-    if choice is None or choice.holds:
+    limited = replace(dry, static_mu=dry.mu)
+    if not falls:
+        limited = replace(dry, static_mu=_BELOW * dry.mu, mu=_BELOW * dry.mu)
+    choice = departure(numbers, limited, spin_sign)
+    if choice is None:
+        return None
+    if choice.holds:
         return None if falls else direction
-    gently = not falls and float(choice.direction @ direction) > 1 - _AT_LIMIT
+    gently = not falls and float(choice.direction @ direction) > _BELOW
     return direction if gently else choice.direction
 
 
