@@ -1,12 +1,14 @@
-"""The beginning of sliding, where the slip is zero and its direction must be found.
+"""The beginning of sliding or rolling, which are zero at first, in a direction to be found.
 
 With the direction of friction prescribed as a polynomial of the time, the motion is smooth; the
-coefficients follow from the demand that the slip has this direction at Chebyshev points.
+coefficients follow from the demand that the slip, or the rolling, has this direction at Chebyshev
+points.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -19,9 +21,12 @@ from ..friction.prescribed import (
     DEGREE,
     HEADING_COEFFICIENTS,
     LATITUDE_COEFFICIENTS,
+    PrescribedRolling,
     prescribed_direction,
 )
-from .compiled import VELOCITY, CompiledContact
+from ..friction.rolling_friction import ContourResistance, RollingResistance
+from ..impact.mobility import Mobility
+from .compiled import OMEGA, VELOCITY, CompiledContact
 from .mode_integrator import ModeIntegrator, with_values
 
 #: Chebyshev points of (0, 1], the last one at the end.
@@ -71,12 +76,29 @@ class Beginning:
 
 @dataclass(frozen=True, eq=False)
 class _Trial:
-    """A prescribed direction, and the slip that follows."""
+    """A prescribed direction, and the slip, or the rolling, that follows.
+
+    Attributes
+    ----------
+    integrator : ModeIntegrator
+    first : array (3,)
+        The direction at first.
+    latitude, patch : float
+        Of the coupled law.
+    rolling : callable or None
+        The rolling (n, 3) at states, if it is this that begins.
+    """
 
     integrator: ModeIntegrator
     first: FloatArray
-    latitude: float
-    patch: float
+    latitude: float = math.pi / 2
+    patch: float = 0.0
+    rolling: Callable[[FloatArray], FloatArray] | None = None
+
+    @property
+    def columns(self) -> slice:
+        """The columns of the state whose rounding the slip, or the rolling, shows."""
+        return VELOCITY if self.rolling is None else OMEGA
 
     def integrator_with(self, coefficients: FloatArray, duration: float) -> ModeIntegrator:
         values = self.integrator.values.copy()
@@ -96,7 +118,8 @@ class _Trial:
         powers = times[:, None] ** np.arange(1, DEGREE + 1)
         headings = (powers @ c[:DEGREE])[:, None]
         values = integrator.outputs(states)
-        gamma, slip = values["gamma"], values["slip"]
+        gamma = values["gamma"]
+        slip = values["slip"] if self.rolling is None else self.rolling(states)
         across = self.first - (gamma @ self.first)[:, None] * gamma
         across /= np.linalg.norm(across, axis=1)[:, None]
         aside = np.cross(gamma, across)
@@ -151,11 +174,86 @@ def beginning(
         mode = replace(mode, range=range_of(flat, float(direction[3]) / patch, patch))
         values |= {"patch": patch, "theta_0": latitude}
     first = direction[:3] / np.linalg.norm(direction[:3])
-    values |= {f"n_0_{i + 1}": float(x) for i, x in enumerate(first)}
+    values |= _first_values(first)
     stand_in = prescribed_direction(law, mode.range)
     laws = tuple(stand_in if item is law else item for item in situation.laws)
     integrator = with_values(contact.mode(mode, replace(situation, laws=laws)), values)
-    trial = _Trial(integrator, first, latitude, patch)
+    return _shorter_and_shorter(_Trial(integrator, first, latitude, patch), time, state, longest)
+
+
+def beginning_of_rolling(
+    contact: CompiledContact,
+    time: float,
+    state: FloatArray,
+    mode: Mode,
+    couple: FloatArray,
+    run_values: Mapping[str, float],
+    longest: float,
+) -> Beginning | None:
+    """Rolling from rest against the couple that held it; None if it stops again at once.
+
+    Parameters
+    ----------
+    contact : CompiledContact
+    time : float
+    state : array (size,)
+        Without rolling.
+    mode : Mode
+        The mode with rolling.
+    couple : array (3,)
+        Body axes; its part along the support counts.
+    run_values : mapping of str to float
+        What the course sets, by name, such as the sign of the spin.
+    longest : float
+        Duration to begin with (s).
+    """
+    situation = contact.situation
+    laws = tuple(
+        PrescribedRolling(law) if isinstance(law, RollingResistance | ContourResistance) else law
+        for law in situation.laws
+    )
+    integrator = with_values(contact.mode(mode, replace(situation, laws=laws)), run_values)
+    first = _direction_of_couple(integrator, state, contact.numbers(state).mobility, couple)
+    integrator = with_values(integrator, _first_values(first))
+
+    def rolling(states: FloatArray) -> FloatArray:
+        return np.array([contact.numbers(row[: contact.size]).rolling for row in states])
+
+    return _shorter_and_shorter(_Trial(integrator, first, rolling=rolling), time, state, longest)
+
+
+def _first_values(first: FloatArray) -> dict[str, float]:
+    """The parameters that are the first direction (3,)."""
+    return {f"n_0_{i + 1}": float(x) for i, x in enumerate(first)}
+
+
+def _direction_of_couple(
+    integrator: ModeIntegrator, state: FloatArray, mobility: Mobility, couple: FloatArray
+) -> FloatArray:
+    """The direction (3,) of rolling against which the resistance has the direction of a couple."""
+    # imported where rolling begins, since it takes longer than most motions
+    from scipy.optimize import brentq
+
+    start, tangents = np.append(state, 0.0), mobility.tangents
+    wanted = tangents @ couple
+
+    def first(angle: float) -> FloatArray:
+        return np.array([math.cos(angle), math.sin(angle)]) @ tangents
+
+    def across(angle: float) -> float:
+        prescribed = with_values(integrator, {**_first_values(first(angle)), "duration": 1.0})
+        x = tangents @ prescribed.outputs(start)["friction_couple"]
+        return float(x[0] * wanted[1] - x[1] * wanted[0])
+
+    # the resistance is opposed to the rolling by less than a right angle
+    middle, half = math.atan2(-wanted[1], -wanted[0]), math.pi / 2
+    return first(float(brentq(across, middle - half, middle + half, xtol=1e-16)))
+
+
+def _shorter_and_shorter(
+    trial: _Trial, time: float, state: FloatArray, longest: float
+) -> Beginning | None:
+    """The beginning over the longest time, or as short a part of it as it takes."""
     duration = longest
     for _ in range(_ATTEMPTS):
         result = _collocation(trial, time, state, duration)
@@ -220,7 +318,7 @@ def _collocation(
             jacobian = np.empty((0, 0))
         last = size
     # the slip is a difference of velocities, whose rounding it shows at the first points
-    noise = _NOISE * float(np.abs(state[VELOCITY]).max() + np.abs(across).max())
+    noise = _NOISE * float(np.abs(state[trial.columns]).max() + np.abs(across).max())
     grows = bool(np.all(np.diff(np.concatenate([[0.0], along])) > -noise))
     aside = np.abs(across) > 1e-7 * along[:, None] + noise
     if not grows or along[-1] < _GROWN * noise or aside.any():

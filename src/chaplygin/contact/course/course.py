@@ -14,7 +14,7 @@ from ..friction.contensou import held_range_of
 from ..friction.modes import FLIGHT, Mode, Range
 from ..impact.impact import Impact
 from ..slip.stopping import WEAK, finish_stop
-from .beginning import Beginning, beginning
+from .beginning import beginning
 from .compiled import WORK
 from .course_state import NO_SLIP, SLIP_FLOOR
 from .endings import SINGULAR, EndError
@@ -218,12 +218,6 @@ class Course(RollingCourse):
                 "no beginning", "sliding begins, but no motion with a growing slip was found"
             )
         self._take_beginning(slide)
-
-    def _take_beginning(self, slide: Beginning) -> None:
-        end = self.time + slide.duration
-        samples = slide.samples(self.time, self.state, self._moments_until(end))
-        self._add_piece(slide.integrator, end, samples)
-        self.time, self.state = end, slide.state
         self._floor_factor = 1.0
         self._slide()
 

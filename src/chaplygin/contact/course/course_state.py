@@ -38,6 +38,9 @@ from .rules import Rules
 #: logarithmic time, and below which there is no slip.
 SLIP_FLOOR, NO_SLIP = 1e-8, 1e-12
 
+#: Likewise the angular velocity, in lengths, from which on a rolling goes straight to its end.
+ROLLING_FLOOR = 1e-10
+
 #: Likewise of a bounce that is the last one, though those to come would be no lower.
 LAST_BOUNCE = 1e-7
 
@@ -207,15 +210,22 @@ class CourseState:
         self._next_moment += len(states)
 
     def _integrator(self, mode: Mode) -> ModeIntegrator:
+        return with_values(self.contact.mode(mode), self._run_values)
+
+    @property
+    def _run_values(self) -> dict[str, float]:
+        """What the course of a motion sets, by the names of parameters."""
         floor = SLIP_FLOOR * self._speed * self._floor_factor
-        values = {"spin_sign": self._spin_sign, "slip_floor": floor}
-        values["rolling_floor"] = self._rolling_floor
-        return with_values(self.contact.mode(mode), values)
+        return {
+            "spin_sign": self._spin_sign,
+            "slip_floor": floor,
+            "rolling_floor": self._rolling_floor,
+        }
 
     @property
     def _rolling_floor(self) -> float:
         """Angular velocity of rolling below which it comes to its end."""
-        return SLIP_FLOOR * self._speed / self._length * self._rolling_factor
+        return ROLLING_FLOOR * self._speed / self._length * self._rolling_factor
 
     def _numbers(self) -> ContactNumbers:
         known = self.contact.numbers(self.state)

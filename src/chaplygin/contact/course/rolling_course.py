@@ -12,20 +12,22 @@ from ...core.arrays import FloatArray
 from ...mechanics.shapes.shapes import Disk
 from ...mechanics.shapes.surfaces import Plane
 from ..friction.friction_law import FrictionLaw
+from .beginning import Beginning, beginning_of_rolling
 from .compiled import OMEGA, WORK
 from .course_state import NO_SLIP, SLIP_FLOOR
 from .endings import EndError
-from .rolling_end import direction_of_couple, rolling_rate, rolling_restart, state_with_rolling
+from .rolling_end import rolling_rate, rolling_restart, state_with_rolling
 from .spin_course import SpinCourse
 
 _NEITHER = "rolling can neither be held nor begin: the resistance to it has no direction here"
 
-#: Time, over a typical one, after which a rolling that was held is followed by its equations.
-_FIRST_TIME = 1e-4
-
 
 class RollingCourse(SpinCourse, ABC):
     """A motion whose rolling may end, turn back or begin."""
+
+    @abstractmethod
+    def _lift_off(self) -> None:
+        """Leave the support, or find no motion, where the normal force has fallen to zero."""
 
     @abstractmethod
     def _require_pressure(self) -> None:
@@ -49,12 +51,20 @@ class RollingCourse(SpinCourse, ABC):
         )
         if restart is None:
             raise EndError("rolling held", _NEITHER)
+        if self.mode.sliding and self._normal_force_with_rolling(size * restart[0]) <= 0:
+            self._lift_off()
+            return
         self._roll_back(*restart)
         if self.mode.sliding:
             self._require_pressure()
         else:
             # the resistance changes the friction that holds the contact
             self._leave_rest(None, self.state, spin_at_rest=not self.mode.spinning)
+
+    def _normal_force_with_rolling(self, rolling: FloatArray) -> float:
+        """The normal force with a small rolling (3,), while the contact slides."""
+        there = state_with_rolling(self._numbers(), self.state, rolling, slips=True)
+        return float(self._integrator(self.mode).outputs(there)["normal_force"])
 
     def _rolling_stop(self) -> None:
         """Rolling comes to its end under resistance: it is held, or the body rolls back."""
@@ -78,29 +88,33 @@ class RollingCourse(SpinCourse, ABC):
 
     def _rolling_start(self) -> None:
         """The resistance has come to its limit: rolling begins, like the square of the time."""
-        begun, before, held = self.time, self.state, self._integrator(self.mode)
-        self.mode = replace(self.mode, rolling=True)
-        self._record("rolling start", before)
-        first = _FIRST_TIME / self._turning_rate
-        count = int(np.searchsorted(self.moments, begun + first, side="right"))
-        wanted = list(self.moments[self._next_moment : count])
-        outcome = held.advance(begun, before, wanted, begun + first)
-        self._add_piece(held, outcome.time, outcome.samples)
-        self.time, self.state = outcome.time, outcome.state
+        held = self._integrator(self.mode)
         couple = held.outputs(self.state)["friction_couple"]
-        known = self._numbers()
-        integrator, slides = self._integrator(self.mode), self.mode.sliding
-        size = self._rolling_floor
-        n = direction_of_couple(integrator, known, self.state, size, slides, couple)
-        there = state_with_rolling(known, self.state, size * n, slides)
-        growth = float(rolling_rate(known, integrator.rates(there)[OMEGA]) @ n)
-        if outcome.guard or growth <= 0:
+        self.mode = replace(self.mode, rolling=True)
+        self._record("rolling start", self.state)
+        roll = beginning_of_rolling(
+            self.contact,
+            self.time,
+            self.state,
+            self.mode,
+            couple,
+            self._run_values,
+            0.02 / self._turning_rate,
+        )
+        if roll is None:
             raise EndError(
                 "no beginning", "rolling begins, but no motion with a growing rolling was found"
             )
-        rolling = 0.5 * growth * first * n
-        self._rolling_factor = min(1.0, 0.25 * growth * first / size)
-        self._move_on(np.zeros(len(self.state)), 0.0, rolling)
+        self._take_beginning(roll)
+        reached = float(np.linalg.norm(self._numbers().rolling))
+        self._rolling_factor = min(1.0, 0.25 * reached / self._rolling_floor)
+
+    def _take_beginning(self, begun: Beginning) -> None:
+        """Go over to the end of a beginning."""
+        end = self.time + begun.duration
+        samples = begun.samples(self.time, self.state, self._moments_until(end))
+        self._add_piece(begun.integrator, end, samples)
+        self.time, self.state = end, begun.state
 
     @property
     def _turning_rate(self) -> float:

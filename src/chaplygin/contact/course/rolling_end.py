@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from scipy.optimize import brentq
 
 from ...core.arrays import FloatArray
 from .compiled import OMEGA, VELOCITY, ContactNumbers
@@ -58,43 +57,6 @@ def rolling_rate(numbers: ContactNumbers, turning: FloatArray) -> FloatArray:
         ω̇.
     """
     return turning - numbers.support_turn_rate - numbers.spin * numbers.gammadot
-
-
-def direction_of_couple(
-    integrator: ModeIntegrator,
-    numbers: ContactNumbers,
-    state: FloatArray,
-    size: float,
-    slips: bool,
-    couple: FloatArray,
-) -> FloatArray:
-    """The direction (3,) of rolling against which the resistance has the direction of a couple.
-
-    Parameters
-    ----------
-    integrator, known, state, size, slips
-        As of `rolling_restart`.
-    couple : array (3,)
-        Its part along the support counts.
-    """
-    tangents = numbers.mobility.tangents
-    wanted = tangents @ couple
-
-    def resistance(angle: float) -> FloatArray:
-        n = np.array([math.cos(angle), math.sin(angle)])
-        there = state_with_rolling(numbers, state, size * (n @ tangents), slips)
-        result: FloatArray = tangents @ integrator.outputs(there)["friction_couple"]
-        return result
-
-    def across(angle: float) -> float:
-        x = resistance(angle)
-        return float(x[0] * wanted[1] - x[1] * wanted[0])
-
-    # the resistance is opposed to the rolling by less than a right angle
-    middle = math.atan2(-wanted[1], -wanted[0])
-    half = math.pi / 2
-    angle = float(brentq(across, middle - half, middle + half, xtol=1e-15))
-    return np.array([math.cos(angle), math.sin(angle)]) @ tangents
 
 
 def rolling_restart(

@@ -30,12 +30,13 @@ from ...mechanics.rolling.attitude import (
     unit_length,
 )
 from ...mechanics.shapes.surfaces import Plane
-from ..friction.friction_law import Reaction
+from ..friction.friction_law import FrictionLaw, Reaction
 from ..friction.modes import Mode
 from ..friction.rolling_friction import ContourResistance
 from ..friction.symbols import (
     N,
     contact_velocity,
+    contour_couple,
     couple,
     free_acceleration,
     free_turn,
@@ -56,7 +57,7 @@ from ..friction.symbols import (
     spin_sign,
     v,
 )
-from .free_body import FreeBody, a, free_body, m
+from .free_body import FreeBody, a, free_body, m, wandering
 from .held_rolling import (
     contour_hold_definitions,
     holding_couple_of_rolling,
@@ -163,6 +164,7 @@ def _reaction(
         return definitions, powers, (Guard("landing", height, "the body lands"),)
     total = sum((law.reaction(mode) for law in laws), Reaction())
     definitions += tuple(pair for law in laws for pair in law.definitions(mode))
+    definitions = _with_prescribed_rolling(laws, free, definitions)
     if mode.rolling:
         definitions += reaction_definitions(free, mode, total)
     else:
@@ -184,6 +186,20 @@ def _reaction(
         size = normal_rate_free**2 + norm_squared(free_acceleration)
         guards.append(Guard("normal force", 1e-20 * size - normal_excess**2, NOT_FOUND))
     return definitions, powers, tuple(guards)
+
+
+def _with_prescribed_rolling(
+    laws: tuple[FrictionLaw, ...], free: FreeBody, definitions: Pairs
+) -> Pairs:
+    """Definitions in which the contact wanders as a law prescribes the rolling, if one does."""
+    for law in laws:
+        direction = law.rolling_direction
+        if direction is not None:
+            wanders = -free.touch.spread(cross(gamma, direction))
+            moved = {wandering: wanders, contour_couple: dict(definitions)[contour_couple]}
+            others = tuple(pair for pair in definitions if pair[0] not in moved)
+            return (*others, *moved.items())
+    return definitions
 
 
 def _at_rest(mode: Mode, free: FreeBody) -> bool:

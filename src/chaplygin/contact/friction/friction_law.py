@@ -16,7 +16,7 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...core.named_formulas import Pairs
 from ...core.system import Guard, Parameter
-from ...core.vectors import dot, zero
+from ...core.vectors import Vector, dot, zero
 from ...errors import InputError
 from .modes import Mode
 from .symbols import N, gamma, rolling, slip, spin
@@ -149,6 +149,11 @@ class FrictionLaw(ABC):
     def reaction_at_rest(self) -> Reaction:
         """Force and couple as the slip tends to zero, besides what has a threshold there."""
         return self.reaction(Mode())
+
+    @property
+    def rolling_direction(self) -> Vector | None:
+        """What stands for the direction of the rolling where that is prescribed."""
+        return None
 
     def guards(self, mode: Mode) -> tuple[Guard, ...]:
         """Quantities that are positive as long as the mode lasts."""

@@ -1,8 +1,9 @@
-"""Dry friction whose direction is prescribed as a function of time.
+"""Dry friction, or resistance to rolling, whose direction is prescribed as a function of time.
 
 Where a held contact begins to slide, the slip grows like t² and its direction is that of the
 friction force: the equations are smooth in time only if the direction is known.  So it is taken as
 a polynomial of the time, whose coefficients are chosen such that the slip that it causes has it.
+It is the same with a rolling that a resistance has held.
 """
 
 from __future__ import annotations
@@ -18,7 +19,8 @@ from .contensou import shares
 from .dry_friction import mu, patch
 from .friction_law import FrictionLaw, Reaction
 from .modes import Mode, Range
-from .symbols import gamma, slip
+from .rolling_friction import ContourResistance, RollingResistance
+from .symbols import contour_couple, gamma, slip
 from .user_friction import UserFriction
 
 #: Time since sliding began, in units of its length, which is a parameter.
@@ -41,6 +43,62 @@ def _polynomial(first: sp.Expr, coefficients: tuple[sp.Symbol, ...]) -> sp.Expr:
     for coefficient in reversed(coefficients):
         value = (value + coefficient) * clock
     return first + value
+
+
+_MEANING = "of the beginning of a motion that was held"
+
+_TANGENTIAL = first_direction - dot(gamma, first_direction) * gamma
+
+_DIRECTION: Pairs = (
+    (heading, _polynomial(sp.S.Zero, HEADING_COEFFICIENTS)),
+    (_across, _TANGENTIAL / sp.sqrt(norm_squared(_TANGENTIAL))),
+    (direction, sp.cos(heading) * _across + sp.sin(heading) * cross(gamma, _across)),
+)
+
+
+@dataclass(frozen=True)
+class PrescribedRolling(FrictionLaw):
+    """A resistance to rolling with the direction of the rolling prescribed.
+
+    Parameters
+    ----------
+    law : RollingResistance or ContourResistance
+        The law in whose place it stands.
+    """
+
+    law: RollingResistance | ContourResistance
+    words = "resistance to a rolling of prescribed direction"
+
+    @property
+    def name(self) -> str:
+        """That of the law in whose place it stands."""
+        return self.law.name
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The coefficient of the law, and those of the polynomial; these are set later."""
+        symbols = (duration, *first_direction.symbols, *HEADING_COEFFICIENTS)
+        return self.law.parameters + tuple(Parameter(symbol, _MEANING, 1.0) for symbol in symbols)
+
+    @property
+    def clocks(self) -> Pairs:
+        """The time in units of the duration."""
+        return ((clock, 1 / duration),)
+
+    @property
+    def rolling_direction(self) -> Vector:
+        """The direction that stands for that of the rolling."""
+        return direction
+
+    def definitions(self, mode: Mode) -> Pairs:
+        """The direction as a function of the time."""
+        return _DIRECTION
+
+    def reaction(self, mode: Mode) -> Reaction:
+        """The couple against a rolling of this direction."""
+        (coefficient,) = (p.symbol for p in self.law.parameters)
+        along_contour = isinstance(self.law, ContourResistance)
+        return Reaction(q=-coefficient * (contour_couple if along_contour else direction))
 
 
 @dataclass(frozen=True)
@@ -72,8 +130,7 @@ class PrescribedDirection(FrictionLaw):
             symbols = (mu, *symbols)
         own = self.user.parameters if self.user else ()
         return own + tuple(
-            Parameter(symbol, "of the beginning of sliding", 1.0)
-            for symbol in (*symbols, *HEADING_COEFFICIENTS)
+            Parameter(symbol, _MEANING, 1.0) for symbol in (*symbols, *HEADING_COEFFICIENTS)
         )
 
     @property
@@ -83,15 +140,10 @@ class PrescribedDirection(FrictionLaw):
 
     def definitions(self, mode: Mode) -> Pairs:
         """The direction as a function of the time."""
-        tangential = first_direction - dot(gamma, first_direction) * gamma
-        angles: Pairs = ((heading, _polynomial(sp.S.Zero, HEADING_COEFFICIENTS)),)
         if self.range:
-            angles += ((latitude, _polynomial(first_latitude, LATITUDE_COEFFICIENTS)),)
-        return (
-            *angles,
-            (_across, tangential / sp.sqrt(norm_squared(tangential))),
-            (direction, sp.cos(heading) * _across + sp.sin(heading) * cross(gamma, _across)),
-        )
+            angle = _polynomial(first_latitude, LATITUDE_COEFFICIENTS)
+            return ((latitude, angle), *_DIRECTION)
+        return _DIRECTION
 
     def reaction(self, mode: Mode) -> Reaction:
         """The force against the direction, and the couple that belongs to it."""
