@@ -53,8 +53,8 @@ def laws(case: dict[str, Any]) -> tuple[FrictionLaw, ...]:
         result.append(ContensouErismann(given["mu"], given["patch"]))
     elif "mu" in given:
         result.append(Coulomb(given["mu"]))
-    if "viscous" in given:
-        result.append(Viscous(given["viscous"], given.get("spin_viscous", 0.0)))
+    if "viscous" in given or "spin_viscous" in given:
+        result.append(Viscous(given.get("viscous", 0.0), given.get("spin_viscous", 0.0)))
     kinds = {
         "spin_arm": SpinFriction,
         "slip": NormalViscous,

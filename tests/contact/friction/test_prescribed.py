@@ -14,11 +14,13 @@ from chaplygin.contact.friction.prescribed import (
     HEADING_COEFFICIENTS,
     LATITUDE_COEFFICIENTS,
     PrescribedDirection,
+    PrescribedRolling,
     clock,
     duration,
     prescribed_direction,
 )
-from chaplygin.contact.friction.symbols import gamma, slip, spin, spin_sign
+from chaplygin.contact.friction.rolling_friction import ContourResistance, RollingResistance
+from chaplygin.contact.friction.symbols import contour_couple, gamma, slip, spin, spin_sign
 from chaplygin.contact.friction.user_friction import UserFriction
 from chaplygin.core.system import flat_pairs
 from chaplygin.core.vectors import to_components
@@ -102,3 +104,19 @@ def test_law_of_the_user(sign):
 def test_what_stands_in_its_place():
     assert prescribed_direction(Coulomb(0.3)) == PrescribedDirection()
     assert prescribed_direction(ContensouErismann(0.3, 0.1), "inner").range == "inner"
+
+
+@pytest.mark.parametrize("at", [0.0, 0.4, 1.0])
+def test_resistance_to_rolling(at):
+    _, p, q = beginning(PrescribedRolling(RollingResistance(0.02)), at)
+    touch = Touch(direction_at(at), 1.0, direction_at(at), NORMAL, None)
+    _, expected, *_ = reaction(RollingResistance(0.02), touch)
+    np.testing.assert_allclose(q, expected, atol=1e-17)
+    assert not p.any()
+
+
+def test_resistance_along_the_contour():
+    law = PrescribedRolling(ContourResistance(0.02))
+    assert law.name == "contour"
+    assert law.reaction(Mode()).q == ContourResistance(0.02).reaction(Mode()).q
+    assert set(contour_couple.symbols) <= to_components(law.reaction(Mode()).q).free_symbols
