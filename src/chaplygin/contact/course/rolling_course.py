@@ -109,12 +109,12 @@ class RollingCourse(SpinCourse, ABC):
         reached = float(np.linalg.norm(self._numbers().rolling))
         self._rolling_factor = min(1.0, 0.25 * reached / self._rolling_floor)
 
-    def _take_beginning(self, begun: Beginning) -> None:
+    def _take_beginning(self, start: Beginning) -> None:
         """Go over to the end of a beginning."""
-        end = self.time + begun.duration
-        samples = begun.samples(self.time, self.state, self._moments_until(end))
-        self._add_piece(begun.integrator, end, samples)
-        self.time, self.state = end, begun.state
+        end = self.time + start.duration
+        samples = start.samples(self.time, self.state, self._moments_until(end))
+        self._add_piece(start.integrator, end, samples)
+        self.time, self.state = end, start.state
 
     @property
     def _turning_rate(self) -> float:
