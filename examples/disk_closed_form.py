@@ -19,10 +19,10 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from chaplygin import Body, Disk, Forces, Rolling, Solution, initial_state
+from chaplygin.explicit import revolution_diagram
 from chaplygin.explicit.revolution import solve_rolling
-from chaplygin.explicit.revolution.diagram import revolution_diagram
+from chaplygin.report import figures
 from chaplygin.report.drawing.style import COMPONENTS, INK, STYLE, WIDTH
-from chaplygin.report.figures.bifurcation_revolution import diagram_of_revolution
 
 #: A homogeneous disk: kg, m.
 DISK = Rolling(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Forces(9.81))
@@ -70,7 +70,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     paths(solution).savefig(output / "paths.svg")
     h, K = (float(constant.value) for constant in solution.form.constants[:2])
     diagram = revolution_diagram(DISK, np.linspace(0.05, 5.0, 120))
-    diagram_of_revolution(diagram, [(h, K)]).savefig(output / "diagram.svg")
+    figures.revolution_diagram(diagram, [(h, K)]).savefig(output / "diagram.svg")
 
 
 if __name__ == "__main__":

@@ -7,4 +7,5 @@ from .bifurcation import bifurcation_diagram as bifurcation_diagram, locate as l
 from .genus_two.separation import SeparatedSystem as SeparatedSystem
 from .isomorphism import inverse as inverse, pull_back as pull_back, push_forward as push_forward
 from .isomorphism_motion import IsomorphismMap as IsomorphismMap
+from .revolution.diagram import revolution_diagram as revolution_diagram
 from .solver import solve as solve

@@ -10,12 +10,12 @@ import pytest
 
 from chaplygin.errors import InputError
 from chaplygin.explicit.revolution import solve_rolling
-from chaplygin.explicit.revolution.diagram import Diagram, motions_at, revolution_diagram
+from chaplygin.explicit.revolution.diagram import Diagram, revolution_diagram
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, Rolling
 from chaplygin.mechanics.rolling.initial_state import initial_state
 from chaplygin.mechanics.shapes.shapes import Ball, Disk
-from chaplygin.report.figures.bifurcation_revolution import diagram_of_revolution
+from chaplygin.report.figures import revolution_diagram as draw
 
 DISK = Rolling(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Forces(9.81))
 SPINS = (0.5, 1.0, 2.0, 3.0, 3.2, 4.0)
@@ -45,9 +45,9 @@ def test_leaning_disks_are_where_the_formula_says(diagram: Diagram) -> None:
 def test_numbers_of_motions(diagram: Diagram) -> None:
     column = diagram.columns[1]
     leaning, upright = float(column.rests[0].h), 9.81 + 0.5
-    assert motions_at(column, leaning - 0.1) == 0
-    assert motions_at(column, (leaning + upright) / 2) == 2
-    assert motions_at(column, upright + 0.1) == 1
+    assert column.motions_at(leaning - 0.1) == 0
+    assert column.motions_at((leaning + upright) / 2) == 2
+    assert column.motions_at(upright + 0.1) == 1
 
 
 @pytest.mark.slow
@@ -57,7 +57,7 @@ def test_a_motion_lies_where_its_integrals_say(diagram: Diagram) -> None:
     assert solution is not None
     h, K, *_ = (float(figure.value) for figure in solution.form.constants)
     column = revolution_diagram(DISK, [abs(K)]).columns[0]
-    assert motions_at(column, h) == 1
+    assert column.motions_at(h) == 1
 
 
 def test_curves_join_the_columns(diagram: Diagram) -> None:
@@ -68,7 +68,7 @@ def test_curves_join_the_columns(diagram: Diagram) -> None:
 
 
 def test_figure(diagram: Diagram) -> None:
-    figure = diagram_of_revolution(diagram, [(12.0, 1.0)])
+    figure = draw(diagram, [(12.0, 1.0)])
     (axes,) = figure.axes
     assert axes.get_ylim()[0] < 9.81 < axes.get_ylim()[1]
     written = BytesIO()

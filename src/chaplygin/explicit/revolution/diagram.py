@@ -77,6 +77,15 @@ class Column:
     rests: tuple[PermanentRotation, ...]
     counts: tuple[int, ...]
 
+    def motions_at(self, h: float) -> int | None:
+        """The number of separate motions with the energy h; None where this is not decided."""
+        with ctx.workprec(BITS):
+            value = exact(h)
+            energy = arb(fmpq(value.numerator, value.denominator))
+            if any(rotation.h.overlaps(energy) for rotation in self.rests):
+                return None
+            return self.counts[sum(bool(rotation.h < energy) for rotation in self.rests)]
+
 
 @dataclass(frozen=True)
 class Diagram:
@@ -102,7 +111,7 @@ def revolution_diagram(
     spins: Sequence[float],
     parameters: Mapping[sp.Symbol, NumberOrText] | None = None,
 ) -> Diagram:
-    """The diagram of a body, on columns of constant K.
+    """The bifurcation diagram of a rubber body of revolution in the plane of h and K of (5.1).
 
     Parameters
     ----------
@@ -113,10 +122,29 @@ def revolution_diagram(
     parameters : mapping of Symbol to number, optional
         Values that replace the body's.
 
+    Returns
+    -------
+    Diagram
+        One column of permanent rotations and numbers of motions for each K.
+
     Raises
     ------
     InputError
         If the body is another one, or K is not positive.
+
+    Examples
+    --------
+    Upright rolling of a disk is unstable for K² < mga, here 9.81 J; disks then also roll leaning.
+
+    >>> import chaplygin as ch
+    >>> from chaplygin.explicit import revolution_diagram
+    >>> body = ch.Body(1.0, (0.25, 0.25, 0.5), ch.Disk(1.0))
+    >>> disk = ch.Rolling(body, contact="rubber", field=ch.Forces(9.81))
+    >>> diagram = revolution_diagram(disk, [1.0, 4.0])
+    >>> [[rotation.stable for rotation in column.rests] for column in diagram.columns]
+    [[True, True, False], [True]]
+    >>> diagram.columns[0].motions_at(8.0)
+    2
     """
     body = body_of(rolling, {**rolling.system().defaults, **(parameters or {})})
     if body is None:
@@ -156,16 +184,6 @@ def columns_at(body: AxisymmetricBody, K: float) -> Column:
         for rotation in rests:
             counts.append(counts[-1] + (1 if rotation.stable else -1))
         return Column(float(K), tuple(rests), tuple(counts))
-
-
-def motions_at(column: Column, h: float) -> int | None:
-    """The number of separate motions with the energy h; None where this is not decided."""
-    with ctx.workprec(BITS):
-        value = exact(h)
-        energy = arb(fmpq(value.numerator, value.denominator))
-        if any(rotation.h.overlaps(energy) for rotation in column.rests):
-            return None
-        return column.counts[sum(bool(rotation.h < energy) for rotation in column.rests)]
 
 
 @lru_cache(maxsize=64)

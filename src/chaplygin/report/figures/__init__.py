@@ -24,6 +24,7 @@ from ..scenes.ball import ball_scene
 from ..scenes.planar_mechanism import plan_view
 from ..scenes.rolling_body import scene
 from .bifurcation import draw_bifurcation_diagram as bifurcation_diagram
+from .bifurcation_revolution import draw_revolution_diagram as revolution_diagram
 from .closed_form import closed_form
 from .integral_drift import drift, drifts, relative_drift
 from .paths import contact_path, normal_on_sphere
@@ -56,6 +57,7 @@ __all__ = [
     "page_svgs",
     "plan_view",
     "relative_drift",
+    "revolution_diagram",
     "save",
     "scene",
     "state",

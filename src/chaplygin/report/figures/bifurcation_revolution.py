@@ -1,4 +1,4 @@
-"""The diagram of a rubber body of revolution: energy against linear integral."""
+"""The bifurcation diagram of a rubber body of revolution: energy against linear integral."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ..drawing.style import ALARM, COMPONENTS, INK, QUIET, STYLE, WIDTH
 SHADES = ("#ffffff", "#e6edf4", "#c3d3e4", "#9db6d1", "#7899bd")
 
 
-def diagram_of_revolution(
+def draw_revolution_diagram(
     diagram: Diagram, marks: Sequence[tuple[float, float]] = (), unit: str = "J"
 ) -> Figure:
     """Curves of permanent rotations and the number of motions between them.
