@@ -52,8 +52,15 @@ def figure() -> Figure:
             wandering = np.degrees(2 * np.arcsin(np.minimum(chords / 2, 1)).max())
             sizes = " × ".join(f"{b:g}" for b in axes)
             panel.set_title(f"{name}, {sizes} m")
-            panel.text(0, -1.2, f"it turns by up to {wandering:.3g}°", ha="center", color=QUIET)
+            panel.text(0, -1.2, f"it turns by {_angle(wandering)}", ha="center", color=QUIET)
         return picture
+
+
+def _angle(degrees: float) -> str:
+    """The largest angle in words; what is rounding by its power of ten."""
+    if degrees > 1e-6:
+        return f"up to {degrees:.3g}°"
+    return rf"less than $10^{{{np.ceil(np.log10(degrees)):.0f}}}$ degrees"
 
 
 def _draw(panel: plt.Axes, path: np.ndarray) -> None:

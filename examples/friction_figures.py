@@ -82,8 +82,8 @@ def billiard_ball() -> Picture:
     axes.plot(*centre[~sliding, :2].T, color=SERIES[0], label="rolls, straight on")
     axes.plot(*centre[0, :2], "o", color=INK)
     axes.plot([0, centre[sliding, 0].max() * 1.5], [0, 0], color=QUIET, lw=0.6, ls=":")
-    axes.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
-    axes.legend(loc="lower right")
+    axes.set(xlabel="$x$ (m)", ylabel="$y$ (m)", aspect="equal")
+    axes.legend(loc="upper left")
     return drawing, [
         f"rolls from t = {stick:.13f} s; 2|u|/(7μg) = {closed:.13f} s",
         f"largest distance from the parabola {parabola_error(run):.1e} m",
@@ -179,7 +179,7 @@ def superball() -> Picture:
     centre = run.records["centre"]
     left.plot(centre[:, 0], centre[:, 2], color=SERIES[0])
     left.plot(centre[0, 0], centre[0, 2], "o", color=INK)
-    left.set(xlabel="x (m)", ylabel="z (m)", ylim=(0, None))
+    left.set(xlabel="$x$ (m)", ylabel="$z$ (m)", ylim=(0, None))
     right.plot(run.times, run.records["velocity"][:, 2], color=SERIES[0])
     right.set(xlabel="time (s)", ylabel="vertical velocity (m/s)")
     lines = [
@@ -216,7 +216,7 @@ def bouncing_pebble() -> Picture:
         )
     top.set_ylabel("centre of mass (m)")
     top.legend(ncols=3)
-    low.set(xlabel="time (s)", ylabel="energy (mJ)")
+    low.set(xlabel="time (s)", ylabel="energy (mJ)", ylim=(0, None))
     return drawing, lines
 
 
@@ -245,7 +245,7 @@ def contensou_ball() -> Picture:
         right.loglog(left_time[there], values[there], color=colour)
     left.set(xlabel="time (s)", ylabel="speed (m/s)", xlim=(0, 0.4))
     left.legend()
-    right.set(xlabel="time to the end (s)", ylim=(1e-13, None))
+    right.set(xlabel="time to the end (s)", ylabel="speed (m/s)", ylim=(1e-13, None))
     expected = 14 / 5 * (0.1 / patch) ** 2
     return drawing, [
         f"both end at t = {end:.10f} s: {run.changes[0].kind}, then {run.changes[0].mode}",
@@ -302,7 +302,7 @@ def ball_on_a_turntable() -> Picture:
     axes.plot(*centre[sliding, :2].T, color=SERIES[1], lw=2, label="slides")
     axes.plot(0, 0, "+", color=QUIET, ms=8)
     axes.plot(*centre[0, :2], "o", color=INK)
-    axes.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
+    axes.set(xlabel="$x$ (m)", ylabel="$y$ (m)", aspect="equal")
     axes.legend(loc="upper right")
     ratio = circling_rate(run) / 3.0
     held = np.linalg.norm(run.records["friction_force"][~sliding], axis=1)
@@ -325,7 +325,7 @@ def ball_in_a_turning_bowl() -> Picture:
     left.plot(run.times, 0.3 + centre[:, 2] - 0.02, color=SERIES[0])
     left.set(xlabel="time (s); grey where it rolls", ylabel="height above the lowest place (m)")
     right.plot(*centre[:, :2].T, color=SERIES[0], lw=0.6)
-    right.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
+    right.set(xlabel="$x$ (m)", ylabel="$y$ (m)", aspect="equal")
     kinds = ", ".join(f"{number} {kind}" for kind, number in run.kinds.items())
     height = 0.28 + centre[:, 2]
     swings = np.flatnonzero((height[1:-1] < height[:-2]) & (height[1:-1] < height[2:])) + 1
@@ -384,7 +384,7 @@ def painleve() -> Picture:
     for side, colour, words in ((-1, SERIES[1], "against the lean"), (1, SERIES[0], "along it")):
         left.plot(leans, [margin(a, side) for a in leans], color=colour, label=words)
     left.plot(1.1621, margin(1.1621, -1), "o", color=SERIES[1])
-    left.set(xlabel="axis above the table (rad)", ylabel="B (1/kg)")
+    left.set(xlabel="axis above the table (rad)", ylabel="$B$ (1/kg)")
     left.legend()
     impulses, sliding, normal = without_collision()
     right.axhline(0, color=QUIET, lw=0.6)

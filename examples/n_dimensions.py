@@ -91,11 +91,13 @@ def picture(motions: list[tuple[Case, FloatArray, FloatArray]]) -> Figure:
                 ylabel=r"$\gamma_4$",
                 xlim=(-1, 1),
                 ylim=(-1, 1),
+                xticks=(-1, 0, 1),
+                yticks=(-1, 0, 1),
             )
             above.set_aspect("equal")
             frequency, amplitude = spectrum(times, gamma[:, 0])
             below.semilogy(frequency, np.maximum(amplitude, 1e-9), color=INK, lw=0.4)
-            below.set(xlabel="angular frequency", xlim=(0, 6), ylim=(1e-8, 2))
+            below.set(xlabel="angular frequency (rad/s)", xlim=(0, 6), ylim=(1e-8, 2))
             if column == 0:
                 below.set_ylabel(r"amplitude of $\gamma_1$, relative")
         return figure

@@ -377,21 +377,25 @@ def draw(returns: int = 16_000) -> Figure:
     """Sections of two levels: among those with closed orbits of 4 : 3 : 2, and away from them."""
     resonant = [(float(a) + b) / 2 for a, b in zip(TOP.zeros, OTHER_ZEROS, strict=True)]
     levels = {
-        f"level with closed orbits, {returns} points each": (resonant, returns),
+        f"with closed orbits, {returns:,} points each": (resonant, returns),
         "another level, 500 points each": (ANOTHER_LEVEL, 500),
     }
     grid = (np.arange(4) + 0.37) * 2 * np.pi / 4
     starts = np.array([[a, b] for a in grid for b in grid])
     with plt.rc_context(STYLE):
-        figure, axes = plt.subplots(1, 2, figsize=(WIDTH, 0.55 * WIDTH), sharey=True)
+        figure, axes = plt.subplots(
+            1, 2, figsize=(WIDTH, 0.56 * WIDTH), sharey=True, layout="constrained"
+        )
         for axis, (title, (level, count)) in zip(axes, levels.items(), strict=True):
             for number, orbit in enumerate(section_points(level, starts, count)):
                 axis.plot(*orbit.T, ",", color=SERIES[number % len(SERIES)], rasterized=True)
-            axis.set(xlim=(0, 2 * np.pi), ylim=(0, 2 * np.pi), xlabel=r"$\varphi_2$", title=title)
+            axis.set(
+                xlim=(0, 2 * np.pi), ylim=(0, 2 * np.pi), xlabel=r"$\varphi_2$ (rad)", title=title
+            )
             axis.set_xticks([0, np.pi, 2 * np.pi], ["0", "π", "2π"])
             axis.set_yticks([0, np.pi, 2 * np.pi], ["0", "π", "2π"])
             axis.set_aspect("equal")
-        axes[0].set_ylabel(r"$\varphi_3$")
+        axes[0].set_ylabel(r"$\varphi_3$ (rad)")
     return figure
 
 

@@ -228,7 +228,7 @@ def draw(free: Run, damped: Run, path: Path) -> None:
             upper.plot(motion.times, motion.spin, color=colour, label=words)
             lower.plot(motion.times, np.degrees(motion.tilt), color=colour, linewidth=0.6)
         upper.axhline(0.0, color=FAINT, linewidth=0.6, zorder=0)
-        upper.set_ylabel("spin (ω, γ)  (rad/s)")
+        upper.set_ylabel(r"spin  $(\omega, \gamma)$  (rad/s)")
         lower.set_ylabel("tilt of axis 3  (degrees)")
         lower.set_xlabel("time (s)")
         upper.legend(loc="lower right")

@@ -272,7 +272,7 @@ def figure(true: Trajectory, false: Trajectory) -> Figure:
         right.plot(path[0][-1], path[1][-1], "o", color=colour)
     left.axhline(0, color=QUIET, linewidth=0.6)
     left.set(xlabel="time (s)", ylabel="lean (degrees)")
-    right.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
+    right.set(xlabel="$x$ (m)", ylabel="$y$ (m)", aspect="equal")
     drawing.legend(loc="outside upper left", ncols=2)
     return drawing
 

@@ -114,8 +114,15 @@ def figure() -> Figure:
     for i, angle in enumerate(np.radians([2, 10, 20, 33.146, 50, 65, 80, 88])):
         run = slide(math.sin(angle), math.cos(angle), Uniform())
         left.plot(run.spin, run.v, color=SERIES[0], lw=1.8 if i == 3 else 0.9)
+    left.text(0.46, 0.94, r"$v^2 + a^2\Omega^2 = 1$ at the start", color=QUIET, fontsize=8)
     left.text(0.52, 0.28, "0.6530", color=SERIES[0])
-    left.set(xlabel=r"$a\Omega$", ylabel=r"$v$", aspect="equal", xlim=(0, 1.02), ylim=(0, 1.02))
+    left.set(
+        xlabel=r"$a\Omega$",
+        ylabel=r"$v$",
+        aspect="equal",
+        xlim=(0, 1.02),
+        ylim=(0, 1.02),
+    )
     betas = np.linspace(0.252, 0.66, 200)
     right.plot(betas, [limiting_ratio(Uniform(), b) for b in betas], color=SERIES[0])
     right.plot(DISK, limiting_ratio(Uniform(), DISK), "o", color=SERIES[0])
@@ -124,7 +131,7 @@ def figure() -> Figure:
     right.plot(1, limiting_ratio(Ring(), 1.0), "o", color=SERIES[1])
     right.text(0.53, 0.72, "disk", color=SERIES[0])
     right.text(1.03, 1.05, "hoop", color=SERIES[1])
-    right.text(0.22, 0.15, "uniform pressure", color=SERIES[0], fontsize=8)
+    right.text(0.70, 0.15, "uniform pressure", color=SERIES[0], fontsize=8)
     right.text(0.62, 1.6, "pressure on the rim", color=SERIES[1], fontsize=8)
     right.axhline(1, color=QUIET, lw=0.5)
     right.set(xlabel=r"$\beta = I/ma^2$", ylabel=r"$v/(a\Omega)$ at the end", ylim=(0, 3))

@@ -96,8 +96,10 @@ def still(plans: dict[str, MotionPlan]) -> Figure:
         fine = np.linspace(0.0, plan.path.period, 801)
         for values, name, colour in zip(plan.inputs_at(fine).T, plan.inputs, SERIES, strict=False):
             middle.plot(fine, values, color=colour, label=_label(name))
-        middle.set(xlabel="$t$ (s)", ylabel="rad/s")
-        middle.legend(fontsize=8, loc="upper right", handlelength=1.0)
+        middle.set(xlabel="$t$ (s)", ylabel="rate (rad/s)")
+        # above, as the curves take all the room
+        key = {"loc": "lower right", "bbox_to_anchor": (1.04, 0.97), "ncols": 3}
+        middle.legend(fontsize=8, handlelength=1.0, columnspacing=0.8, **key)
         right.semilogy(plan.times[1:], np.maximum(plan.errors[1:], 1e-16), color=ALARM, lw=0.9)
         right.axhline(1e-6 * plan.path.diameter, color=QUIET, lw=0.6)
         right.set(xlabel="$t$ (s)", ylabel="error (m)", ylim=(1e-15, 1e-4))

@@ -196,7 +196,7 @@ def figure(motions: dict[str, tuple[CompiledContact, ContactMotion]], tops: xr.D
         xlim=(-0.1, 4),
         ylim=(-1.05, 1.05),
     )
-    left.legend(loc="upper right", fontsize=7.5)
+    left.legend(loc="lower left", bbox_to_anchor=(-0.05, 0.99), fontsize=7.5)
     image = right.pcolormesh(tops.spin, tops.alpha, tops, cmap="RdYlBu", vmin=-1)
     image.set_clim(-1, 1)
     image.set_rasterized(True)
