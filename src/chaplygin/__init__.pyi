@@ -8,6 +8,7 @@ from . import (
     experiment as experiment,
     explicit as explicit,
     flow as flow,
+    lab as lab,
     measures as measures,
     mechanics as mechanics,
     proof as proof,

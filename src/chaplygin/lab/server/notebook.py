@@ -75,7 +75,6 @@ def widget(what: Study | System) -> AnyWidget:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> import chaplygin.lab
     >>> study = ch.prepare(ch.loads('system = {name = "veselova"}'))
     >>> shown = ch.lab.widget(study)
     >>> shown.title
