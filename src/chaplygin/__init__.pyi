@@ -47,7 +47,7 @@ from .flow.gauss import gauss_integrator as gauss_integrator
 from .flow.integrator import integrate as integrate
 from .flow.kernel.equations import poincare_section as poincare_section
 from .flow.linearisation.linear_stability import linear_stability as linear_stability
-from .flow.sampling.draw import sample_level as sample_level
+from .flow.sampling.level_sampler import sample_level as sample_level
 from .flow.sections.poincare_map import PoincareMap as PoincareMap
 from .flow.trajectory import Trajectory as Trajectory
 from .measures.existence import measure_exists as measure_exists

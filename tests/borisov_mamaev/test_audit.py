@@ -9,7 +9,7 @@ import sympy as sp
 
 from chaplygin.borisov_mamaev import Claim, audit as module, claims, remarks
 from chaplygin.borisov_mamaev.audit import DECISIONS, TITLES, Judgement, audit, counts, page
-from chaplygin.borisov_mamaev.methods.conclusion import contrary
+from chaplygin.borisov_mamaev.methods.derived_verdicts import contrary
 from chaplygin.catalogue import from_catalogue
 from chaplygin.cli import main
 from chaplygin.core.laws import Integral

@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 
 from chaplygin.borisov_mamaev.methods.catalogue_laws import law_named
-from chaplygin.borisov_mamaev.methods.conclusion import contrary
+from chaplygin.borisov_mamaev.methods.derived_verdicts import contrary
 from chaplygin.borisov_mamaev.obstructions.divergence_at_equilibria import (
     divergence,
     excludes_measure,

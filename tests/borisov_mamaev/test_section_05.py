@@ -11,7 +11,13 @@ from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
 from chaplygin import lambdify
-from chaplygin.borisov_mamaev.methods.lens import curvatures, height, lens, linear_integral, slope
+from chaplygin.borisov_mamaev.methods.marble_bodies_of_revolution import (
+    curvatures,
+    height,
+    lens,
+    linear_integral,
+    slope,
+)
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.catalogue.angles import in_angles
 from chaplygin.core.vectors import to_components

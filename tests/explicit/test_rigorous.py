@@ -20,9 +20,9 @@ from chaplygin.explicit.genus_two.separation import SeparatedSystem, nu, nuprime
 from chaplygin.explicit.genus_two_solution import solve_on_torus
 from chaplygin.explicit.rigorous import rigorous_motion
 from chaplygin.explicit.rigorous.affine import Affine
+from chaplygin.explicit.rigorous.analyticity_strip import least, lines_of, strip_bound
 from chaplygin.explicit.rigorous.branch_formula import Branch, LeavesBranchError, direction
 from chaplygin.explicit.rigorous.quadrature import RigorousQuadrature, quadratures
-from chaplygin.explicit.rigorous.strip import least, lines_of, strip_bound
 from chaplygin.explicit.rigorous.theta import Numerators, numerators_at
 from chaplygin.explicit.separations.bruns import veselova_in_bruns_field
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball

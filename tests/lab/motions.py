@@ -11,7 +11,7 @@ import numpy as np
 import chaplygin as ch
 from chaplygin.flow.batch import batch_integrator
 from chaplygin.lab.page_model import TOLERANCE
-from chaplygin.lab.reduced import page_system
+from chaplygin.lab.page_systems import page_system
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

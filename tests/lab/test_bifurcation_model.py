@@ -8,7 +8,7 @@ import sympy as sp
 import chaplygin as ch
 from chaplygin.experiment.closed_form import diagram_if_known
 from chaplygin.lab.bifurcation_model import bifurcation_model
-from chaplygin.lab.reduced import reduced_system
+from chaplygin.lab.page_systems import reduced_system
 
 
 def test_curves_are_the_boundaries_in_values_of_the_integrals():

@@ -17,7 +17,7 @@ from chaplygin.flow.batch import batch_integrator
 from chaplygin.flow.kernel.equations import poincare_section
 from chaplygin.flow.trajectory import recorded_values
 from chaplygin.lab.page_model import live_page_model
-from chaplygin.lab.reduced import page_system, reduced_system
+from chaplygin.lab.page_systems import page_system, reduced_system
 from chaplygin.mechanics.shapes.gauss_map import contact_points
 from lab.motions import CLOSE, EXAMPLES, motion_in_python, study_of, whole_system
 from lab.node import needs_node, rows, run_engine

@@ -63,14 +63,14 @@ def _diagram(what: str, overrides: list[str] | None) -> tuple[Diagram, tuple[flo
     from ..experiment.single_system import single_system
     from ..explicit.base.problem import Problem
     from ..explicit.bifurcation import bifurcation_diagram
-    from ..explicit.bifurcation.diagram_of import diagram_of
     from ..explicit.bifurcation.families import PLANES
+    from ..explicit.bifurcation.motion_diagram import diagram_of_motion
 
     if what in PLANES:
         return bifurcation_diagram(what, _numbers(overrides or [])), None
     study = study_of(what, overrides)
     system = single_system(study)
-    diagram = diagram_of(Problem(system, system.defaults, study.start, study.rolling))
+    diagram = diagram_of_motion(Problem(system, system.defaults, study.start, study.rolling))
     if diagram is None:
         raise InputError(
             f"no bifurcation diagram of {system.title} is known at this start: its motions do not "

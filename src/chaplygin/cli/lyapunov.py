@@ -64,7 +64,7 @@ def command(
     from ..analysis.lyapunov.report import Spectrum, record
     from ..analysis.orbits.reversing_symmetries import reversors
     from ..experiment.single_system import without_reconstruction
-    from ..flow.sampling.draw import sample_level
+    from ..flow.sampling.level_sampler import sample_level
 
     system = without_reconstruction(study)
     if numbers is None:

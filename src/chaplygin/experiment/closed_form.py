@@ -21,7 +21,7 @@ from ..errors import InputError, RunError
 from ..explicit.base.problem import Problem
 from ..explicit.base.solution import NamedConstant, Solution, times_in_range
 from ..explicit.bifurcation import Diagram
-from ..explicit.bifurcation.diagram_of import diagram_of
+from ..explicit.bifurcation.motion_diagram import diagram_of_motion
 from ..explicit.solvable_cases import solution_of
 from ..flow.trajectory import Statistics, Trajectory, recorded_values
 from ..printing import numerals
@@ -64,7 +64,7 @@ def diagram_if_known(study: Study) -> tuple[Diagram, tuple[float, float]] | None
     """
     with contextlib.suppress(InputError):
         system = single_system(study)
-        return diagram_of(Problem(system, system.defaults, study.start, study.rolling))
+        return diagram_of_motion(Problem(system, system.defaults, study.start, study.rolling))
     return None
 
 

@@ -16,7 +16,7 @@ from ..errors import InputError
 from ..flow.devices.graphics import Device
 from ..flow.ensemble.task import Task
 from ..flow.kernel.equations import poincare_section
-from ..flow.sampling.draw import level_sampler
+from ..flow.sampling.level_sampler import level_sampler
 from ..flow.sections.poincare_dataset import Quantity, section_task
 from ..flow.sections.poincare_map import PoincareMap, slab
 from ..formulas.array_evaluation import formula, values

@@ -9,6 +9,6 @@ from .linearisation.linear_stability import (
     relative_equilibrium as relative_equilibrium,
 )
 from .linearisation.tangent_space import TangentSpace as TangentSpace
-from .sampling.draw import level_sampler as level_sampler, sample_level as sample_level
+from .sampling.level_sampler import level_sampler as level_sampler, sample_level as sample_level
 from .sections.poincare_map import PoincareMap as PoincareMap
 from .trajectory import Event as Event, Trajectory as Trajectory

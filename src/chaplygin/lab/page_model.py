@@ -22,7 +22,7 @@ from .columns import Column, Scalar, columns_of, scalars_of, symbol_mathml
 from .encoding import deflate, doubles
 from .page_module import page_module
 from .page_start import start_inputs
-from .reduced import reduced_system
+from .page_systems import reduced_system
 from .scene_model import Json, scene_model
 from .sections import section_choice, sectionable
 from .slider_range import parameter_range

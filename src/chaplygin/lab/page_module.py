@@ -20,7 +20,7 @@ from ..formulas.array_evaluation import read_formulas
 from ..formulas.graph import Term
 from .columns import Column, Scalar, columns_of, scalars_of
 from .page_start import SPINS, start_tables
-from .reduced import page_system, reduced_system
+from .page_systems import page_system, reduced_system
 from .scene_model import Json
 from .sections import chosen_section, sectionable, terms_of
 from .start_terms import StartTerms, start_terms

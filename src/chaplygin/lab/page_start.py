@@ -14,7 +14,7 @@ from ..experiment.subjects.initial_state import unit_vectors
 from ..flow.variable_metadata import variable_metadata
 from ..printing.formula import text
 from .columns import symbol_mathml
-from .reduced import page_system
+from .page_systems import page_system
 from .scene_model import Json
 from .slider_range import value_range
 

@@ -12,7 +12,7 @@ from ..experiment.study import Study, dataset_of
 from ..proof.verdict import Verdict
 from .bifurcation_model import bifurcation_model
 from .page_model import MOST_SAMPLES, live_page_model, page_model
-from .reduced import reduced_system
+from .page_systems import reduced_system
 from .scene_model import Json
 
 

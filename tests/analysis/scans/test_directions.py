@@ -8,7 +8,7 @@ import pytest
 from chaplygin.analysis.scans.directions import Directions, frame
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
-from chaplygin.flow.sampling.draw import sample_level
+from chaplygin.flow.sampling.level_sampler import sample_level
 
 
 def test_the_frame_is_orthonormal_and_right_handed() -> None:

@@ -10,7 +10,7 @@ import pytest
 from chaplygin.analysis.scans.state_coordinates import CHARTS, StateCoordinates, chart
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
-from chaplygin.flow.sampling.draw import sample_level
+from chaplygin.flow.sampling.level_sampler import sample_level
 from chaplygin.formulas.array_evaluation import values
 
 BALL, VESELOVA = from_catalogue("chaplygin-ball"), from_catalogue("veselova")

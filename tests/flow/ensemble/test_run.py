@@ -20,7 +20,7 @@ from chaplygin.flow.ensemble.members import from_lists, grid, random_starts, sin
 from chaplygin.flow.ensemble.run import ensemble, ensemble_task
 from chaplygin.flow.ensemble.task import Divisible
 from chaplygin.flow.integrator import integrate
-from chaplygin.flow.sampling.draw import sample_level
+from chaplygin.flow.sampling.level_sampler import sample_level
 from chaplygin.mechanics.rolling.initial_state import initial_state
 
 BALL = from_catalogue("chaplygin-ball")

@@ -20,7 +20,7 @@ from chaplygin.errors import InputError
 from chaplygin.flow.ensemble.computation import compute
 from chaplygin.flow.ensemble.task import Task
 from chaplygin.flow.kernel.equations import poincare_section
-from chaplygin.flow.sampling.draw import sample_level
+from chaplygin.flow.sampling.level_sampler import sample_level
 from chaplygin.flow.sections import poincare_dataset as section_points
 from chaplygin.flow.sections.poincare_dataset import Quantity, section_task
 from chaplygin.flow.sections.poincare_map import PoincareMap

@@ -11,9 +11,9 @@ from chaplygin.core.laws import Measure
 from chaplygin.core.vectors import dot, real_symbol, to_components
 from chaplygin.errors import InputError
 from chaplygin.mechanics.lagrangian.mechanism import TIME, Mechanism, coordinates
-from chaplygin.mechanics.reduction.base import base
+from chaplygin.mechanics.reduction.base_coordinates import base
 from chaplygin.mechanics.reduction.chaplygin import chaplygin_form
-from chaplygin.mechanics.reduction.form import ChaplyginForm
+from chaplygin.mechanics.reduction.chaplygin_form import ChaplyginForm
 from chaplygin.mechanics.reduction.horizontal_lift import lift
 from chaplygin.mechanics.reduction.integrals import Linear
 from chaplygin.mechanics.reduction.momenta import motion

@@ -9,7 +9,7 @@ import sympy as sp
 from ...core.system import System
 from ...parsing.exact_decimals import exact_number
 from ...proof.verdict import Verdict
-from .conclusion import computed_verdict
+from .derived_verdicts import computed_verdict
 
 
 def rational_point(system: System, state: Mapping[str, object]) -> dict[sp.Symbol, sp.Rational]:

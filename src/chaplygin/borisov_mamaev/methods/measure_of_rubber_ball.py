@@ -30,7 +30,7 @@ from ...mechanics.rolling.equations import Rolling
 from ...mechanics.shapes.shapes import Ball
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
-from .conclusion import computed_verdict
+from .derived_verdicts import computed_verdict
 
 J, kappa, gamma = Diagonal("J").symbols, Vector("kappa").symbols, Vector("gamma").symbols
 cosine, sine = real_symbol("C"), real_symbol("S")

@@ -15,7 +15,7 @@ import sympy as sp
 
 from ...core.vectors import Diagonal, real_symbol, to_components, vectors
 from ...proof.verdict import Verdict
-from .conclusion import computed_verdict
+from .derived_verdicts import computed_verdict
 
 J = Diagonal("J")
 (gamma,) = vectors("gamma")

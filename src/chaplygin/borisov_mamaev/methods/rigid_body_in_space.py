@@ -14,7 +14,7 @@ from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, constant, cross, gradient, real_symbol, to_components, vectors
 from ...mechanics.lagrangian.structure_functions import VectorField, commutator
 from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
-from . import unspecified
+from . import unspecified_systems
 
 alpha, beta, gamma, R, omega, v, r = vectors("alpha beta gamma R omega v r")
 lambda_ = vectors("lambda")[0]
@@ -51,7 +51,7 @@ def bracket(first: VectorField, second: VectorField) -> VectorField:
 def moving() -> System:
     """A body that moves with any ω and v, both in body axes."""
     rows = rotation()
-    return unspecified.system(
+    return unspecified_systems.system(
         "free-body",
         "Body in space",
         {attitude: quaternion_rate(omega), R: constant(rows * to_components(v))},

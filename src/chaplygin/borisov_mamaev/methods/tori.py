@@ -10,7 +10,7 @@ from ...core.laws import ConformallyHamiltonian, Identity, Law, PoissonStructure
 from ...core.system import System
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
-from .unspecified import system, unspecified_functions
+from .unspecified_systems import system, unspecified_functions
 
 theta_1, theta_2, theta_3, F_1, F_2 = sp.symbols("theta_1:4 F_1:3", real=True)
 

@@ -32,7 +32,7 @@ from ...core.vectors import real_symbol
 from ...explicit.separations.chaplygin_ball import chaplygin_ball
 from ...explicit.separations.fedorov import fedorov
 from ...proof.verdict import Verdict
-from .conclusion import computed_verdict, conclusion_verdict
+from .derived_verdicts import computed_verdict, conclusion_verdict
 
 h, f, w = real_symbol("h"), real_symbol("f"), real_symbol("w")
 

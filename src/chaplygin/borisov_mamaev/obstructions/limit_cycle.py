@@ -19,7 +19,7 @@ from fractions import Fraction
 from flint import arb, ctx
 
 from ...proof.verdict import Verdict
-from ..methods.conclusion import computed_verdict
+from ..methods.derived_verdicts import computed_verdict
 
 Case = tuple[tuple[str, ...], tuple[str, ...], str]
 

@@ -31,7 +31,7 @@ import sympy as sp
 from ...catalogue.ball_on_sphere import power_potential_on_sphere as point
 from ...catalogue.ball_on_sphere.rubber_ball_on_e3 import J, M, gamma, k
 from ...proof.verdict import Verdict
-from ..methods.conclusion import computed_verdict
+from ..methods.derived_verdicts import computed_verdict
 
 #: k.
 EXPONENT = sp.Rational(-1, 2)

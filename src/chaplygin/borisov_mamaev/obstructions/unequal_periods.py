@@ -33,7 +33,7 @@ from ...explicit.separations.chaplygin_ball import CLOCK, chaplygin_ball
 from ...explicit.separations.fedorov import fedorov
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
-from ..methods.conclusion import computed_verdict
+from ..methods.derived_verdicts import computed_verdict
 
 T = TypeVar("T", arb, arb_series)
 #: I and D = mR², as decimal fractions.

@@ -26,7 +26,7 @@ from ...core.vectors import (
     vectors,
 )
 from ..claim import Case, Claim, Remark
-from ..methods import unspecified
+from ..methods import unspecified_systems
 
 q, v, a_1, a_2, Q, slope, push, vdot = vectors("q v a_1 a_2 Q slope push vdot")
 A, B = Symmetric("A"), Symmetric("B")
@@ -41,7 +41,9 @@ NORMALS = (a_1, a_2)
 def _unspecified_vector(name: str, *variables: sp.Symbol) -> sp.ImmutableDenseMatrix:
     """A vector with unspecified components."""
     return constant(
-        unspecified.unspecified_functions(" ".join(f"{name}{i}" for i in (1, 2, 3)), *variables)
+        unspecified_systems.unspecified_functions(
+            " ".join(f"{name}{i}" for i in (1, 2, 3)), *variables
+        )
     )
 
 
@@ -64,14 +66,14 @@ SPEED = to_components(v)
 DRIFT = constant(MATRIX.applyfunc(_rate_along_velocity) * SPEED)
 SLOPE = constant([HALF * (SPEED.T * sp.diff(MATRIX, s) * SPEED)[0] for s in q])
 ROWS = (_unspecified_vector("a_s1", *q), _unspecified_vector("a_s2", *q))
-RESTS = unspecified.unspecified_functions("b_s1 b_s2", *q)
+RESTS = unspecified_systems.unspecified_functions("b_s1 b_s2", *q)
 
 
 @cache
 def ferrers() -> System:
     """(1.3) solved for the accelerations, with multipliers of any value."""
     first, second = multiplier
-    return unspecified.system(
+    return unspecified_systems.system(
         "ferrers",
         "Ferrers' equations",
         {q: v, v: vdot},

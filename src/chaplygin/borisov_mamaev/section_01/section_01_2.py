@@ -16,7 +16,7 @@ from ...core.laws import Identity, Rate
 from ...core.system import Parameter, System
 from ...core.vectors import constant, real_symbol, vectors
 from ..claim import Case, Claim, Remark
-from ..methods import unspecified
+from ..methods import unspecified_systems
 
 q, w, v, s = vectors("q w v s")
 lambda_0, det = real_symbol("lambda_0"), real_symbol("det")
@@ -40,7 +40,7 @@ def motion() -> System:
 
 
 def _motion(matrix: sp.ImmutableDenseMatrix) -> System:
-    return unspecified.system(
+    return unspecified_systems.system(
         "any-motion",
         "Any motion in a frame",
         {q: v, w: s},

@@ -30,7 +30,7 @@ from ...mechanics.rolling.equations import roll
 from ...mechanics.shapes.shapes import Ellipsoid
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.conclusion import computed_verdict
+from ..methods.derived_verdicts import computed_verdict
 from ..methods.rigid_body_in_space import COORDINATES, bracket, moving, shift, turn
 
 alpha, beta, gamma, R, omega, v, r, c = vectors("alpha beta gamma R omega v r c")

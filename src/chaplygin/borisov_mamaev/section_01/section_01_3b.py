@@ -27,8 +27,8 @@ from ...core.vectors import (
 )
 from ...mechanics.lagrangian.structure_functions import lie_derivative
 from ..claim import Case, Claim, Remark
-from ..methods import unspecified
-from ..methods.any_motion import (
+from ..methods import unspecified_systems
+from ..methods.arbitrary_motion import (
     any_motion,
     driven,
     newton_euler,
@@ -153,7 +153,7 @@ def spin_torque() -> Case:
 def in_euler_angles() -> System:
     """Any motion in which (ω, γ) = 0, by the Euler angles."""
     nutation, rotation = real_symbol("s_1"), real_symbol("s_2")
-    return unspecified.system(
+    return unspecified_systems.system(
         "euler-angles",
         "Euler angles of a rubber body",
         {

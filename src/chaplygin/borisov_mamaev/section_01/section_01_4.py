@@ -29,7 +29,7 @@ from ...mechanics.rolling.equations import Forces, roll
 from ...mechanics.shapes.shapes import Ball, Ellipsoid
 from ...mechanics.shapes.surfaces import Sphere
 from ..claim import Case, Claim, Remark
-from ..methods.any_motion import any_motion, driven, newton_euler, reduced_equation
+from ..methods.arbitrary_motion import any_motion, driven, newton_euler, reduced_equation
 from ..methods.rigid_body_in_space import POTENTIAL
 
 M, omega, gamma, r, gammatilde, X = vectors("M omega gamma r gammatilde X")

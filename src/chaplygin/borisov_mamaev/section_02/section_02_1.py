@@ -14,8 +14,8 @@ from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, to_
 from ...mechanics.lagrangian.structure_functions import VectorField
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods import unspecified
-from ..methods.conclusion import computed_verdict
+from ..methods import unspecified_systems
+from ..methods.derived_verdicts import computed_verdict
 from ..methods.growth_vector import growth, holonomic_count_verdict
 from ..methods.rigid_body_in_space import COORDINATES, shift, turn
 from ..section_01.section_01_3a import rational_rotation
@@ -55,7 +55,7 @@ ADMISSIBLE: tuple[Coefficients, ...] = (
 @cache
 def directions() -> System:
     """A ball of radius b in some attitude, at rest."""
-    return unspecified.system(
+    return unspecified_systems.system(
         "directions",
         "Ball in an attitude",
         {gamma: constant([0, 0, 0])},

@@ -13,7 +13,7 @@ from ...core.laws import Identity, Rate
 from ...core.system import System
 from ...core.vectors import Diagonal, cross, dot, identity, norm_squared, real_symbol, vectors
 from ..claim import Case, Claim, Remark
-from ..methods.any_motion import TORQUE, newton_euler
+from ..methods.arbitrary_motion import TORQUE, newton_euler
 from ..methods.catalogue_laws import law_named
 from ..section_01.section_01_4 import bound
 from .section_02_1 import between

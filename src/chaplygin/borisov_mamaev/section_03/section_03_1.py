@@ -14,7 +14,7 @@ from ...mechanics.rolling.equations import Forces, roll
 from ...mechanics.shapes.shapes import Ellipsoid
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import law_named
-from ..methods.unspecified import fields, gradient, system, unspecified_functions
+from ..methods.unspecified_systems import fields, gradient, system, unspecified_functions
 
 q = sp.symbols("q_1:4", real=True)
 w = sp.symbols("w_1:4", real=True)

@@ -14,7 +14,7 @@ from ...mechanics.shapes.shapes import Ellipsoid
 from ...parsing.exact_decimals import exact_number
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.unspecified import fields, system, unspecified_functions
+from ..methods.unspecified_systems import fields, system, unspecified_functions
 from ..obstructions.divergence_at_equilibria import excludes_measure
 
 x = sp.symbols("x_1:4", real=True)

@@ -13,8 +13,8 @@ from ...core.system import Guard, System
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.conclusion import contrary
-from ..methods.unspecified import (
+from ..methods.derived_verdicts import contrary
+from ..methods.unspecified_systems import (
     bracket,
     gradient,
     hamiltonian,

@@ -11,8 +11,14 @@ from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import laws_named
-from ..methods.conclusion import computed_verdict
-from ..methods.unspecified import gradient, hamiltonian, skew, system, unspecified_functions
+from ..methods.derived_verdicts import computed_verdict
+from ..methods.unspecified_systems import (
+    gradient,
+    hamiltonian,
+    skew,
+    system,
+    unspecified_functions,
+)
 
 x = sp.symbols("x_1:4", real=True)
 J = skew(x)

@@ -13,8 +13,8 @@ from ...core.system import System
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim
 from ..methods.catalogue_laws import law_named, printed_form
-from ..methods.conclusion import computed_verdict
-from ..methods.unspecified import system
+from ..methods.derived_verdicts import computed_verdict
+from ..methods.unspecified_systems import system
 
 # --- global and local Casimir functions ----------------------------------------------------
 

@@ -14,9 +14,9 @@ from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import law_named, laws_named
-from ..methods.conclusion import computed_verdict, contrary
+from ..methods.derived_verdicts import computed_verdict, contrary
 from ..methods.tori import F_1, F_2, canonical_in, not_hamiltonian, theta_1, theta_2, theta_3
-from ..methods.unspecified import system, unspecified_functions
+from ..methods.unspecified_systems import system, unspecified_functions
 from ..obstructions.divergence_at_equilibria import excludes_measure
 
 # --- Lie -----------------------------------------------------------------------------------

@@ -17,9 +17,9 @@ from ...core.laws import (
 from ...core.system import System
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.conclusion import conclusion_verdict, contrary
+from ..methods.derived_verdicts import conclusion_verdict, contrary
 from ..methods.tori import F_1, F_2, canonical_in, not_hamiltonian, of_rank_two, theta_1, theta_2
-from ..methods.unspecified import system, unspecified_functions
+from ..methods.unspecified_systems import system, unspecified_functions
 
 ANGLES = (theta_1, theta_2)
 STATE = (theta_1, theta_2, F_1, F_2)

@@ -11,7 +11,7 @@ from ...core.laws import Identity, Rate
 from ...core.system import System
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import law_named, laws_named
-from ..methods.unspecified import system, unspecified_functions
+from ..methods.unspecified_systems import system, unspecified_functions
 
 q = q_1, q_2 = chaplygin.q_1, chaplygin.q_2
 #: Velocities q̇, and q′ = dq/dτ.

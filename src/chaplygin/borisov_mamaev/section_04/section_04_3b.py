@@ -13,7 +13,7 @@ from ...core.laws import Identity, PoissonStructure, Rate, Reduction
 from ...core.system import Guard, System
 from ..claim import Case, Claim
 from ..methods.catalogue_laws import laws_named
-from ..methods.unspecified import hamiltonian, system, unspecified_functions
+from ..methods.unspecified_systems import hamiltonian, system, unspecified_functions
 
 q, P = (q_1, q_2), (P_1, P_2)
 v = sp.symbols("v_1:3", real=True)

@@ -7,7 +7,7 @@ import sympy as sp
 from ...core.laws import Identity, Rate
 from ...core.system import System
 from ..claim import Case, Claim, Remark
-from ..methods.unspecified import system, unspecified_functions
+from ..methods.unspecified_systems import system, unspecified_functions
 from .section_04_3 import new_time_motion, q, u
 
 W = unspecified_functions("W1 W2", *q)

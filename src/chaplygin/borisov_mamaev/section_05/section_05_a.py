@@ -41,10 +41,10 @@ from ...core.vectors import (
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim
-from ..methods.conclusion import computed_verdict
+from ..methods.derived_verdicts import computed_verdict
 from ..methods.independence import independent, rational_point
-from ..methods.lens import curvatures, height, lens, linear_integral, slope
-from ..methods.unspecified import system
+from ..methods.marble_bodies_of_revolution import curvatures, height, lens, linear_integral, slope
+from ..methods.unspecified_systems import system
 
 M, omega, gamma, r = vectors("M omega gamma r")
 I = Diagonal("I")

@@ -12,7 +12,7 @@ from ...core.system import System
 from ...core.vectors import constant, real_symbol, to_components, vectors
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim
-from ..methods.conclusion import computed_verdict
+from ..methods.derived_verdicts import computed_verdict
 from ..methods.tori import of_rank_two
 from .section_05_a import body, body_in_angles, constants, quadratures
 

@@ -20,7 +20,7 @@ from ...core.vectors import constant, dot, norm_squared, real_symbol, to_compone
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.conclusion import computed_verdict
+from ..methods.derived_verdicts import computed_verdict
 
 omega, gamma = vectors("omega gamma")
 I_1, I_2, I_3 = I.symbols

@@ -27,7 +27,7 @@ from ...core.vectors import cross, dot, norm_squared, real_symbol, to_components
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim
-from ..methods.conclusion import computed_verdict
+from ..methods.derived_verdicts import computed_verdict
 from .section_06_3a import DET, INVERSE_ROOT, MOMENTS, NUMBERS, S, flow, free_flow, off_level
 
 I_1, I_2, I_3 = I.symbols

@@ -29,7 +29,7 @@ from ...mechanics.shapes.shapes import Ball
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.conclusion import conclusion_verdict, contrary
+from ..methods.derived_verdicts import conclusion_verdict, contrary
 from ..methods.independence import independent, rational_point
 from ..methods.tori import of_rank_two
 from ..obstructions.unequal_periods import unequal_periods

@@ -17,7 +17,7 @@ from ...mechanics.rolling.equations import roll
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane, Sphere, Surface
 from ..claim import Case, Claim, Remark
-from ..methods import unspecified
+from ..methods import unspecified_systems
 
 M, omega, gamma, n = vectors("M omega gamma n")
 I = Diagonal("I")
@@ -54,7 +54,7 @@ def momentum(sign: int, moment: sp.Expr) -> Case:
 
 def flattened(ratio: sp.Expr) -> tuple[System, Identity]:
     """ṅ = n×ω where a curvature κ vanishes, for ṅ = `ratio` n×ω with any ω."""
-    system = unspecified.system(
+    system = unspecified_systems.system(
         "limit",
         "a ball of the ratio given",
         {gamma: ratio * cross(gamma, omega), omega: zero},

@@ -17,7 +17,7 @@ from ...core.vectors import cross, dot, identity, norm_squared
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import laws_named
-from ..methods.conclusion import conclusion_verdict, contrary
+from ..methods.derived_verdicts import conclusion_verdict, contrary
 from ..methods.two_quadratures import alike, not_the_same
 
 M, n, J, A, d, k = ball.M, ball.n, ball.J, ball.A, ball.d, ball.k

@@ -32,7 +32,7 @@ from ...core.system import System
 from ...core.vectors import constant, cross, dot, gradient, norm_squared, real_symbol, vectors, zero
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.conclusion import contrary
+from ..methods.derived_verdicts import contrary
 from ..methods.quadratic_integrals import no_quadratic_integral
 from ..obstructions.normal_variations import no_second_integral
 from .section_09_3 import with_point, z

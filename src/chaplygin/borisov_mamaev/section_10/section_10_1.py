@@ -16,7 +16,7 @@ from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.conclusion import computed_verdict
+from ..methods.derived_verdicts import computed_verdict
 from ..methods.independence import independent, rational_point
 from ..methods.unbalanced_ball_symbols import (
     M_RATE,

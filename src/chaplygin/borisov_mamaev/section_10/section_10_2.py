@@ -17,7 +17,7 @@ from ...core.vectors import Diagonal, Vector, cross, dot, norm_squared, zero
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.conclusion import conclusion_verdict
+from ..methods.derived_verdicts import conclusion_verdict
 from ..methods.independence import independent, rational_point
 from ..methods.measure_of_rubber_ball import only_symmetric_balls
 from ..methods.unbalanced_ball_symbols import (

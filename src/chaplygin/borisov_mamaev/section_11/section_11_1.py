@@ -14,7 +14,7 @@ from ...contact.invariants.friction_shares import (
 )
 from ...proof.verdict import Verdict
 from ..claim import Claim, Remark
-from ..methods.conclusion import computed_verdict
+from ..methods.derived_verdicts import computed_verdict
 
 
 def force_and_couple() -> Verdict:

@@ -11,7 +11,7 @@ from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, cross, dot, norm_squared, real_symbol, vectors, zero
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.conclusion import computed_verdict, conclusion_verdict
+from ..methods.derived_verdicts import computed_verdict, conclusion_verdict
 
 x, r = vectors("x r")
 inverse_inertia = Diagonal("Y")

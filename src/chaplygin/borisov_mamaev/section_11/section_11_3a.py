@@ -9,7 +9,7 @@ from ...contact.invariants.sliding_top import I_1, I_3, R, c, g, m, tippe_top
 from ...contact.pressure.pressure_ranges import hertz_ranges
 from ...proof.verdict import Verdict
 from ..claim import Claim, Remark
-from ..methods.conclusion import computed_verdict, conclusion_verdict
+from ..methods.derived_verdicts import computed_verdict, conclusion_verdict
 
 #: Leine and Glocker's top, in exact numbers.
 TOP = {

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...contact.invariants.loss_of_contact import WITHOUT_FORCE, any_contact, paradox
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.conclusion import computed_verdict
+from ..methods.derived_verdicts import computed_verdict
 
 
 def zero_force_presses() -> Verdict:

@@ -36,7 +36,7 @@ from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import law_named, laws_named
-from ..methods.conclusion import conclusion_verdict, contrary
+from ..methods.derived_verdicts import conclusion_verdict, contrary
 from ..methods.tori import not_hamiltonian, of_rank_two
 from ..section_07.section_07_3a import PRECESSION, SPIN, SPREAD
 

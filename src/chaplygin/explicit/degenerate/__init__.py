@@ -27,7 +27,7 @@ from ...formulas.balls import ball
 from ..base.solution import ClosedForm, Solution
 from ..genus_two.separation import SeparatedSystem
 from .closed_form import form_of
-from .collisions import double_roots, motion_at_double_root
+from .double_root_motion import double_roots, motion_at_double_root
 from .exact_start import PRECISION, exact_start
 from .motion import DegenerateMotion
 from .rigorous import rigorous_state

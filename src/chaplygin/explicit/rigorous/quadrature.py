@@ -24,8 +24,8 @@ from flint import acb, acb_mat, arb, ctx, fmpq
 from ...errors import InputError
 from ...formulas.balls import number
 from ..genus_two.torus import InvariantTorus
+from .analyticity_strip import least, lines_of, strip_bound
 from .branch_formula import Branch, direction
-from .strip import least, lines_of, strip_bound
 from .theta import Line, Numerators, numerators_at
 
 #: Points of the grid beyond which the answer would take minutes.

@@ -16,7 +16,7 @@ from ...formulas.array_evaluation import values
 from ..batch import BatchIntegrator, batch_integrator
 from ..devices.graphics import Device
 from ..initial_states import flat_starts
-from ..sampling.draw import LevelSampler, level_sampler
+from ..sampling.level_sampler import LevelSampler, level_sampler
 from ..trajectory import RecordedQuantity, by_name, recorded_quantities
 from .members import ListedMembers, Members, SampledMembers
 from .task import Arrays

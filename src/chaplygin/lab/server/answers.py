@@ -194,7 +194,7 @@ def _solve(task: Assignment) -> Answer:
 
 def _bifurcation(task: Assignment) -> Answer:
     from ..bifurcation_model import bifurcation_model
-    from ..reduced import reduced_system
+    from ..page_systems import reduced_system
 
     yield {"doing": "computing the diagram"}
     study = _study(task)

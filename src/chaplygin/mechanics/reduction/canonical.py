@@ -8,7 +8,7 @@ from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Integral, PoissonStructure
 from ...core.system import System
 from ...core.vectors import real_symbol
-from .base import Base
+from .base_coordinates import Base
 from .closed_form import ClosedFormParts
 from .multiplier import Multiplier
 from .system import N, h_11, h_12, h_22, in_base_coordinates, momenta

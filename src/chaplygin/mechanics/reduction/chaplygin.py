@@ -23,11 +23,11 @@ from ...parsing.exact_decimals import exact_number, exactly
 from ..lagrangian.mechanism import Mechanism
 from ..lagrangian.poincare_suslov import equations
 from ..lagrangian.substituted_parameters import with_parameters
-from .base import Base, base
+from .base_coordinates import Base, base
 from .canonical import canonical, canonical_law
+from .chaplygin_form import ChaplyginForm
 from .closed_form import ClosedFormParts, closed_forms
 from .factors import HalfAngleChart, natural_factors
-from .form import ChaplyginForm
 from .gyroscopic_form import Flux, flux, indefinite
 from .horizontal_lift import Lift, Local, lift
 from .integrals import Linear, linear_integrals

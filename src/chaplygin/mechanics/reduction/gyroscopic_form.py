@@ -23,7 +23,7 @@ from ...core.vectors import Vector
 from ...parsing.exact_decimals import exact_number
 from ..constraints.zero_test import vanishes
 from ..lagrangian.mechanism import Mechanism
-from .base import Base
+from .base_coordinates import Base
 from .integrals import solutions
 from .multiplier import Multiplier, as_positive, over_rational
 from .rational_evaluation import Formulas

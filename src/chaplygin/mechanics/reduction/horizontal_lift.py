@@ -20,7 +20,7 @@ from typing import Any
 
 import sympy as sp
 
-from .base import Base
+from .base_coordinates import Base
 from .integrals import Linear
 from .momenta import ReducedMomenta
 from .rational_evaluation import Formulas, Value, inverse, product

@@ -17,7 +17,7 @@ from flint import fmpq
 
 from ...core.vectors import real_symbol
 from ..lagrangian.mechanism import Mechanism
-from .base import Base
+from .base_coordinates import Base
 from .momenta import ReducedMomenta
 from .rational_evaluation import (
     Evaluable,

@@ -13,7 +13,7 @@ from ...core.named_formulas import definition_values
 from ...core.system import Observable, Parameter, System
 from ...core.vectors import real_symbol
 from ..lagrangian.mechanism import Mechanism
-from .base import Base
+from .base_coordinates import Base
 from .closed_form import ClosedFormParts
 from .multiplier import Multiplier
 

@@ -28,7 +28,7 @@ from ..cost import require_room
 from .counter_rng import counter_normals
 from .fibration import Fibration
 from .great_circles import GreatCircleProposal
-from .held_integrals import level_label, measure_label, measures, validate_level
+from .level_integrals import level_label, measure_label, measures, validate_level
 from .level_set_fibration import find_fibration
 from .proposals import Proposal, RayProposal, WeightedPoints, maximise
 

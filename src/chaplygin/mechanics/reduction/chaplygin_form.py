@@ -12,7 +12,7 @@ from ...core.laws import Law
 from ...core.overview import Overview, WithOverview
 from ...core.system import System
 from ...printing.formula import text
-from .base import Base
+from .base_coordinates import Base
 from .closed_form import ClosedFormParts
 from .gyroscopic_form import Flux
 from .horizontal_lift import Local

@@ -20,7 +20,7 @@ from chaplygin.core.vectors import Diagonal, cross, dot, norm_squared, vectors
 from chaplygin.errors import InputError
 from chaplygin.flow.batch import batch_integrator
 from chaplygin.flow.integrator import integrate
-from chaplygin.flow.sampling.draw import LevelSampler, level_sampler, sample_level
+from chaplygin.flow.sampling.level_sampler import LevelSampler, level_sampler, sample_level
 from chaplygin.formulas.array_evaluation import values
 from spread import spread
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from chaplygin.borisov_mamaev.methods.conclusion import computed_verdict, conclusion_verdict
+from chaplygin.borisov_mamaev.methods.derived_verdicts import computed_verdict, conclusion_verdict
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.laws import Integral
 from chaplygin.core.vectors import norm_squared, vectors

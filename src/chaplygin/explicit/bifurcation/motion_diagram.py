@@ -9,7 +9,7 @@ from ..solvable_cases import find_match
 from . import Diagram, bifurcation_diagram, locate
 
 
-def diagram_of(problem: Problem) -> tuple[Diagram, tuple[float, float]] | None:
+def diagram_of_motion(problem: Problem) -> tuple[Diagram, tuple[float, float]] | None:
     """The diagram of a motion, and the values of its two integrals.
 
     Parameters

@@ -8,7 +8,7 @@ import pytest
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import System
 from chaplygin.errors import InputError
-from chaplygin.flow.sampling.held_integrals import (
+from chaplygin.flow.sampling.level_integrals import (
     level_label,
     measure_label,
     measures,

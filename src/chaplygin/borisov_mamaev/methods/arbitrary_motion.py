@@ -22,7 +22,7 @@ from ...core.vectors import (
     real_symbol,
     vectors,
 )
-from . import unspecified
+from . import unspecified_systems
 from .rigid_body_in_space import POTENTIAL
 
 omega, gamma, r, X, omegadot, rdot, gammadot = vectors("omega gamma r X omegadot rdot gammadot")
@@ -36,7 +36,7 @@ TORQUE: MatrixExpr = cross(gamma, gradient(POTENTIAL, gamma))
 def any_motion() -> System:
     """ω̇ and ṙ are arbitrary, γ̇ = γ×ω as on a plane."""
     arbitrary = ((omegadot, "angular acceleration"), (rdot, "rate of the contact point"))
-    return unspecified.system(
+    return unspecified_systems.system(
         "any-motion",
         "Body in contact, in any motion",
         {omega: omegadot, gamma: cross(gamma, omega), r: rdot},
@@ -94,7 +94,7 @@ def driven(normal_rate: MatrixExpr, correction: Expr) -> System:
         *((s, "rate of the normal", 0.2 + i / 3) for i, s in enumerate(gammadot)),
         *((s, "tensor", 2.0 if name[-1] == name[-2] else 0.1) for s, name in _NAMES),
     )
-    return unspecified.system(
+    return unspecified_systems.system(
         "any-torque",
         "A body under any torque",
         {omega: adjugate * (X + lambda_0 * gamma) / determinant, gamma: normal_rate},
