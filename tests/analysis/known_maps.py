@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from chaplygin.analysis.orbits.maps import Plain
+from chaplygin.analysis.orbits.maps import ExplicitMap
 
 TURN = 2 * np.pi
 
@@ -29,16 +29,16 @@ def last(z):
     return z[:, 2]
 
 
-HENON = Plain(("x", "y", "a"), henon_step, keeps={"a": last})
-STANDARD = Plain(("x", "p", "K"), standard_step, {"x": TURN, "p": TURN}, {"K": last})
-DELAYED = Plain(("x", "y", "a"), delayed_step, keeps={"a": last})
-TWIST = Plain(
+HENON = ExplicitMap(("x", "y", "a"), henon_step, keeps={"a": last})
+STANDARD = ExplicitMap(("x", "p", "K"), standard_step, {"x": TURN, "p": TURN}, {"K": last})
+DELAYED = ExplicitMap(("x", "y", "a"), delayed_step, keeps={"a": last})
+TWIST = ExplicitMap(
     ("x", "p"),
     lambda z: np.stack([z[:, 0] + z[:, 1], z[:, 1]], axis=1),
     {"x": TURN},
     {"p": lambda z: z[:, 1]},
 )
-TWICE = Plain(
+TWICE = ExplicitMap(
     ("x", "p", "q"),
     lambda z: np.stack([z[:, 0] + z[:, 1] + z[:, 2], z[:, 1], z[:, 2]], axis=1),
     {"x": TURN},

@@ -2,7 +2,7 @@
 
 A vector is a SymPy matrix expression of shape (3, 1).  Formulas built from
 :func:`dot`, :func:`cross` and :func:`outer` keep their vector form, so that they print as
-``M×ω + m ṙ×(ω×r)``; :func:`explicit` turns the same formula into three scalars.
+``M×ω + m ṙ×(ω×r)``; :func:`to_components` turns the same formula into three scalars.
 """
 
 from __future__ import annotations
@@ -155,7 +155,7 @@ class Cross(MatrixExpr):
         return node
 
     def doit(self, **_: object) -> Cross:
-        """Stay as written: components are taken by :func:`explicit`."""
+        """Stay as written: components are taken by :func:`to_components`."""
         return self
 
     def _latex(self, printer: LatexPrinter) -> str:
@@ -205,7 +205,7 @@ class Gradient(MatrixExpr):
         return node
 
     def doit(self, **_: object) -> Gradient:
-        """Stay as written: components are taken by :func:`explicit`."""
+        """Stay as written: components are taken by :func:`to_components`."""
         return self
 
     def _latex(self, printer: LatexPrinter) -> str:

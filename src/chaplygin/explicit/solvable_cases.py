@@ -1,9 +1,9 @@
 """Which solvable system a motion belongs to.
 
-A motion is recognised by what it is, not by what it is called: the field of its system is compared
-with those of the systems that separate, in exact numbers (:func:`.problem.same_field`), and its
-start with the level on which they do.  So gravity on a balanced ball on a plane does nothing, and
-a ball on a sphere is solved for those ratios of the radii for which a separation is known.
+A motion is recognised by its equations, not by its name: the field of its system is compared with
+those of the systems that separate, in exact numbers (:func:`.base.problem.same_field`), and its
+start with the level on which they do.  So gravity on a balanced ball on a plane changes nothing,
+and a ball on a sphere is solved for those ratios of the radii for which a separation is known.
 """
 
 from __future__ import annotations

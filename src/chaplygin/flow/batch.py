@@ -130,7 +130,7 @@ class BatchIntegrator:
         Parameters
         ----------
         starts, parameters, deviations, threads
-            As in :meth:`until`.
+            As in :meth:`propagate`.
         count : int
             Crossings of each motion.
         until : float

@@ -18,7 +18,7 @@ class BatchTrajectories(WithShortRepr):
         In flat order; not-a-number after the end of a motion.
     deviations : array (motions, times, deviations, size) or None
     outcome : array (motions,) of int
-        0 if the last time was reached; see :meth:`BatchIntegrator.status_message` for other codes.
+        0 if the last time was reached; see ``BatchIntegrator.status_message`` for other codes.
     end_times : array (motions,)
         The time that was reached.
     steps : array (motions,) of int

@@ -16,7 +16,7 @@ def mathml(formula: str, display: Literal["inline", "block"] = "inline") -> str:
     Parameters
     ----------
     formula : str
-        LaTeX for math mode, as :func:`latex` and :func:`system_latex` write it; other
+        LaTeX for math mode, as `latex` and `system_latex` write it; other
         environments than ``aligned`` and ``pmatrix`` are passed on as they are.
     display : ``"inline"`` or ``"block"``
         In a line of text or on a line of its own.

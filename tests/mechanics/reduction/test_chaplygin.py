@@ -13,12 +13,12 @@ from chaplygin.errors import InputError
 from chaplygin.mechanics.lagrangian.mechanism import TIME, Mechanism, coordinates
 from chaplygin.mechanics.reduction.base_coordinates import base
 from chaplygin.mechanics.reduction.chaplygin import chaplygin_form
-from chaplygin.mechanics.reduction.chaplygin_form import ChaplyginForm
 from chaplygin.mechanics.reduction.horizontal_lift import lift
 from chaplygin.mechanics.reduction.integrals import Linear
 from chaplygin.mechanics.reduction.momenta import motion
 from chaplygin.mechanics.reduction.numerical import integral_of_gyroscopic, log_multiplier
 from chaplygin.mechanics.reduction.quadratic_integral import energy_like_integral
+from chaplygin.mechanics.reduction.reduced_form import ChaplyginForm
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Rolling
 from chaplygin.mechanics.rolling.mechanism import rolling_mechanism

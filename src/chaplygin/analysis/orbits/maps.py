@@ -1,8 +1,8 @@
 """Maps of a section onto itself, with their slopes and with what they keep.
 
-A periodic orbit, its multipliers, its continuation are about maps; where a map comes from does
-not matter.  `Plain` is a map given by formulas of NumPy; :mod:`.returns` makes one of the returns
-of a System to a section.
+Periodic orbits, multipliers and continuation need only a map, wherever it comes from: an
+`ExplicitMap` is given by NumPy formulas, and :mod:`.return_map` has that of the returns of a System
+to a section.
 """
 
 from __future__ import annotations
@@ -150,7 +150,7 @@ def slope_of(function: Function) -> Function:
 
 
 @dataclass(frozen=True)
-class Plain:
+class ExplicitMap:
     """A map given by an analytic function.
 
     Parameters

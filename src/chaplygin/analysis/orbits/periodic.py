@@ -292,8 +292,8 @@ def find_periodic(
     Examples
     --------
     >>> import numpy as np
-    >>> from chaplygin.analysis.orbits.maps import Plain
-    >>> henon = Plain(
+    >>> from chaplygin.analysis.orbits.maps import ExplicitMap
+    >>> henon = ExplicitMap(
     ...     ("x", "y"),
     ...     lambda z: np.stack([1 - 1.4 * z[:, 0] ** 2 + z[:, 1], 0.3 * z[:, 0]], axis=1),
     ... )

@@ -110,7 +110,7 @@ class GridCells:
 
 @dataclass(frozen=True)
 class ScanGrid:
-    """A plane of motions of a system; made by :func:`plane`.
+    """A plane of motions of a system; made by :func:`scan_grid`.
 
     Attributes
     ----------

@@ -211,7 +211,7 @@ class ObservedSeries:
     values : (n, samples + 1) array
         From the start on; not numbers after the end of a motion.
     outcome : (n,) array of int
-        0, or why a motion ended; see ``BatchIntegrator.reason``.
+        0, or why a motion ended; see ``BatchIntegrator.status_message``.
     end_times : (n,) array
         The times reached.
     """

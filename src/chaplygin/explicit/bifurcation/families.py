@@ -1,6 +1,6 @@
 """Planes of two integrals, and over each point the curve of genus two of that level.
 
-Most come from a :class:`.separation.SeparatedSystem`; the Chaplygin ball with any area constant has
+Most come from a `SeparatedSystem`; the Chaplygin ball with any area constant has
 three integrals, of which the plane shows two.
 """
 

@@ -25,7 +25,7 @@ def diagram_of_motion(problem: Problem) -> tuple[Diagram, tuple[float, float]] |
     Raises
     ------
     InputError
-        If the parameters are degenerate; see :func:`.bifurcation.bifurcation_diagram`.
+        If the parameters are degenerate; see :func:`~chaplygin.explicit.bifurcation_diagram`.
     """
     match = find_match(problem)
     if match is None or match.level:

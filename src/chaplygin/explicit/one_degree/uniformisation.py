@@ -29,7 +29,7 @@ class Equation:
     Attributes
     ----------
     numerator, denominator : formula
-        N and B, the second positive; of balls and of :class:`.DividedDifferences`.
+        N and B, the second positive; of balls and of `DividedDifferences`.
     low, high : arb
         Edges of the domain.
     inner : formula, optional

@@ -266,7 +266,7 @@ class Stretch:
     sizes : (n, conditions + mixed) array
         Logarithms of the sizes of what is excluded, at the end; see `TangentSpace.excluded`.
     outcome : (n,) array of int
-        0, or why a motion ended; see ``BatchIntegrator.reason``.
+        0, or why a motion ended; see ``BatchIntegrator.status_message``.
     end_times : (n,) array
         When, counted from the start of the interval.
     """

@@ -45,7 +45,9 @@ class HeyokaFormulas:
 
 
 class HeyokaSeries:
-    """A state that moves by steps of its Taylor series; see :class:`TaylorSeries`.
+    """A state that moves by steps of its Taylor series.
+
+    As :class:`~chaplygin.flow.taylor.state_series.TaylorSeries`, with 34 digits.
 
     Parameters
     ----------

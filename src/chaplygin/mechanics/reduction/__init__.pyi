@@ -1,2 +1,2 @@
 from .chaplygin import chaplygin_form as chaplygin_form
-from .chaplygin_form import ChaplyginForm as ChaplyginForm
+from .reduced_form import ChaplyginForm as ChaplyginForm

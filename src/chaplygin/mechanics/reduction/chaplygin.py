@@ -25,7 +25,6 @@ from ..lagrangian.poincare_suslov import equations
 from ..lagrangian.substituted_parameters import with_parameters
 from .base_coordinates import Base, base
 from .canonical import canonical, canonical_law
-from .chaplygin_form import ChaplyginForm
 from .closed_form import ClosedFormParts, closed_forms
 from .factors import HalfAngleChart, natural_factors
 from .gyroscopic_form import Flux, flux, indefinite
@@ -34,6 +33,7 @@ from .integrals import Linear, linear_integrals
 from .momenta import ReducedMomenta, motion
 from .multiplier import Multiplier, is_closed, multiplier, obstruction_point, over_rational, poles
 from .quadratic_integral import energy_like_integral
+from .reduced_form import ChaplyginForm
 from .system import chaplygin_system, motion_law, with_base, with_carried_coordinates
 
 

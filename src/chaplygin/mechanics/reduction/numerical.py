@@ -14,7 +14,7 @@ from ...errors import InputError
 from .rational_evaluation import circle
 
 if TYPE_CHECKING:
-    from .chaplygin_form import ChaplyginForm
+    from .reduced_form import ChaplyginForm
 
 Place = Sequence[float]
 NODES = (16, 24, 36, 54, 81, 122)

@@ -1,0 +1,99 @@
+"""What docs and docstrings refer to exists: modules, names in them, files."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+import chaplygin
+
+TOP = Path(__file__).parents[1]
+HOME = Path(chaplygin.__file__).parent
+PAGES = [*TOP.glob("*.md"), *(TOP / "docs").rglob("*.md")]
+
+#: ``chaplygin.flow.trajectory``, but not ``chaplygin.toml`` or an address on the web.
+DOTTED = re.compile(r"(?<![\w./-])chaplygin(?:\.[A-Za-z_]\w*)+(?![\w/]|\.\w)")
+SUFFIXES = {
+    "cff",
+    "csv",
+    "html",
+    "io",
+    "json",
+    "md",
+    "nc",
+    "org",
+    "png",
+    "py",
+    "svg",
+    "toml",
+    "zarr",
+}
+#: ``flow/trajectory.py``; of a file that a reader is to write, the text says so.
+FILE = re.compile(r"`((?:[a-z_]+/)+\w+\.py)`")
+TO_WRITE = {"src/chaplygin/catalogue/mechanisms/skate.py"}
+ROLE = re.compile(r":(?:mod|func|class|meth|data|attr):`~?([.\w]+)`")
+
+
+def exists(dotted: str) -> bool:
+    """Whether a dotted name is that of a module, or of something in one."""
+    parts = dotted.split(".")
+    for count in range(len(parts), 0, -1):
+        try:
+            thing: object = import_module(".".join(parts[:count]))
+        except ModuleNotFoundError:
+            continue
+        for name in parts[count:]:
+            if name in getattr(thing, "__dataclass_fields__", {}):
+                return True
+            if not hasattr(thing, name):
+                return False
+            thing = getattr(thing, name)
+        return True
+    return False
+
+
+def lost_names(text: str) -> Iterator[str]:
+    """Dotted names in a page that nothing has."""
+    for name in sorted(set(DOTTED.findall(text))):
+        if name.rpartition(".")[2] not in SUFFIXES and not exists(name):
+            yield name
+
+
+def lost_roles(path: Path) -> Iterator[str]:
+    """Names that the docstrings of a module refer to and nothing has."""
+    parts = ("chaplygin", *path.relative_to(HOME).with_suffix("").parts)
+    module = ".".join(parts[:-1] if path.stem == "__init__" else parts)
+    package = module if path.stem == "__init__" else module.rpartition(".")[0]
+    for name in sorted(set(ROLE.findall(path.read_text(encoding="utf-8")))):
+        if any(
+            exists(f"{place}.{name.lstrip('.')}".lstrip(".")) for place in ("", module, package)
+        ):
+            continue
+        classes = (
+            thing for thing in vars(import_module(module)).values() if isinstance(thing, type)
+        )
+        if not any(hasattr(of, name) for of in classes):
+            yield f"{module}: {name}"
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(TOP)))
+def test_names_and_files_in_pages(page: Path) -> None:
+    text = page.read_text(encoding="utf-8")
+    assert list(lost_names(text)) == []
+    files = set(FILE.findall(text)) - TO_WRITE
+    roots = (TOP, HOME, HOME.parent, page.parent)
+    assert [file for file in files if not any((root / file).exists() for root in roots)] == []
+
+
+@pytest.mark.slow
+def test_names_in_docstrings() -> None:
+    assert [name for path in sorted(HOME.rglob("*.py")) for name in lost_roles(path)] == []
+
+
+def test_a_lost_name_is_reported() -> None:
+    text = "`chaplygin.flow.trajectory.Trajectory` is kept, `chaplygin.flow.course.Course` is not"
+    assert list(lost_names(text)) == ["chaplygin.flow.course.Course"]
