@@ -14,7 +14,6 @@ import chaplygin as ch
 from chaplygin.contact.friction.dry_friction import ContensouErismann, Coulomb, SpinFriction
 from chaplygin.contact.friction.modes import MODE_NAMES
 from chaplygin.contact.friction.viscous_friction import Viscous
-from chaplygin.experiment.contact.dataset import contact_dataset
 from chaplygin.experiment.contact.trajectory import ContactTrajectory
 from chaplygin.experiment.dataset import to_dataset
 from chaplygin.experiment.study import Study, dataset_of
@@ -195,10 +194,20 @@ def test_a_motion_without_events_is_written(
     billiard: tuple[ContactTrajectory, xr.Dataset], tmp_path: Path
 ) -> None:
     still = replace(billiard[0], changes=())
-    dataset = contact_dataset(still, to_dataset(still))
+    dataset = to_dataset(still)
     assert dataset.sizes["event"] == 0
     for ending in ("nc", "zarr"):
         assert ch.read(ch.write(dataset, tmp_path / f"a.{ending}")).sizes["event"] == 0
+
+
+def test_the_dataset_of_a_motion_is_that_of_its_run(
+    billiard: tuple[ContactTrajectory, xr.Dataset],
+) -> None:
+    trajectory, written = billiard
+    again = to_dataset(
+        trajectory, {name: written.attrs[name] for name in ("experiment", "complete")}
+    )
+    xr.testing.assert_identical(again, written)
 
 
 def test_a_table_has_the_samples_alone(

@@ -27,6 +27,8 @@ from ..flow.variable_metadata import (
     labels_of,
     variable_metadata,
 )
+from .contact.dataset import contact_dataset, work_meanings
+from .contact.trajectory import ContactTrajectory
 from .formats import save
 
 #: Values along a trajectory: doubles, or numbers of 34 digits.
@@ -61,7 +63,8 @@ def to_dataset(
         Dimension ``time``; vectors have ``axis`` (body), ``space`` or ``quaternion``, and
         vectors of the state in no known frame a dimension ``<name>_component``.  Every
         variable has ``long_name``, ``units`` and ``source``.  Numbers of 34 digits are split: the
-        variable ``<name>_low`` is what must be added to ``<name>`` to have all of them.
+        variable ``<name>_low`` is what must be added to ``<name>`` to have all of them.  That of a
+        motion with friction has its mode and, with a dimension ``event``, what happened.
 
     Raises
     ------
@@ -78,10 +81,13 @@ def to_dataset(
     (('time', 'axis'), 'rad/s', 'body axes')
     """
     system = trajectory.system
+    known = dict(meanings or {})
+    if isinstance(trajectory, ContactTrajectory):
+        known = work_meanings(trajectory.contact, system) | known
     variables: dict[str, Variable] = {}
     for name in map(str, system.state):
         if name != _PLACE and name not in trajectory.records:
-            _add_state(variables, trajectory, name, (meanings or {}).get(name))
+            _add_state(variables, trajectory, name, known.get(name))
     for item in system.observables:
         values = trajectory.records[item.name]
         _add(variables, item.name, values, item.frame, item.meaning, item.unit, item.source)
@@ -137,7 +143,10 @@ def to_dataset(
             f"{name} {version(name)}" for name in ("chaplygin", "llvmlite", "numpy", "sympy")
         ),
     }
-    return xr.Dataset(variables, coordinates, {**facts, **(attributes or {})})
+    dataset = xr.Dataset(variables, coordinates, {**facts, **(attributes or {})})
+    if isinstance(trajectory, ContactTrajectory):
+        return contact_dataset(trajectory, dataset)
+    return dataset
 
 
 def _text(value: object) -> str:

@@ -22,8 +22,6 @@ from ..flow.cost import TooMuchError
 from ..flow.taylor.working_numbers import PrecisionError
 from ..flow.trajectory import Trajectory, require_pieces
 from ..mechanics.rolling.equations import Rolling
-from .contact.dataset import contact_dataset
-from .contact.trajectory import ContactTrajectory
 from .dataset import to_dataset
 from .models.ball_model import BallExperiment
 from .models.catalogue_models import StateExperiment, SystemExperiment
@@ -210,10 +208,7 @@ def _subdivided_times(times: FloatArray, pieces: int) -> FloatArray:
 def dataset_of(study: Study, trajectory: Trajectory, complete: bool = True) -> xr.Dataset:
     """The dataset of a trajectory, together with the text of the experiment."""
     attributes = {"experiment": study.complete_toml(), "complete": int(complete)}
-    dataset = to_dataset(trajectory, attributes, study.variables)
-    if isinstance(trajectory, ContactTrajectory):
-        return contact_dataset(trajectory, dataset)
-    return dataset
+    return to_dataset(trajectory, attributes, study.variables)
 
 
 @arguments_checked
