@@ -247,8 +247,10 @@ class CompiledContact:
             rates[columns] = rest[11 : 11 + WORK][columns]
         unit = vectors[gamma] / float(np.linalg.norm(vectors[gamma]))
         touch = mobility_at(self._mass, self._inverse_inertia, vectors[r], unit)
-        turntable = self.situation.surface.turntable
-        vertical = Rotation.from_quat(state[ATTITUDE], scalar_first=True).as_matrix()[2]
+        turntable, support_turn_rate = self.situation.surface.turntable, np.zeros(3)
+        if turntable:
+            vertical = Rotation.from_quat(state[ATTITUDE], scalar_first=True).as_matrix()[2]
+            support_turn_rate = turntable * np.cross(vertical, state[OMEGA])
         # a couple that does not depend on the normal force belongs to the free motion
         turn = touch.inverse_inertia @ rest[8:11]
         return ContactNumbers(
@@ -269,7 +271,7 @@ class CompiledContact:
             q=rest[5:8] if np.isfinite(rest[5:8]).all() else np.zeros(3),
             rates_of_place=rates,
             mobility=touch,
-            support_turn_rate=turntable * np.cross(vertical, state[OMEGA]),
+            support_turn_rate=support_turn_rate,
             unheld_rise=float(unit @ vectors[slip_rate]) + normal,
         )
 

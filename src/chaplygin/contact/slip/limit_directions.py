@@ -87,7 +87,7 @@ def limit_directions(slip: PointSlip) -> tuple[LimitDirection, ...]:
             size, slope = turning(angle)
             step = size / slope if slope else 0.0
             angle -= min(max(step, -0.3), 0.3)
-            if abs(step) <= 1e-16:
+            if abs(step) <= 2 * np.finfo(float).eps:
                 break
         new = all(abs(np.exp(1j * angle) - np.exp(1j * other)) > SAME for other in angles)
         if abs(turning(angle)[0]) <= 1e-13 * np.abs(series).sum() and new:
