@@ -1,4 +1,4 @@
-"""The two ways in which the package refuses to go on."""
+"""Errors: mistakes of the user, and computations that could not be completed."""
 
 from __future__ import annotations
 

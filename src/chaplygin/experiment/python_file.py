@@ -1,4 +1,4 @@
-"""A system that a Python file of the user's makes.
+"""A system made by a Python file of the user.
 
 The file is run: it is theirs, and they have named it.  It defines ``mechanism`` (a Mechanism),
 ``system`` (a System) or ``study`` (a Study); besides, if it likes, ``start`` and ``run``, mappings

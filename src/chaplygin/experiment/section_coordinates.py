@@ -1,4 +1,4 @@
-"""Coordinates by which a section is looked at where nobody has chosen any."""
+"""Default coordinates in which a section is drawn."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rolling bodies found again in the equations that follow from them."""
+"""Recovery of a rolling body from its equations of motion."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The door to closed forms: a system, a start, and the motion at every time."""
+"""Solution in closed form: from a system and a start to the motion at every time."""
 
 from __future__ import annotations
 

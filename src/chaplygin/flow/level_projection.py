@@ -1,4 +1,4 @@
-"""States put on levels of formulas, many at once.
+"""Projection of states onto levels of formulas, many at once.
 
 Each state is moved by itself: where it ends does not depend on its neighbours.
 """

@@ -1,4 +1,4 @@
-"""What a user may turn to give the start, in a page."""
+"""The controls of a page by which a user gives the start."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From the numbers that give a start to a state, as terms.
+"""The state from the numbers that give a start, as terms.
 
 These are the formulas of :func:`chaplygin.initial_state`, which takes the same numbers with 50
 digits.

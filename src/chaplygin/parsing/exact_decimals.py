@@ -1,4 +1,4 @@
-"""Decimal numbers as the rational numbers that they say, and nothing more."""
+"""Decimal numbers as exact rationals."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A formula as text: its words, what binds to what, and where a mistake stands."""
+"""The syntax of formulas: tokens, precedence, and the places of mistakes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The polynomials among which a law is searched for, and what it takes to search them all."""
+"""The polynomials among which a law is searched for, and the cost of searching them all."""
 
 from __future__ import annotations
 

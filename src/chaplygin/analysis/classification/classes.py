@@ -1,4 +1,4 @@
-"""From what is proven to the class of a system and to what its motions can be (§3.3, §4).
+"""The class of a system and the kind of its motions, from what is proven (§3.3, §4).
 
 The theorems are used as they stand: Lie (Theorem 3), Euler and Jacobi (Theorem 5), Liouville and
 Arnold, Poincaré and Bendixson; nothing is said that does not follow from the facts counted.

@@ -1,4 +1,4 @@
-"""Counting what is proven: integrals, measures, Hamiltonian forms, symmetry fields, levels."""
+"""Classification of a system by its proven integrals, measures, Hamiltonian forms, symmetries."""
 
 from __future__ import annotations
 

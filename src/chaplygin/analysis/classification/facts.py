@@ -1,4 +1,4 @@
-"""Verdicts within a given effort, and the proven laws as facts that can be pointed to."""
+"""Verdicts within a given effort, and proven laws as facts to be cited."""
 
 from __future__ import annotations
 

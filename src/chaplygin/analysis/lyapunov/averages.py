@@ -1,4 +1,4 @@
-"""Averages over a long motion, with an error and a plain word on whether they have settled."""
+"""Averages over a long motion, with an error estimate and whether they have converged."""
 
 from __future__ import annotations
 

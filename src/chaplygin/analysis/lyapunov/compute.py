@@ -1,4 +1,4 @@
-"""The Lyapunov spectrum of a motion: what is genuine, how sure it is, what was forced to be zero.
+"""The Lyapunov spectrum of a motion: its exponents, their errors, and those that must be zero.
 
 After Benettin, Galgani, Giorgilli and Strelcyn (1980), with deviations that stay tangent to
 relations and integrals and are counted modulo the flow and the symmetries, so that zeros which

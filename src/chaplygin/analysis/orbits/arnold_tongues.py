@@ -1,4 +1,4 @@
-"""Staircases of rotation numbers, and the edges of their steps.
+"""Devil's staircases of rotation numbers, and Arnold tongues: the edges of their steps.
 
 A map of the circle x ↦ f(x) with a lift, in turns, has the rotation number p/q where its
 displacement D(x) = f^q(x) − x − p vanishes somewhere: where min D ≤ 0 ≤ max D.  If a parameter

@@ -1,4 +1,4 @@
-"""Branches of periodic orbits, followed along their length whichever way they turn.
+"""Continuation of periodic orbits by pseudo-arclength, through folds and bifurcations.
 
 A parameter is one more integral (:func:`chaplygin.analysis.orbits.return_map.parameters_to_state`),
 so that there is one continuation: of the value of an integral.  The orbits with the other integrals

@@ -1,4 +1,4 @@
-"""Limit cycles on a torus, proven in ball arithmetic with bounds of their multipliers.
+"""Limit cycles on a torus, proven in ball arithmetic with bounds on their multipliers.
 
 On a torus with the angles α and β, β growing, a motion is dα/dβ = f(α, β).  Where f lies between
 two numbers on a box, a motion in it lies between two lines; polygons of such lines enclose all

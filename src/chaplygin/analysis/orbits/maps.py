@@ -1,4 +1,4 @@
-"""Maps of a section onto itself, with their slopes and with what they keep.
+"""Maps of a section to itself, with their derivatives and integrals.
 
 Periodic orbits, multipliers and continuation need only a map, wherever it comes from: an
 `ExplicitMap` is given by NumPy formulas, and :mod:`.return_map` has that of the returns of a System

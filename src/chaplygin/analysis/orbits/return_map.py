@@ -1,4 +1,4 @@
-"""The returns of a System to a section as a map that orbits are found of, and as maps of a circle.
+"""The return map of a System to a section, for periodic orbits, and as maps of a circle.
 
 A parameter that is to change along a branch becomes one more state variable, which stays what it
 is: then it is an integral like others, and the variational equations give derivatives by it too.

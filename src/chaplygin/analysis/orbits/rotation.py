@@ -1,4 +1,4 @@
-"""Rotation numbers to ten digits and more, and whether a motion is locked.
+"""Rotation numbers to ten digits and more, and whether a motion is phase-locked.
 
 The mean advance of an angle converges like 1/N; weighted with exp(−1/(t(1−t))) along the orbit it
 converges faster than every power of 1/N where the motion is quasi-periodic and smooth (Das, Saiki,

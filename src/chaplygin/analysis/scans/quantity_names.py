@@ -1,4 +1,4 @@
-"""Numbers of motions by the words in which a user asks for them."""
+"""Quantities of motions by the names with which a user asks for them."""
 
 from __future__ import annotations
 

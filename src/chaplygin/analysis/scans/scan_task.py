@@ -1,4 +1,4 @@
-"""Charts: a number of each motion of a plane of parameters and starts.
+"""Charts: one number for each motion of a plane of parameters and starts.
 
 A chart is a :class:`chaplygin.flow.ensemble.task.Task` whose members are rows: computed in blocks,
 kept in memory or in a Zarr store, by this process or a cluster, to the same bits.

@@ -1,4 +1,4 @@
-"""Data of a certificate taken out with a look at what they are."""
+"""Data of a certificate, read with a check of their types."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The tree of cases by which the residuals vanish, or a level is parted.
+"""The tree of cases by which the residuals vanish, or a level is split.
 
 A node stands for the points at which some polynomials E vanish while those of a set H do not.
 Every step is an identity of polynomials, which is computed.

@@ -1,4 +1,4 @@
-"""Numbers of a motion with friction: what its events come to, and values along it."""
+"""Numbers of a motion with friction: counts and sums over its events, and values along it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From the name of a system of the catalogue, with its parameters, to the system."""
+"""A system of the catalogue, from its name and parameters."""
 
 from __future__ import annotations
 

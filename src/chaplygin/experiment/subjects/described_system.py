@@ -1,4 +1,4 @@
-"""From a file that describes the mechanics itself to its system."""
+"""The system of an experiment file that describes its mechanics itself."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From a file with a Lagrangian, or with equations, to a Mechanism or a System."""
+"""A Mechanism from a file with a Lagrangian, or a System from one with equations."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From the tables of an experiment to the rolling body that they describe."""
+"""The rolling body that the tables of an experiment describe."""
 
 from __future__ import annotations
 

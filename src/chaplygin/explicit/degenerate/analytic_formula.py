@@ -1,4 +1,4 @@
-"""Formulas on complex balls: a value where they are analytic, no number where a root may be cut."""
+"""Formulas on complex balls: a value where they are analytic, NaN where a branch cut may be met."""
 
 from __future__ import annotations
 

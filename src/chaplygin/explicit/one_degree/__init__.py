@@ -232,11 +232,6 @@ class QuadratureMotion:
             known = self.integrals(digits)
             return tuple(known.right_end(i) - known.left_end(i) for i in range(known.count))
 
-    def mean_rates(self, digits: int) -> tuple[arb, ...]:
-        """Mean rates of the quadratures: their linear drift."""
-        period, *gains = self.advances(digits)
-        return tuple(gain / period for gain in gains)
-
     def limits(self, digits: int, end: End) -> tuple[arb, ...]:
         """Rates of the quadratures in the tail of an asymptotic motion at a double root."""
         last = acb(self.horizon(digits))

@@ -1,4 +1,4 @@
-"""Small deviations carried along many motions, and how fast they grow.
+"""Tangent vectors carried along many motions, and their growth.
 
 The variational equations of :func:`chaplygin.flow.batch.batch_integrator` carry deviations over a
 short interval; there they are made orthonormal again, and the logarithms of the lengths that are

@@ -1,4 +1,4 @@
-"""Keeping a state on its phase space.
+"""Projection of a state back onto its phase space.
 
 The relations (γ² = 1, (ω, γ) = 0, …) are left alone while their residual is at rounding level and
 restored by Newton's method, along the shortest way, once it is not.  The lift to space is moved

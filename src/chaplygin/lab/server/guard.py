@@ -1,4 +1,4 @@
-"""Who may speak to a laboratory: a page that it has served, to the user who started it.
+"""Access to a laboratory: only a page that it has served, to the user who started it.
 
 Another page in the same browser, and a name that somebody else's server has made to mean this
 machine, come with another Origin or Host. The token in the address keeps out other users of the

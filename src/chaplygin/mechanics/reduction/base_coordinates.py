@@ -1,4 +1,4 @@
-"""The two coordinates in which a system with symmetry moves by itself.
+"""The two base coordinates of a system with symmetry, whose motion decouples.
 
 Coordinates that enter neither Lagrangian nor constraints are left out.  There must remain two
 coordinates, or a unit vector, with the angles θ, φ of

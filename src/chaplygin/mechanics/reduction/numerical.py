@@ -1,4 +1,4 @@
-"""Numbers of a reduction by quadrature: ln N along a way, and the integral of S̄."""
+"""Quadratures of a reduction in numbers: ln N along a line, and the integral of S̄."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From an angular velocity and a normal to a state on the phase space.
+"""The initial state of a rolling body, from angular velocity and normal.
 
 Everything here is computed with 50 digits and rounded once, so that a start is as good as the
 numbers in which it is given; a decimal such as 0.1 means one tenth at any precision.

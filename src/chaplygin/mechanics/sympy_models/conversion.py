@@ -1,4 +1,4 @@
-"""Models made with `sympy.physics.mechanics`, taken in as they are.
+"""Conversion of models made with `sympy.physics.mechanics`.
 
 `KanesMethod`, `LagrangesMethod` and `System` objects of SymPy become a System of this package, to
 be integrated, linearised, searched for integrals, or a `Mechanism`, to be asked for its
