@@ -500,6 +500,20 @@ def test_a_mere_object_is_refused(name: str) -> None:
             function(object(), **{p.name: object() for p in needed})
 
 
+def test_an_unknown_quantity_is_a_missing_key_too() -> None:
+    motion = c.integrate(S, X, [0.0, 0.1])
+    with pytest.raises(KeyError, match="no quantity 'omga', did you mean 'omega'"):
+        motion["omga"]
+    with pytest.raises(KeyError, match="by its name in quotes, not by 3"):
+        motion[3]  # type: ignore[index]
+
+
+@pytest.mark.parametrize("members", ["x", None, {"M": "x"}, object()])
+def test_members_are_refused_by_the_function_that_was_called(members: Any) -> None:
+    with pytest.raises(InputError, match=r"^ensemble: members must be"):
+        c.ensemble(S, members, [0.0, 1.0])
+
+
 def test_an_unknown_system_is_a_missing_key_too() -> None:
     with pytest.raises(KeyError) as refused:
         c.CATALOGUE["chaplygin-bal"]

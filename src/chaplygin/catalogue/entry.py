@@ -233,7 +233,7 @@ def lookup(catalogue: Mapping[str, Entry], name: object) -> Entry:
     """The entry of that name, or an InputError that names the nearest one."""
     if not isinstance(name, str):
         raise UnknownSystemError(
-            f"a system of the catalogue has a text for a name, not a {type(name).__name__}"
+            f"a system of the catalogue is asked for by its name in quotes, not by {name!r}"
         )
     if (item := catalogue.get(name)) is None:
         raise UnknownSystemError(

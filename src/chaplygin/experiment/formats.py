@@ -29,9 +29,14 @@ def check_format(path: Path) -> None:
 
 def check_output(path: Path, force: bool = False) -> None:
     """Raise InputError unless a trajectory may be written to `path`."""
-    store = path.suffix.lower() == ".zarr" and path.is_dir()
+    is_store = path.suffix.lower() == ".zarr"
+    store = is_store and path.is_dir()
     if not (path.exists() and not path.is_file()):
         check_format(path)
+    if is_store and path.is_symlink() and path.exists():
+        raise InputError(f"{path} is a link: give the name of the store itself")
+    if is_store and path.is_file():
+        raise InputError(f"{path} is a file: a Zarr store is a folder; choose another name")
     if not store:
         check_target(path, force)
     elif any(path.iterdir()) and not _is_trajectory(path):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TypeVar
@@ -17,11 +17,15 @@ from ..core.laws import Integral
 from ..core.overview import Overview, WithOverview
 from ..core.system import Guard, Observable, System
 from ..core.vectors import to_components
-from ..errors import InputError
+from ..errors import InputError, nearest
 from ..formulas.array_evaluation import values
 from .taylor.working_numbers import WorkingArray, WorkingNumber
 
 Number = TypeVar("Number", bound=np.generic)
+
+
+class UnknownVariableError(InputError, KeyError):
+    """A name that no quantity of a motion has; a KeyError too, as of any mapping."""
 
 
 def by_name(system: System, states: npt.NDArray[Number], name: str) -> npt.NDArray[Number]:
@@ -29,7 +33,7 @@ def by_name(system: System, states: npt.NDArray[Number], name: str) -> npt.NDArr
 
     Raises
     ------
-    KeyError
+    UnknownVariableError
         If the system has no such variable.
     """
     for variable, columns in system.slices:
@@ -37,7 +41,18 @@ def by_name(system: System, states: npt.NDArray[Number], name: str) -> npt.NDArr
             block = states[:, columns]
             column: npt.NDArray[Number] = block[:, 0]
             return column if isinstance(variable, sp.Symbol) else block
-    raise KeyError(name)
+    raise unknown_variable(system, name, ())
+
+
+def unknown_variable(system: System, name: object, records: Iterable[str]) -> UnknownVariableError:
+    """The mistake of asking for a quantity that is neither in the state nor recorded."""
+    if not isinstance(name, str):
+        return UnknownVariableError(
+            f"{system.name}: a quantity is asked for by its name in quotes, not by {name!r}"
+        )
+    return UnknownVariableError(
+        f"{system.name}: no quantity {name!r}{nearest(name, [*map(str, system.state), *records])}"
+    )
 
 
 @dataclass(frozen=True)
@@ -154,6 +169,8 @@ class Trajectory(WithOverview):
         """A state variable or an observable by name."""
         if name in self.records:
             return self.records[name]
+        if name not in map(str, self.system.state):
+            raise unknown_variable(self.system, name, self.records)
         return by_name(self.system, self.states, name)
 
     def overview(self) -> Overview:

@@ -28,6 +28,8 @@ def check_folder(folder: Path, force: bool = False, what: str = "") -> None:
     """
     if folder.exists() and not folder.is_dir():
         raise InputError(f"{folder} is a file: a study is written to a folder")
+    if folder.is_symlink() and not folder.exists():
+        raise InputError(f"{folder} is a link to a folder that is not there: choose another name")
     present = [name for name in FILES if (folder / name).exists()]
     if present and not (force or is_begun(folder)):
         raise InputError(

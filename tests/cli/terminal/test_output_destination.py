@@ -122,6 +122,50 @@ def test_a_store_behind_a_link_is_not_removed(ask: Ask, tmp_path: Path) -> None:
     assert (tmp_path / "own.zarr" / "zarr.json").exists()
 
 
+def own_store(path: Path) -> bytes:
+    """A trajectory of the user's at this place; something of its content."""
+    xr.Dataset({"x": ("time", [1.0, 2.0])}, attrs={"events": "[]"}).to_zarr(path, zarr_format=2)
+    return (path / ".zmetadata").read_bytes()
+
+
+def test_trajectories_do_not_replace_what_is_behind_a_link_or_no_store(
+    ask: Ask, tmp_path: Path
+) -> None:
+    """It was told after the run, with the words of rmtree."""
+    before = own_store(tmp_path / "own.zarr")
+    (tmp_path / "link.zarr").symlink_to("own.zarr")
+    (tmp_path / "file.zarr").write_text("mine")
+    for name, sentence in (
+        ("link.zarr", "link.zarr is a link: give the name of the store itself"),
+        ("file.zarr", "file.zarr is a file: a Zarr store is a folder; choose another name"),
+    ):
+        for force in ((), ("--force",)):
+            for command in (("run", "chaplygin-sleigh"), ("solve", "veselova", "--at", "1")):
+                assert ask(*command, "-o", name, *force) == (2, "", f"error: {sentence}\n")
+    assert (tmp_path / "own.zarr" / ".zmetadata").read_bytes() == before
+    assert (tmp_path / "file.zarr").read_text() == "mine"
+
+
+def test_a_read_only_store_is_not_replaced(ask: Ask, tmp_path: Path) -> None:
+    store = tmp_path / "own.zarr"
+    before = own_store(store)
+    store.chmod(0o555)
+    try:
+        code, out, err = ask("run", "chaplygin-sleigh", "-o", "own.zarr", "--force")
+        assert (code, out, err.count("\n")) == (2, "", 1)
+        assert "own.zarr is read-only and is not replaced" in err
+        assert (store / ".zmetadata").read_bytes() == before
+    finally:
+        store.chmod(0o755)
+
+
+def test_a_study_is_not_written_behind_a_link_that_leads_nowhere(ask: Ask, tmp_path: Path) -> None:
+    (tmp_path / "lost").symlink_to("nowhere")
+    code, out, err = ask("study", "chaplygin-sleigh", "-o", "lost", "--force")
+    assert (code, out) == (2, "")
+    assert err == "error: lost is a link to a folder that is not there: choose another name\n"
+
+
 @pytest.mark.slow
 def test_a_picture_that_was_named_is_not_replaced_unasked(ask: Ask, tmp_path: Path) -> None:
     asked = (

@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping, Sequence
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -43,7 +43,7 @@ SHARES = 64
 @arguments_checked
 def ensemble(
     system: System,
-    members: Members | Any,
+    members: npt.ArrayLike | Members,
     times: Numbers,
     parameters: Parameters = None,
     *,
@@ -122,7 +122,7 @@ def ensemble(
 
 def ensemble_task(
     system: System,
-    members: Members | npt.ArrayLike,
+    members: npt.ArrayLike | Members,
     times: Numbers,
     parameters: Parameters = None,
     *,
