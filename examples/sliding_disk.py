@@ -24,7 +24,7 @@ from matplotlib.figure import Figure
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from chaplygin.contact.pressure.pressure import CoupledFriction, Ring, Uniform
+from chaplygin.contact.pressure import CoupledFriction, Ring, Uniform
 from chaplygin.report.drawing.style import QUIET, SERIES, STYLE, WIDTH
 
 #: ln of the speed at which a motion is taken to have ended, relative to its start.

@@ -21,6 +21,9 @@ from .friction.viscous_friction import (
     PowerFriction as PowerFriction,
     Viscous as Viscous,
 )
+from .impact.painleve import (
+    least_painleve_friction_of_body as least_painleve_friction_of_body,
+)
 from .motion import ContactMotion as ContactMotion, contact_motion as contact_motion
 from .realisation.convergence import (
     Convergence as Convergence,

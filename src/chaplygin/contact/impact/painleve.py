@@ -82,7 +82,7 @@ def least_painleve_friction_of_body(
     Examples
     --------
     >>> import numpy as np
-    >>> from chaplygin.contact.impact.painleve import least_painleve_friction_of_body
+    >>> from chaplygin.contact import least_painleve_friction_of_body
     >>> axes = np.array([1.0, 1.0, 5.0])
     >>> inertia = [26 / 5, 26 / 5, 2 / 5]
     >>> mu, gamma = least_painleve_friction_of_body(

@@ -69,7 +69,7 @@ class EllipticHertz:
 
     Examples
     --------
-    >>> from chaplygin.contact.pressure.elliptic_patch import EllipticHertz
+    >>> from chaplygin.contact.pressure import EllipticHertz
     >>> patch = EllipticHertz(2.0, 1.0)
     >>> patch.potential([[0.0, 0.0], [3.0, 1.0]])
     array([0.90829202, 3.20597823])

@@ -105,7 +105,7 @@ class Hertz(CoupledFriction):
 
     Examples
     --------
-    >>> from chaplygin.contact.pressure.pressure import Hertz
+    >>> from chaplygin.contact.pressure import Hertz
     >>> Hertz().force([0.0, 0.01, 1.0, float("inf")])
     array([0.        , 0.01178068, 0.88357293, 1.        ])
     >>> float(Hertz().couple(0.0))  # 3π/16
@@ -169,7 +169,7 @@ class Uniform(CoupledFriction):
 
     Examples
     --------
-    >>> from chaplygin.contact.pressure.pressure import Uniform
+    >>> from chaplygin.contact.pressure import Uniform
     >>> Uniform().couple([0.0, 0.6530017892, 1.0])
     array([0.66666667, 0.47169351, 0.28294212])
     """
@@ -205,7 +205,7 @@ class Ring(CoupledFriction):
 
     Examples
     --------
-    >>> from chaplygin.contact.pressure.pressure import Ring
+    >>> from chaplygin.contact.pressure import Ring
     >>> float(Ring().force(2.0)) == float(Ring().couple(0.5))
     True
     """
@@ -262,7 +262,7 @@ class PowerPressure(CoupledFriction):
 
     Examples
     --------
-    >>> from chaplygin.contact.pressure.pressure import PowerPressure
+    >>> from chaplygin.contact.pressure import PowerPressure
     >>> PowerPressure(-0.5).force([0.5, 1.0])  # πk/4
     array([0.39269908, 0.78539816])
     """

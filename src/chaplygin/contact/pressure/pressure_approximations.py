@@ -39,7 +39,7 @@ class ApproximateFriction(CoupledFriction):
 
     Examples
     --------
-    >>> from chaplygin.contact.pressure.pressure_approximations import zhuravlev_first_order
+    >>> from chaplygin.contact.pressure import zhuravlev_first_order
     >>> zhuravlev_first_order().force_formula
     k/(k + 8/(3*pi))
     >>> zhuravlev_first_order().force([0.0, 1.0, float("inf")])
@@ -124,7 +124,7 @@ def greatest_errors(approximation: CoupledFriction) -> tuple[float, float]:
 
     Examples
     --------
-    >>> from chaplygin.contact.pressure.pressure_approximations import *
+    >>> from chaplygin.contact.pressure import greatest_errors, zhuravlev_first_order
     >>> [f"{error:.4f}" for error in greatest_errors(zhuravlev_first_order())]
     ['0.3437', '0.3916']
     """
@@ -165,7 +165,7 @@ def best_constants() -> tuple[float, float]:
 
     Examples
     --------
-    >>> from chaplygin.contact.pressure.pressure_approximations import best_constants
+    >>> from chaplygin.contact.pressure import best_constants
     >>> [round(constant, 4) for constant in best_constants()]
     [0.2812, 2.2939]
     """
