@@ -8,11 +8,13 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from chaplygin.analysis.classification import ProofBudget, classify
 from chaplygin.catalogue import entry
 from chaplygin.core.system import System
 from chaplygin.experiment.models.experiment import catalogue_experiment
 from chaplygin.experiment.study import prepare
 from chaplygin.flow.integrator import integrate
+from chaplygin.proof.fields.budget import EFFORT
 
 UP = np.array([0.0, 0.0, 1.0])
 STEP = 1e-5
@@ -175,3 +177,29 @@ def test_a_steady_spin_of_the_rattleback_admits_no_smooth_measure() -> None:
     one, other = divergence(0.1), divergence(-0.1)
     assert one == pytest.approx(-other, rel=1e-5)
     assert abs(one) > 1e-4
+
+
+def test_the_densities_of_bearing_and_line_are_positive() -> None:
+    """The identities behind the signs: a positive form, and a determinant as a positive sum."""
+    a, x, g = (sp.Matrix(sp.symbols(f"{n}_1:4", real=True)) for n in "axg")
+    moments = sp.diag(*sp.symbols("I_1:4", positive=True))
+    D = sp.Symbol("D", positive=True)
+    form = x.dot(x) * a.dot(a) - x.dot(a) ** 2
+    assert sp.expand(form - a.cross(x).dot(a.cross(x))) == 0
+    # β, γ as any two vectors, α = β×γ; γ² stands beside D, where it is one
+    first = a.dot(moments * a) + D
+    across = first * g.dot(moments * g) - a.dot(moments * g) ** 2
+    normal = a.cross(g)
+    inverse = moments.det() * moments.inv()
+    assert sp.expand(across - normal.dot(inverse * normal) - D * g.dot(moments * g)) == 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["ball-bearing", "straight-line-ball"])
+def test_their_measures_are_positive_everywhere(name: str) -> None:
+    system = entry(name).system()
+    patience = ProofBudget(EFFORT)
+    place = classify(system, patience.verdicts(system), patience)
+    assert [density.sign for density in place.measures] == ["kept"]
+    kinds = {kind.name for kind in place.kinds}
+    assert ("euler-jacobi" in kinds) == (name == "ball-bearing")

@@ -144,7 +144,7 @@ INTEGRABLE = frozenset(
         *("rubber-ball-separated", "disk-on-ice", "smooth-disk", "ball-around-sphere-bruns"),
         "two-veselova-constraints",
         *("special-veselova-nd", "special-rubber-ball-nd", "special-chaplygin-ball-nd"),
-        "special-rubber-ball-on-sphere-nd",
+        *("special-rubber-ball-on-sphere-nd", "ball-bearing"),
     )
 )
 

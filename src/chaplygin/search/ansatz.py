@@ -9,6 +9,7 @@ from math import comb
 import numpy as np
 import sympy as sp
 
+from ..core.matrices import Skew
 from ..core.system import System
 from ..core.vectors import Vector
 from ..errors import InputError
@@ -92,7 +93,7 @@ def default_momenta(system: System) -> tuple[tuple[sp.Symbol, ...], ...]:
     """
     named = (*system.state, *(name for name, _ in system.definitions))
     vectors = {v.name: v.symbols for v in named if isinstance(v, Vector)}
-    state = [v for v in system.state if isinstance(v, Vector)]
+    state = [v for v in system.state if isinstance(v, Vector | Skew)]
     if any(v.name == "M" for v in state):
         return tuple(vectors[name] for name in ("M", "omega") if name in vectors)
     for vector in sorted(state, key=lambda v: v.name != "omega"):

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
+from ..core.matrices import Skew
 from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric, Vector, dot
 from ..errors import InputError
@@ -42,9 +43,9 @@ def code_spelling(text: str) -> str:
     return "".join(words)
 
 
-def _tensors_by_name(system: System) -> dict[str, Vector | Diagonal | Symmetric]:
+def _tensors_by_name(system: System) -> dict[str, Vector | Diagonal | Symmetric | Skew]:
     """Vectors and tensors by name."""
-    tensors: dict[str, Vector | Diagonal | Symmetric] = {}
+    tensors: dict[str, Vector | Diagonal | Symmetric | Skew] = {}
     for name, value in (*system.field, *system.definitions):
         if not isinstance(name, sp.Symbol):
             tensors[name.name] = name
@@ -160,7 +161,7 @@ def quantities(names: str, system: System, where: str = "") -> tuple[sp.Expr, ..
         If a name is unknown, or what is no name is no formula.
     """
     scalars, named = _scalars(system), _tensors_by_name(system)
-    vectors = {name: v for name, v in named.items() if isinstance(v, Vector)}
+    vectors = {name: v for name, v in named.items() if isinstance(v, Vector | Skew)}
     scalars_asked: list[sp.Expr] = []
     for name in filter(None, (part.strip() for part in _COMMA.split(code_spelling(names)))):
         if name in vectors:

@@ -13,6 +13,8 @@ from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import dataset_of, prepare
 from chaplygin.flow.integrator import integrate
 from chaplygin.formulas.array_evaluation import values
+from chaplygin.search.ansatz import default_momenta
+from chaplygin.search.input_formulas import quantities
 
 FAMILIES = ("suslov-nd", "veselova-nd", "chaplygin-ball-nd", "rubber-chaplygin-ball-nd")
 TURN = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.6, 0.8], [0.0, 0.0, -0.8, 0.6]]
@@ -220,3 +222,10 @@ def test_what_python_cannot_start_from_is_refused(start, message):
     with pytest.raises(InputError) as caught:
         integrate(from_catalogue("veselova-nd", dimension=4), start, [0.0, 1.0])
     assert message in str(caught.value)
+
+
+def test_the_momentum_of_a_ball_is_what_a_search_is_for():
+    ball = from_catalogue("chaplygin-ball-nd", dimension=3)
+    names = [[str(s) for s in family] for family in default_momenta(ball)]
+    assert names == [["k_12", "k_13", "k_23"]]
+    assert [str(s) for s in quantities("k", ball)] == names[0]

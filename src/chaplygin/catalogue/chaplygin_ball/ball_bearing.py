@@ -22,7 +22,7 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral, Law, Measure
-from ...core.system import Observable, Parameter, System
+from ...core.system import Observable, Parameter, System, Theorem
 from ...core.vectors import (
     Diagonal,
     Symmetric,
@@ -47,7 +47,7 @@ SUPPORTS = ((D_1, alpha), (D_2, beta), (D_3, gamma))
 HALF = sp.Rational(1, 2)
 B, C = Symmetric("B"), Symmetric("C")
 Delta = real_symbol("Delta")
-MOMENTUM = "kg m^2/s"
+MOMENTUM, SOURCE = "kg m^2/s", "§12, problem 2"
 
 TITLE = "Ball in a ball bearing"
 SUMMARY = (
@@ -55,8 +55,23 @@ SUMMARY = (
     "homogeneous balls whose centres are fixed too; it is integrable by the Euler–Jacobi theorem, "
     "but no conformally Hamiltonian form is known."
 )
-SOURCE = "§12, problem 2"
 DEFAULTS = {"I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "D_1": 0.8, "D_2": 0.5, "D_3": 0.3}
+
+
+#: (x, Bx) = (x, Ix) + Σ D |x×n|² on n² = 1, with D ≥ 0.
+POSITIVE = Theorem((), "the tensor B is positive definite", tuple, (Delta,))
+
+
+#: Directions fixed in space keep their angles.
+ANGLES = tuple(
+    Integral(
+        f"angle_{i}{j}",
+        dot(SUPPORTS[i - 1][1], SUPPORTS[j - 1][1]),
+        f"cosine of the angle between balls {i} and {j}",
+        source=SOURCE,
+    )
+    for i, j in ((1, 2), (1, 3), (2, 3))
+)
 
 
 def tensor() -> MatrixExpr:
@@ -81,6 +96,7 @@ def laws(p: Numbers) -> tuple[Law, ...]:
             )
             for place, axis in (("first", alpha), ("second", beta), ("third", gamma))
         ),
+        *ANGLES,
         Measure("measure", {Delta: -HALF}, "invariant measure", source=SOURCE),
         Isomorphism(
             "chaplygin_ball",
@@ -131,6 +147,7 @@ def build(p: Numbers) -> System:
         },
         relations=(norm_squared(alpha) - 1, norm_squared(beta) - 1, norm_squared(gamma) - 1),
         laws=laws(p),
+        theorems=(POSITIVE,),
         observables=(Observable("omega", omega, "angular velocity", "rad/s", "body"),),
     )
 

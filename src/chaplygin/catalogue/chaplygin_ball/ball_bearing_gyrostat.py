@@ -59,6 +59,7 @@ def laws() -> tuple[Law, ...]:
                 ("third", gamma, ()),
             )
         ),
+        *(replace(law, source=SOURCE) for law in ball_bearing.ANGLES),
         Measure("measure", {Delta: -HALF}, "invariant measure", source=SOURCE),
     )
 

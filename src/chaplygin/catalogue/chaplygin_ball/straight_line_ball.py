@@ -12,12 +12,15 @@ the space derivative of M = I ω + m R² (ω, β) β is λ₀ α, and M keeps it
 
 from __future__ import annotations
 
+from dataclasses import replace
+from functools import partial
+
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral, Measure, Symmetry
-from ...core.system import Observable, Parameter, System
+from ...core.system import Observable, Parameter, System, Theorem
 from ...core.vectors import Components, Diagonal, cross, dot, real_symbol, vectors
 from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
 from ...mechanics.rolling.body import check_inertia, check_mass
@@ -44,6 +47,11 @@ SOURCE = "§12, problem 2"
 DEFAULTS = {"m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "R": 1.0}
 
 
+SHIFT = Symmetry("shift", {x: sp.S.One}, "shift along the line", source=SOURCE)
+#: Δ = Σ I_j I_k α_i² + m R² (γ, Iγ), by Lagrange's identity.
+POSITIVE = Theorem((), "the inertia in the plane of β and γ is positive definite", tuple, (Delta,))
+
+
 def space_axes() -> dict[MatrixExpr, MatrixExpr]:
     """α, β, γ, the rows of the rotation, as definitions."""
     turn = rotation()
@@ -59,6 +67,16 @@ def _parameters(p: Numbers) -> tuple[Parameter, ...]:
         Parameter(m, "mass", p["m"], "kg", (m > 0,)),
         Parameter(R, "radius of the ball", p["R"], "m", (R > 0,)),
     )
+
+
+def _inertia_across() -> dict[sp.Symbol, sp.Expr]:
+    """The inertia in the plane of β and γ, with its determinant."""
+    return {
+        D_11: dot(beta, I * beta) + m * R**2,
+        D_12: dot(beta, I * gamma),
+        D_22: dot(gamma, I * gamma),
+        Delta: D_11 * D_22 - D_12**2,
+    }
 
 
 def _velocity(vector: MatrixExpr) -> MatrixExpr:
@@ -82,6 +100,7 @@ def build(p: Numbers) -> System:
             X: cross(I * omega, omega),
             q: _velocity(alpha),
             lambda_0: -dot(q, X) / dot(q, alpha),
+            **_inertia_across(),
         },
         field={
             omega: _velocity(X) + lambda_0 * q,
@@ -99,6 +118,8 @@ def build(p: Numbers) -> System:
                 unit=MOMENTUM,
             ),
             Integral("upward", dot(M, gamma), "vertical momentum", source=SOURCE, unit=MOMENTUM),
+            Measure("measure", {Delta: HALF}, "invariant measure", source=SOURCE),
+            SHIFT,
             Isomorphism(
                 "momenta",
                 momenta(p),
@@ -107,11 +128,27 @@ def build(p: Numbers) -> System:
                 source=SOURCE,
             ),
         ),
+        theorems=(
+            POSITIVE,
+            Theorem(
+                ("measure",),
+                "measure of the momenta, as d(P, S) = Δ d(ω_β, ω_γ) at each attitude",
+                partial(_identities, p),
+            ),
+        ),
         observables=(
             Observable("speed", R * dot(omega, beta), "velocity along the line", "m/s"),
             Observable("guide_torque", lambda_0, "reaction about the direction of the line", "N m"),
         ),
     )
+
+
+def _identities(p: Numbers) -> tuple[System, System]:
+    """The measure in the momenta, and that these are the same motion."""
+    ball, other = build(p), momenta(p)
+    same = tuple(law for law in ball.laws if isinstance(law, Isomorphism))
+    measures = tuple(law for law in other.laws if isinstance(law, Measure))
+    return replace(ball, laws=same, theorems=()), replace(other, laws=measures)
 
 
 def momenta(p: Numbers) -> System:
@@ -127,10 +164,7 @@ def momenta(p: Numbers) -> System:
         parameters=_parameters(p),
         definitions={
             **space_axes(),
-            D_11: dot(beta, I * beta) + m * R**2,
-            D_12: dot(beta, I * gamma),
-            D_22: dot(gamma, I * gamma),
-            Delta: D_11 * D_22 - D_12**2,
+            **_inertia_across(),
             omega_b: (D_22 * P - D_12 * S) / Delta,
             omega_c: (D_11 * S - D_12 * P) / Delta,
             omega: omega_b * beta + omega_c * gamma,
@@ -147,8 +181,9 @@ def momenta(p: Numbers) -> System:
                 "energy", HALF * (P * omega_b + S * omega_c), "energy", source=SOURCE, unit="J"
             ),
             Measure("measure", {Delta: -HALF}, "invariant measure", source=SOURCE),
-            Symmetry("shift", {x: sp.S.One}, "shift along the line", source=SOURCE),
+            SHIFT,
         ),
+        theorems=(POSITIVE,),
         observables=(Observable("omega", omega, "angular velocity", "rad/s", "body"),),
     )
 
