@@ -18,13 +18,8 @@ from ..formulas.tape import Derivation, Tape
 from ..formulas.taylor import Rational
 from ..mechanics.constraints.exact_points import NoPointError, random_point
 from ..mechanics.lagrangian.structure_functions import VectorField
-from ..mechanics.reduction.rational_evaluation import (
-    Formulas,
-    Quotient,
-    as_formula,
-    circle,
-    quotients,
-)
+from ..mechanics.reduction.rational_evaluation import Formulas, circle
+from ..mechanics.reduction.rational_functions import Quotient, as_formula, quotients
 from .lifted_fields import LiftedFields
 from .positivity import definite
 

@@ -10,15 +10,14 @@ from hypothesis import given, settings, strategies as st
 from chaplygin.core.vectors import Vector, real_symbol
 from chaplygin.errors import InputError
 from chaplygin.mechanics.reduction.factors import HalfAngleChart, determinant, in_angles, on_sphere
+from chaplygin.mechanics.reduction.linear_algebra import inverse, kernel
 from chaplygin.mechanics.reduction.rational_evaluation import (
     Formulas,
     circle,
-    inverse,
     is_rational,
-    kernel,
     on_circles,
-    quotients,
 )
+from chaplygin.mechanics.reduction.rational_functions import quotients
 
 x, y, theta, phi, J = (real_symbol(name) for name in ("x", "y", "theta", "phi", "J"))
 ONE, NAMES = quotients([x, y])

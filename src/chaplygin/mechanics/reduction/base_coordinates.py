@@ -20,7 +20,7 @@ from ...core.vectors import Vector, norm_squared, real_symbol, to_components
 from ...errors import InputError
 from ..lagrangian.mechanism import Mechanism
 from .momenta import ReducedMomenta
-from .rational_evaluation import Formulas, bare, point
+from .rational_evaluation import Formulas, plain_symbols, rational_point
 
 SEED = 1949
 TRIES = 3
@@ -126,9 +126,9 @@ def _essential_coordinates(mechanism: Mechanism, motion: ReducedMomenta) -> list
     essential = pulled
     for q in named:
         for _ in range(TRIES):
-            first = point([*bare(formulas.symbols), *motion.coordinates], dice)
-            fixed = {s: v for s, v in first.items() if s not in point([q], dice)}
-            second = point([q], dice, fixed)
+            first = rational_point([*plain_symbols(formulas.symbols), *motion.coordinates], dice)
+            fixed = {s: v for s, v in first.items() if s not in rational_point([q], dice)}
+            second = rational_point([q], dice, fixed)
             if formulas.at(first, fmpq(1)) != formulas.at(second, fmpq(1)):
                 essential.append(q)
                 break
@@ -189,12 +189,15 @@ def _pair(mechanism: Mechanism, motion: ReducedMomenta, essential: list[sp.Symbo
 
 def _spans(mechanism: Mechanism, rows: sp.Matrix) -> bool:
     formulas = Formulas(list(rows), mechanism.name)
-    values = formulas.at(point(bare(formulas.symbols), random.Random(SEED), _angles(rows)), fmpq(1))
+    values = formulas.at(
+        rational_point(plain_symbols(formulas.symbols), random.Random(SEED), _angles(rows)),
+        fmpq(1),
+    )
     return bool(fmpq_mat(rows.rows, rows.cols, values).rank() == rows.rows)
 
 
 def _angles(rows: sp.Matrix) -> dict[sp.Symbol, fmpq]:
-    return point(sorted(rows.free_symbols, key=str), random.Random(SEED))
+    return rational_point(sorted(rows.free_symbols, key=str), random.Random(SEED))
 
 
 def on_base(motion: ReducedMomenta, place: Mapping[sp.Symbol, sp.Expr]) -> ReducedMomenta:

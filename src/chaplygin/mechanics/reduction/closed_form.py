@@ -11,7 +11,9 @@ from flint import fmpq_mpoly
 from ...core.vectors import Vector
 from .factors import HalfAngleChart, has_even_degrees, in_angles, on_sphere
 from .horizontal_lift import Local
-from .rational_evaluation import Formulas, Quotient, inverse, product, quotients
+from .linear_algebra import inverse, product
+from .rational_evaluation import Formulas
+from .rational_functions import Quotient, quotients
 
 
 @dataclass(frozen=True)

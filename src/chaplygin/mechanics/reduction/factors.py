@@ -16,16 +16,9 @@ from flint import Ordering, fmpq, fmpq_mat, fmpq_mpoly, fmpq_mpoly_ctx
 
 from ...core.vectors import Vector, real_symbol
 from .horizontal_lift import Lift
-from .rational_evaluation import (
-    Formulas,
-    Quotient,
-    Value,
-    as_formula,
-    circle,
-    number,
-    product,
-    quotients,
-)
+from .linear_algebra import product
+from .rational_evaluation import Formulas, circle, random_rational
+from .rational_functions import Quotient, Value, as_formula, quotients
 
 SEED = 1930
 HIGHEST = 6
@@ -202,7 +195,7 @@ def on_sphere(poly: fmpq_mpoly, chart: HalfAngleChart, vector: Vector) -> sp.Exp
 def _with_numbers(poly: fmpq_mpoly) -> fmpq_mpoly:
     """The polynomial at random values of the parameters."""
     dice = random.Random(SEED)
-    return poly.subs({name: number(dice) for name in poly.context().names()[2:]})
+    return poly.subs({name: random_rational(dice) for name in poly.context().names()[2:]})
 
 
 def _at_pole(poly: fmpq_mpoly) -> bool:
@@ -227,7 +220,7 @@ def _coefficients_in_unit_vector(
     rows, right = [], []
     dice = random.Random(SEED)
     for _ in range(count + 3):
-        t = [number(dice), number(dice)]
+        t = [random_rational(dice), random_rational(dice)]
         (s, c), (s2, c2) = _circles(t)
         unit = (s * s2, s * c2, c)
         rows.append([_power(unit, chosen) for chosen in powers])

@@ -22,8 +22,10 @@ import sympy as sp
 
 from .base_coordinates import Base
 from .integrals import Linear
+from .linear_algebra import inverse, product
 from .momenta import ReducedMomenta
-from .rational_evaluation import Formulas, Value, inverse, product
+from .rational_evaluation import Formulas
+from .rational_functions import Value
 
 Point = Any
 

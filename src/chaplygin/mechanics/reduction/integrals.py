@@ -18,17 +18,10 @@ from flint import fmpq
 from ...core.vectors import real_symbol
 from ..lagrangian.mechanism import Mechanism
 from .base_coordinates import Base
+from .linear_algebra import kernel
 from .momenta import ReducedMomenta
-from .rational_evaluation import (
-    Evaluable,
-    Formulas,
-    Value,
-    as_expression,
-    bare,
-    kernel,
-    point,
-    quotients,
-)
+from .rational_evaluation import Evaluable, Formulas, plain_symbols, rational_point
+from .rational_functions import Value, as_expression, quotients
 
 SEED = 1911
 DEGREE = 2
@@ -167,14 +160,14 @@ def solutions(
     The number of equations in `formulas` is a multiple of `count`: each row of `count` must vanish.
     """
     dice = random.Random(SEED)
-    names = bare(formulas.symbols)
+    names = plain_symbols(formulas.symbols)
     parameters = [p.symbol for p in mechanism.parameters]
     one = fmpq(1)
-    fixed = point(parameters, dice)
+    fixed = rational_point(parameters, dice)
     rows: list[list[Value]] = []
     while len(rows) < count + 4:
         try:
-            values = formulas.at(point([*names, *base.coordinates], dice, fixed), one)
+            values = formulas.at(rational_point([*names, *base.coordinates], dice, fixed), one)
         except ZeroDivisionError:
             continue
         rows += [values[i : i + count] for i in range(0, len(values), count)]
@@ -194,10 +187,12 @@ def _with_parameters(
         return {indices[0]: sp.S.One}
     one, symbols = quotients(parameters) if parameters else (fmpq(1), {})
     dice = random.Random(SEED + 1)
-    names = bare(formulas.symbols)
+    names = plain_symbols(formulas.symbols)
     rows: list[list[Value]] = []
     while len(rows) < len(indices) + 2:
-        place = point([n for n in names if n not in symbols] + list(base.coordinates), dice)
+        place = rational_point(
+            [n for n in names if n not in symbols] + list(base.coordinates), dice
+        )
         values = formulas.at({**{s: one * v for s, v in place.items()}, **symbols}, one)
         rows += [[values[i + j] for j in indices] for i in range(0, len(values), count)]
     (row,) = kernel(rows, one)

@@ -18,15 +18,9 @@ from ...core.system import Parameter
 from ...core.vectors import Vector
 from .factors import HalfAngleChart, has_even_degrees, in_angles, on_sphere
 from .horizontal_lift import Local
-from .rational_evaluation import (
-    Point,
-    Quotient,
-    Value,
-    near,
-    number,
-    quotients,
-    reduced_echelon_form,
-)
+from .linear_algebra import reduced_echelon_form
+from .rational_evaluation import Point, random_rational, rational_near
+from .rational_functions import Quotient, Value, quotients
 
 SEED = 1961
 SPARE = 3
@@ -159,8 +153,10 @@ def obstruction_point(
     defaults = {p.symbol: p.default for p in parameters}
     for _ in range(2):
         while True:
-            numbers = {s: near(defaults.get(s, 0.0), dice) for s in _parameters(local, chart)}
-            values = [number(dice), number(dice)]
+            numbers = {
+                s: rational_near(defaults.get(s, 0.0), dice) for s in _parameters(local, chart)
+            }
+            values = [random_rational(dice), random_rational(dice)]
             try:
                 value = curl(local, chart, values, numbers, [])
             except ZeroDivisionError:
@@ -191,7 +187,7 @@ def open_unless(
     parameters = _parameters(local, chart)
     shared: sp.Expr | None = None
     for _ in range(2):
-        values = [number(dice), number(dice)]
+        values = [random_rational(dice), random_rational(dice)]
         form = curl(local, chart, values, {}, parameters)
         above = sp.fraction(sp.together(form))[0]
         shared = above if shared is None else sp.gcd(shared, above)
@@ -216,13 +212,13 @@ def multiplier(
     """
     parameters = _parameters(local, chart)
     dice = random.Random(SEED)
-    numbers = {s: number(dice) for s in parameters}
+    numbers = {s: random_rational(dice) for s in parameters}
     values = _exponents(local, chart, factors, numbers, ())
     if values is None:
         return None
     moving = []
     for s in parameters:
-        other = _exponents(local, chart, factors, {**numbers, s: number(dice)}, ())
+        other = _exponents(local, chart, factors, {**numbers, s: random_rational(dice)}, ())
         if other != values:
             moving.append(s)
     if moving:
@@ -254,7 +250,7 @@ def _exponents(
     rows: list[list[Value]] = []
     right: list[Value] = []
     while len(rows) < count + SPARE:
-        values = [number(dice), number(dice)]
+        values = [random_rational(dice), random_rational(dice)]
         try:
             pair = _form_at(local, chart, values, place, like)
             slopes = _slopes(chart, factors, values, place, like)

@@ -20,7 +20,8 @@ from ..lagrangian.mechanism import Mechanism
 from .horizontal_lift import Lift, Local, Point, Quadratic, energy, in_momenta
 from .integrals import QuadraticForm, quadratic_integrals, solutions
 from .momenta import ReducedMomenta
-from .rational_evaluation import Value, bare, point
+from .rational_evaluation import plain_symbols, rational_point
+from .rational_functions import Value
 
 SEED = 2008
 
@@ -93,7 +94,9 @@ def energy_like_integral(
 def _regular(lift: Lift, integral: Quadratic, owner: str) -> bool:
     """Whether E₂ is not degenerate."""
     local = Local(lift, integral, owner)
-    place = point([*bare(local.symbols), *lift.base.coordinates], random.Random(SEED))
+    place = rational_point(
+        [*plain_symbols(local.symbols), *lift.base.coordinates], random.Random(SEED)
+    )
     (a, b), (_, c) = local.at(place, fmpq(1)).metric
     return bool(a * c != b * b)
 
