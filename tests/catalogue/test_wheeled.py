@@ -11,7 +11,7 @@ from chaplygin.catalogue.mechanisms import roller_racer, snakeboard, trailers, v
 from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
 from chaplygin.flow.integrator import integrate
-from chaplygin.mechanics.constraints.exceptional_parameters import exceptional
+from chaplygin.mechanics.constraints.exceptional_parameters import exceptional_values
 from chaplygin.mechanics.constraints.integrability import nonholonomy, nonholonomy_at
 
 FOLDED = sp.pi / 2
@@ -68,7 +68,7 @@ def test_no_dimensions_of_roller_racer_or_trailer_are_exceptional():
     racer = roller_racer.racer(roller_racer.DEFAULTS)
     for mechanism, names in ((racer, ("d_1", "d_2")), (trailers.train(2), ("l_1", "l_2"))):
         for name in names:
-            assert exceptional(mechanism, real_symbol(name)) == ()
+            assert exceptional_values(mechanism, real_symbol(name)) == ()
 
 
 def run(name, until=4.0, **changes):

@@ -9,7 +9,7 @@ from chaplygin import Ball, Body, Ellipsoid, Forces, Plane, Rolling, Sphere
 from chaplygin.core.system import Parameter
 from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
-from chaplygin.mechanics.constraints.exceptional_parameters import exceptional
+from chaplygin.mechanics.constraints.exceptional_parameters import exceptional_values
 from chaplygin.mechanics.lagrangian.mechanism import Mechanism, coordinates
 from chaplygin.mechanics.rolling.mechanism import rolling_mechanism
 
@@ -22,7 +22,7 @@ def found(constraint):
     made = Mechanism(
         "planted", PLAIN, sp.S.Zero, (constraint,), parameters=(Parameter(k, "k", 0.7),)
     )
-    return {e.value: e.growth for e in exceptional(made, k)}
+    return {e.value: e.growth for e in exceptional_values(made, k)}
 
 
 @pytest.mark.parametrize(
@@ -51,20 +51,20 @@ def ball(contact, radius=2.0):
 
 @pytest.mark.parametrize("radius", [2.0, 0.8, -2.0])
 def test_rubber_balls_of_equal_radii_are_the_only_exception(radius):
-    (only,) = exceptional(ball("rubber", radius), real_symbol("a"))
+    (only,) = exceptional_values(ball("rubber", radius), real_symbol("a"))
     assert (only.value, only.growth, only.usual) == (sp.Rational(4, 5), (2,), (2, 3, 5))
 
 
 def test_a_marble_ball_on_a_sphere_has_no_exceptional_ratio():
-    assert exceptional(ball("marble"), real_symbol("a")) == ()
+    assert exceptional_values(ball("marble"), real_symbol("a")) == ()
 
 
 def test_mistakes():
     with pytest.raises(InputError, match="no parameter b; it has"):
-        exceptional(ball("rubber"), real_symbol("b"))
+        exceptional_values(ball("rubber"), real_symbol("b"))
     body = Body(1.0, (0.3, 0.4, 0.5), Ellipsoid((1.0, 0.8, 0.6)))
     with pytest.raises(InputError, match="does not enter the constraints rationally"):
-        exceptional(rolling_mechanism(Rolling(body, Plane(), "marble")), real_symbol("b_1"))
+        exceptional_values(rolling_mechanism(Rolling(body, Plane(), "marble")), real_symbol("b_1"))
     made = Mechanism(
         "circle",
         PLAIN,
@@ -74,4 +74,4 @@ def test_mistakes():
         parameters=(Parameter(k, "k", 0.7),),
     )
     with pytest.raises(InputError, match="configuration space itself depends on k"):
-        exceptional(made, k)
+        exceptional_values(made, k)

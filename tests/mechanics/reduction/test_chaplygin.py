@@ -16,7 +16,7 @@ from chaplygin.mechanics.reduction.chaplygin import chaplygin_form
 from chaplygin.mechanics.reduction.horizontal_lift import lift
 from chaplygin.mechanics.reduction.integrals import Linear
 from chaplygin.mechanics.reduction.momenta import motion
-from chaplygin.mechanics.reduction.numerical import integral_of_gyroscopic, log_multiplier
+from chaplygin.mechanics.reduction.numerical import gyroscopic_integral, log_multiplier
 from chaplygin.mechanics.reduction.quadratic_integral import energy_like_integral
 from chaplygin.mechanics.reduction.reduced_form import ChaplyginForm
 from chaplygin.mechanics.rolling.body import Body
@@ -156,7 +156,7 @@ def test_chaplygin_ball_with_its_monopole() -> None:
 @pytest.mark.slow
 def test_the_monopole_agrees_with_quadrature() -> None:
     form = chaplygin_form(ball(gyrostat=True))
-    value, error = integral_of_gyroscopic(form)
+    value, error = gyroscopic_integral(form)
     assert form.flux is not None
     exact = float(form.flux.value.subs(form.system.defaults))
     assert error < 1e-12
@@ -191,7 +191,7 @@ def test_veselova_with_rotors() -> None:
     assert form.flux is not None
     assert form.flux.value == 0
     assert form.hamiltonian is None
-    assert abs(integral_of_gyroscopic(form)[0]) < 1e-13
+    assert abs(gyroscopic_integral(form)[0]) < 1e-13
     assert {"measure", "form", "motion"} <= set(proven(form))
 
 
@@ -265,7 +265,7 @@ def test_hollow_ball_on_any_level() -> None:
     # the other integral is indefinite: the multiplier is singular where it degenerates
     assert len(form.singular) == 1
     assert form.flux is not None
-    value, _ = integral_of_gyroscopic(form)
+    value, _ = gyroscopic_integral(form)
     assert abs(value / float(form.flux.value.subs(form.system.defaults)) - 1) < 1e-12
     assert {"measure", "bracket", "form", "motion", "gyroscopic_form"} <= set(proven(form))
 

@@ -33,7 +33,7 @@ SAMPLES = 240
 
 
 @dataclass(frozen=True)
-class Exceptional:
+class ExceptionalValue:
     """A value of a parameter and the growth there.
 
     Attributes
@@ -55,9 +55,9 @@ class Exceptional:
     dimension: int
 
 
-def exceptional(
+def exceptional_values(
     mechanism: Mechanism | Distribution, parameter: sp.Symbol
-) -> tuple[Exceptional, ...]:
+) -> tuple[ExceptionalValue, ...]:
     """Nonzero rational values of a parameter with an unusual growth.
 
     The other parameters keep their values.
@@ -81,7 +81,7 @@ def exceptional(
         there = _growth_at_value(admissible, parameter, value)
         if there is not None and there.growth != usual.growth:
             exceptions.append(
-                Exceptional(parameter, value, there.growth, usual.growth, usual.dimension)
+                ExceptionalValue(parameter, value, there.growth, usual.growth, usual.dimension)
             )
     return tuple(sorted(exceptions, key=lambda e: e.value))
 

@@ -64,7 +64,7 @@ def log_multiplier(
     return float(value), float(error)
 
 
-def integral_of_gyroscopic(
+def gyroscopic_integral(
     form: ChaplyginForm, values: Mapping[sp.Symbol, float] | None = None
 ) -> tuple[float, float]:
     """∫ S̄ dθ dφ over the sphere, and the change by the last refinement as error.
