@@ -34,7 +34,7 @@ from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.derived_verdicts import contrary
 from ..methods.quadratic_integrals import no_quadratic_integral
-from ..obstructions.normal_variations import no_second_integral
+from ..obstructions.normal_variational_equations import no_second_integral
 from .section_09_3 import with_point, z
 
 omega, n, M, gamma = vectors("omega n M gamma")

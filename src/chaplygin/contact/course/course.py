@@ -28,7 +28,7 @@ from .near_rest import (
     state_after_stop,
     sudden_direction,
 )
-from .rolling_course import RollingCourse
+from .rolling_transitions import RollingTransitions
 
 #: Gaps, normal velocities and normal accelerations below this part of the typical ones are none.
 _LEVEL = 1e-9
@@ -52,7 +52,7 @@ _NO_RETURN = (
 )
 
 
-class Course(RollingCourse):
+class Course(RollingTransitions):
     """A motion while it is computed; its arguments are those of a CourseState."""
 
     # --- driving ---------------------------------------------------------------------------

@@ -7,7 +7,7 @@ from typing import Any
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from ...catalogue import CATALOGUE, entry
-from ...catalogue.fixed_point.with_fluid import refusal
+from ...catalogue.fixed_point.fluid_filled_bodies import refusal
 from ...mechanics.rolling.cavity import Cavity
 from ..file.tables import FilledBodyTable, StateTable, SystemRunTable, SystemStartTable, SystemTable
 from .base import ExperimentBase

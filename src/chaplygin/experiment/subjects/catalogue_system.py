@@ -9,7 +9,7 @@ import mpmath
 
 from ...catalogue import Entry, entry, known_laws_of
 from ...catalogue.entry import Family
-from ...catalogue.fixed_point.with_fluid import with_fluid
+from ...catalogue.fixed_point.fluid_filled_bodies import with_fluid
 from ...catalogue.so_n.start import (
     ATTITUDE,
     GAMMA,

@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 
 from chaplygin.catalogue import from_catalogue
-from chaplygin.catalogue.fixed_point.with_fluid import with_fluid
+from chaplygin.catalogue.fixed_point.fluid_filled_bodies import with_fluid
 from chaplygin.core.laws import ConformallyHamiltonian
 from chaplygin.core.system import System
 from chaplygin.errors import InputError

@@ -1,4 +1,4 @@
-"""The end of rolling under its resistance, in the course of a motion."""
+"""Transitions of rolling under its resistance: its end, reversal and beginning."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from .compiled import OMEGA, WORK
 from .course_state import NO_SLIP, SLIP_FLOOR
 from .endings import EndError
 from .rolling_end import rolling_rate, rolling_restart, state_with_rolling
-from .spin_course import SpinCourse
+from .spin_transitions import SpinTransitions
 
 _NEITHER = "rolling can neither be held nor begin: the resistance to it has no direction here"
 
 
-class RollingCourse(SpinCourse, ABC):
+class RollingTransitions(SpinTransitions, ABC):
     """A motion whose rolling may end, turn back or begin."""
 
     @abstractmethod

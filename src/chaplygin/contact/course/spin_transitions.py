@@ -1,4 +1,4 @@
-"""The end and the beginning of the spin under a couple against it, in the course of a motion."""
+"""Transitions of the spin in a motion in contact: its end, reversal and beginning."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .course_state import CourseState
 from .events import EventKind
 
 
-class SpinCourse(CourseState, ABC):
+class SpinTransitions(CourseState, ABC):
     """A motion whose spin may end, change its sign or begin."""
 
     @abstractmethod

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from chaplygin.borisov_mamaev.obstructions.normal_variations import no_second_integral
+from chaplygin.borisov_mamaev.obstructions.normal_variational_equations import no_second_integral
 
 FIRST, SECOND = 2.0, 3.1
 
