@@ -98,6 +98,7 @@ def _linear(
     return {s: f.xreplace(place) for s, f in zip(other.symbols, components, strict=True)}
 
 
+@arguments_checked
 def inverse_identity(system: System, law: Isomorphism) -> Identity:
     """The law of `system` that the inverse undoes the map."""
     images = dict(flat_pairs(law.map))

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import numpy.typing as npt
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...mechanics.shapes.rays import directions
 from .mobility import Mobility, mobility as mobility_of_contact
@@ -58,6 +59,7 @@ def least_painleve_friction(mobility: Mobility) -> float:
     return float(mobility.gamma @ response) / sideways if sideways else np.inf
 
 
+@arguments_checked
 def least_painleve_friction_of_body(
     mass: float,
     inertia_tensor: npt.ArrayLike,

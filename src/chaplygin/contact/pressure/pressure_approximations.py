@@ -15,6 +15,7 @@ import numpy.typing as npt
 import sympy as sp
 from scipy.optimize import minimize_scalar
 
+from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from .pressure import CoupledFriction, Hertz, checked_ratio
@@ -75,6 +76,7 @@ def zhuravlev_first_order() -> ApproximateFriction:
     )
 
 
+@arguments_checked
 def zhuravlev_second_order(
     force_constant: float | sp.Expr = 1, couple_constant: float | sp.Expr = 1
 ) -> ApproximateFriction:
@@ -119,6 +121,7 @@ def ellipsoid_law() -> ApproximateFriction:
     return ApproximateFriction("ellipsoid", k / root, COUPLE**2 / root)
 
 
+@arguments_checked
 def greatest_errors(approximation: CoupledFriction) -> tuple[float, float]:
     """Greatest error of F, and of M in units of M(0), against Hertz's over all k ≥ 0.
 

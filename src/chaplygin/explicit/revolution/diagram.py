@@ -20,7 +20,7 @@ import numpy as np
 import sympy as sp
 from flint import arb, ctx, fmpq
 
-from ...arguments import NumberOrText
+from ...arguments import NumberOrText, arguments_checked
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...formulas.balls import exact
@@ -106,6 +106,7 @@ class Diagram:
     stable: tuple[bool, ...]
 
 
+@arguments_checked
 def revolution_diagram(
     rolling: Rolling,
     spins: Sequence[float],

@@ -17,6 +17,7 @@ from typing import Any
 import sympy as sp
 from flint import nmod, nmod_poly
 
+from ...arguments import arguments_checked
 from ...core.named_formulas import expand
 from ...core.parameters import require_parameters
 from ...errors import InputError
@@ -55,6 +56,7 @@ class ExceptionalValue:
     dimension: int
 
 
+@arguments_checked
 def exceptional_values(
     mechanism: Mechanism | Distribution, parameter: sp.Symbol
 ) -> tuple[ExceptionalValue, ...]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import sympy as sp
 
+from ...arguments import arguments_checked
 from ...core.parameters import require_parameters
 from ...errors import InputError
 from .rational_evaluation import circle
@@ -22,6 +23,7 @@ NODES = (16, 24, 36, 54, 81, 122)
 SMALL = 1e-13
 
 
+@arguments_checked
 def log_multiplier(
     form: ChaplyginForm,
     start: Place,
@@ -64,6 +66,7 @@ def log_multiplier(
     return float(value), float(error)
 
 
+@arguments_checked
 def gyroscopic_integral(
     form: ChaplyginForm, values: Mapping[sp.Symbol, float] | None = None
 ) -> tuple[float, float]:

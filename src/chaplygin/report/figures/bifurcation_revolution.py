@@ -8,6 +8,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
+from ...arguments import arguments_checked
 from ...explicit.revolution.diagram import Diagram
 from ..drawing.style import ALARM, COMPONENTS, INK, QUIET, STYLE, WIDTH
 
@@ -15,6 +16,7 @@ from ..drawing.style import ALARM, COMPONENTS, INK, QUIET, STYLE, WIDTH
 SHADES = ("#ffffff", "#e6edf4", "#c3d3e4", "#9db6d1", "#7899bd")
 
 
+@arguments_checked
 def draw_revolution_diagram(
     diagram: Diagram, marks: Sequence[tuple[float, float]] = (), unit: str = "J"
 ) -> Figure:
