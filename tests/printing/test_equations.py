@@ -41,3 +41,8 @@ def test_a_remark_without_a_left_side_stands_under_the_right_sides() -> None:
     assert row.startswith('<div><div class="left"><wbr/></div><div class="right"><math')
     alone = equations_html([("", a)])
     assert 'class="left"' not in alone
+
+
+def test_a_sign_that_goes_on_with_the_line_above_keeps_its_distance() -> None:
+    row = equations_html([("u", a), ("", "+ b")]).split("\n")[1]
+    assert "<mrow><mrow /><mo>&#x0002B;</mo>" in row

@@ -27,7 +27,7 @@ STYLE = """\
   .chaplygin-formula > div { display: block; padding-left: 1.3em; text-indent: -1.3em;
     margin: 0.35em 0; line-height: 1.5; }
   .chaplygin-formula .left, .chaplygin-formula .right { display: inline; padding: 0; }
-  .chaplygin-formula math { font-size: clamp(0.45em, calc(19em / var(--width)), 1em); }
+  .chaplygin-formula math { font-size: clamp(0.3em, calc(17.8em / var(--width)), 1em); }
 }
 @media print {
   .chaplygin-formula, .chaplygin-formula .right { overflow: visible; }
@@ -57,6 +57,9 @@ def equations_html(equations: Iterable[Side]) -> str:
 
 def _row(left: str, right: sp.Basic | str, has_names: bool) -> str:
     first, *others = _terms(right)
+    if has_names and not left:
+        # a sign that goes on with the line above keeps its distance
+        first = f"{{}} {first}"
     # braces keep a minus close to the term that it belongs to
     pieces = [rf"{{}} = {{{first}}}" if left else first, *others]
     cells = [f'<div class="right">{" ".join(map(_term, pieces))}</div>']

@@ -228,7 +228,7 @@ def _start(study: Study, dataset: xr.Dataset) -> list[dict[str, object]]:
     for name, value in study.start_values.items():
         listed = value if isinstance(value, (tuple, list)) else (value,)
         numbers = [x for row in listed for x in (row if isinstance(row, tuple | list) else (row,))]
-        letter = Vector(name) if len(numbers) == 3 else real_symbol(name)
+        letter = Vector(name, len(numbers)) if len(numbers) > 1 else real_symbol(name)
         known = dataset[name].attrs if name in dataset else {}
         words_of = {**study.subject.start_words, **study.variables}
         meaning, units = words_of.get(name, ("", ""))

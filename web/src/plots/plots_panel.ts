@@ -102,16 +102,19 @@ function legend(group: SeriesGroup, holder: HTMLElement): Reading[] {
   holder.append(line);
   return group.components.map(({ label }, k) => {
     const reading = element("span", { class: "lab-number" });
-    const style = `border-top: 2.5px ${STROKES[k % STROKES.length] ?? "solid"} ${curveColour(colours, k)}`;
-    line.append(element("span", {}, element("i", { style }), `${label} = `, reading));
+    const style = `border-top: 2.5px ${STROKES[k % STROKES.length] ?? "solid"} ${curveColour(colours, k, group.components.length)}`;
+    const [letter = "", index = ""] = label.split("_");
+    line.append(element("span", {}, element("i", { style }), letter, index === "" ? null : element("sub", {}, index), " = ", reading));
     return reading;
   });
 }
 
 const STROKES = ["solid", "dashed", "dotted", "solid"] as const;
 
-function curveColour(colours: Palette, k: number): string {
-  return colours.components[k] ?? colours.series[k % colours.series.length] ?? colours.ink;
+/** The colour of a component; where there are more than three, all are from the longer list. */
+function curveColour(colours: Palette, k: number, count: number): string {
+  const list = count > colours.components.length ? colours.series : colours.components;
+  return list[k % list.length] ?? colours.ink;
 }
 
 function firstChosen(lab: Lab): string[] {
@@ -144,7 +147,7 @@ function plotOf(lab: Lab, group: SeriesGroup, holder: HTMLElement, width: number
         {},
         ...group.components.map(({ label: name }, k) => ({
           label: name,
-          stroke: curveColour(colours, k),
+          stroke: curveColour(colours, k, group.components.length),
           width: 1.5,
           dash: dashes[k % dashes.length] ?? [],
           points: { show: false },

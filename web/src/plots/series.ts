@@ -50,7 +50,7 @@ function component(values: Float64Array, width: number, index: number): Float64A
   return width === 1 ? values : Float64Array.from({ length: values.length / width }, (_, k) => values[width * k + index] ?? NaN);
 }
 
-const LOWERED: Record<string, string> = { "1": "₁", "2": "₂", "3": "₃", "4": "₄", "5": "₅", "6": "₆", x: "ₓ" };
+const LOWERED: Record<string, string> = { "1": "₁", "2": "₂", "3": "₃", "4": "₄", "5": "₅", "6": "₆" };
 
 function lowered(name: string): string {
   return LOWERED[name] ?? `_${name}`;

@@ -97,7 +97,7 @@ class Moments(Inertia):
     @property
     def words(self) -> str:
         """A sentence on how it acts."""
-        return "The inertia takes ω_ij to I_ij ω_ij."
+        return "The inertia takes ωᵢⱼ to Iᵢⱼ ωᵢⱼ."
 
     def moment(self, i: int, j: int) -> sp.Symbol:
         """I_ij, in either order of the indices."""
@@ -147,7 +147,7 @@ class ProductMoments(Moments):
     @property
     def words(self) -> str:
         """A sentence on how it acts."""
-        return f"The inertia takes ω_ij to I_ij ω_ij, I_ij = {self.law}."
+        return f"The inertia takes ωᵢⱼ to Iᵢⱼ ωᵢⱼ, Iᵢⱼ = {self.law}."
 
     def value(self, product: sp.Expr) -> sp.Expr:
         """I_ij from the product a_i a_j."""
