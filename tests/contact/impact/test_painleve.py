@@ -139,3 +139,8 @@ def test_restitution_gives_the_impact_without_collision_a_rebound() -> None:
         assert result.energy_lost > 0
     still = impact(m, -along, mu=1.9, restitution=0.5, law="newton")
     assert abs(still.contact_velocity @ m.gamma) < 1e-15
+
+
+def test_a_homogeneous_ball_has_no_least_friction() -> None:
+    least, _ = least_painleve_friction_of_body(1.0, [0.4, 0.4, 0.4], lambda gamma: -gamma)
+    assert least == np.inf

@@ -77,8 +77,14 @@ def test_figure(diagram: Diagram) -> None:
 
 
 def test_refusals() -> None:
-    with pytest.raises(InputError, match="must be positive"):
-        revolution_diagram(DISK, [0.0])
+    for K in (0.0, math.inf):
+        with pytest.raises(InputError, match="must be positive"):
+            revolution_diagram(DISK, [K])
+    for spins in ([], [2.0, 1.0]):
+        with pytest.raises(InputError, match="each above the one before"):
+            revolution_diagram(DISK, spins)
+    with pytest.raises(InputError, match="needs two or more"):
+        draw(revolution_diagram(DISK, [1.0]))
     marble = Rolling(DISK.body, contact="marble", field=Forces(9.81))
     with pytest.raises(InputError, match="rubber body of revolution"):
         revolution_diagram(marble, [1.0])

@@ -56,7 +56,8 @@ def least_painleve_friction(mobility: Mobility) -> float:
     """
     response = mobility.A @ mobility.gamma
     sideways = float(np.linalg.norm(mobility.tangents @ response))
-    return float(mobility.gamma @ response) / sideways if sideways else np.inf
+    rounding = 8 * float(np.finfo(float).eps) * float(np.linalg.norm(response))
+    return float(mobility.gamma @ response) / sideways if sideways > rounding else np.inf
 
 
 @arguments_checked

@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 import sympy as sp
@@ -150,6 +151,9 @@ def revolution_diagram(
     body = body_of(rolling, {**rolling.system().defaults, **(parameters or {})})
     if body is None:
         raise InputError("the diagram of (h, K) belongs to a rubber body of revolution on a plane")
+    spins = [float(K) for K in spins]
+    if not spins or any(first >= second for first, second in pairwise(spins)):
+        raise InputError("spins: they must be one or more values of K, each above the one before")
     columns = tuple(columns_at(body, K) for K in spins)
     curves = _curves(columns)
     return Diagram(columns, tuple(c for c, _ in curves), tuple(stable for _, stable in curves))
@@ -163,9 +167,9 @@ def columns_at(body: AxisymmetricBody, K: float) -> Column:
     InputError
         If K is not positive, or two permanent rotations are too close together to be told apart.
     """
-    if not K > 0:
+    if not 0 < K < np.inf:
         raise InputError(
-            f"K = {K}: it must be positive; the diagram is symmetric, and at K = 0 it ends"
+            f"K = {K}: it must be positive and finite; the diagram is symmetric, and ends at K = 0"
         )
     with ctx.workprec(BITS):
         value = exact(K)

@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ...arguments import arguments_checked
+from ...errors import InputError
 from ...explicit.revolution.diagram import Diagram
 from ..drawing.style import ALARM, COMPONENTS, INK, QUIET, STYLE, WIDTH
 
@@ -33,7 +34,14 @@ def draw_revolution_diagram(
     Returns
     -------
     matplotlib.figure.Figure
+
+    Raises
+    ------
+    InputError
+        If the diagram has a single column.
     """
+    if len(diagram.columns) < 2:
+        raise InputError("diagram: it has one value of K; a figure needs two or more")
     spins = np.array([column.K for column in diagram.columns])
     energies = np.concatenate([curve[:, 0] for curve in diagram.curves])
     low, high = float(energies.min()), float(energies.max())
