@@ -129,7 +129,7 @@ def compute(name: str, what: str, store: Path) -> None:
     from chaplygin.experiment.subjects.plan import plan_motion
     from chaplygin.lab.study_page import study_model
     from chaplygin.printing.system import law_html, system_html
-    from chaplygin.report.page import PATIENCE, TIMES
+    from chaplygin.report.page import EFFORT_PER_PROOF, TIMES
     from chaplygin.report.subject_figures import subject_figures
 
     os.chdir(ROOT)
@@ -145,7 +145,7 @@ def compute(name: str, what: str, store: Path) -> None:
     dataset = dataset_of(study, trajectory, complete)
     verdicts, places = {}, ()
     if not subject.changes_equations:
-        budget = ProofBudget(PATIENCE, TIMES * PATIENCE)
+        budget = ProofBudget(EFFORT_PER_PROOF, TIMES * EFFORT_PER_PROOF)
         verdicts = budget.verdicts(system)
         stands = classify(system, verdicts, budget, subject.model)
         places = (stands, *stands.levels)

@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from chaplygin.analysis.classification.ranks import RankSample
-from chaplygin.analysis.classification.rotation_symmetry import is_rotation_invariant
+from chaplygin.analysis.classification.rotation_symmetry import proven_rotation_symmetry
 from chaplygin.catalogue import entry
 from chaplygin.core.laws import Symmetry
 from chaplygin.core.system import System
@@ -42,7 +42,7 @@ a = real_symbol("a")
 )
 def test_bodies_of_revolution_turn_about_their_axis(name: str, about: list[bool]) -> None:
     standing = RankSample(entry(name).system())
-    assert [is_rotation_invariant(standing, axis) is not None for axis in range(3)] == about
+    assert [proven_rotation_symmetry(standing, axis) is not None for axis in range(3)] == about
 
 
 def test_a_slight_asymmetry_is_seen() -> None:
@@ -51,7 +51,7 @@ def test_a_slight_asymmetry_is_seen() -> None:
         replace(p, default=p.default * 1.0001) if str(p.symbol) == "I_2" else p
         for p in disk.parameters
     ]
-    assert is_rotation_invariant(RankSample(replace(disk, parameters=tuple(other))), 2) is None
+    assert proven_rotation_symmetry(RankSample(replace(disk, parameters=tuple(other))), 2) is None
 
 
 def system() -> System:
@@ -67,12 +67,12 @@ def system() -> System:
 
 def test_every_kind_of_definition() -> None:
     made = system()
-    found = is_rotation_invariant(RankSample(made), 2)
+    found = proven_rotation_symmetry(RankSample(made), 2)
     assert found is not None
     assert found.keeps(dot(x, y))
     assert found.keeps(x.symbols[2] * norm_squared(y))
     assert not found.keeps(x.symbols[0])
-    assert is_rotation_invariant(RankSample(made), 0) is None
+    assert proven_rotation_symmetry(RankSample(made), 0) is None
     field = {v: cross(e_3, v) for v in (x, y)}
     assert prove(made, Symmetry("turning", field))
 
@@ -81,12 +81,12 @@ def test_a_tensor_that_does_not_turn() -> None:
     made = system()
     crooked = {**dict(made.definitions), Symmetric("S"): outer(x, x) + sp.diag(3, 2, 1)}
     assert (
-        is_rotation_invariant(RankSample(replace(made, definitions=tuple(crooked.items()))), 2)
+        proven_rotation_symmetry(RankSample(replace(made, definitions=tuple(crooked.items()))), 2)
         is None
     )
     crooked = {**dict(made.definitions), Diagonal("D"): sp.diag(a, 2 * a, 1)}
     assert (
-        is_rotation_invariant(RankSample(replace(made, definitions=tuple(crooked.items()))), 2)
+        proven_rotation_symmetry(RankSample(replace(made, definitions=tuple(crooked.items()))), 2)
         is None
     )
 
@@ -94,8 +94,8 @@ def test_a_tensor_that_does_not_turn() -> None:
 def test_a_relation_must_turn_too() -> None:
     made = system()
     assert (
-        is_rotation_invariant(RankSample(replace(made, relations=(norm_squared(x) - 1,))), 2)
+        proven_rotation_symmetry(RankSample(replace(made, relations=(norm_squared(x) - 1,))), 2)
         is not None
     )
     tilted = to_components(dot(x, sp.ImmutableMatrix([1, 0, 1])))
-    assert is_rotation_invariant(RankSample(replace(made, relations=(tilted,))), 2) is None
+    assert proven_rotation_symmetry(RankSample(replace(made, relations=(tilted,))), 2) is None
