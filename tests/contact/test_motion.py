@@ -256,6 +256,11 @@ def test_mistakes(
     assert sentence in str(error.value)
 
 
+def test_a_coarse_tolerance_is_refused(loaded: CompiledContact) -> None:
+    with pytest.raises(ch.InputError, match="tolerance 1e-08: with friction it must be at most"):
+        CompiledContact(loaded.situation, tolerance=1e-8)
+
+
 def test_rules_are_checked() -> None:
     with pytest.raises(ch.InputError, match=r"restitution 2\.0: it must lie between 0 and 1"):
         Rules(restitution=2.0)

@@ -15,6 +15,7 @@ from ...arguments import arguments_checked
 from ...core.arrays import FloatArray
 from ...core.system import System, flat
 from ...core.vectors import constant, to_components
+from ...errors import InputError
 from ...flow.machine_code.native_formulas import NativeFormulas, native_formulas
 from ...flow.taylor.compiled_system import compile_system
 from ...flow.validation import extremes_in_words
@@ -42,6 +43,7 @@ from ..friction.symbols import (
 )
 from ..impact.mobility import Mobility, inverse_of, mobility_at
 from .mode_integrator import ModeIntegrator, observable_columns, with_values
+from .rules import COARSEST_WITH_FRICTION
 
 #: Columns of the state that all modes share.
 ATTITUDE, POSITION, VELOCITY, OMEGA, NORMAL = (
@@ -129,10 +131,20 @@ class CompiledContact:
     ----------
     situation : FrictionalContact
     tolerance : float
-        Relative error of each step.
+        Relative error of each step, at most 1e-10.
+
+    Raises
+    ------
+    InputError
+        If the tolerance is greater, or not a positive number of double precision.
     """
 
     def __init__(self, situation: FrictionalContact, tolerance: float = 1e-16) -> None:
+        if tolerance > COARSEST_WITH_FRICTION:
+            raise InputError(
+                f"tolerance {tolerance:g}: with friction it must be at most "
+                f"{COARSEST_WITH_FRICTION:g}, since slips are followed until they are as small"
+            )
         self.situation = situation
         self.tolerance = tolerance
         # equations are prepared once for all situations that differ in parameters alone

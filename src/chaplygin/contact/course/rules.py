@@ -12,6 +12,9 @@ from ..impact.impact import ImpactLaw
 OnLiftoff = Literal["fly", "stop"]
 OnParadox = Literal["stop", "impact"]
 
+#: The greatest tolerance: slips are followed to 1e-8 of a typical speed, which must be no rounding.
+COARSEST_WITH_FRICTION = 1e-10
+
 
 @arguments_checked
 @dataclass(frozen=True)

@@ -11,8 +11,9 @@ from typing import Annotated, Literal
 
 from pydantic import AfterValidator, BeforeValidator, Field, field_validator, model_validator
 
+from ...contact.course.rules import COARSEST_WITH_FRICTION
 from .table import DIRECTION, POSITIVE, THREE, Number, Positive, Table, Vector
-from .tables import COARSEST, FINEST_DOUBLE, CommonRunTable, PlaneTable, SphereTable
+from .tables import FINEST_DOUBLE, CommonRunTable, PlaneTable, SphereTable
 
 COEFFICIENT = "a finite number not below zero"
 FRICTION_COEFFICIENT = "a number not below zero, or inf"
@@ -193,8 +194,9 @@ class FrictionRunTable(CommonRunTable):
     until: Positive = Field(default=10.0, description="a positive finite time")
     precision: Literal["double"] = Field(default="double", description='"double" with friction')
     method: Literal["taylor"] = Field(default="taylor", description='"taylor" with friction')
-    tolerance: Annotated[Number, Field(ge=FINEST_DOUBLE, le=COARSEST)] = Field(
-        default=FINEST_DOUBLE, description=f"a number from {FINEST_DOUBLE:g} to {COARSEST:g}"
+    tolerance: Annotated[Number, Field(ge=FINEST_DOUBLE, le=COARSEST_WITH_FRICTION)] = Field(
+        default=FINEST_DOUBLE,
+        description=f"a number from {FINEST_DOUBLE:g} to {COARSEST_WITH_FRICTION:g} with friction",
     )
     direction: Literal["forward"] = Field(
         default="forward",
