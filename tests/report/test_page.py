@@ -105,7 +105,7 @@ def test_what_is_wider_than_the_line_says_how_wide(page: Callable[[str], str]) -
     widths = [
         int(w)
         for w in re.findall(
-            r'<math displaystyle="true" style="--width: (\d+);', page("sleigh.toml")
+            r'<math displaystyle="true" style="--width: (\d+)"', page("sleigh.toml")
         )
     ]
     assert widths and all(width > 0 for width in widths)

@@ -7,13 +7,17 @@ from collections.abc import Iterable, Sequence
 import sympy as sp
 
 from .formula import signed_terms
-from .mathml import mathml, width_of
+from .mathml import FONT, mathml, width_of
 from .notation import LATEX
 from .poisson_brackets import Side
 
 #: The style sheet of what `equations_html` writes. On a narrow screen the right side goes on below
 #: the left one; what is still wider than the line is set smaller, by its width in em, ``--width``.
-STYLE = """\
+STYLE = (
+    ".chaplygin-formula math { "
+    + FONT
+    + " }"
+    + """
 .chaplygin-formula { display: grid; grid-template-columns: max-content minmax(0, 1fr);
   align-items: baseline; margin: 0.4em 0 0.4em 1.5em; }
 .chaplygin-formula > div { display: contents; }
@@ -33,6 +37,7 @@ STYLE = """\
   .chaplygin-formula, .chaplygin-formula .right { overflow: visible; }
   .chaplygin-formula math { font-size: min(1.04em, calc(52em / var(--width))); }
 }"""
+)
 
 
 def equations_html(equations: Iterable[Side]) -> str:
@@ -81,5 +86,6 @@ def _term(formula: str) -> str:
     """A term in MathML, with its width and with fractions of full size."""
     # words count as spaces beside which a sign keeps no distance, names do not
     written = mathml(formula).replace("<mtext>", "<mi>").replace("</mtext>", "</mi>")
-    start = f'<math displaystyle="true" style="--width: {width_of(written):.0f}; '
-    return written.replace('<math style="', start, 1)
+    start = f'<math displaystyle="true" style="--width: {width_of(written):.0f}"'
+    # the style sheet has the font
+    return written.replace(f'<math style="{FONT}"', start, 1)

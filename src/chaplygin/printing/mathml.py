@@ -8,6 +8,8 @@ from typing import Literal
 
 #: Fonts with tall brackets and roots, one of which most systems have.
 _FONTS = ("Latin Modern Math", "STIX Two Math", "Cambria Math", "DejaVu Math TeX Gyre")
+#: The style of a formula.
+FONT = "font-family: " + ", ".join([*(f"'{font}'" for font in _FONTS), "math"])
 
 
 def mathml(formula: str, display: Literal["inline", "block"] = "inline") -> str:
@@ -33,8 +35,7 @@ def mathml(formula: str, display: Literal["inline", "block"] = "inline") -> str:
     written = re.sub(
         r'<mi mathvariant="bold-italic">&#x([0-9A-F]+);</mi>', _bold_greek, str(written)
     )
-    fonts = ", ".join(f"'{font}'" for font in _FONTS)
-    written = written.replace("<math ", f'<math style="font-family: {fonts}, math" ', 1)
+    written = written.replace("<math ", f'<math style="{FONT}" ', 1)
     # a function's name is no operator, which would keep its distance from its argument too; a
     # factor before it is set off by a thin space
     written = re.sub(r"<mo>([a-z]{2,}\d?)</mo>", r"<mi>\1</mi>", written)

@@ -17,6 +17,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.gridspec import GridSpec
 from matplotlib.legend import Legend
+from matplotlib.lines import Line2D
 from matplotlib.text import Text
 from matplotlib.ticker import AutoLocator
 
@@ -52,6 +53,9 @@ _LONG = 40
 
 _LEAST = 0.85
 """Share of a key's width that a plot on a telephone has at least, if the key can be narrower."""
+
+_FINE, _COARSE = 0.25, 0.7
+"""Points by which a curve may be simplified, and one on a telephone."""
 
 _PROLOG = '<?xml version="1.0" encoding="utf-8"?>\n'
 
@@ -111,7 +115,9 @@ def svg_text(figure: Figure) -> str:
         Its label becomes the description for those who cannot see it.
     """
     stream = io.StringIO()
-    with mpl.rc_context(STYLE):
+    # curves with thousands of turns would be large files
+    tolerance = max(_FINE, mpl.rcParams["path.simplify_threshold"])
+    with mpl.rc_context(STYLE | {"path.simplify_threshold": tolerance}):
         set_plain_ticks(figure)
         figure.savefig(stream, format="svg", metadata=FORMATS[".svg"])
     text = stream.getvalue()
@@ -146,7 +152,12 @@ def page_svg(figure: Figure, narrow: bool = False) -> str:
     shown: Figure = pickle.loads(pickle.dumps(figure)) if narrow else figure
     if narrow:
         _make_narrow(shown)
-    return _with_page_colours(svg_text(shown))
+    # at the size of a telephone no eye sees more of a curve
+    coarse = {"path.simplify_threshold": _COARSE} if narrow else {}
+    with mpl.rc_context(coarse):
+        for line in shown.findobj(Line2D) if narrow else ():
+            line.recache(always=True)
+        return _with_page_colours(svg_text(shown))
 
 
 def _with_page_colours(text: str) -> str:
