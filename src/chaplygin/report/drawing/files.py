@@ -54,7 +54,7 @@ _LONG = 40
 _LEAST = 0.85
 """Share of a key's width that a plot on a telephone has at least, if the key can be narrower."""
 
-_FINE, _COARSE = 0.25, 0.7
+_FINE, _COARSE = 0.25, 0.6
 """Points by which a curve may be simplified, and one on a telephone."""
 
 _PROLOG = '<?xml version="1.0" encoding="utf-8"?>\n'
@@ -153,8 +153,8 @@ def page_svg(figure: Figure, narrow: bool = False) -> str:
     if narrow:
         _make_narrow(shown)
     # at the size of a telephone no eye sees more of a curve
-    coarse = {"path.simplify_threshold": _COARSE} if narrow else {}
-    with mpl.rc_context(coarse):
+    tolerance = _COARSE if narrow else _FINE
+    with mpl.rc_context({"path.simplify_threshold": tolerance}):
         for line in shown.findobj(Line2D) if narrow else ():
             line.recache(always=True)
         return _with_page_colours(svg_text(shown))
