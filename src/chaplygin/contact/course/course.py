@@ -280,12 +280,14 @@ class Course(RollingTransitions):
         rebound = float(known.mobility.gamma @ result.contact_velocity)
         approach = -float(known.mobility.gamma @ self.contact.numbers(before).contact_velocity)
         ratio = rebound / approach if approach > 0 else math.inf
-        if rebound > self._least_rebound(ratio) or (rebound > 0 and known.unheld_rise >= 0):
+        # a rebound that is rounding decides nothing where friction may press the body down
+        none = NO_SLIP * self._speed
+        if rebound > self._least_rebound(ratio) or (rebound > none and known.unheld_rise >= 0):
             self.mode = FLIGHT
             self._rise()
             self._record(kind, before, result)
             return
-        if rebound <= 0:
+        if rebound <= none:
             self._stay(kind, before, result)
             return
         self._pass_bounces(rebound, ratio)
