@@ -696,3 +696,17 @@ def test_on_a_phone_no_label_is_cut() -> None:
     _make_narrow(figure)
     figure.draw_without_rendering()
     assert axes.get_tightbbox().x0 >= -1e-6
+
+
+def test_a_matrix_of_many_entries_has_a_panel_for_each_row() -> None:
+    pairs = [f"{i}{j}" for i in range(1, 6) for j in range(i + 1, 7)]
+    times = np.linspace(0.0, 1.0, 5)
+    values = np.sin(np.outer(times, np.arange(1, 16)))
+    dataset = xr.Dataset(
+        {"omega": (("time", "pair"), values, {"units": "rad/s"})},
+        {"time": ("time", times, {"units": "s"}), "pair": pairs},
+        {"title": "Body"},
+    )
+    panels = figures.state(dataset, ["omega"]).axes
+    assert [len(axes.lines) for axes in panels] == [5, 4, 3, 2, 1]
+    assert len({axes.get_position().x0 for axes in panels}) == 1

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import groupby
+from itertools import groupby, pairwise
+from typing import NamedTuple
 
 import matplotlib as mpl
 import numpy as np
@@ -30,12 +31,25 @@ _PAGE = 8.6
 """Inches that panels take together at most: they fit on a page."""
 
 
+PAIR = 2
+"""Letters of an index that names row and column."""
+
+
+class Curve(NamedTuple):
+    """A component: its index, its label in LaTeX, and its values."""
+
+    index: str
+    label: str
+    values: FloatArray
+
+
 @arguments_checked
 def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     """Variables of the state against time, one panel for each, on a page at most.
 
     Vectors are drawn by their components; scalars that follow each other and have one letter and
-    one unit, as k₁₂ and k₁₃, share a panel.
+    one unit, as k₁₂ and k₁₃, share a panel.  Skew matrices with more entries than there are colours
+    have a panel for each row.
 
     Parameters
     ----------
@@ -55,18 +69,25 @@ def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     if not names:
         raise InputError("the figure state needs at least one variable")
     require_all(dataset, "state", names)
-    groups = [list(same) for _, same in groupby(names, lambda name: _kind(dataset, name))]
+    groups = [
+        (group, curves)
+        for _, same in groupby(names, lambda name: _kind(dataset, name))
+        for group in [list(same)]
+        for curves in _rows_of(dataset, group)
+    ]
     times = times_of(dataset)
     with mpl.rc_context(STYLE):
-        columns = 1 if len(groups) <= _TALL else 2
+        # rows of a matrix have wide legends
+        apart = any(one is other for (one, _), (other, _) in pairwise(groups))
+        columns = 1 if len(groups) <= _TALL or apart else 2
         rows = -(-len(groups) // columns)
         height = min(1.35, _PAGE / rows)
         figure = Figure(figsize=(WIDTH, 0.5 + height * rows), layout="constrained")
         figure.set_label(f"The state against time: {title_of(dataset)}")
         # down the first column, then down the second
         panels = figure.subplots(rows, columns, squeeze=False).T.ravel()
-        for axes, group in zip(panels, groups, strict=False):
-            _panel(axes, dataset, group)
+        for axes, (group, curves) in zip(panels, groups, strict=False):
+            _panel(axes, dataset, group, curves)
             if times[-1] > times[0]:
                 axes.set_xlim(times[0], times[-1])
             axes.tick_params(labelbottom=False)
@@ -87,31 +108,38 @@ def _kind(dataset: xr.Dataset, name: str) -> tuple[str, str]:
     return f"{letter}{bar}", unit_of(dataset, name)
 
 
-def _panel(axes: Axes, dataset: xr.Dataset, group: Sequence[str]) -> None:
+def _rows_of(dataset: xr.Dataset, group: Sequence[str]) -> list[list[Curve]]:
+    """The curves of one panel; of too many entries with two indices, one panel for each row."""
+    curves = [curve for name in group for curve in _curves(dataset, name)]
+    if len(curves) <= len(SERIES) or any(len(curve.index) != PAIR for curve in curves):
+        return [curves]
+    return [list(row) for _, row in groupby(curves, lambda curve: curve.index[0])]
+
+
+def _panel(axes: Axes, dataset: xr.Dataset, group: Sequence[str], curves: Sequence[Curve]) -> None:
     """The curves of one panel, with a legend if there are several."""
     times = times_of(dataset)
-    curves = [curve for name in group for curve in _curves(dataset, name)]
     colours = COMPONENTS if len(curves) <= len(COMPONENTS) else SERIES
-    for number, (label, values) in enumerate(curves):
+    for number, (_, label, values) in enumerate(curves):
         colour = colours[number % len(colours)]
         axes.plot(times, values, color=colour, marker=marker(times), label=f"${label}$")
     axes.grid(axis="y", color=FAINT, linewidth=0.4)
     axes.set_axisbelow(True)
     axes.set_ylabel(with_unit(f"${_symbol(dataset, group)}$", unit_of(dataset, group[0])))
-    widen(axes, np.concatenate([values for _, values in curves]))
-    if len(curves) > 1:
+    widen(axes, np.concatenate([curve.values for curve in curves]))
+    if len(curves) > 1 or any(len(curve.index) == PAIR for curve in curves):
         axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=min(len(curves), _ROW))
 
 
-def _curves(dataset: xr.Dataset, name: str) -> list[tuple[str, FloatArray]]:
-    """Label and values of each component."""
+def _curves(dataset: xr.Dataset, name: str) -> list[Curve]:
+    """Each component."""
     values = values_of(dataset, name)
     if values.ndim == 1:
-        return [(latex(real_symbol(name)), values)]
+        return [Curve("", latex(real_symbol(name)), values)]
     dim = next(str(d) for d in dataset[name].dims if d != "time")
     indices = dataset[dim].values if dim in dataset.coords else range(1, values.shape[1] + 1)
     return [
-        (latex(real_symbol(f"{name}_{index}")), column)
+        Curve(str(index), latex(real_symbol(f"{name}_{index}")), column)
         for index, column in zip(indices, values.T, strict=True)
     ]
 
