@@ -36,9 +36,9 @@ PAIR = 2
 
 
 class Curve(NamedTuple):
-    """A component: its index, its label in LaTeX, and its values."""
+    """A component: its entry, as 12,, its label in LaTeX, and its values."""
 
-    index: str
+    entry: str
     label: str
     values: FloatArray
 
@@ -111,9 +111,9 @@ def _kind(dataset: xr.Dataset, name: str) -> tuple[str, str]:
 def _rows_of(dataset: xr.Dataset, group: Sequence[str]) -> list[list[Curve]]:
     """The curves of one panel; of too many entries with two indices, one panel for each row."""
     curves = [curve for name in group for curve in _curves(dataset, name)]
-    if len(curves) <= len(SERIES) or any(len(curve.index) != PAIR for curve in curves):
+    if len(curves) <= len(SERIES) or any(len(curve.entry) != PAIR for curve in curves):
         return [curves]
-    return [list(row) for _, row in groupby(curves, lambda curve: curve.index[0])]
+    return [list(row) for _, row in groupby(curves, lambda curve: curve.entry[0])]
 
 
 def _panel(axes: Axes, dataset: xr.Dataset, group: Sequence[str], curves: Sequence[Curve]) -> None:
@@ -127,7 +127,7 @@ def _panel(axes: Axes, dataset: xr.Dataset, group: Sequence[str], curves: Sequen
     axes.set_axisbelow(True)
     axes.set_ylabel(with_unit(f"${_symbol(dataset, group)}$", unit_of(dataset, group[0])))
     widen(axes, np.concatenate([curve.values for curve in curves]))
-    if len(curves) > 1 or any(len(curve.index) == PAIR for curve in curves):
+    if len(curves) > 1 or any(len(curve.entry) == PAIR for curve in curves):
         axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=min(len(curves), _ROW))
 
 
