@@ -36,7 +36,7 @@ PAIR = 2
 
 
 class Curve(NamedTuple):
-    """A component: its entry, as 12,, its label in LaTeX, and its values."""
+    """A component: its entry (as 12), its label in LaTeX, and its values."""
 
     entry: str
     label: str
