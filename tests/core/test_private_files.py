@@ -5,7 +5,6 @@ from __future__ import annotations
 import errno
 import json
 import os
-import resource
 import stat
 import subprocess
 import sys
@@ -22,6 +21,8 @@ from chaplygin.flow.machine_code import code_cache as cache
 from chaplygin.proof import verdict_cache as memory
 from chaplygin.proof.verdict import Verdict
 from mutations import damaged, within
+
+resource = pytest.importorskip("resource", reason="users of their own are those of POSIX")
 
 CONTENT = b"some content"
 PROVEN = Verdict("energy", "proven", finding="zero", effort=3)
@@ -127,7 +128,9 @@ def test_what_is_anothers_does_not_count(
     assert private_files.read_private(kept) is None
 
 
-@pytest.mark.skipif(os.geteuid() != 0, reason="only root can give files away")
+@pytest.mark.skipif(
+    sys.platform == "win32" or os.geteuid() != 0, reason="only root can give files away"
+)
 @pytest.mark.parametrize("which", ["name", "inner", "cache"])
 def test_what_was_given_away_does_not_count(kept: Path, which: str) -> None:
     part = next(p for p in (kept, *kept.parents) if p.name == which)

@@ -183,7 +183,7 @@ def test_workers_find_something_to_do(size: int, blocks: int) -> None:
         (SPUN, {"parameters": {"mass": 1.0}}, "no parameter"),
         (SPUN, {"record": ("height",)}, "there is no height to be recorded; there are law_energy"),
         (np.zeros((3, 5)), {}, r"state has 5 numbers for each motion, not 6"),
-        ("abc", {}, "^from_lists: state must be numbers in an array or in nested sequences, not"),
+        ("abc", {}, "^ensemble: members must be numbers in an array or in nested sequences"),
         (SPUN, {"block": 0}, "^the block is 0: a whole number, at least 1, is needed$"),
         (
             SPUN,

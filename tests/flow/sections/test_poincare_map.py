@@ -6,7 +6,6 @@ import pickle
 from functools import cache
 from typing import Any
 
-import heyoka as hy
 import numpy as np
 import pytest
 import sympy as sp
@@ -18,7 +17,6 @@ from chaplygin.errors import InputError
 from chaplygin.flow.batch_results import BatchCrossings
 from chaplygin.flow.kernel.equations import Section, poincare_section
 from chaplygin.flow.sections.poincare_map import PoincareMap, slab
-from chaplygin.flow.taylor.heyoka_expressions import Translator
 from chaplygin.formulas.array_formulas import Formulas
 from chaplygin.mechanics.rolling.initial_state import initial_state
 
@@ -86,6 +84,9 @@ def test_points_are_those_of_taylor_integration(name: str) -> None:
 @cache
 def integrator(name: str) -> tuple[Any, list[Any]]:
     """Taylor integration with an event where γ₃ rises through zero."""
+    hy = pytest.importorskip("heyoka")
+    from chaplygin.flow.taylor.heyoka_expressions import Translator
+
     system = body(name)
     translate, found = Translator(system), []
 

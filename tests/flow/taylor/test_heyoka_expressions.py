@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import heyoka as hy
 import mpmath
 import numpy as np
 import pytest
@@ -11,7 +10,9 @@ import sympy as sp
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import dot, vectors
 from chaplygin.errors import InputError
-from chaplygin.flow.taylor.heyoka_expressions import Translator
+
+hy = pytest.importorskip("heyoka")
+Translator = pytest.importorskip("chaplygin.flow.taylor.heyoka_expressions").Translator
 
 x, y, w, p = sp.symbols("x y w p", real=True)
 

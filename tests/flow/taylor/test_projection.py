@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import heyoka as hy
 import numpy as np
 import pytest
 
-from chaplygin.flow.taylor.heyoka_series import HeyokaFormulas
 from chaplygin.flow.taylor.projection import Block, Projector
+
+hy = pytest.importorskip("heyoka")
+HeyokaFormulas = pytest.importorskip("chaplygin.flow.taylor.heyoka_series").HeyokaFormulas
 
 x, y, z = hy.make_vars("x", "y", "z")
 NONE = np.array([])
