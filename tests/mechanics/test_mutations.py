@@ -46,7 +46,14 @@ from mechanics.compare import (
 )
 from spread import spread
 
-FOLDER = Path(chaplygin.__file__).parent / "mechanics" / "rolling"
+FOLDER = Path(chaplygin.__file__).parent / "mechanics"
+
+
+def package_of(module: str) -> str:
+    """The package in which a module of the mechanics is."""
+    return "shapes" if (FOLDER / "shapes" / f"{module}.py").exists() else "rolling"
+
+
 #: Those with formulas; implicit shapes and what shapes share have none.
 CHANGED = ("attitude", "revolution", "shapes", "contact", "equations", "motion_in_space")
 LOADED = (
@@ -177,7 +184,7 @@ class _Replace(ast.NodeTransformer):
 
 
 def parsed(module: str) -> ast.Module:
-    return ast.parse((FOLDER / f"{module}.py").read_text())
+    return ast.parse((FOLDER / package_of(module) / f"{module}.py").read_text())
 
 
 def changes(module: str) -> list[Change]:
@@ -292,6 +299,7 @@ def package(change: Change | None, used: set[tuple[str, str]]) -> Package:
         "mutant.formulas",
         "mutant.mechanics",
         "mutant.mechanics.rolling",
+        "mutant.mechanics.shapes",
         "mutant.parsing",
     ):
         module = types.ModuleType(name)
@@ -300,15 +308,15 @@ def package(change: Change | None, used: set[tuple[str, str]]) -> Package:
     for name in SHARED:
         sys.modules[f"mutant.{name}"] = sys.modules[f"chaplygin.{name}"]
     for name in LOADED:
-        module = types.ModuleType(f"mutant.mechanics.rolling.{name}")
-        module.__package__ = "mutant.mechanics.rolling"
+        module = types.ModuleType(f"mutant.mechanics.{package_of(name)}.{name}")
+        module.__package__ = f"mutant.mechanics.{package_of(name)}"
         module.CALLED = used
         sys.modules[module.__name__] = module
         changed = change is not None and name == change.module
         exec(compile(change.tree(), f"{name}.py", "exec") if changed else code(name), vars(module))
     return Package(
         *(
-            sys.modules[f"mutant.mechanics.rolling.{name}"]
+            sys.modules[f"mutant.mechanics.{package_of(name)}.{name}"]
             for name in ("body", "shapes", "surfaces", "equations", "initial_state")
         )
     )
@@ -339,7 +347,7 @@ class Witness:
 
     def uses(self, change: Change) -> bool:
         """Whether the changed function is called for this body, or is none but a module."""
-        name = f"mutant.mechanics.rolling.{change.module}"
+        name = f"mutant.mechanics.{package_of(change.module)}.{change.module}"
         return not change.function or (name, change.function) in self.used
 
     def _told(self, changed: Package) -> dict[str, np.ndarray]:

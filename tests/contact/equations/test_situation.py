@@ -29,7 +29,7 @@ def test_laws_by_their_kind():
     contact = FrictionalContact(BODY, laws=(Coulomb(0.1), SpinFriction(0.2)))
     assert contact.law(Coulomb) == Coulomb(0.1)
     assert contact.law(Viscous) is None
-    assert contact.setting == "dry friction, mu = 0.1; friction against spin, arm 0.2 m"
+    assert contact.setting == "dry friction, μ = 0.1; friction against spin, arm 0.2 m"
     assert FrictionalContact(BODY).setting == "no friction"
 
 

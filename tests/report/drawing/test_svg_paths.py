@@ -85,7 +85,7 @@ def test_what_figures_share_is_in_the_page_once_and_nothing_is_missing() -> None
     axes = figure.add_axes((0.2, 0.2, 0.7, 0.7))
     x = np.linspace(0, 20, 400)
     axes.plot(x, np.sin(x))
-    axes.set_title("letters")
+    axes.set_title("letters that figures share")
     svg = svg_text(figure)
     both, letters = page_svgs({"one": figure, "other": figure}, {"one": svg, "other": svg})
     page = letters + "".join("".join(pair) for pair in both.values())

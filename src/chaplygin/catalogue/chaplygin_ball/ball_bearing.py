@@ -17,6 +17,8 @@ equations of the Chaplygin ball with D = m R².
 
 from __future__ import annotations
 
+from itertools import combinations
+
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
@@ -65,12 +67,14 @@ POSITIVE = Theorem((), "the tensor B is positive definite", tuple, (Delta,))
 #: Directions fixed in space keep their angles.
 ANGLES = tuple(
     Integral(
-        f"angle_{i}{j}",
-        dot(SUPPORTS[i - 1][1], SUPPORTS[j - 1][1]),
-        f"cosine of the angle between balls {i} and {j}",
+        f"angle_{one}_{other}",
+        dot(alpha, beta),
+        f"cosine of the angle between the {one} and the {other} ball",
         source=SOURCE,
     )
-    for i, j in ((1, 2), (1, 3), (2, 3))
+    for (one, (_, alpha)), (other, (_, beta)) in combinations(
+        zip(("first", "second", "third"), SUPPORTS, strict=True), 2
+    )
 )
 
 
