@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
-import sympy as sp
 from flint import acb_mat, arb, arb_mat, ctx
 
 from ..arguments import NumberOrText, arguments_checked
@@ -18,8 +17,9 @@ from ..errors import InputError
 from ..formulas.balls import ball, exact, number
 from ..mechanics.rolling.equations import Rolling
 from ..mechanics.shapes.shapes import Ball
+from .base.derived_solution import DerivedSolution
 from .base.problem import Problem
-from .base.solution import ClosedForm, Solution
+from .base.solution import Solution
 from .one_degree.vectors import quaternion_products
 
 #: Digits with which principal axes are computed.
@@ -28,38 +28,16 @@ SPACE, QUATERNION = 3, 4
 
 
 @dataclass(frozen=True, repr=False)
-class PrincipalAxesSolution(Solution):
+class PrincipalAxesSolution(DerivedSolution):
     """A motion known in other body axes.
 
     Attributes
     ----------
-    system : System
-        Lifted to space.
-    inner : Solution
-        The motion in the other axes.
     matrix : arb_mat (size, size)
         Orthogonal; it takes its states to those of `system`.
     """
 
-    system: System
-    parameters: Mapping[sp.Symbol, NumberOrText]
-    inner: Solution
     matrix: arb_mat
-
-    @property
-    def form(self) -> ClosedForm:
-        """The value for the motion in the other axes."""
-        return self.inner.form
-
-    @property
-    def pace(self) -> float:
-        """The value for the motion in the other axes."""
-        return self.inner.pace
-
-    @property
-    def left_open(self) -> str:
-        """The value for the motion in the other axes."""
-        return self.inner.left_open
 
     @arguments_checked
     def states(self, times: npt.ArrayLike) -> FloatArray:

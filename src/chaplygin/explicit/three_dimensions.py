@@ -17,44 +17,23 @@ from ..core.arrays import FloatArray
 from ..core.isomorphism import Isomorphism
 from ..core.system import System, flat_pairs
 from ..formulas.balls import array_function, ball, ball_values, exact, number
+from .base.derived_solution import DerivedSolution
 from .base.problem import Problem
-from .base.solution import ClosedForm, Solution
+from .base.solution import Solution
 from .principal_axes import DIGITS, quaternion_of
 
 
 @dataclass(frozen=True, repr=False)
-class ThreeDimensionsSolution(Solution):
+class ThreeDimensionsSolution(DerivedSolution):
     """A motion of a system of n dimensions, n = 3, by that of the system of the paper.
 
     Attributes
     ----------
-    system : System
-        Lifted to space where it has a motion.
-    inner : Solution
-        The motion of the system of the paper.
     formulas : tuple of sympy.Expr
         The lifted state in that of the other system, and the parameters.
     """
 
-    system: System
-    parameters: Mapping[sp.Symbol, NumberOrText]
-    inner: Solution
     formulas: tuple[sp.Expr, ...]
-
-    @property
-    def form(self) -> ClosedForm:
-        """That of the system of the paper."""
-        return self.inner.form
-
-    @property
-    def pace(self) -> float:
-        """That of the system of the paper."""
-        return self.inner.pace
-
-    @property
-    def left_open(self) -> str:
-        """That of the system of the paper."""
-        return self.inner.left_open
 
     @arguments_checked
     def states(self, times: npt.ArrayLike) -> FloatArray:
