@@ -15,6 +15,7 @@ from ...core.isomorphism import Isomorphism
 from ...core.matrices import Skew
 from ...core.system import System, flat_pairs
 from ...core.vectors import Components, Vector, to_components, vectors
+from ...mechanics.rolling.attitude import rotation
 from ..ball_on_sphere import ball_on_sphere, rubber_ball_on_sphere
 from ..chaplygin_ball import chaplygin_ball, rubber_chaplygin_ball
 from ..entry import Entry
@@ -106,14 +107,7 @@ def state_in_three_dimensions(system: System) -> dict[sp.Symbol, sp.Expr]:
         back = {s: to_components(f).xreplace(spin | known) for s, f in flat_pairs(system.start)}
     back |= known
     if system.reconstruction is not None:
-        w, x, y, z = (sp.Symbol(f"attitude_{c}", real=True) for c in "wxyz")
-        turn = [
-            [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
-        ]
-        rows = [entry for row in turn for entry in row]
-        back |= dict(zip(attitude_of(SIZE).symbols, rows, strict=True))
+        back |= dict(zip(attitude_of(SIZE).symbols, rotation(), strict=True))
         contact = contact_of(SIZE).symbols
         if set(contact) <= set(system.lifted().symbols):
             back |= dict(zip(contact, sp.symbols("place_x place_y", real=True), strict=True))
