@@ -231,3 +231,37 @@ def test_lanes_of_a_body_are_compiled_once_for_all_processes(folder: Path) -> No
         False,
         True,
     ]
+
+
+#: Fills every hole of two pages and more above 3 GiB that are in use, then compiles and runs.
+_NO_ROOM_BETWEEN = """
+import ctypes
+
+from chaplygin.flow.batch import batch_integrator
+from flow.small import body, starts
+
+ball = body("chaplygin-ball")
+library = ctypes.CDLL(None)
+library.mmap.restype = ctypes.c_void_p
+library.mmap.argtypes = [ctypes.c_void_p, ctypes.c_size_t, *[ctypes.c_int] * 3, ctypes.c_long]
+reserve = lambda size: library.mmap(None, size, 0, 0x4022, -1, 0)  # without room in memory
+large = reserve(3 << 30)
+for size in (1 << 20, 1 << 16, 1 << 13):
+    while reserve(size) > large:
+        pass
+print(batch_integrator(ball).propagate(starts("chaplygin-ball", 1), [0.1]).outcome.tolist())
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="memory is reserved as Linux does it")
+def test_code_and_constants_stay_together() -> None:
+    tests = str(Path(__file__).parents[2])
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join([tests, *sys.path])}
+    run = subprocess.run(
+        [sys.executable, "-c", _NO_ROOM_BETWEEN],
+        check=False,
+        env=environment,
+        capture_output=True,
+        text=True,
+    )
+    assert (run.returncode, run.stdout.strip()) == (0, "[0]"), run.stderr[:300]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import itertools
+import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -97,7 +98,10 @@ def _machine(sets: InstructionSets) -> llvm.TargetMachine:
 
 @lru_cache
 def _linker() -> llvm.LLJIT:
-    return llvm.create_lljit_compiler(_machine(instruction_sets()))
+    # LLVM's older linker puts code and its constants wherever there is room, and ends the process
+    # where they are 2 GiB apart; the newer one keeps them together, but does not serve Windows
+    together = sys.platform != "win32"
+    return llvm.create_lljit_compiler(_machine(instruction_sets()), use_jit_link=together)
 
 
 def width() -> int:
