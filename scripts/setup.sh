@@ -87,9 +87,9 @@ fi
 
 case $wanted in
 core) what="." named="chaplygin" size="0.8 GB" ;;
-dev) what=".[dev]" named="chaplygin and the tools for work on it" size="1.5 GB" ;;
-release) what=".[release]" named="chaplygin and the tools that release it" size="1.1 GB" ;;
-site) what=".[dev,site]" named="chaplygin and the tools for work on it and its site" size="1.6 GB" ;;
+dev) what=".[dev]" named="chaplygin and the tools for work on it" size="2.4 GB" ;;
+release) what=".[release]" named="chaplygin and the tools that release it" size="0.9 GB" ;;
+site) what=".[dev,site]" named="chaplygin and the tools for work on it and its site" size="2.5 GB" ;;
 esac
 echo "Installing $named into $venv (Python $(version_of "$python"), $size); this happens once and takes a minute or two."
 
@@ -101,7 +101,6 @@ pwd -P >"$venv/address"
 
 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check --no-input --only-binary=:all: \
     --constraint constraints.txt --editable "$what" >"$log" 2>&1 || {
-    test "$(uname -s)" = Linux || echo "heyoka is offered ready-built for Linux alone; this is $(uname -s)." >&2
     show_log "Installing failed."
 }
 touch "$venv/core" "$venv/$wanted"

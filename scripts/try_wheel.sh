@@ -13,6 +13,7 @@ trap 'rm -rf "$place"' EXIT
 "$place/venv/bin/python" -m pip install --quiet --disable-pip-version-check --no-input --only-binary=:all: \
     --constraint "$constraints" "$wheel"
 echo "Installed: $(du -sm "$place/venv" | cut -f1) MB, $("$place/venv/bin/python" --version)"
+"$place/venv/bin/python" scripts/installed_sizes.py 12
 cd "$place"
 export CHAPLYGIN_CACHE=$place/cache
 venv/bin/chaplygin --version

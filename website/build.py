@@ -22,6 +22,7 @@ import reference_pages
 from exhibits import exhibits
 from fences import live_pages
 from links import faults
+from notebooks import notebooks
 
 from chaplygin import audit
 from chaplygin.core.source_digest import package_digest
@@ -121,6 +122,8 @@ def generated(most: int | None) -> Iterator[tuple[str, str]]:
         sys.exit("interrupted: the same command resumes")
     yield from claims.pages(judgements)
     schema = experiment_schema()
+    for place, notebook in notebooks():
+        write(notebook.encode(), FILES / place)
     (FILES / "schema").mkdir(parents=True, exist_ok=True)
     (FILES / "schema" / "experiment.schema.json").write_text(json.dumps(schema, indent=1))
     yield from reference_pages.pages(schema)

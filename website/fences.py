@@ -12,7 +12,7 @@ from typing import Any
 
 #: A live page of the gallery, with its address inside.
 LIVE = r"^<!-- live: ([\w-]+)(#\S*)? -->$"
-HEADER = "---\nfile_format: mystnb\nkernelspec: {name: python3}\n---\n"
+HEADER = "---\nfile_format: mystnb\nkernelspec: {name: python3, display_name: Python 3}\n---\n"
 #: Around the lines of a shell, so that Python runs them and prints what they say at once, in 80
 #: columns and without the colours for which Jupyter asks.
 BEFORE = """import os, subprocess
@@ -49,13 +49,22 @@ def with_live_pages(text: str, up: str) -> str:
     return re.sub(LIVE, frame, text, flags=re.M)
 
 
+def with_notebook(text: str, name: str) -> str:
+    """A page of the course with a link to itself as a notebook, below its heading."""
+    file = f"{name.rpartition('/')[2]}.ipynb"
+    link = f'<p class="quiet"><a href="{file}" download>This page as a notebook</a></p>'
+    heading, rest = text.split("\n", 1)
+    return f"{heading}\n\n```{{raw}} html\n{link}\n```\n{rest}"
+
+
 def live_pages(text: str) -> list[str]:
     """Names of the live pages that a page asks for."""
     return [name for name, _ in re.findall(LIVE, text, flags=re.M)]
 
 
 def _read(app: Any, name: str, source: list[str]) -> None:
-    source[0] = with_cells(with_live_pages(source[0], "../" * name.count("/")))
+    text = with_notebook(source[0], name) if name.startswith("docs/course/") else source[0]
+    source[0] = with_cells(with_live_pages(text, "../" * name.count("/")))
 
 
 def _name_shells(app: Any, tree: Any) -> None:
