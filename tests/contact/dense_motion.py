@@ -17,7 +17,7 @@ from chaplygin.contact.equations.situation import FrictionalContact
 from chaplygin.contact.friction.modes import Mode
 from chaplygin.mechanics.shapes.shapes import Ball, Ellipsoid
 from chaplygin.mechanics.shapes.surfaces import Plane
-from contact.friction_formulas import Touch, reaction
+from contact.friction_formulas import ContactState, reaction
 
 STEP = 1e-30
 UP = np.array([0.0, 0.0, 1.0])
@@ -143,8 +143,8 @@ def accelerations(contact: FrictionalContact, mode: Mode, y: Any, gamma: Any) ->
     slip = turn.T @ motion.slip(y, gamma).real
     spin = motion.spin(y, gamma).real
     rolling = omega - table - ((omega - table) @ gamma) * gamma
-    touch = Touch(slip, spin, rolling, gamma, _spread(motion, gamma))
-    parts = [reaction(law, touch) for law in contact.laws if _acts(law, mode)]
+    contact_state = ContactState(slip, spin, rolling, gamma, _spread(motion, gamma))
+    parts = [reaction(law, contact_state) for law in contact.laws if _acts(law, mode)]
     p, q, force, couple = (sum((part[i] for part in parts), np.zeros(3)) for i in range(4))
 
     # unknown: V̇ (space), ω̇, then N and what holds

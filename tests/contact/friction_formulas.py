@@ -19,7 +19,7 @@ from chaplygin.contact.friction.viscous_friction import NormalViscous, PowerFric
 
 
 @dataclass(frozen=True)
-class Touch:
+class ContactState:
     """Slip u, spin, rolling ω_t, normal γ, and the spread W of the body as a matrix."""
 
     slip: Any
@@ -37,7 +37,7 @@ def hertz_factors(k: float) -> tuple[float, float]:
     return hyp2f1(-0.5, 0.5, 2.5, k**-2), hyp2f1(0.5, 0.5, 3.5, k**-2) / (5 * k)
 
 
-def reaction(law: FrictionLaw, at: Touch) -> tuple[Any, Any, Any, Any]:
+def reaction(law: FrictionLaw, at: ContactState) -> tuple[Any, Any, Any, Any]:
     """Force and couple per normal force, and those without it."""
     u, speed = at.slip, np.linalg.norm(at.slip)
     sign = np.sign(at.spin)

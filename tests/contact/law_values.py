@@ -13,7 +13,7 @@ from chaplygin.contact.friction.friction_law import FrictionLaw
 from chaplygin.contact.friction.modes import Mode
 from chaplygin.core.system import flat_pairs
 from chaplygin.core.vectors import to_components
-from contact.friction_formulas import Touch
+from contact.friction_formulas import ContactState
 
 #: What the course of a motion sets.
 FLOORS = {names.slip_floor: 1e-9, names.rolling_floor: 1e-9}
@@ -34,7 +34,7 @@ class LawValues:
 def law_values(
     law: FrictionLaw,
     mode: Mode,
-    at: Touch,
+    at: ContactState,
     normal_force: float = 1.0,
     friction: Any = (0.0, 0.0, 0.0),
     holding_couple: float = 0.0,
@@ -77,13 +77,13 @@ def law_values(
     )
 
 
-def random_touch(random: np.random.Generator) -> Touch:
+def random_contact_state(random: np.random.Generator) -> ContactState:
     """A contact that slides, spins and rolls."""
     gamma = random.normal(size=3)
     gamma /= np.linalg.norm(gamma)
     across = np.eye(3) - np.outer(gamma, gamma)
     root = across @ random.normal(size=(3, 3))
-    return Touch(
+    return ContactState(
         across @ random.normal(size=3),
         float(random.normal()),
         across @ random.normal(size=3),

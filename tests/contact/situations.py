@@ -11,11 +11,11 @@ from chaplygin.contact import (
     ContensouErismann,
     ContourResistance,
     Coulomb,
+    EventRules,
     FrictionalContact,
     FrictionLaw,
     NormalViscous,
     RollingResistance,
-    Rules,
     SpinFriction,
     Viscous,
     ViscousRolling,
@@ -66,10 +66,10 @@ def laws(case: dict[str, Any]) -> tuple[FrictionLaw, ...]:
     return tuple(result)
 
 
-def rules(case: dict[str, Any]) -> Rules:
+def rules(case: dict[str, Any]) -> EventRules:
     """What happens at its impacts."""
     given = case["contact"]
-    return Rules(given.get("restitution", 0.0), given.get("impact_law", "stronge"))
+    return EventRules(given.get("restitution", 0.0), given.get("impact_law", "stronge"))
 
 
 def start(case: dict[str, Any], contact: FrictionalContact) -> FloatArray:

@@ -16,9 +16,9 @@ from chaplygin.contact import (
     ContensouErismann,
     ContourResistance,
     Coulomb,
+    EventRules,
     FrictionalContact,
     RollingResistance,
-    Rules,
     UserFriction,
     contact_motion,
     start_in_contact,
@@ -98,7 +98,7 @@ def drop(height: float, velocity: Any, omega: Any, attitude: Any = (1, 0, 0, 0))
 def test_bounces_end_and_the_energy_balance_holds(loaded: CompiledContact) -> None:
     state = drop(1.5, (1.0, 0.5, 0.0), (3.0, -2.0, 1.0))
     times = np.linspace(0, 3, 61)
-    motion = contact_motion(loaded, state, times, Rules(restitution=0.5))
+    motion = contact_motion(loaded, state, times, EventRules(restitution=0.5))
     kinds = [e.kind for e in motion.events]
     assert kinds == ["landing"] * len(kinds) and len(kinds) > 10
     assert motion.events[-1].mode == "rolling"
@@ -117,7 +117,7 @@ def test_a_ball_bounces_at_the_known_times(restitution: float) -> None:
     ball = ch.Body(1.0, (0.4, 0.4, 0.4), ch.Ball(1.0))
     ground = FrictionalContact(ball, laws=(Coulomb(0.3),), field=GRAVITY)
     height, end = 0.5, math.sqrt(1.0 / G) * (1 + restitution) / (1 - restitution)
-    given = Rules(restitution=restitution)
+    given = EventRules(restitution=restitution)
     motion = contact_motion(ground, drop(1 + height, (0, 0, 0), (0, 0, 1)), [0.0, end + 1], given)
     *landings, rest = motion.events
     powers = restitution ** np.arange(1, len(landings))
@@ -130,7 +130,7 @@ def test_a_ball_bounces_at_the_known_times(restitution: float) -> None:
 
 def test_intervals_cover_the_time(loaded: CompiledContact) -> None:
     state = drop(1.5, (1.0, 0.5, 0.0), (3.0, -2.0, 1.0))
-    motion = contact_motion(loaded, state, [0.0, 2.0], Rules(restitution=0.3))
+    motion = contact_motion(loaded, state, [0.0, 2.0], EventRules(restitution=0.3))
     assert motion.intervals[0].begin == 0 and motion.intervals[-1].end == 2
     for one, other in zip(motion.intervals, motion.intervals[1:], strict=False):
         assert one.end == other.begin and one.mode != other.mode
@@ -138,8 +138,8 @@ def test_intervals_cover_the_time(loaded: CompiledContact) -> None:
 
 def test_samples_do_not_change_the_motion(loaded: CompiledContact) -> None:
     state = drop(1.2, (1.0, 0.5, 0.0), (3.0, -2.0, 1.0))
-    few = contact_motion(loaded, state, [0.0, 2.0], Rules(restitution=0.3))
-    many = contact_motion(loaded, state, np.linspace(0, 2, 301), Rules(restitution=0.3))
+    few = contact_motion(loaded, state, [0.0, 2.0], EventRules(restitution=0.3))
+    many = contact_motion(loaded, state, np.linspace(0, 2, 301), EventRules(restitution=0.3))
     np.testing.assert_allclose(few.end_state, many.end_state, rtol=0, atol=1e-12)
     assert [e.kind for e in few.events] == [e.kind for e in many.events]
 
@@ -159,7 +159,7 @@ def test_lift_off_can_end_the_motion(loaded: CompiledContact) -> None:
     case = CASES["rising egg"]
     contact = situation(case)
     motion = contact_motion(
-        contact, start(case, contact), [0.0, case["until"]], Rules(on_liftoff="stop")
+        contact, start(case, contact), [0.0, case["until"]], EventRules(on_liftoff="stop")
     )
     assert motion.reason == "the body leaves the support"
     first = next(e for e in case["events"] if e["kind"] == "lift-off")
@@ -263,10 +263,10 @@ def test_a_coarse_tolerance_is_refused(loaded: CompiledContact) -> None:
 
 def test_rules_are_checked() -> None:
     with pytest.raises(ch.InputError, match=r"restitution 2\.0: it must lie between 0 and 1"):
-        Rules(restitution=2.0)
+        EventRules(restitution=2.0)
 
 
-def random_drops(count: int, seed: int) -> list[tuple[list[float], Rules]]:
+def random_drops(count: int, seed: int) -> list[tuple[list[float], EventRules]]:
     rng = np.random.default_rng(seed)
     drops = []
     for _ in range(count):
@@ -274,11 +274,11 @@ def random_drops(count: int, seed: int) -> list[tuple[list[float], Rules]]:
         height = 1.4 + rng.exponential(0.5)
         law = ("stronge", "poisson")[rng.integers(2)]
         state = drop(height, velocity, omega, rng.normal(size=4))
-        drops.append((state, Rules(restitution=float(rng.uniform(0, 0.9)), impact_law=law)))
+        drops.append((state, EventRules(restitution=float(rng.uniform(0, 0.9)), impact_law=law)))
     return drops
 
 
-def assert_sound(contact: CompiledContact, state: list[float], given: Rules) -> None:
+def assert_sound(contact: CompiledContact, state: list[float], given: EventRules) -> None:
     times = np.linspace(0, 4, 41)
     motion = contact_motion(contact, state, times, given)
     assert motion.reason == "", motion.reason
@@ -382,7 +382,7 @@ def test_friction_without_the_normal_force_may_lift_a_body_that_cannot_fly() -> 
         simulate(body, {"kind": "plane"}, {"viscous": 4.2}, begin, 1.0)
 
 
-def jamming(rules: Rules, times: Any) -> Any:
+def jamming(rules: EventRules, times: Any) -> Any:
     """An ellipsoid on a sphere; as it slides, B falls to zero and the normal force grows."""
     inertia = [[0.1408, -0.0046, 0.0], [-0.0046, 0.1174, -0.0118], [0.0, -0.0118, 0.1474]]
     shape = ch.Ellipsoid((0.612, 0.916, 0.859), turn=-0.198, centre=(-0.171, 0.176, -0.081))
@@ -402,12 +402,12 @@ def jamming(rules: Rules, times: Any) -> Any:
 @pytest.mark.slow
 def test_a_dynamic_jam_ends_in_finite_time() -> None:
     """1/N² falls linearly to zero, and there the motion ends with a reason."""
-    motion = jamming(Rules(), [0.0, 0.0121, 0.01214, 0.0121431, 0.02])
+    motion = jamming(EventRules(), [0.0, 0.0121, 0.01214, 0.0121431, 0.02])
     assert motion.ending == "paradox"
     inverse = motion.observables()["normal_force"][2:4] ** -2.0
     slope = (inverse[1] - inverse[0]) / (motion.times[3] - motion.times[2])
     assert motion.end_time == pytest.approx(motion.times[3] - inverse[1] / slope, abs=1e-9)
-    again = jamming(Rules(on_paradox="impact"), [0.0, 0.02])
+    again = jamming(EventRules(on_paradox="impact"), [0.0, 0.02])
     assert again.events[0].kind == "impact without collision"
     assert again.events[0].time == pytest.approx(motion.end_time, abs=1e-11)
     assert np.linalg.norm(again.events[0].impulse) > 0
@@ -429,7 +429,7 @@ def test_an_impact_without_collision_gives_back_what_it_stored() -> None:
     )
     given, impulses = (0.0, 0.5), []
     for part in given:
-        chosen = Rules(part, "poisson", on_paradox="impact")
+        chosen = EventRules(part, "poisson", on_paradox="impact")
         motion = contact_motion(contact, state, [0.0, 1e-4], chosen)
         event = motion.events[0]
         assert event.kind == "impact without collision"

@@ -33,9 +33,9 @@ def test_only_isotropic_supports_lift(lifted_bracket: ModuleType, name: str) -> 
 
 
 def test_a_body_with_unequal_supports_is_refuted(lifted_bracket: ModuleType) -> None:
-    dice = random.Random(12)
-    moments = [Fraction(dice.randint(10, 20), 10) for _ in range(3)]
-    weights = [Fraction(dice.randint(1, 9), 10), Fraction(1), Fraction(dice.randint(0, 9), 10)]
+    rng = random.Random(12)
+    moments = [Fraction(rng.randint(10, 20), 10) for _ in range(3)]
+    weights = [Fraction(rng.randint(1, 9), 10), Fraction(1), Fraction(rng.randint(0, 9), 10)]
     assert not lifted_bracket.lifts(moments, weights)
 
 

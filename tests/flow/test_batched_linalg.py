@@ -11,8 +11,8 @@ from chaplygin.flow.batched_linalg import (
     row_dots,
 )
 
-dice = np.random.default_rng(1)
-MATRICES, VECTORS = dice.normal(size=(50, 3, 3)), dice.normal(size=(50, 3))
+rng = np.random.default_rng(1)
+MATRICES, VECTORS = rng.normal(size=(50, 3, 3)), rng.normal(size=(50, 3))
 
 
 def test_products() -> None:

@@ -70,12 +70,12 @@ def test_small_formulas_are_tidied() -> None:
 def test_linear_equations_are_solved(seed: int, size: int) -> None:
     import random
 
-    dice = random.Random(seed)
+    rng = random.Random(seed)
     root = sp.Matrix(
-        size, size, lambda i, j: dice.choice([0, 0, 1, 2]) * (x if i < j else 1) + 3 * (i == j)
+        size, size, lambda i, j: rng.choice([0, 0, 1, 2]) * (x if i < j else 1) + 3 * (i == j)
     )
     matrix = root.T * root
-    right = [sp.Integer(dice.randint(-5, 5)) + y * dice.randint(0, 2) for _ in range(size)]
+    right = [sp.Integer(rng.randint(-5, 5)) + y * rng.randint(0, 2) for _ in range(size)]
     tape = Tape((), (x, y))
     found = Factorisation(tape, matrix.tolist()).solve(right)
     at = {x: sp.Rational(3, 7), y: sp.Rational(-2, 5)}

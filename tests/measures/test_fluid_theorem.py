@@ -81,10 +81,10 @@ def test_divergences_are_the_same(name, contact):
     shape, surface, cavities = BODIES[name]
     body = Body(1.0, FULL, shape, (0.1, 0.2, -0.3), cavities)
     wet = Rolling(body, surface, contact, Forces(2.0))
-    dice = random.Random(20130818)
+    rng = random.Random(20130818)
 
     def vector(length: float | None = None) -> list[mpmath.mpf]:
-        numbers = [mpmath.mpf(dice.uniform(-1, 1)) for _ in range(3)]
+        numbers = [mpmath.mpf(rng.uniform(-1, 1)) for _ in range(3)]
         size = mpmath.norm(numbers)
         return [x / size for x in numbers] if length else numbers
 

@@ -110,9 +110,9 @@ def solved(tables: Any, count: int) -> tuple[Any, Any]:
 
 def admissible(function: Any, count: int, seed: int) -> list[Any]:
     """Random angles and velocities that keep to the constraints, which are linear in them."""
-    dice = random.Random(seed)
-    places = [mpmath.mpf(dice.uniform(0.3, 1.2)) for _ in q]
-    speeds = [mpmath.mpf(dice.uniform(0.3, 1.2)) for _ in u]
+    rng = random.Random(seed)
+    places = [mpmath.mpf(rng.uniform(0.3, 1.2)) for _ in q]
+    speeds = [mpmath.mpf(rng.uniform(0.3, 1.2)) for _ in u]
     size = len(u)
     slopes, values = (function(*places, *speeds)[k] for k in (2, 8))
     matrix = mpmath.matrix([[slopes[size * k + i] for i in range(size)] for k in range(count)])

@@ -128,16 +128,14 @@ class TestPositive:
     @pytest.mark.slow
     @pytest.mark.parametrize("seed", range(12))
     def test_the_density_is_real_and_the_same_up_to_a_constant(self, seed):
-        dice = random.Random(seed)
-        chosen = dice.sample(self.FACTORS, 4)
-        powers = tuple(
-            (f, sp.Rational(dice.randint(-5, 5), dice.choice([1, 2, 3]))) for f in chosen
-        )
+        rng = random.Random(seed)
+        chosen = rng.sample(self.FACTORS, 4)
+        powers = tuple((f, sp.Rational(rng.randint(-5, 5), rng.choice([1, 2, 3]))) for f in chosen)
         made, domain = positive(powers, self.S)
         ratios = []
         for _ in range(60):
-            turn = dice.uniform(-3, 3)
-            place = {x: math.cos(turn), y: math.sin(turn), phi: dice.uniform(-3, 3), m: 2, a: 3}
+            turn = rng.uniform(-3, 3)
+            place = {x: math.cos(turn), y: math.sin(turn), phi: rng.uniform(-3, 3), m: 2, a: 3}
             if not all(condition.subs(place) for condition in domain):
                 continue
             new = sp.prod([sp.N(f.subs(place)) ** e for f, e in made])

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 #: Samples of a motion through which paths are drawn, at least.
 SMOOTH = 2000
 
-ENDINGS = (".mp4", ".webm", ".gif", ".glb")
+SUFFIXES = (".mp4", ".webm", ".gif", ".glb")
 
 #: Frames of a film at most.
 MOST_FRAMES = 20_000
@@ -52,8 +52,8 @@ def command(
     from ..errors import InputError
 
     suffix = output.suffix.lower()
-    if output == STANDARD_OUTPUT or suffix not in ENDINGS:
-        raise InputError(f"--output {output}: its name must end in {', '.join(ENDINGS)}")
+    if output == STANDARD_OUTPUT or suffix not in SUFFIXES:
+        raise InputError(f"--output {output}: its name must end in {', '.join(SUFFIXES)}")
     for name, number, low, high in (
         ("--rate", rate, 1, 120),
         ("--width", width, 64, 7680),

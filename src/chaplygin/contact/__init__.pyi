@@ -1,6 +1,6 @@
 from .course.compiled import CompiledContact as CompiledContact
+from .course.event_rules import EventRules as EventRules
 from .course.events import ContactEvent as ContactEvent
-from .course.rules import Rules as Rules
 from .equations.situation import FrictionalContact as FrictionalContact
 from .friction.air_film import AirFilm as AirFilm
 from .friction.dry_friction import (

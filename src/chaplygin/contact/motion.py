@@ -16,9 +16,9 @@ from ..formulas.array_evaluation import as_float_array
 from .course.compiled import ATTITUDE, WORK, CompiledContact
 from .course.course import Course
 from .course.course_state import Piece
-from .course.endings import Ending
+from .course.end_reasons import EndReason
+from .course.event_rules import EventRules
 from .course.events import ContactEvent
-from .course.rules import Rules
 from .equations.situation import FrictionalContact
 from .friction.modes import MODE_NAMES
 
@@ -73,7 +73,7 @@ class ContactMotion:
     steps : int
         Steps of integration.
     ending : str
-        The reason in short, one of ``ENDINGS``.
+        The reason in short, one of ``END_REASONS``.
     """
 
     times: FloatArray
@@ -85,7 +85,7 @@ class ContactMotion:
     end_state: FloatArray
     reason: str
     steps: int
-    ending: Ending
+    ending: EndReason
     _pieces: tuple[Piece, ...] = field(repr=False)
     _columns: Mapping[str, slice] = field(repr=False)
 
@@ -115,7 +115,7 @@ def contact_motion(
     contact: FrictionalContact | CompiledContact,
     state: Sequence[float] | FloatArray,
     times: Sequence[float] | FloatArray,
-    rules: Rules = Rules(),  # noqa: B008  (immutable)
+    rules: EventRules = EventRules(),  # noqa: B008  (immutable)
     *,
     tolerance: float = 1e-16,
     progress: Callable[[float], None] | None = None,
@@ -131,7 +131,7 @@ def contact_motion(
         zero.
     times : array (n,)
         Sample times, increasing.
-    rules : Rules
+    rules : EventRules
         What happens at lift-off and landing.
     tolerance : float
         Relative error of each step.

@@ -296,8 +296,8 @@ def _state(
     """The columns of a state in their order."""
     works = 1 + bool(contact.surface.turntable) + len(contact.laws)
     clocks = sum(len(law.clocks) for law in contact.laws)
-    touch = r if isinstance(contact.body.shape, Implicit) else gamma
-    return np.concatenate([attitude, position, v, omega, touch, np.zeros(works + clocks)])
+    contact_columns = r if isinstance(contact.body.shape, Implicit) else gamma
+    return np.concatenate([attitude, position, v, omega, contact_columns, np.zeros(works + clocks)])
 
 
 def _rotation(attitude: Sequence[float] | FloatArray) -> FloatArray:

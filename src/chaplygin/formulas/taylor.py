@@ -57,9 +57,9 @@ class Rational:
         fraction = _fraction(value)
         return fmpq(fraction.numerator, fraction.denominator)
 
-    def random_number(self, dice: random.Random) -> Number:
+    def random_number(self, rng: random.Random) -> Number:
         """A small number at random, not zero."""
-        return fmpq(dice.choice((-1, 1)) * dice.randint(1, HEIGHT), dice.randint(1, HEIGHT))
+        return fmpq(rng.choice((-1, 1)) * rng.randint(1, HEIGHT), rng.randint(1, HEIGHT))
 
     def root(self, value: Number, degree: int) -> Number:
         """The positive root.
@@ -107,9 +107,9 @@ class Modular:
         above = nmod(fraction.numerator % self.prime, self.prime)
         return above / nmod(fraction.denominator, self.prime)
 
-    def random_number(self, dice: random.Random) -> Number:
+    def random_number(self, rng: random.Random) -> Number:
         """A number at random, not zero."""
-        return nmod(dice.randrange(1, self.prime), self.prime)
+        return nmod(rng.randrange(1, self.prime), self.prime)
 
     def root(self, value: Number, degree: int) -> Number:
         """A root; of a fraction that has a rational one, the positive one.

@@ -150,13 +150,13 @@ def _samples(
 ) -> tuple[FloatArray, FloatArray]:
     """Derivatives of log b_i, and θ/scale, along tangent vectors at some points."""
     ground = LevelSet(form.system, level)
-    dice = random.Random(SEED)
+    rng = random.Random(SEED)
     rows: list[list[float]] = []
     right: list[float] = []
     with ball_precision():
         while len(rows) < POINTS:
             try:
-                row, value = _at_point(form, bases, ground, dice)
+                row, value = _at_point(form, bases, ground, rng)
             except ZeroDivisionError:
                 continue
             rows.append(row)
@@ -165,10 +165,10 @@ def _samples(
 
 
 def _at_point(
-    form: OneForm, bases: Sequence[sp.Expr], ground: LevelSet, dice: random.Random
+    form: OneForm, bases: Sequence[sp.Expr], ground: LevelSet, rng: random.Random
 ) -> tuple[list[float], float]:
     """Derivatives along one tangent vector of the state, the one across γ and a fixed vector."""
-    values, _ = ground.point(dice)
+    values, _ = ground.point(rng)
     field = Balls(values)
     partial = ground.partial(field)
     fixed = (field.rational(3), field.rational(-5), field.rational(7))

@@ -146,13 +146,13 @@ def _exponents(
     """Rational exponents with Σ e η_β(log b) = θ_β at several points; None if there are none."""
     rows: list[list[fmpq]] = []
     right: list[fmpq] = []
-    dice = random.Random(SEED)
+    rng = random.Random(SEED)
     home = _at_level(lifted_fields, level)
     for _ in range(ATTEMPTS):
         if len(right) >= POINTS * len(theta):
             break
         try:
-            at_point = _rows(home, theta, bases, dice)
+            at_point = _rows(home, theta, bases, rng)
         except (NoPointError, IrrationalError, ZeroDivisionError):
             continue
         for row, value in at_point:
@@ -186,12 +186,12 @@ def _at_level(lifted_fields: LiftedFields, level: Level) -> Distribution:
 
 
 def _rows(
-    home: Distribution, theta: list[sp.Expr], bases: list[sp.Expr], dice: random.Random
+    home: Distribution, theta: list[sp.Expr], bases: list[sp.Expr], rng: random.Random
 ) -> list[tuple[list[fmpq], fmpq]]:
     """One equation for each admissible field at a random point, with random parameters."""
     free = tuple(s for s, _ in home.constants)
     space = home.space(free, (*theta, *bases))
-    germs = random_point(space, Rational(), dice).germs(space, 1)
+    germs = random_point(space, Rational(), rng).germs(space, 1)
     rows = []
     logs = []
     for base in bases:

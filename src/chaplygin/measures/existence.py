@@ -19,12 +19,12 @@ from ..mechanics.lagrangian.mechanism import Mechanism
 from ..mechanics.rolling.equations import Rolling
 from ..proof.fields.budget import EFFORT
 from .mechanisms import decide_mechanism
-from .result import Existence
+from .result import MeasureExistence
 from .rolling_bodies import decide_body
 
 
 @singledispatch
-def measure_exists(source: object, name: str = "", *, effort: int = EFFORT) -> Existence:
+def measure_exists(source: object, name: str = "", *, effort: int = EFFORT) -> MeasureExistence:
     """Decide whether an invariant measure exists whose density depends on the configuration alone.
 
     Parameters
@@ -39,7 +39,7 @@ def measure_exists(source: object, name: str = "", *, effort: int = EFFORT) -> E
 
     Returns
     -------
-    Existence
+    MeasureExistence
 
     Raises
     ------
@@ -64,10 +64,10 @@ def measure_exists(source: object, name: str = "", *, effort: int = EFFORT) -> E
 
 
 @measure_exists.register
-def _(source: Rolling, name: str = "rolling-body", *, effort: int = EFFORT) -> Existence:
+def _(source: Rolling, name: str = "rolling-body", *, effort: int = EFFORT) -> MeasureExistence:
     return decide_body(source, name, effort)
 
 
 @measure_exists.register
-def _(source: Mechanism, name: str = "", *, effort: int = EFFORT) -> Existence:
+def _(source: Mechanism, name: str = "", *, effort: int = EFFORT) -> MeasureExistence:
     return decide_mechanism(source, name or source.name, effort)

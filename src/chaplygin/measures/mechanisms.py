@@ -23,7 +23,7 @@ from .density_fit import density_from_powers, density_law
 from .lifted_fields import LiftedFields, lift
 from .parameter_conditions import Level, branches
 from .positivity import Powers, Signs, positive
-from .result import Existence
+from .result import MeasureExistence
 
 FURTHER = 3
 EFFORT_PER_PROOF = EFFORT // 10
@@ -33,7 +33,7 @@ Domain: TypeAlias = tuple[Any, ...]
 LevelMeasure: TypeAlias = tuple[Level, Measure, Verdict, Domain]
 
 
-def decide_mechanism(mechanism: Mechanism, name: str, effort: int) -> Existence:
+def decide_mechanism(mechanism: Mechanism, name: str, effort: int) -> MeasureExistence:
     """Decide for a mechanism with its parameters left open.
 
     Parameters
@@ -56,7 +56,7 @@ def decide_mechanism(mechanism: Mechanism, name: str, effort: int) -> Existence:
     obstruction = None if met else _obstruction(lifted)
     if measures:
         _, law, _, domain = (*met, *measures)[0]
-        return Existence(
+        return MeasureExistence(
             name,
             "conditional",
             density=law,
@@ -69,7 +69,7 @@ def decide_mechanism(mechanism: Mechanism, name: str, effort: int) -> Existence:
             verdicts=tuple(verdict for _, _, verdict, _ in measures),
         )
     if obstruction is None:
-        return Existence(
+        return MeasureExistence(
             name,
             "undecided",
             reason="for general parameters there is none; for their own values no obstruction was "
@@ -82,20 +82,20 @@ def decide_mechanism(mechanism: Mechanism, name: str, effort: int) -> Existence:
             if complete
             else "for other values of the parameters than their own it is not decided"
         )
-    return Existence(name, "none", obstruction=obstruction, complete=complete, reason=reason)
+    return MeasureExistence(name, "none", obstruction=obstruction, complete=complete, reason=reason)
 
 
 def _everywhere(
     restriction: Restriction, lifted: LiftedFields, system: System, name: str, effort: int
-) -> Existence:
+) -> MeasureExistence:
     """No obstruction at a generic point: the density, if it is found."""
     measure = _measure(restriction, lifted, system, (), effort)
     if measure is not None:
         law, verdict, domain = measure
-        return Existence(
+        return MeasureExistence(
             name, "exists", density=law, system=system, domain=domain, verdicts=(verdict,)
         )
-    return Existence(
+    return MeasureExistence(
         name,
         "undecided",
         reason="the 1-form is closed about a generic point, but no closed form of the density was "

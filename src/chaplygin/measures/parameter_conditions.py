@@ -72,7 +72,7 @@ def branches(
     coordinates = lifted_fields.lifted.coordinates
     entries = [row.get(x, sp.S.Zero) for row in rows for x in coordinates]
     order = tape.steps(entries)
-    dice = random.Random(SEED)
+    rng = random.Random(SEED)
     conditions: dict[sp.Expr, None] = {}
     regular: list[sp.Expr] = []
     clean = True
@@ -83,7 +83,7 @@ def branches(
     def at_point() -> tuple[list[Quotient], Quotient]:
         """Entries and metric at a point where all of them have values."""
         for _ in range(ATTEMPTS):
-            known = {**names, **_point(lifted_fields, dice, one)}
+            known = {**names, **_point(lifted_fields, rng, one)}
             try:
                 for symbol, formula in evaluated:
                     known[symbol] = formula.at(known, one)[0]
@@ -162,11 +162,11 @@ def _bracket(tape: Tape, first: VectorField, second: VectorField) -> dict[sp.Sym
 
 
 def _point(
-    lifted_fields: LiftedFields, dice: random.Random, one: Quotient
+    lifted_fields: LiftedFields, rng: random.Random, one: Quotient
 ) -> dict[sp.Symbol, Quotient]:
     """A rational point of the configuration space, with sines and cosines, and z = 0."""
     parameters = tuple(s for s, _ in lifted_fields.lifted.constants)
-    place = random_point(lifted_fields.lifted.space(parameters), Rational(), dice)
+    place = random_point(lifted_fields.lifted.space(parameters), Rational(), rng)
     values = {x: one * place.values[x] for x in lifted_fields.lifted.coordinates}
     for core, pair in place.circles.items():
         if core.is_Symbol:

@@ -89,9 +89,9 @@ def _with_positive_sign(base: sp.Expr, signs: Signs) -> sp.Expr:
 
 def _value(base: sp.Expr, signs: Signs, seed: int) -> sp.Expr | None:
     """The sign of a base at a configuration drawn at random; None where it has no real value."""
-    dice = random.Random(SEED + seed)
+    rng = random.Random(SEED + seed)
     symbols = base.free_symbols.union(*(r.free_symbols for r in signs.relations))
-    place = {s: sp.Float(dice.uniform(-4, 4)) for s in sorted(symbols, key=str)}
+    place = {s: sp.Float(rng.uniform(-4, 4)) for s in sorted(symbols, key=str)}
     for relation in signs.relations:
         own, square = _sphere(relation, signs)
         if square is not None:

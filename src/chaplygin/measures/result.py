@@ -17,7 +17,7 @@ Outcome = Literal["exists", "none", "conditional", "undecided"]
 
 
 @dataclass(frozen=True, repr=False)
-class Existence:
+class MeasureExistence:
     """Whether a smooth measure with a density in the configuration alone exists.
 
     Attributes

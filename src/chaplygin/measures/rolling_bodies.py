@@ -24,13 +24,13 @@ from .implicit_shapes import log_density_on_surface
 from .known_families import Level, criterion, levels
 from .one_form import OneForm, Powers, one_form
 from .quadrature import log_density
-from .result import Existence
+from .result import MeasureExistence
 
 EFFORT_PER_PROOF = EFFORT // 10
 """Term operations for each attempt to prove the density as a law of the equations of motion."""
 
 
-def decide_body(rolling: Rolling, name: str, effort: int) -> Existence:
+def decide_body(rolling: Rolling, name: str, effort: int) -> MeasureExistence:
     """Decide for a body with its numbers.
 
     Parameters
@@ -51,14 +51,14 @@ def decide_body(rolling: Rolling, name: str, effort: int) -> Existence:
         # points are tried before anything is proven
         verdict = prove(form.system, replace(law, on=numbers), effort=POINTS_ALONE)
         if verdict.decision == "refuted":
-            return Existence(
+            return MeasureExistence(
                 name,
                 "none",
                 obstruction=_obstruction(verdict, form),
                 criterion=theorem,
                 verdicts=(verdict,),
             )
-    existence = Existence(name, "exists", criterion=theorem)
+    existence = MeasureExistence(name, "exists", criterion=theorem)
     powers = closed_form(rolling, form, numbers)
     if powers is not None:
         proofs = tuple(_proofs_by_quadrature(form, powers, numbers, effort))
@@ -74,7 +74,7 @@ def decide_body(rolling: Rolling, name: str, effort: int) -> Existence:
     return replace(existence, decision="undecided", reason=proofs[-1].words, verdicts=proofs)
 
 
-def _with_fluid(rolling: Rolling, name: str, effort: int) -> Existence:
+def _with_fluid(rolling: Rolling, name: str, effort: int) -> MeasureExistence:
     """The decision for the equivalent rigid body, and the lemma that it is that for the body."""
     rigid = decide_body(rolling.equivalent, name, effort)
     verdict = lemma()
@@ -122,12 +122,12 @@ def _proofs_by_quadrature(
 
 
 def _with_density(
-    existence: Existence,
+    existence: MeasureExistence,
     rolling: Rolling,
     powers: Powers,
     levels_tried: tuple[Level, ...],
     effort: int,
-) -> Existence:
+) -> MeasureExistence:
     """The measure as a law of the equations of motion, on the most general level proven.
 
     That dσ = θ for the numbers of the body has been proven, from which it follows for these.
@@ -149,8 +149,8 @@ def _with_density(
 
 
 def _with_quadrature(
-    existence: Existence, rolling: Rolling, form: OneForm, level: Level, effort: int
-) -> Existence:
+    existence: MeasureExistence, rolling: Rolling, form: OneForm, level: Level, effort: int
+) -> MeasureExistence:
     """The measure whose 1-form is closed, without a closed form of its density."""
     if isinstance(rolling.body.shape, (Disk, Torus)):
         # lying flat is outside their domain, a sphere without its poles

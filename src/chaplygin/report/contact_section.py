@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import xarray as xr
 
-from ..contact.course.rules import Rules
+from ..contact.course.event_rules import EventRules
 from ..contact.friction.dry_friction import Coulomb
 from ..contact.friction.friction_law import FrictionLaw
 from ..experiment.contact.trajectory import ContactTrajectory
@@ -253,7 +253,7 @@ def _unit(text: str) -> str:
 def _impacts(trajectory: ContactTrajectory) -> str:
     if not any(event.kind == "landing" for event in trajectory.changes):
         return ""
-    rules: Rules = trajectory.rules
+    rules: EventRules = trajectory.rules
     e = number(rules.restitution, 6)
     if not rules.restitution:
         return "The body does not bounce: impacts end when their compression does."

@@ -25,8 +25,8 @@ from chaplygin.contact.friction.user_friction import UserFriction
 from chaplygin.contact.friction.viscous_friction import NormalViscous, PowerFriction, Viscous
 from chaplygin.core.vectors import zero
 from chaplygin.errors import InputError
-from contact.friction_formulas import Touch, reaction
-from contact.law_values import law_values, random_touch
+from contact.friction_formulas import ContactState, reaction
+from contact.law_values import law_values, random_contact_state
 
 LAWS = (
     Coulomb(0.3),
@@ -63,13 +63,13 @@ def differs(law, at, formulas=reaction):
 @every_law
 @seeds
 def test_force_and_couple(law, seed):
-    assert differs(law, random_touch(np.random.default_rng(seed))) < 1e-14
+    assert differs(law, random_contact_state(np.random.default_rng(seed))) < 1e-14
 
 
 @every_law
 @seeds
 def test_power_is_lost(law, seed):
-    at, N = random_touch(np.random.default_rng(seed)), 2.5
+    at, N = random_contact_state(np.random.default_rng(seed)), 2.5
     found = law_values(law, moving(law, at), at, N)
     force, couple = N * found.p + found.force, N * found.q + found.couple
     turning = at.spin * at.gamma + at.rolling
@@ -79,7 +79,7 @@ def test_power_is_lost(law, seed):
 
 @seeds
 def test_power_of_each_law_in_closed_form(seed):
-    at = random_touch(np.random.default_rng(seed))
+    at = random_contact_state(np.random.default_rng(seed))
     speed, turn = np.linalg.norm(at.slip), np.linalg.norm(at.rolling)
     path = np.linalg.norm(at.spread @ np.cross(at.gamma, at.rolling))
     expected = {
@@ -97,8 +97,8 @@ def test_power_of_each_law_in_closed_form(seed):
 
 @seeds
 def test_contour_on_a_ball_is_resistance_to_rolling(seed):
-    at = random_touch(np.random.default_rng(seed))
-    ball = Touch(at.slip, at.spin, at.rolling, at.gamma, 0.6 * np.eye(3))
+    at = random_contact_state(np.random.default_rng(seed))
+    ball = ContactState(at.slip, at.spin, at.rolling, at.gamma, 0.6 * np.eye(3))
     contour, rolling = (
         law_values(law, Mode(), ball).q
         for law in (ContourResistance(0.05), RollingResistance(0.05 * 0.6))
@@ -115,7 +115,7 @@ HELD = Mode(sliding=False)
 
 @pytest.mark.parametrize(("size", "sign"), [(0.299, 1), (0.301, -1)])
 def test_dry_friction_holds_up_to_its_limit(size, sign):
-    at = random_touch(np.random.default_rng(1))
+    at = random_contact_state(np.random.default_rng(1))
     friction = 2.0 * size * at.slip / np.linalg.norm(at.slip)
     found = law_values(Coulomb(0.3), HELD, at, 2.0, friction)
     assert np.sign(found.guards["slip"]) == sign
@@ -124,7 +124,7 @@ def test_dry_friction_holds_up_to_its_limit(size, sign):
 
 @pytest.mark.parametrize(("couple", "sign"), [(0.0399, 1), (-0.0399, 1), (0.0401, -1)])
 def test_spin_friction_holds_up_to_its_limit(couple, sign):
-    at = random_touch(np.random.default_rng(1))
+    at = random_contact_state(np.random.default_rng(1))
     held = Mode(spinning=False)
     found = law_values(SpinFriction(0.02), held, at, 2.0, holding_couple=couple)
     assert np.sign(found.guards["spin start"]) == sign
@@ -132,8 +132,8 @@ def test_spin_friction_holds_up_to_its_limit(couple, sign):
 
 
 def test_motion_ends_where_its_guard_vanishes():
-    at = random_touch(np.random.default_rng(3))
-    slow = Touch(1e-10 * at.slip, at.spin, 1e-10 * at.rolling, at.gamma, at.spread)
+    at = random_contact_state(np.random.default_rng(3))
+    slow = ContactState(1e-10 * at.slip, at.spin, 1e-10 * at.rolling, at.gamma, at.spread)
     guards = {"stick": Coulomb(0.3), "rolling stop": RollingResistance(0.1)}
     for name, law in guards.items():
         assert law_values(law, Mode(), at).guards[name] > 0
@@ -185,11 +185,11 @@ MISTAKES = {
 
 @pytest.mark.parametrize("law", MISTAKES.values(), ids=MISTAKES)
 def test_a_mistaken_law_is_found(law):
-    at = random_touch(np.random.default_rng(0))
+    at = random_contact_state(np.random.default_rng(0))
     right = Mistaken(0.3, -0.3 * slip / slip_speed)
 
-    def coulomb(_, touch):
-        return reaction(Coulomb(0.3), touch)
+    def coulomb(_, contact_state):
+        return reaction(Coulomb(0.3), contact_state)
 
     assert differs(right, at, coulomb) < 1e-15
     assert differs(law, at, coulomb) > 1e-12

@@ -10,7 +10,7 @@ from chaplygin.contact.friction.dry_friction import ContensouErismann
 from chaplygin.contact.friction.modes import Mode
 from chaplygin.contact.pressure.pressure import Hertz
 from chaplygin.contact.pressure.pressure_limits import COUPLE_AT_ONE, load_factor
-from contact.friction_formulas import Touch
+from contact.friction_formulas import ContactState
 from contact.law_values import law_values
 
 HERTZ = Hertz()
@@ -28,7 +28,7 @@ RANGES = {
 def sliding(k, spin=-3.0):
     """A contact with k = |u|/(a|Ω|)."""
     slip = k * PATCH * abs(spin) * np.array([0.6, -0.8, 0.0])
-    return Touch(slip, spin, NONE, UPRIGHT, np.eye(3))
+    return ContactState(slip, spin, NONE, UPRIGHT, np.eye(3))
 
 
 @pytest.mark.parametrize("span", RANGES)
@@ -65,7 +65,7 @@ def test_sliding_and_spinning_end_together():
 def held(force, couple):
     """Guards of a held contact with |f|/(μN) and τ/(μNa)."""
     span = held_range_of(couple * MU * N, MU * N)
-    at = Touch(NONE, np.sign(couple), NONE, UPRIGHT, np.eye(3))
+    at = ContactState(NONE, np.sign(couple), NONE, UPRIGHT, np.eye(3))
     friction = MU * N * force * np.array([0.6, -0.8, 0.0])
     mode = Mode(sliding=False, spinning=False, range=span)
     return law_values(LAW, mode, at, N, friction, MU * N * PATCH * couple).guards
@@ -92,7 +92,7 @@ def test_the_edge_of_the_limit_set_to_rounding(sign):
 def test_the_parts_of_the_limit_set_overlap():
     edge = float(COUPLE_AT_ONE)
     for couple in (edge * (1 - 1.9e-6), edge * (1 - 1.1e-6)):
-        at = Touch(NONE, 1.0, NONE, UPRIGHT, np.eye(3))
+        at = ContactState(NONE, 1.0, NONE, UPRIGHT, np.eye(3))
         for span in ("above", "below"):
             mode = Mode(sliding=False, spinning=False, range=span)
             guards = law_values(LAW, mode, at, N, NONE, MU * N * PATCH * couple).guards

@@ -24,7 +24,7 @@ from chaplygin.contact.friction.symbols import contour_couple, gamma, slip, spin
 from chaplygin.contact.friction.user_friction import UserFriction
 from chaplygin.core.system import flat_pairs
 from chaplygin.core.vectors import to_components
-from contact.friction_formulas import Touch, reaction
+from contact.friction_formulas import ContactState, reaction
 
 MU, PATCH = 0.3, 0.02
 NORMAL = np.array([0.48, -0.6, 0.64])
@@ -62,7 +62,7 @@ def direction_at(at):
 @pytest.mark.parametrize("at", [0.0, 0.4, 1.0])
 def test_coulomb(at):
     _, p, q = beginning(PrescribedDirection(), at)
-    expected, *_ = reaction(Coulomb(MU), Touch(direction_at(at), 1.0, None, NORMAL, None))
+    expected, *_ = reaction(Coulomb(MU), ContactState(direction_at(at), 1.0, None, NORMAL, None))
     np.testing.assert_allclose(p, expected, atol=1e-16)
     assert not q.any()
 
@@ -75,8 +75,8 @@ def test_coupled_law(span, k, sign):
     first = math.atan2(k, sign) - LATITUDES @ at ** np.arange(1, DEGREE + 1)
     law = PrescribedDirection("contensou", span)
     _, p, q = beginning(law, at, first, sign)
-    touch = Touch(k * PATCH * direction_at(at), sign, None, NORMAL, None)
-    force, couple, *_ = reaction(ContensouErismann(MU, PATCH), touch)
+    contact_state = ContactState(k * PATCH * direction_at(at), sign, None, NORMAL, None)
+    force, couple, *_ = reaction(ContensouErismann(MU, PATCH), contact_state)
     np.testing.assert_allclose(p, force, atol=1e-15)
     np.testing.assert_allclose(q, couple, atol=1e-15 * PATCH)
 
@@ -109,8 +109,8 @@ def test_what_stands_in_its_place():
 @pytest.mark.parametrize("at", [0.0, 0.4, 1.0])
 def test_resistance_to_rolling(at):
     _, p, q = beginning(PrescribedRolling(RollingResistance(0.02)), at)
-    touch = Touch(direction_at(at), 1.0, direction_at(at), NORMAL, None)
-    _, expected, *_ = reaction(RollingResistance(0.02), touch)
+    contact_state = ContactState(direction_at(at), 1.0, direction_at(at), NORMAL, None)
+    _, expected, *_ = reaction(RollingResistance(0.02), contact_state)
     np.testing.assert_allclose(q, expected, atol=1e-17)
     assert not p.any()
 

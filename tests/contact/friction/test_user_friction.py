@@ -26,8 +26,8 @@ from chaplygin.mechanics.rolling.equations import Forces
 from chaplygin.mechanics.shapes.shapes import Ball
 from contact.dense_motion import Motion, accelerations, random_state, rotation
 from contact.friction.test_viscous_friction import GRAVITY, slip_of_ball
-from contact.friction_formulas import Touch
-from contact.law_values import law_values, random_touch
+from contact.friction_formulas import ContactState
+from contact.law_values import law_values, random_contact_state
 from evaluation import numeric
 
 STRIBECK = UserFriction(
@@ -38,7 +38,7 @@ seeds = pytest.mark.parametrize("seed", range(4))
 
 @seeds
 def test_force_and_couple_are_those_of_the_formulas(seed):
-    at = random_touch(np.random.default_rng(seed))
+    at = random_contact_state(np.random.default_rng(seed))
     law = UserFriction(
         "(a + slip_speed)/(1 + spin)", couple="b + spin**3", values={"a": 0.0, "b": 0.1}
     )
@@ -54,7 +54,7 @@ def test_force_and_couple_are_those_of_the_formulas(seed):
 
 @seeds
 def test_known_laws_written_as_formulas(seed):
-    at = random_touch(np.random.default_rng(seed))
+    at = random_contact_state(np.random.default_rng(seed))
     for law, known in (
         (UserFriction("0.3"), Coulomb(0.3)),
         (UserFriction("0.3*slip_speed"), NormalViscous(0.3)),
@@ -82,7 +82,7 @@ def test_stribeck():
 
 @pytest.mark.parametrize(("size", "sign"), [(0.299, 1), (0.301, -1)])
 def test_static_friction_holds(size, sign):
-    at = random_touch(np.random.default_rng(1))
+    at = random_contact_state(np.random.default_rng(1))
     friction = 2.0 * size * at.slip / np.linalg.norm(at.slip)
     found = law_values(STRIBECK, Mode(sliding=False), at, 2.0, friction)
     assert np.sign(found.guards["slip"]) == sign
@@ -117,7 +117,7 @@ def test_guards(law, sliding, held):
 
 def test_couple_that_holds_the_spin():
     law = UserFriction("0.3", couple="0.02 + spin")
-    at = random_touch(np.random.default_rng(1))
+    at = random_contact_state(np.random.default_rng(1))
     for couple, sign in ((0.0399, 1), (-0.0401, -1)):
         found = law_values(law, Mode(spinning=False), at, 2.0, holding_couple=couple)
         assert np.sign(found.guards["spin start"]) == sign
@@ -136,8 +136,8 @@ def test_couple_at_rest_besides_its_threshold(turn):
 
 
 def test_a_polynomial_force_is_defined_at_rest():
-    at = random_touch(np.random.default_rng(1))
-    rest = Touch(np.zeros(3), at.spin, at.rolling, at.gamma, at.spread)
+    at = random_contact_state(np.random.default_rng(1))
+    rest = ContactState(np.zeros(3), at.spin, at.rolling, at.gamma, at.spread)
     assert not law_values(UserFriction("2*slip_speed + slip_speed**3"), Mode(), rest).p.any()
 
 

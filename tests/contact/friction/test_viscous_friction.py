@@ -13,8 +13,8 @@ from chaplygin.contact.friction.viscous_friction import NormalViscous, PowerFric
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces
 from chaplygin.mechanics.shapes.shapes import Ball
-from contact.friction_formulas import Touch
-from contact.law_values import law_values, random_touch
+from contact.friction_formulas import ContactState
+from contact.law_values import law_values, random_contact_state
 from evaluation import numeric
 
 GRAVITY = 9.81
@@ -55,21 +55,21 @@ def test_above_order_one_the_slip_never_ends():
 
 @pytest.mark.parametrize("seed", range(3))
 def test_order_one_is_the_viscous_law(seed):
-    at = random_touch(np.random.default_rng(seed))
+    at = random_contact_state(np.random.default_rng(seed))
     one, other = (law_values(x, Mode(), at) for x in (PowerFriction(0.3, 1.0), NormalViscous(0.3)))
     np.testing.assert_allclose(one.p, other.p, rtol=1e-15)
 
 
 def test_small_orders_come_near_to_dry_friction():
-    at = random_touch(np.random.default_rng(1))
+    at = random_contact_state(np.random.default_rng(1))
     found = law_values(PowerFriction(0.3, 1e-9), Mode(), at)
     assert np.linalg.norm(found.p) == pytest.approx(0.3, rel=1e-7)
 
 
 @pytest.mark.parametrize(("order", "ends"), [(0.5, True), (1.0, False), (2.0, True), (3.0, False)])
 def test_equations_end_where_the_force_is_not_smooth(order, ends):
-    at = random_touch(np.random.default_rng(1))
-    still = Touch(1e-12 * at.slip, at.spin, at.rolling, at.gamma, at.spread)
+    at = random_contact_state(np.random.default_rng(1))
+    still = ContactState(1e-12 * at.slip, at.spin, at.rolling, at.gamma, at.spread)
     law = PowerFriction(0.3, order)
     assert law.is_smooth != ends
     assert law_values(law, Mode(), at).guards.get("creep", 1.0) > 0
@@ -78,7 +78,7 @@ def test_equations_end_where_the_force_is_not_smooth(order, ends):
 
 
 def test_a_smooth_force_is_defined_at_rest():
-    at = random_touch(np.random.default_rng(1))
-    rest = Touch(np.zeros(3), at.spin, at.rolling, at.gamma, at.spread)
+    at = random_contact_state(np.random.default_rng(1))
+    rest = ContactState(np.zeros(3), at.spin, at.rolling, at.gamma, at.spread)
     for law in (NormalViscous(0.3), PowerFriction(0.3, 1.0), PowerFriction(0.3, 3.0)):
         assert not law_values(law, Mode(), rest).p.any()

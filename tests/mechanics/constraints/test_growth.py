@@ -72,17 +72,17 @@ def test_a_point_that_no_commutator_leaves_is_not_called_settled():
 @pytest.mark.parametrize("seed", range(6))
 def test_growth_agrees_with_the_commutators_themselves(seed):
     """Every commutator written out, and its rank at a rational point by SymPy."""
-    dice = random.Random(seed)
+    rng = random.Random(seed)
     coordinates = (x, y, z, u, w)
     fields = []
     for own in (x, y):
         rates = {
-            s: sp.Rational(dice.randint(-2, 2)) * dice.choice((x, y, z, u, x * y, x**2))
-            + dice.randint(-1, 1) * dice.choice((x, y, x * y))
+            s: sp.Rational(rng.randint(-2, 2)) * rng.choice((x, y, z, u, x * y, x**2))
+            + rng.randint(-1, 1) * rng.choice((x, y, x * y))
             for s in (z, u, w)
         }
         fields.append({own: ONE, **rates})
-    point = {s: sp.Rational(dice.randint(1, 9), dice.randint(2, 7)) for s in coordinates}
+    point = {s: sp.Rational(rng.randint(1, 9), rng.randint(2, 7)) for s in coordinates}
     span, last, ranks = list(fields), list(fields), []
     while len(ranks) < 2 or ranks[-1] > ranks[-2]:
         rows = [[f.get(s, sp.S.Zero).subs(point) for s in coordinates] for f in span]

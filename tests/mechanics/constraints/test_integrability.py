@@ -448,10 +448,10 @@ def test_a_ball_whose_attitude_is_a_quaternion():
 @pytest.mark.parametrize("seed", range(6))
 def test_random_integrals_are_recovered(seed):
     """μ dF = 0 for a random polynomial F and factor μ; one more term spoils it."""
-    dice = random.Random(seed)
+    rng = random.Random(seed)
     terms = [x, y, z, x * y, y * z, x * z, x**2, y**2, z**2]
-    hidden = sp.Add(*(dice.randint(-3, 3) * term for term in terms)) + z
-    factor = dice.choice((1 + x**2, x * y, 1 / (2 + z**2), sp.cos(x), sp.exp(y)))
+    hidden = sp.Add(*(rng.randint(-3, 3) * term for term in terms)) + z
+    factor = rng.choice((1 + x**2, x * y, 1 / (2 + z**2), sp.cos(x), sp.exp(y)))
     rate = u * sp.diff(hidden, x) + v * sp.diff(hidden, y) + w * sp.diff(hidden, z)
     found = nonholonomy(mechanism(sp.expand(factor * rate)))
     assert (found.verdict, found.proven) == ("holonomic", True)

@@ -261,10 +261,10 @@ def test_momenta_of_cyclic_velocities() -> None:
 def test_any_quadratic_lagrangian_with_any_linear_constraint_keeps_its_energy(seed: int) -> None:
     import random
 
-    dice = random.Random(seed)
+    rng = random.Random(seed)
 
     def number() -> sp.Rational:
-        return sp.Rational(dice.randint(-9, 9), dice.randint(2, 7))
+        return sp.Rational(rng.randint(-9, 9), rng.randint(2, 7))
 
     frame = coordinates(x, y, real_symbol("z"))
     places, speeds = frame.coordinates, frame.w

@@ -55,9 +55,9 @@ def rates_at(system: System, point: Mapping[sp.Symbol, Any]) -> dict[str, Any]:
 
 def agrees_with_sympy(system: System, method: Any, unknown: list[Any]) -> None:
     """SymPy's mass matrix times our accelerations is SymPy's forcing, to 40 digits."""
-    dice = random.Random(7)
+    rng = random.Random(7)
     with mpmath.workdps(50):
-        point = {s: mpmath.mpf(dice.randint(1, 99)) / 101 for s in system.symbols}
+        point = {s: mpmath.mpf(rng.randint(1, 99)) / 101 for s in system.symbols}
         point |= {p.symbol: mpmath.mpf(repr(p.default)) for p in system.parameters}
         plain: dict[Any, Any] = {
             x.diff(t): real_symbol(f"{x.func}dot") for x in method.q if x.diff(t) in method.u

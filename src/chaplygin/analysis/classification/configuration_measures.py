@@ -11,7 +11,7 @@ from ...core.vectors import real_symbol
 from ...errors import InputError
 from ...formulas.errors import OutOfReachError
 from ...measures.existence import measure_exists
-from ...measures.result import Existence
+from ...measures.result import MeasureExistence
 from ...mechanics.lagrangian.mechanism import Mechanism
 from ...mechanics.rolling.equations import Rolling
 from ...parsing.exact_decimals import exact_number
@@ -93,12 +93,12 @@ def _with_numbers(part: sp.Expr, values: Mapping[sp.Symbol, Number]) -> sp.Expr:
     return part
 
 
-def _fact(existence: Existence) -> Fact:
+def _fact(existence: MeasureExistence) -> Fact:
     density = "by quadrature" if existence.density is None else text(existence.density.value)
     return Fact("existence", f"density, a function of the normal γ: {density}", HERE)
 
 
-def _witness(existence: Existence) -> str:
+def _witness(existence: MeasureExistence) -> str:
     """The obstruction to a measure, and the point at which it was found."""
     if not existence.obstruction:
         return existence.reason

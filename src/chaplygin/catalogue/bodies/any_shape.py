@@ -66,7 +66,7 @@ def spread(vector: MatrixExpr) -> MatrixExpr:
 
 
 @dataclass(frozen=True)
-class Touch:
+class ContactKinematics:
     """The contact of a body of any shape.
 
     Attributes
@@ -87,7 +87,7 @@ class Touch:
     where: str
 
 
-def touch(curvature: sp.Expr = sp.S.Zero) -> Touch:
+def contact_kinematics(curvature: sp.Expr = sp.S.Zero) -> ContactKinematics:
     """The contact with a surface of the given curvature 1/a, zero for a plane.
 
     h is the distance of a point c of the body from the tangent plane with inner normal γ; only
@@ -102,7 +102,7 @@ def touch(curvature: sp.Expr = sp.S.Zero) -> Touch:
     swing, force = cross(gamma, omega), gradient(POTENTIAL, gamma)
     if curvature == 0:
         plain = ((rdot, -spread(swing)), (torque, cross(gamma, force)))
-        return Touch(_parameters(), plain, swing, "plane")
+        return ContactKinematics(_parameters(), plain, swing, "plane")
 
     def solve(vector: MatrixExpr) -> MatrixExpr:
         """(E + W/a)⁻¹ u on the tangent plane, by Cayley and Hamilton."""
@@ -117,7 +117,7 @@ def touch(curvature: sp.Expr = sp.S.Zero) -> Touch:
     )
     meaning = "radius of the supporting sphere, negative inside, or its reciprocal"
     surface = (Parameter(s, meaning, 5.0) for s in sorted(curvature.free_symbols, key=str))
-    return Touch((*_parameters(), *surface), definitions, gammadot, "sphere")
+    return ContactKinematics((*_parameters(), *surface), definitions, gammadot, "sphere")
 
 
 def _parameters() -> tuple[Parameter, ...]:

@@ -6,7 +6,15 @@ import sympy as sp
 
 from ...core.system import System
 from ...core.vectors import cross, norm_squared, real_symbol, vectors
-from .any_shape import INERTIA, SHAPE, ellipsoid_entries, energy, inverse, kinematics, touch
+from .any_shape import (
+    INERTIA,
+    SHAPE,
+    contact_kinematics,
+    ellipsoid_entries,
+    energy,
+    inverse,
+    kinematics,
+)
 
 omega, gamma, M, r, rdot, torque = vectors("omega gamma M r rdot torque")
 m, a = real_symbol("m"), real_symbol("a")
@@ -25,7 +33,7 @@ def any_marble_body(curvature: sp.Expr = sp.S.Zero) -> System:
     System
         State M = Ĩω, γ (body axes), with Ṁ = M×ω + m ṙ×(ω×r) and the couple of U.
     """
-    contact = touch(curvature)
+    contact = contact_kinematics(curvature)
     return System(
         name=f"any-marble-body-on-{contact.where}",
         title=f"Marble body of any shape on a {contact.where}",

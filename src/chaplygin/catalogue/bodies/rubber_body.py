@@ -12,12 +12,12 @@ from .any_shape import (
     INERTIA,
     POTENTIAL,
     SHAPE,
+    contact_kinematics,
     ellipsoid_entries,
     energy,
     inverse,
     kinematics,
     momentum,
-    touch,
 )
 
 omega, gamma, r, rdot = vectors("omega gamma r rdot")
@@ -38,7 +38,7 @@ def any_rubber_body(curvature: sp.Expr = sp.S.Zero) -> System:
     System
         State ω, γ (body axes): (1.18) or (1.23), the latter as corrected.
     """
-    contact = touch(curvature)
+    contact = contact_kinematics(curvature)
     return System(
         name=f"any-rubber-body-on-{contact.where}",
         title=f"Rubber body of any shape on a {contact.where}",

@@ -42,8 +42,8 @@ from ..friction.symbols import (
     spin_rate,
 )
 from ..impact.mobility import Mobility, inverse_of, mobility_at
+from .event_rules import COARSEST_WITH_FRICTION
 from .mode_integrator import ModeIntegrator, observable_columns, with_values
-from .rules import COARSEST_WITH_FRICTION
 
 #: Columns of the state that all modes share.
 ATTITUDE, POSITION, VELOCITY, OMEGA, NORMAL = (
@@ -226,21 +226,24 @@ class CompiledContact:
         numbers : ContactNumbers
             Of a body that may roll.
         """
-        touch, inertia = numbers.mobility, np.linalg.inv(self._inverse_inertia)
+        mobility, inertia = numbers.mobility, np.linalg.inv(self._inverse_inertia)
         given = numbers.spin * numbers.gammadot + numbers.support_turn_rate
-        moment = float(touch.gamma @ inertia @ touch.gamma)
-        along = float(touch.gamma @ inertia @ (numbers.free_turn - given)) / moment
-        turn = given + along * touch.gamma
+        moment = float(mobility.gamma @ inertia @ mobility.gamma)
+        along = float(mobility.gamma @ inertia @ (numbers.free_turn - given)) / moment
+        turn = given + along * mobility.gamma
         change = turn - numbers.free_turn
         return replace(
             numbers,
             free_turn=turn,
-            slip_rate=numbers.slip_rate + np.cross(change, touch.r),
-            spin_rate=numbers.spin_rate + float(touch.gamma @ change),
+            slip_rate=numbers.slip_rate + np.cross(change, mobility.r),
+            spin_rate=numbers.spin_rate + float(mobility.gamma @ change),
             # that of a rolling which is zero but for rounding would have any direction
             q=np.zeros(3),
             mobility=mobility_at(
-                touch.mass, np.outer(touch.gamma, touch.gamma) / moment, touch.r, touch.gamma
+                mobility.mass,
+                np.outer(mobility.gamma, mobility.gamma) / moment,
+                mobility.r,
+                mobility.gamma,
             ),
         )
 
@@ -258,31 +261,31 @@ class CompiledContact:
         for columns in (ATTITUDE, POSITION, NORMAL):
             rates[columns] = rest[11 : 11 + WORK][columns]
         unit = vectors[gamma] / float(np.linalg.norm(vectors[gamma]))
-        touch = mobility_at(self._mass, self._inverse_inertia, vectors[r], unit)
+        mobility = mobility_at(self._mass, self._inverse_inertia, vectors[r], unit)
         turntable, support_turn_rate = self.situation.surface.turntable, np.zeros(3)
         if turntable:
             vertical = Rotation.from_quat(state[ATTITUDE], scalar_first=True).as_matrix()[2]
             support_turn_rate = turntable * np.cross(vertical, state[OMEGA])
         # a couple that does not depend on the normal force belongs to the free motion
-        turn = touch.inverse_inertia @ rest[8:11]
+        turn = mobility.inverse_inertia @ rest[8:11]
         return ContactNumbers(
             r=vectors[r],
             gamma=vectors[gamma],
             gammadot=vectors[gammadot],
             slip=vectors[slip],
             rolling=vectors[rolling],
-            slip_rate=vectors[slip_rate] + np.cross(turn, touch.r),
+            slip_rate=vectors[slip_rate] + np.cross(turn, mobility.r),
             free_acceleration=vectors[free_acceleration],
             free_turn=vectors[free_turn] + turn,
             contact_velocity=vectors[contact_velocity],
             spin=spin_now,
             normal_rate=normal,
-            spin_rate=turning + float(touch.gamma @ turn),
+            spin_rate=turning + float(mobility.gamma @ turn),
             energy=energy,
             gap=height,
             q=rest[5:8] if np.isfinite(rest[5:8]).all() else np.zeros(3),
             rates_of_place=rates,
-            mobility=touch,
+            mobility=mobility,
             support_turn_rate=support_turn_rate,
             unheld_rise=float(unit @ vectors[slip_rate]) + normal,
         )

@@ -14,12 +14,11 @@ from ..friction.contensou import held_range_of
 from ..friction.modes import FLIGHT, Mode, Range
 from ..impact.impact import Impact
 from ..slip.stopping import WEAK, finish_stop
-from .beginning import beginning
 from .compiled import WORK
 from .course_state import NO_SLIP, SLIP_FLOOR
-from .endings import SINGULAR, EndError
+from .dynamic_jam import state_after_jam
+from .end_reasons import SINGULAR, EndError
 from .events import EventKind
-from .jam import after_jam
 from .mode_integrator import PAUSE
 from .near_rest import (
     departure,
@@ -28,6 +27,7 @@ from .near_rest import (
     state_after_stop,
     sudden_direction,
 )
+from .onset import onset_of_sliding
 from .rolling_transitions import RollingTransitions
 
 #: Gaps, normal velocities and normal accelerations below this part of the typical ones are none.
@@ -204,7 +204,7 @@ class Course(RollingTransitions):
             )
         if self._dry.patch and direction[3]:
             self._spin_sign = math.copysign(1.0, direction[3])
-        slide = beginning(
+        slide = onset_of_sliding(
             self.contact,
             self.time,
             self.state,
@@ -217,7 +217,7 @@ class Course(RollingTransitions):
             raise EndError(
                 "no beginning", "sliding begins, but no motion with a growing slip was found"
             )
-        self._take_beginning(slide)
+        self._take_onset(slide)
         self._floor_factor = 1.0
         self._slide()
 
@@ -378,7 +378,9 @@ class Course(RollingTransitions):
     def _paradox(self) -> None:
         """No motion in contact: end, or take an impact without collision."""
         part = 1.0 if self.rules.on_paradox == "stop" else 2.0
-        jam = after_jam(self._integrator(self.mode), self._numbers(), self.state, self._speed, part)
+        jam = state_after_jam(
+            self._integrator(self.mode), self._numbers(), self.state, self._speed, part
+        )
         if jam is not None:
             balance = self._balance()
             column = WORK + int(np.abs(jam[0][WORK:] - self.state[WORK:]).argmax())

@@ -24,15 +24,15 @@ from .compiled import (
     CompiledContact,
     ContactNumbers,
 )
-from .endings import SINGULAR, EndError, Ending
+from .dynamic_jam import ends_in_jam
+from .end_reasons import SINGULAR, EndError, EndReason
+from .event_rules import EventRules
 from .events import ContactEvent, EventKind
-from .jam import jams
 from .mode_integrator import PAUSE, ModeIntegrator, with_values
 from .near_rest import (
     Departure,
     dry_friction,
 )
-from .rules import Rules
 
 #: Speeds relative to the typical one of a motion: from which on a slide is followed in
 #: logarithmic time, and below which there is no slip.
@@ -99,11 +99,11 @@ class CourseState:
         At the first of the moments.
     moments : array (n,)
         Sample times, increasing.
-    rules : Rules
+    rules : EventRules
     """
 
     def __init__(
-        self, contact: CompiledContact, state: FloatArray, moments: FloatArray, rules: Rules
+        self, contact: CompiledContact, state: FloatArray, moments: FloatArray, rules: EventRules
     ) -> None:
         self.contact, self.rules, self.moments = contact, rules, moments
         self.time, self.state = float(moments[0]), state
@@ -111,7 +111,7 @@ class CourseState:
         self.pieces: list[Piece] = []
         self.events: list[ContactEvent] = []
         self.steps, self.reason, self._pace = 0, "", Pace()
-        self.ending: Ending = ""
+        self.ending: EndReason = ""
         self._height, self._hop = 0.0, math.inf
         self._dry = dry_friction(contact.situation)
         self._spin_sign = 1.0
@@ -119,7 +119,7 @@ class CourseState:
         self._floor_factor = self._rolling_factor = 1.0
         known = contact.numbers(state)
         body = contact.situation.body
-        # a body may touch its support with its centre of mass
+        # a body may mobility its support with its centre of mass
         gyration = math.sqrt(float(np.trace(body.tensor)) / (2 * body.mass))
         self._length = float(np.linalg.norm(known.r)) or gyration
         fall = math.sqrt(1e-6 * float(np.linalg.norm(known.free_acceleration)) * self._length)
@@ -127,7 +127,7 @@ class CourseState:
         slip = float(np.linalg.norm(known.slip))
         self._speed = max(fall, turning, slip, float(np.linalg.norm(state[VELOCITY])))
 
-    def _end(self, ending: Ending, reason: str) -> None:
+    def _end(self, ending: EndReason, reason: str) -> None:
         """End before the last moment, with the state there as the last sample."""
         self.ending, self.reason = ending, reason
         if not self.pieces:
@@ -158,7 +158,7 @@ class CourseState:
         if not self.mode.touching:
             self._height = float(outcome.state[-1])
         if outcome.guard == "failure" or stalls:
-            if jams(integrator, self._numbers(), self.state):
+            if ends_in_jam(integrator, self._numbers(), self.state):
                 return "paradox"
             raise EndError("singular", "; ".join(filter(None, (SINGULAR, self._extremes()))))
         if self._idle > _MOST_AT_ONE_INSTANT or len(self.events) > self.rules.most_events:
@@ -363,9 +363,9 @@ class CourseState:
     def _push(self, impulse: FloatArray, couple_impulse: float) -> None:
         """Change the velocities by an impulse; the energy lost is work of the impact."""
         known, state = self._numbers(), self.state.copy()
-        touch = known.mobility
-        state[VELOCITY] += touch.velocity_jump(impulse)
-        state[OMEGA] += touch.angular_velocity_jump(impulse, couple_impulse)
+        mobility = known.mobility
+        state[VELOCITY] += mobility.velocity_jump(impulse)
+        state[OMEGA] += mobility.angular_velocity_jump(impulse, couple_impulse)
         state[WORK] += known.energy - self.contact.numbers(state).energy
         self.state = state
 

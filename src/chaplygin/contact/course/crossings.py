@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...core.arrays import FloatArray
-from .beginning import Beginning
 from .compiled import CompiledContact
 from .course import Course
-from .endings import EndError
+from .end_reasons import EndError
+from .event_rules import EventRules
 from .mode_integrator import ModeIntegrator, StepSeries
-from .rules import Rules
+from .onset import Onset
 
 #: Degree of the polynomial that stands for the quantity within a step.
 _DEGREE = 24
@@ -69,7 +69,7 @@ class CrossingCourse(Course):
         contact: CompiledContact,
         state: FloatArray,
         moments: FloatArray,
-        rules: Rules,
+        rules: EventRules,
         quantity: Quantity,
         accepts: Callable[[Crossing], bool],
         count: int,
@@ -90,9 +90,9 @@ class CrossingCourse(Course):
         self._search(integrator, begin, state, self.time, mode)
         return guard
 
-    def _take_beginning(self, slide: Beginning) -> None:
+    def _take_onset(self, slide: Onset) -> None:
         begin, state = self.time, np.append(self.state, 0.0)
-        super()._take_beginning(slide)
+        super()._take_onset(slide)
         self._search(slide.integrator, begin, state, self.time, self.mode.name)
 
     def _search(

@@ -105,11 +105,11 @@ def frozen_slip(numbers: ContactNumbers, dry: DryFriction, spin_sign: float) -> 
     spin_sign : float
         Of the spin; 0 where a couple holds it.
     """
-    touch = numbers.mobility
-    acceleration = numbers.slip_rate + numbers.normal_rate * touch.gamma
+    mobility = numbers.mobility
+    acceleration = numbers.slip_rate + numbers.normal_rate * mobility.gamma
     if dry.patch:
         return CoupledSlip(
-            touch,
+            mobility,
             dry.mu,
             dry.patch,
             _force_factor,
@@ -120,9 +120,9 @@ def frozen_slip(numbers: ContactNumbers, dry: DryFriction, spin_sign: float) -> 
         )
     if dry.spin_arm and not spin_sign:
         return point_slip_with_spin_at_rest(
-            touch, acceleration, numbers.spin_rate, dry.mu, numbers.q
+            mobility, acceleration, numbers.spin_rate, dry.mu, numbers.q
         )
-    return point_slip(touch, acceleration, dry.mu, -dry.spin_arm * spin_sign, numbers.q)
+    return point_slip(mobility, acceleration, dry.mu, -dry.spin_arm * spin_sign, numbers.q)
 
 
 @dataclass(frozen=True, eq=False)
@@ -294,11 +294,11 @@ def state_after_stop(
     state : array (size,)
     stop : Stop
     """
-    touch, lasting = numbers.mobility, stop.duration
-    impulse = stop.normal_impulse * touch.gamma + stop.friction_impulse @ touch.tangents
+    mobility, lasting = numbers.mobility, stop.duration
+    impulse = stop.normal_impulse * mobility.gamma + stop.friction_impulse @ mobility.tangents
     after = state + numbers.rates_of_place * lasting
-    after[VELOCITY] += numbers.free_acceleration * lasting + touch.velocity_jump(impulse)
-    resistance = touch.inverse_inertia @ numbers.q * stop.normal_impulse
-    turn = touch.angular_velocity_jump(impulse, stop.couple_impulse) + resistance
+    after[VELOCITY] += numbers.free_acceleration * lasting + mobility.velocity_jump(impulse)
+    resistance = mobility.inverse_inertia @ numbers.q * stop.normal_impulse
+    turn = mobility.angular_velocity_jump(impulse, stop.couple_impulse) + resistance
     after[OMEGA] += numbers.free_turn * lasting + turn
     return after

@@ -12,10 +12,10 @@ from ...core.arrays import FloatArray
 from ...mechanics.shapes.shapes import Disk
 from ...mechanics.shapes.surfaces import Plane
 from ..friction.friction_law import FrictionLaw
-from .beginning import Beginning, beginning_of_rolling
 from .compiled import OMEGA, WORK
 from .course_state import NO_SLIP, SLIP_FLOOR
-from .endings import EndError
+from .end_reasons import EndError
+from .onset import Onset, onset_of_rolling
 from .rolling_end import rolling_rate, rolling_restart, state_with_rolling
 from .spin_transitions import SpinTransitions
 
@@ -92,7 +92,7 @@ class RollingTransitions(SpinTransitions, ABC):
         couple = held.outputs(self.state)["friction_couple"]
         self.mode = replace(self.mode, rolling=True)
         self._record("rolling start", self.state)
-        roll = beginning_of_rolling(
+        roll = onset_of_rolling(
             self.contact,
             self.time,
             self.state,
@@ -105,12 +105,12 @@ class RollingTransitions(SpinTransitions, ABC):
             raise EndError(
                 "no beginning", "rolling begins, but no motion with a growing rolling was found"
             )
-        self._take_beginning(roll)
+        self._take_onset(roll)
         reached = float(np.linalg.norm(self._numbers().rolling))
         self._rolling_factor = min(1.0, 0.25 * reached / self._rolling_floor)
 
-    def _take_beginning(self, start: Beginning) -> None:
-        """Go over to the end of a beginning."""
+    def _take_onset(self, start: Onset) -> None:
+        """Go over to the end of an onset."""
         end = self.time + start.duration
         samples = start.samples(self.time, self.state, self._moments_until(end))
         self._add_piece(start.integrator, end, samples)

@@ -113,7 +113,7 @@ def equations_of_motion(situation: FrictionalContact, mode: Mode) -> System:
         (position, constant(to_components(rotation()) * to_components(v))),
         (v, free_acceleration + reaction / m),
         (omega, free_turn + turn),
-        *free.touch.state,
+        *free.kinematics.state,
         *work,
         *(pair for law in situation.laws for pair in law.clocks),
     )
@@ -139,7 +139,7 @@ def equations_of_motion(situation: FrictionalContact, mode: Mode) -> System:
         relations=_relations(situation, mode, free),
         laws=(balance,),
         observables=_observables(situation, energy, powers),
-        guards=(*free.touch.guards, *guards),
+        guards=(*free.kinematics.guards, *guards),
         source="§11.1",
     )
 
@@ -195,7 +195,7 @@ def _with_prescribed_rolling(
     for law in laws:
         direction = law.rolling_direction
         if direction is not None:
-            wanders = -free.touch.spread(cross(gamma, direction))
+            wanders = -free.kinematics.spread(cross(gamma, direction))
             moved = {wandering: wanders, contour_couple: dict(definitions)[contour_couple]}
             others = tuple(pair for pair in definitions if pair[0] not in moved)
             return (*others, *moved.items())
@@ -211,7 +211,7 @@ def _at_rest(mode: Mode, free: FreeBody) -> bool:
 def _relations(situation: FrictionalContact, mode: Mode, free: FreeBody) -> tuple[sp.Expr, ...]:
     """What vanishes in a mode: unit lengths, the place of the contact, what is held."""
     on_plane = isinstance(situation.surface, Plane)
-    relations = (*free.touch.relations, unit_length())
+    relations = (*free.kinematics.relations, unit_length())
     if on_plane:
         relations += attitude_relations(gamma)
     if not mode.touching:

@@ -65,7 +65,7 @@ class FreeBody:
 
     Attributes
     ----------
-    touch : Contact
+    kinematics : Contact
     definitions : pairs
         In order: kinematics of the contact, slip, spin, and the accelerations `free_acceleration`,
         `free_turn` and `slip_rate` without the reaction.
@@ -84,7 +84,7 @@ class FreeBody:
         Energies (J).
     """
 
-    touch: Contact
+    kinematics: Contact
     definitions: Pairs
     parameters: tuple[Parameter, ...]
     inertia: MatrixExpr
@@ -108,22 +108,22 @@ def free_body(situation: FrictionalContact, touching: bool) -> FreeBody:
     rotors = k if any(body.gyrostat) else zero
     inverse, mobility = type(inertia)("Y"), Symmetric("A")
     vertical: MatrixExpr = zeta if on_sphere else gamma
-    touch = _touch(situation, touching)
+    kinematics = _contact_kinematics(situation, touching)
     moving_support = _support(surface, vertical)
-    field = _applied_forces(situation, vertical, touch)
+    field = _applied_forces(situation, vertical, kinematics)
 
     later = (*omega.symbols, *contact_velocity.symbols, gap)
-    position_alone, moving = by_dependence(touch.definitions, later)
-    names = {name for name, _ in (*touch.definitions, *touch.state)}
+    position_alone, moving = by_dependence(kinematics.definitions, later)
+    names = {name for name, _ in (*kinematics.definitions, *kinematics.state)}
     # the definitions that not every contact has
     if r not in names:
-        position_alone += ((r, touch.r),)
+        position_alone += ((r, kinematics.r),)
     if on_sphere:
         position_alone += ((zeta, constant(list(rotation().row(2)))),)
     if gammadot not in names:
-        moving += ((gammadot, touch.gammadot),)
+        moving += ((gammadot, kinematics.gammadot),)
     if rdot not in names:
-        moving += ((rdot, touch.rdot),)
+        moving += ((rdot, kinematics.rdot),)
     seen = constant(to_components(rotation()).T * to_components(position))
     clearance: Pairs = ((gap, dot(reach, gamma) - (a if on_sphere else 0)),)
     across = omega - moving_support.turn * vertical
@@ -140,10 +140,10 @@ def free_body(situation: FrictionalContact, touching: bool) -> FreeBody:
         (spin, dot(gamma, across)),
         (rolling, across - spin * gamma),
         (rolling_speed, sp.sqrt(norm_squared(rolling))),
-        (wandering, -touch.spread(cross(gamma, rolling))),
+        (wandering, -kinematics.spread(cross(gamma, rolling))),
         (
             contour_couple,
-            cross(gamma, touch.spread(wandering)) / sp.sqrt(norm_squared(wandering)),
+            cross(gamma, kinematics.spread(wandering)) / sp.sqrt(norm_squared(wandering)),
         ),
         *field.definitions,
         (free_acceleration, field.force / m - cross(omega, v)),
@@ -163,9 +163,9 @@ def free_body(situation: FrictionalContact, touching: bool) -> FreeBody:
     )
     kinetic = sp.Rational(1, 2) * (m * norm_squared(v) + dot(inertia * omega, omega))
     return FreeBody(
-        touch=touch,
+        kinematics=kinematics,
         definitions=definitions,
-        parameters=_parameters(body, touch, moving_support, field),
+        parameters=_parameters(body, kinematics, moving_support, field),
         inertia=inertia,
         inverse_inertia=inverse,
         mobility=mobility,
@@ -183,10 +183,10 @@ def free_body(situation: FrictionalContact, touching: bool) -> FreeBody:
 def free_body_parameters(situation: FrictionalContact) -> tuple[Parameter, ...]:
     """The parameters of a body and its support with their values; those of `free_body`."""
     body, surface = situation.body, situation.surface
-    touch = _contact(body.shape, surface)
+    kinematics = _contact(body.shape, surface)
     vertical: MatrixExpr = zeta if isinstance(surface, Sphere) else gamma
-    field = _applied_forces(situation, vertical, touch)
-    return _parameters(body, touch, _support(surface, vertical), field)
+    field = _applied_forces(situation, vertical, kinematics)
+    return _parameters(body, kinematics, _support(surface, vertical), field)
 
 
 @lru_cache(maxsize=64)
@@ -196,9 +196,9 @@ def _contact(shape: Shape, surface: Surface) -> Contact:
 
 
 def _parameters(
-    body: Body, touch: Contact, support: _Support, field: _AppliedForces
+    body: Body, kinematics: Contact, support: _Support, field: _AppliedForces
 ) -> tuple[Parameter, ...]:
-    return _of_body(body) + touch.parameters + support.parameters + field.parameters
+    return _of_body(body) + kinematics.parameters + support.parameters + field.parameters
 
 
 @lru_cache(maxsize=64)
@@ -206,7 +206,7 @@ def _of_body(body: Body) -> tuple[Parameter, ...]:
     return body_parameters(body, Diagonal("I") if body.principal else Symmetric("I"))
 
 
-def _touch(situation: FrictionalContact, touching: bool) -> Contact:
+def _contact_kinematics(situation: FrictionalContact, touching: bool) -> Contact:
     """The contact, or the point of the body nearest to the support."""
     shape, surface = situation.body.shape, situation.surface
     if touching:
@@ -262,7 +262,7 @@ class _AppliedForces:
 
 
 def _applied_forces(
-    situation: FrictionalContact, vertical: MatrixExpr, touch: Contact
+    situation: FrictionalContact, vertical: MatrixExpr, kinematics: Contact
 ) -> _AppliedForces:
     body, field = situation.body, situation.field
     applied = _AppliedForces()
@@ -280,7 +280,7 @@ def _applied_forces(
         Parameter(s, "parameter of the potential", value, "SI") for s, value in field.values
     )
     inertia = Diagonal("I") if body.principal else Symmetric("I")
-    known = (*body_parameters(body, inertia), *touch.parameters, *parameters)
+    known = (*body_parameters(body, inertia), *kinematics.parameters, *parameters)
     value = by_name(field.potential, (*gamma.symbols, *(p.symbol for p in known)))
     return _AppliedForces(
         force=applied.force,

@@ -92,7 +92,7 @@ def holding_couple_of_rolling(free: FreeBody, held_body: FreeBody, along_normal:
 def contour_hold_definitions(free: FreeBody) -> Pairs:
     """The vector e along the support for which γ×(W e) is the couple that holds the rolling."""
     column = to_components(gamma)
-    columns = (to_components(free.touch.spread(unit_vector(axis))) for axis in (1, 2, 3))
+    columns = (to_components(free.kinematics.spread(unit_vector(axis))) for axis in (1, 2, 3))
     spread = sp.Matrix.hstack(*columns)
     # W vanishes along the normal
     along = constant((spread + spread.T) / 2 + column * column.T)

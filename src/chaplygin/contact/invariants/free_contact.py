@@ -96,9 +96,9 @@ def free_contact(
             "ellipsoid, a disk, a torus or a body of revolution"
         )
     inertia = _inertia(body)
-    touch = contact(body.shape, Plane())
-    names = {name for name, _ in touch.definitions}
-    place = () if r in names else ((r, touch.r),)
+    kinematics = contact(body.shape, Plane())
+    names = {name for name, _ in kinematics.definitions}
+    place = () if r in names else ((r, kinematics.r),)
     rotors = k if any(body.gyrostat) else zero
     torque = cross(inertia * omega + rotors, omega) + cross(r, force) + couple
     return System(
@@ -107,16 +107,16 @@ def free_contact(
         field={
             v: force / m - g * gamma - cross(omega, v),
             omega: inertia**-1 * torque,
-            gamma: touch.gammadot,
+            gamma: kinematics.gammadot,
         },
-        definitions=(*touch.definitions, *place, (slip, v + cross(omega, r))),
+        definitions=(*kinematics.definitions, *place, (slip, v + cross(omega, r))),
         parameters=(
             *body_parameters(body, inertia),
-            *touch.parameters,
+            *kinematics.parameters,
             Parameter(g, "acceleration of gravity", gravity, "m/s^2", (g >= 0,)),
         ),
-        relations=touch.relations,
-        guards=touch.guards,
+        relations=kinematics.relations,
+        guards=kinematics.guards,
         source=SOURCE,
         summary="A body that a support acts on at the point of contact, in a way not specified.",
     )

@@ -57,18 +57,18 @@ def start_of_limit(body: Body, state: Sequence[float] | FloatArray, spinning: bo
     before = np.array(state, dtype=float)[:WORK]
     v, omega, gamma = before[VELOCITY], before[OMEGA], before[NORMAL]
     r = contact_points(body.shape)(gamma[None])[0]
-    touch = mobility(body.mass, body.tensor, r, gamma)
+    responses = mobility(body.mass, body.tensor, r, gamma)
     slip = v + np.cross(omega, r)
     if spinning:
-        impulse, couple = -np.linalg.solve(touch.A, slip), 0.0
+        impulse, couple = -np.linalg.solve(responses.A, slip), 0.0
     else:
-        across = touch.spin_force[:, None]
-        answers = np.block([[touch.A, across], [across.T, np.array([[touch.spin]])]])
+        across = responses.spin_force[:, None]
+        answers = np.block([[responses.A, across], [across.T, np.array([[responses.spin]])]])
         solution = -np.linalg.solve(answers, np.append(slip, gamma @ omega))
         impulse, couple = solution[:3], float(solution[3])
     after = before.copy()
-    after[VELOCITY] += touch.velocity_jump(impulse)
-    after[OMEGA] += touch.angular_velocity_jump(impulse, couple)
+    after[VELOCITY] += responses.velocity_jump(impulse)
+    after[OMEGA] += responses.angular_velocity_jump(impulse, couple)
     return after
 
 

@@ -12,8 +12,8 @@ import numpy.typing as npt
 import sympy as sp
 
 from ...contact.course.compiled import CompiledContact
+from ...contact.course.event_rules import EventRules
 from ...contact.course.events import ContactEvent
-from ...contact.course.rules import Rules
 from ...contact.equations.situation import FrictionalContact
 from ...contact.friction.modes import FLIGHT
 from ...contact.motion import ContactMotion, InterruptedMotionError, contact_motion
@@ -33,7 +33,7 @@ class ContactTrajectory(Trajectory):
     Attributes
     ----------
     contact : FrictionalContact
-    rules : Rules
+    rules : EventRules
     modes : array (n,)
         Of each sample, an index into :data:`chaplygin.contact.friction.modes.MODE_NAMES`.
     changes : tuple of ContactEvent
@@ -43,7 +43,7 @@ class ContactTrajectory(Trajectory):
     """
 
     contact: FrictionalContact
-    rules: Rules
+    rules: EventRules
     modes: npt.NDArray[np.int8]
     changes: tuple[ContactEvent, ...]
     reason: str = ""
@@ -85,7 +85,7 @@ def contact_trajectory(
     system: System,
     state: FloatArray,
     times: FloatArray,
-    rules: Rules,
+    rules: EventRules,
     progress: Callable[[float], None] | None = None,
 ) -> ContactTrajectory:
     """The motion of a body with friction through sample times.
@@ -98,7 +98,7 @@ def contact_trajectory(
     state : array (size,)
     times : array (n,)
         In s, increasing.
-    rules : Rules
+    rules : EventRules
     progress : callable, optional
         Called with the fraction done.
 
@@ -157,7 +157,7 @@ def _is_asked_for(trajectory: ContactTrajectory) -> bool:
     return trajectory.rules.on_liftoff == "stop" and [e.kind for e in last] == ["lift-off"]
 
 
-def _advice(reason: str, rules: Rules) -> str:
+def _advice(reason: str, rules: EventRules) -> str:
     """The reason, with what the user can do about it."""
     if "Painlevé" in reason and rules.on_paradox == "stop":
         return f'{reason}; on_paradox = "impact" in [contact] takes an impact without collision'

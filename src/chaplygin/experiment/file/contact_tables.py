@@ -11,7 +11,7 @@ from typing import Annotated, Literal
 
 from pydantic import AfterValidator, BeforeValidator, Field, field_validator, model_validator
 
-from ...contact.course.rules import COARSEST_WITH_FRICTION
+from ...contact.course.event_rules import COARSEST_WITH_FRICTION
 from .table import DIRECTION, POSITIVE, THREE, Number, Positive, Table, Vector
 from .tables import FINEST_DOUBLE, CommonRunTable, PlaneTable, SphereTable
 

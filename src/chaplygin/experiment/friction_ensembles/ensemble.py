@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ...analysis.scans.grid import INADMISSIBLE, NO_STATE
-from ...contact.course.endings import ENDINGS
+from ...contact.course.end_reasons import END_REASONS
 from ...contact.friction.modes import MODE_NAMES
 from ...core.arrays import FloatArray
 from ...core.system import System
@@ -44,7 +44,7 @@ _ELSEWHERE = {"position": "centre", "v": "velocity"}
 
 #: Attributes of the outcomes of motions with friction, by the CF conventions.
 OUTCOMES: dict[int, str] = {
-    **dict(enumerate(ENDINGS.values())),
+    **dict(enumerate(END_REASONS.values())),
     -1: "not computed yet",
     NO_STATE: "the start cannot be used",
     INADMISSIBLE: "the body or the contact is not admissible",

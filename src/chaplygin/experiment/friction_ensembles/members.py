@@ -12,8 +12,8 @@ from pydantic import ValidationError
 
 from ...analysis.scans.grid import INADMISSIBLE, NO_STATE
 from ...contact.course.compiled import CompiledContact
-from ...contact.course.endings import ENDINGS
-from ...contact.course.rules import Rules
+from ...contact.course.end_reasons import END_REASONS
+from ...contact.course.event_rules import EventRules
 from ...contact.equations.situation import FrictionalContact
 from ...contact.motion import ContactMotion, contact_motion
 from ...core.arrays import FloatArray
@@ -24,8 +24,8 @@ from ..models.rolling_model import FrictionExperiment
 from ..subjects.contact_subject import ContactSubject, contact_and_rules, contact_subject, start_of
 from .file_numbers import FileNumbers
 
-#: Codes of the endings in datasets, in the order of `ENDINGS`.
-CODES = {ending: code for code, ending in enumerate(ENDINGS)}
+#: Codes of the endings in datasets, in the order of `END_REASONS`.
+CODES = {ending: code for code, ending in enumerate(END_REASONS)}
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +69,7 @@ def member_motion(
 
 def member_start(
     experiment: str, values: Mapping[str, float | FloatArray], tolerance: float
-) -> tuple[int, tuple[CompiledContact, FloatArray, Rules] | str]:
+) -> tuple[int, tuple[CompiledContact, FloatArray, EventRules] | str]:
     """The contact, the start and the rules of a member; or why there are none, with its code."""
     tables = _numbers(experiment).tables_with(values)
     try:

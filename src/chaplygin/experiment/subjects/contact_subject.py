@@ -12,7 +12,7 @@ import mpmath
 import numpy as np
 
 from ...contact.course.compiled import OMEGA, VELOCITY, CompiledContact
-from ...contact.course.rules import Rules
+from ...contact.course.event_rules import EventRules
 from ...contact.equations.equations_of_motion import equations_of_motion
 from ...contact.equations.situation import FrictionalContact
 from ...contact.friction.air_film import AirFilm
@@ -93,12 +93,12 @@ class ContactSubject(Subject):
     ----------
     contact : FrictionalContact
         Body, support, laws of friction and forces.
-    rules : Rules
+    rules : EventRules
         What happens where the body leaves its support, lands, or has no motion in contact.
     """
 
     contact: FrictionalContact
-    rules: Rules
+    rules: EventRules
 
     changes_equations: ClassVar[bool] = True
 
@@ -267,7 +267,7 @@ def _setting(contact: FrictionalContact) -> str:
     return f"{shape_name(contact.body.shape)} on {ground}; {contact.setting}; {force}"
 
 
-def contact_and_rules(experiment: FrictionExperiment) -> tuple[FrictionalContact, Rules]:
+def contact_and_rules(experiment: FrictionExperiment) -> tuple[FrictionalContact, EventRules]:
     """The body on its support, and what happens at its events.
 
     Raises
@@ -285,7 +285,7 @@ def contact_and_rules(experiment: FrictionExperiment) -> tuple[FrictionalContact
     field = forces_of(experiment)
     with experiment.placing_errors("contact"):
         contact = FrictionalContact(body, surface, _laws(experiment.contact, body, table), field)
-        rules = Rules(
+        rules = EventRules(
             experiment.contact.restitution,
             experiment.contact.impact_law,
             experiment.run.on_liftoff,

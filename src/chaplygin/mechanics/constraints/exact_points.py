@@ -121,7 +121,7 @@ class ExactPoint:
         )
 
 
-def random_point(space: ConfigurationSpace, numbers: Numbers, dice: random.Random) -> ExactPoint:
+def random_point(space: ConfigurationSpace, numbers: Numbers, rng: random.Random) -> ExactPoint:
     """A point at random.
 
     Raises
@@ -129,14 +129,14 @@ def random_point(space: ConfigurationSpace, numbers: Numbers, dice: random.Rando
     NoPointError
         If none was found.
     """
-    return _first_success(space, {}, numbers, dice)
+    return _first_success(space, {}, numbers, rng)
 
 
 def point_at(
     space: ConfigurationSpace,
     point: Mapping[sp.Symbol, ParameterValue],
     numbers: Numbers,
-    dice: random.Random,
+    rng: random.Random,
 ) -> ExactPoint:
     """The point given; coordinates that are not named are chosen at random.
 
@@ -148,18 +148,18 @@ def point_at(
         If a relation does not hold at the point.
     """
     fixed = {s: exactly(v) for s, v in point.items()}
-    return _first_success(space, fixed, numbers, dice)
+    return _first_success(space, fixed, numbers, rng)
 
 
 def _first_success(
     space: ConfigurationSpace,
     fixed: Mapping[sp.Symbol, sp.Expr],
     numbers: Numbers,
-    dice: random.Random,
+    rng: random.Random,
 ) -> ExactPoint:
     for _ in range(ATTEMPTS):
         try:
-            return _point_attempt(space, fixed, numbers, dice)
+            return _point_attempt(space, fixed, numbers, rng)
         except (ZeroDivisionError, IrrationalError):
             if set(space.coordinates) <= set(fixed):
                 break
@@ -170,7 +170,7 @@ def _point_attempt(
     space: ConfigurationSpace,
     fixed: Mapping[sp.Symbol, sp.Expr],
     numbers: Numbers,
-    dice: random.Random,
+    rng: random.Random,
 ) -> ExactPoint:
     plain = TaylorExpansion(numbers, (), {}, {}, {}, {}, 0)
     values = {s: plain.series(_rational(v)).value for s, v in space.constants if s not in fixed}
@@ -179,12 +179,12 @@ def _point_attempt(
     formal = False
     for symbol, value in fixed.items():
         if value.has(sp.pi):
-            values[symbol] = numbers.random_number(dice)
+            values[symbol] = numbers.random_number(rng)
         else:
             values[symbol] = plain.series(value).value
         shown[symbol] = value
     for core, n in space.units.items():
-        circles[core], free = _circle(core, n, space, fixed, shown, plain, dice)
+        circles[core], free = _circle(core, n, space, fixed, shown, plain, rng)
         formal = formal or free
     known = TaylorExpansion(numbers, (), values, {}, {}, {}, 0)
     for vectors, squared in space.blocks:
@@ -192,12 +192,12 @@ def _point_attempt(
         if formula.free_symbols <= values.keys() and not any(
             s in values for v in vectors for s in v
         ):
-            values |= _rows(vectors, known.series(formula).value, numbers, dice)
-    trial = _Trial(space, numbers, values, circles, dice)
+            values |= _rows(vectors, known.series(formula).value, numbers, rng)
+    trial = _Trial(space, numbers, values, circles, rng)
     for relation in space.expanded_relations:
         trial.impose(relation)
     for symbol in (*space.coordinates, *space.free):
-        trial.values.setdefault(symbol, numbers.random_number(dice))
+        trial.values.setdefault(symbol, numbers.random_number(rng))
     trial.check(space.expanded_relations, bool(fixed))
     for s in space.coordinates:
         value = trial.values[s]
@@ -219,7 +219,7 @@ def _circle(
     fixed: Mapping[sp.Symbol, sp.Expr],
     formulas: dict[sp.Symbol, sp.Expr],
     plain: TaylorExpansion,
-    dice: random.Random,
+    rng: random.Random,
 ) -> tuple[tuple[FieldElement, FieldElement], bool]:
     """Sine and cosine of core/n, and whether they stand for transcendental numbers."""
     constants = {s: _rational(v) for s, v in space.constants}
@@ -230,7 +230,7 @@ def _circle(
             exact = (sp.sin(angle), sp.cos(angle))
             if not any(value.has(sp.sin, sp.cos) for value in exact):
                 return (plain.series(exact[0]).value, plain.series(exact[1]).value), False
-    t = plain.numbers.random_number(dice)
+    t = plain.numbers.random_number(rng)
     if core.is_Symbol and core not in constants and core not in fixed and plain.numbers.exact:
         formulas[core] = 2 * n * sp.atan(sp.Rational(int(t.p), int(t.q)))
     below = 1 + t * t
@@ -271,28 +271,28 @@ def _rows(
     vectors: Sequence[tuple[sp.Symbol, ...]],
     square: FieldElement,
     numbers: Numbers,
-    dice: random.Random,
+    rng: random.Random,
 ) -> dict[sp.Symbol, FieldElement]:
     """Rational points of a sphere, or rows of a rational rotation."""
     length = numbers.root(square, 2)
     if len(vectors[0]) == 3:
-        rows = _rotation(numbers, dice)
+        rows = _rotation(numbers, rng)
         return {
             s: length * x
             for v, row in zip(vectors, rows, strict=False)
             for s, x in zip(v, row, strict=True)
         }
     (own,) = vectors
-    free = [numbers.random_number(dice) for _ in own[1:]]
+    free = [numbers.random_number(rng) for _ in own[1:]]
     total = sum((x * x for x in free), numbers.number(0))
     first = (1 - total) / (1 + total)
     others = [2 * x / (1 + total) for x in free]
     return {s: length * x for s, x in zip(own, (first, *others), strict=True)}
 
 
-def _rotation(numbers: Numbers, dice: random.Random) -> list[list[FieldElement]]:
+def _rotation(numbers: Numbers, rng: random.Random) -> list[list[FieldElement]]:
     """The matrix of a quaternion drawn at random."""
-    w, x, y, z = (numbers.random_number(dice) for _ in range(4))
+    w, x, y, z = (numbers.random_number(rng) for _ in range(4))
     n = w * w + x * x + y * y + z * z
     rows = [
         [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -311,11 +311,11 @@ class _Trial:
         numbers: Numbers,
         values: dict[sp.Symbol, FieldElement],
         circles: Mapping[sp.Expr, tuple[FieldElement, FieldElement]],
-        dice: random.Random,
+        rng: random.Random,
     ) -> None:
         self.space, self.numbers, self.values = space, numbers, values
-        self.circles, self.dice = circles, dice
-        self.seed = dice.randrange(2**32)
+        self.circles, self.rng = circles, rng
+        self.seed = rng.randrange(2**32)
 
     def _series(self, relation: sp.Expr, variables: Sequence[sp.Symbol], order: int) -> Series:
         filled = {**self.values, **{s: self.numbers.number(0) for s in variables}}
@@ -339,7 +339,7 @@ class _Trial:
         main = min(moving or [s for s in open_ if s in degrees], key=lambda s: degrees[s])
         for s in open_:
             if s != main:
-                self.values[s] = self.numbers.random_number(self.dice)
+                self.values[s] = self.numbers.random_number(self.rng)
         parts = self._series(relation, (main,), degrees[main]).parts
         self.values[main] = self.numbers.zero_of([self._coefficient(part) for part in parts])
 

@@ -102,8 +102,8 @@ def _growth_at_value(
 def _candidates(admissible: Distribution, parameter: sp.Symbol) -> list[sp.Rational]:
     """Common zeros of the pivots at several points."""
     numbers = Modular(PRIMES[0])
-    dice = random.Random(SEED)
-    products = (_vanishing(admissible, parameter, numbers, dice) for _ in range(POINTS))
+    rng = random.Random(SEED)
+    products = (_vanishing(admissible, parameter, numbers, rng) for _ in range(POINTS))
     common = reduce(lambda left, right: left.gcd(right), products)
     zeros = [-f[0] / f[1] for f, _ in common.factor()[1] if f.degree() == 1]
     fractions = [numbers.fraction(zero) for zero in zeros]
@@ -111,15 +111,15 @@ def _candidates(admissible: Distribution, parameter: sp.Symbol) -> list[sp.Ratio
 
 
 def _vanishing(
-    admissible: Distribution, parameter: sp.Symbol, numbers: Modular, dice: random.Random
+    admissible: Distribution, parameter: sp.Symbol, numbers: Modular, rng: random.Random
 ) -> nmod_poly:
     """The product of the numerators of the pivots at a point."""
-    place = _place(admissible, parameter, numbers, dice)
+    place = _place(admissible, parameter, numbers, rng)
     samples: list[tuple[nmod, tuple[Any, ...]]] = []
     wanted = 8
     while wanted <= SAMPLES:
         while len(samples) < wanted:
-            value = numbers.random_number(dice)
+            value = numbers.random_number(rng)
             samples.append((value, _pivots(admissible, place, parameter, value)))
         numerators = [
             _numerator([(p, row[i]) for p, row in samples], numbers.prime)
@@ -136,10 +136,10 @@ def _vanishing(
 
 
 def _place(
-    admissible: Distribution, parameter: sp.Symbol, numbers: Modular, dice: random.Random
+    admissible: Distribution, parameter: sp.Symbol, numbers: Modular, rng: random.Random
 ) -> ExactPoint:
     try:
-        return random_point(admissible.space([parameter]), numbers, dice)
+        return random_point(admissible.space([parameter]), numbers, rng)
     except NoPointError:
         raise InputError(
             f"{admissible.name}: no point of its configuration space was found"

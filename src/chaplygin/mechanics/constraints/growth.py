@@ -195,12 +195,12 @@ def filtration(distribution: Distribution, point: Mapping[sp.Symbol, ParameterVa
     InputError
         If the point does not lie on the relations, or the constraints become dependent there.
     """
-    dice = random.Random(SEED)
+    rng = random.Random(SEED)
     final = generic(distribution).final
 
     def there(numbers: Numbers) -> Filtration | None:
         try:
-            place = point_at(distribution.space(), point, numbers, dice)
+            place = point_at(distribution.space(), point, numbers, rng)
             return (
                 None
                 if numbers.exact and place.formal
@@ -273,9 +273,9 @@ def generic(distribution: Distribution, free: Sequence[sp.Symbol] = ()) -> Filtr
     InputError
         If no point was found at all.
     """
-    dice = random.Random(SEED)
+    rng = random.Random(SEED)
     space = distribution.space(free)
-    result = _first_confirmed(lambda numbers: _at_random_point(distribution, space, numbers, dice))
+    result = _first_confirmed(lambda numbers: _at_random_point(distribution, space, numbers, rng))
     if result is None:
         raise InputError(
             f"{distribution.name}: no point was found at which the relations and position "
@@ -285,11 +285,11 @@ def generic(distribution: Distribution, free: Sequence[sp.Symbol] = ()) -> Filtr
 
 
 def _at_random_point(
-    distribution: Distribution, space: ConfigurationSpace, numbers: Numbers, dice: random.Random
+    distribution: Distribution, space: ConfigurationSpace, numbers: Numbers, rng: random.Random
 ) -> Filtration | None:
     for _ in range(RATIONAL_ATTEMPTS if numbers.exact else ATTEMPTS):
         try:
-            return _filtration_reaching(distribution, random_point(space, numbers, dice))
+            return _filtration_reaching(distribution, random_point(space, numbers, rng))
         except NoPointError:
             return None
         except (IrrationalError, SingularError, ZeroDivisionError):

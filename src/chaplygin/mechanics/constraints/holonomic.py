@@ -121,7 +121,7 @@ class _Search:
         self.letters = tuple(letters)
         self.numbers = Modular(PRIMES[1])
         self.space = distribution.space(self.free, self.letters)
-        self.dice = random.Random(SEED)
+        self.rng = random.Random(SEED)
         self.values: list[Values] = []
 
     def count(self, degree: int) -> int:
@@ -146,7 +146,7 @@ class _Search:
         points, failures = self.values, 0
         while len(points) < many:
             try:
-                place = random_point(self.space, self.numbers, self.dice)
+                place = random_point(self.space, self.numbers, self.rng)
                 points.append(values_at(self.distribution, place, self.space, self.letters))
             except (NoPointError, IrrationalError, SingularError, ZeroDivisionError):
                 failures += 1

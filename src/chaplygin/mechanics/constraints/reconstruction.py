@@ -254,10 +254,10 @@ def _germs(
     space = ConfigurationSpace(
         whole.coordinates, whole.relations, steps, tuple(formulas), tuple(constants.items())
     )
-    dice = random.Random(SEED)
+    rng = random.Random(SEED)
     for prime in PRIMES * ATTEMPTS:
         try:
-            germs = random_point(space, Modular(prime), dice).germs(space, 1)
+            germs = random_point(space, Modular(prime), rng).germs(space, 1)
             for field in whole.fields:
                 for value in field.values():
                     germs.series(value)

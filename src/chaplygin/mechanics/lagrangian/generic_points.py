@@ -93,10 +93,10 @@ def _with_generic_functions(formula: sp.Expr) -> sp.Expr:
         return formula
 
     def polynomial(name: str, arguments: Sequence[sp.Expr]) -> sp.Expr:
-        dice = random.Random(name)
+        rng = random.Random(name)
         pairs = [x * y for i, x in enumerate(arguments) for y in arguments[i:]]
         terms = [*arguments, *pairs, *(x**3 for x in arguments)]
-        numbers = [sp.Rational(dice.choice([-1, 1]) * dice.randint(20, 99), 100) for _ in terms]
+        numbers = [sp.Rational(rng.choice([-1, 1]) * rng.randint(20, 99), 100) for _ in terms]
         return sp.Add(*(number * term for number, term in zip(numbers, terms, strict=True)))
 
     kinds = {f.func for f in formula.atoms(AppliedUndef)}
@@ -108,9 +108,9 @@ def _with_generic_functions(formula: sp.Expr) -> sp.Expr:
 @with_working_precision
 def generic_parameters(mechanism: Mechanism) -> dict[sp.Symbol, mpmath.mpf]:
     """Parameters near their defaults, but of no special value."""
-    dice = random.Random(SEED)
+    rng = random.Random(SEED)
     return {
-        p.symbol: p.default * (1 + _number(dice) / 10) if p.default else _number(dice)
+        p.symbol: p.default * (1 + _number(rng) / 10) if p.default else _number(rng)
         for p in mechanism.parameters
     }
 
@@ -138,7 +138,7 @@ def generic_points(
     InputError
         If no point is found at which the relations hold and every formula has a value.
     """
-    dice = random.Random(SEED)
+    rng = random.Random(SEED)
     relations = [*frame.relations, *(mechanism.F if mechanism else ())]
     steps = mechanism.steps if mechanism else ()
     constants = dict(parameters or (generic_parameters(mechanism) if mechanism else {}))
@@ -146,15 +146,15 @@ def generic_points(
     loose = sorted(
         {s for formula in (*frame.qdot, *relations) for s in formula.free_symbols} - named, key=str
     )
-    constants |= {s: _number(dice) for s in loose}
+    constants |= {s: _number(rng) for s in loose}
     used = [*frame.qdot]
     if mechanism is not None:
         used += [mechanism.L, *mechanism.f, *mechanism.Q.values()]
     points: list[GenericPoint] = []
     for _ in range(ATTEMPTS):
         try:
-            point = _on_relations(dice, frame.coordinates, relations, steps, constants)
-            velocities = {s: _number(dice) for s in frame.w}
+            point = _on_relations(rng, frame.coordinates, relations, steps, constants)
+            velocities = {s: _number(rng) for s in frame.w}
             sample = GenericPoint({**point, **velocities}, steps)
             for formula in used:
                 sample.value(formula)
@@ -169,19 +169,19 @@ def generic_points(
     )
 
 
-def _number(dice: random.Random) -> mpmath.mpf:
-    return mpmath.mpf(dice.randint(-999, 999)) / 1000 + mpmath.mpf(1) / 7001
+def _number(rng: random.Random) -> mpmath.mpf:
+    return mpmath.mpf(rng.randint(-999, 999)) / 1000 + mpmath.mpf(1) / 7001
 
 
 def _on_relations(
-    dice: random.Random,
+    rng: random.Random,
     coordinates: Sequence[sp.Symbol],
     relations: Sequence[sp.Expr],
     steps: Sequence[tuple[sp.Symbol, sp.Expr]],
     constants: Point,
 ) -> dict[sp.Symbol, mpmath.mpf]:
     """A random point moved to the nearest solution of the relations by Newton."""
-    point = {**constants, TIME: _number(dice), **{q: _number(dice) for q in coordinates}}
+    point = {**constants, TIME: _number(rng), **{q: _number(rng) for q in coordinates}}
     written = [expand(relation, steps) for relation in relations]
     slopes = [[sp.diff(f, q) for q in coordinates] for f in written]
     for _ in range(NEWTON_STEPS if relations else 0):

@@ -122,13 +122,13 @@ def _essential_coordinates(mechanism: Mechanism, motion: ReducedMomenta) -> list
     if not named:
         return pulled
     formulas = Formulas(entries, mechanism.name)
-    dice = random.Random(SEED)
+    rng = random.Random(SEED)
     essential = pulled
     for q in named:
         for _ in range(TRIES):
-            first = rational_point([*plain_symbols(formulas.symbols), *motion.coordinates], dice)
-            fixed = {s: v for s, v in first.items() if s not in rational_point([q], dice)}
-            second = rational_point([q], dice, fixed)
+            first = rational_point([*plain_symbols(formulas.symbols), *motion.coordinates], rng)
+            fixed = {s: v for s, v in first.items() if s not in rational_point([q], rng)}
+            second = rational_point([q], rng, fixed)
             if formulas.at(first, fmpq(1)) != formulas.at(second, fmpq(1)):
                 essential.append(q)
                 break

@@ -194,8 +194,8 @@ def on_sphere(poly: fmpq_mpoly, chart: HalfAngleChart, vector: Vector) -> sp.Exp
 
 def _with_numbers(poly: fmpq_mpoly) -> fmpq_mpoly:
     """The polynomial at random values of the parameters."""
-    dice = random.Random(SEED)
-    return poly.subs({name: random_rational(dice) for name in poly.context().names()[2:]})
+    rng = random.Random(SEED)
+    return poly.subs({name: random_rational(rng) for name in poly.context().names()[2:]})
 
 
 def _at_pole(poly: fmpq_mpoly) -> bool:
@@ -218,9 +218,9 @@ def _coefficients_in_unit_vector(
     """Coefficients of the monomials that make the polynomial, if there are any."""
     ring, count = poly.context(), len(powers)
     rows, right = [], []
-    dice = random.Random(SEED)
+    rng = random.Random(SEED)
     for _ in range(count + 3):
-        t = [random_rational(dice), random_rational(dice)]
+        t = [random_rational(rng), random_rational(rng)]
         (s, c), (s2, c2) = _circles(t)
         unit = (s * s2, s * c2, c)
         rows.append([_power(unit, chosen) for chosen in powers])

@@ -159,15 +159,15 @@ def solutions(
 
     The number of equations in `formulas` is a multiple of `count`: each row of `count` must vanish.
     """
-    dice = random.Random(SEED)
+    rng = random.Random(SEED)
     names = plain_symbols(formulas.symbols)
     parameters = [p.symbol for p in mechanism.parameters]
     one = fmpq(1)
-    fixed = rational_point(parameters, dice)
+    fixed = rational_point(parameters, rng)
     rows: list[list[Value]] = []
     while len(rows) < count + 4:
         try:
-            values = formulas.at(rational_point([*names, *base.coordinates], dice, fixed), one)
+            values = formulas.at(rational_point([*names, *base.coordinates], rng, fixed), one)
         except ZeroDivisionError:
             continue
         rows += [values[i : i + count] for i in range(0, len(values), count)]
@@ -186,13 +186,11 @@ def _with_parameters(
     if len(indices) == 1:
         return {indices[0]: sp.S.One}
     one, symbols = quotients(parameters) if parameters else (fmpq(1), {})
-    dice = random.Random(SEED + 1)
+    rng = random.Random(SEED + 1)
     names = plain_symbols(formulas.symbols)
     rows: list[list[Value]] = []
     while len(rows) < len(indices) + 2:
-        place = rational_point(
-            [n for n in names if n not in symbols] + list(base.coordinates), dice
-        )
+        place = rational_point([n for n in names if n not in symbols] + list(base.coordinates), rng)
         values = formulas.at({**{s: one * v for s, v in place.items()}, **symbols}, one)
         rows += [[values[i + j] for j in indices] for i in range(0, len(values), count)]
     (row,) = kernel(rows, one)

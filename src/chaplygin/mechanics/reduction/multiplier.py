@@ -149,14 +149,14 @@ def obstruction_point(
     parameters : sequence of Parameter
         The point has values near their defaults; other constants are at random.
     """
-    dice = random.Random(SEED)
+    rng = random.Random(SEED)
     defaults = {p.symbol: p.default for p in parameters}
     for _ in range(2):
         while True:
             numbers = {
-                s: rational_near(defaults.get(s, 0.0), dice) for s in _parameters(local, chart)
+                s: rational_near(defaults.get(s, 0.0), rng) for s in _parameters(local, chart)
             }
-            values = [random_rational(dice), random_rational(dice)]
+            values = [random_rational(rng), random_rational(rng)]
             try:
                 value = curl(local, chart, values, numbers, [])
             except ZeroDivisionError:
@@ -183,11 +183,11 @@ def open_unless(
     local: Local, chart: HalfAngleChart, signed_parameters: Sequence[Parameter]
 ) -> tuple[sp.Expr, ...]:
     """Factors in the parameters that the curl has at every point, and that may vanish."""
-    dice = random.Random(SEED + 1)
+    rng = random.Random(SEED + 1)
     parameters = _parameters(local, chart)
     shared: sp.Expr | None = None
     for _ in range(2):
-        values = [random_rational(dice), random_rational(dice)]
+        values = [random_rational(rng), random_rational(rng)]
         form = curl(local, chart, values, {}, parameters)
         above = sp.fraction(sp.together(form))[0]
         shared = above if shared is None else sp.gcd(shared, above)
@@ -211,14 +211,14 @@ def multiplier(
     The exponents are rational numbers, or rational functions of parameters.
     """
     parameters = _parameters(local, chart)
-    dice = random.Random(SEED)
-    numbers = {s: random_rational(dice) for s in parameters}
+    rng = random.Random(SEED)
+    numbers = {s: random_rational(rng) for s in parameters}
     values = _exponents(local, chart, factors, numbers, ())
     if values is None:
         return None
     moving = []
     for s in parameters:
-        other = _exponents(local, chart, factors, {**numbers, s: random_rational(dice)}, ())
+        other = _exponents(local, chart, factors, {**numbers, s: random_rational(rng)}, ())
         if other != values:
             moving.append(s)
     if moving:
@@ -240,7 +240,7 @@ def _exponents(
     symbols: tuple[sp.Symbol, ...],
 ) -> list[Value] | None:
     """Exponents of the factors, then of 1 + t² for each angle."""
-    dice = random.Random(SEED + 2)
+    rng = random.Random(SEED + 2)
     like: Value = fmpq(1)
     place = dict(numbers)
     if symbols:
@@ -250,7 +250,7 @@ def _exponents(
     rows: list[list[Value]] = []
     right: list[Value] = []
     while len(rows) < count + SPARE:
-        values = [random_rational(dice), random_rational(dice)]
+        values = [random_rational(rng), random_rational(rng)]
         try:
             pair = _form_at(local, chart, values, place, like)
             slopes = _slopes(chart, factors, values, place, like)

@@ -114,30 +114,30 @@ def plain_symbols(symbols: Iterable[sp.Symbol]) -> list[sp.Symbol]:
     return [s for s in symbols if not str(s).startswith(("sin_", "cos_"))]
 
 
-def random_rational(dice: random.Random) -> fmpq:
+def random_rational(rng: random.Random) -> fmpq:
     """A random rational number."""
-    sign = dice.choice((-1, 1))
-    return fmpq(sign * dice.randint(2, 40), dice.randint(11, 30))
+    sign = rng.choice((-1, 1))
+    return fmpq(sign * rng.randint(2, 40), rng.randint(11, 30))
 
 
-def rational_near(default: float, dice: random.Random) -> fmpq:
+def rational_near(default: float, rng: random.Random) -> fmpq:
     """A rational number near a default that is not zero."""
     if default == 0:
-        return random_rational(dice)
-    exact = Fraction(repr(float(default))) * dice.randint(90, 115) / 100
+        return random_rational(rng)
+    exact = Fraction(repr(float(default))) * rng.randint(90, 115) / 100
     return fmpq(exact.numerator, exact.denominator)
 
 
 def rational_point(
-    symbols: Iterable[sp.Symbol], dice: random.Random, start: Point | None = None
+    symbols: Iterable[sp.Symbol], rng: random.Random, start: Point | None = None
 ) -> dict[sp.Symbol, Value]:
     """Values of coordinates with their sines and cosines, or of whatever else is named."""
     values: dict[sp.Symbol, Value] = dict(start or {})
     for s in symbols:
         if s in values:
             continue
-        values[s] = random_rational(dice)
-        half = random_rational(dice)
+        values[s] = random_rational(rng)
+        half = random_rational(rng)
         square = 1 + half * half
         sine, cosine = circle(s)
         values[sine], values[cosine] = 2 * half / square, (1 - half * half) / square

@@ -31,7 +31,7 @@ m, U, lambda_0 = (real_symbol(name) for name in ("m", "U", "lambda_0"))
 class Balance:
     """Tensors, forces and definitions, which both contact models share."""
 
-    touch: Contact
+    kinematics: Contact
     definitions: Pairs
     inertia: MatrixExpr
     solve: Callable[[MatrixExpr], MatrixExpr]
@@ -66,14 +66,14 @@ class Balance:
 
 def _momentum(balance: Balance) -> MatrixExpr:
     """Iω + m r×(ω×r), the momentum of the equivalent body about the contact point."""
-    touch = balance.touch
-    return balance.inertia * omega + m * cross(touch.r, cross(omega, touch.r))
+    kinematics = balance.kinematics
+    return balance.inertia * omega + m * cross(kinematics.r, cross(omega, kinematics.r))
 
 
 def marble(balance: Balance, surface: Surface, name: str, title: str) -> System:
     """The body does not slip; its state is M, γ and N of each fluid."""
-    touch = balance.touch
-    r, rdot = touch.r, touch.rdot
+    kinematics = balance.kinematics
+    r, rdot = kinematics.r, kinematics.rdot
     rate = (
         cross(M, omega)
         + cross(balance.rotors, omega)
@@ -82,9 +82,9 @@ def marble(balance: Balance, surface: Surface, name: str, title: str) -> System:
         + balance.torque
     )
     # definitions of the position that use ω come after it
-    before, after = by_dependence(touch.definitions, omega.symbols)
+    before, after = by_dependence(kinematics.definitions, omega.symbols)
     at_start = total([fluid.C * fluid.initial for fluid in balance.fluids])
-    tensors = tuple(pair for pair in balance.definitions if pair not in touch.definitions)
+    tensors = tuple(pair for pair in balance.definitions if pair not in kinematics.definitions)
     body_tensors = tuple(pair for pair in tensors if pair[0] != U)
     definitions = (
         *before,
@@ -101,9 +101,9 @@ def marble(balance: Balance, surface: Surface, name: str, title: str) -> System:
         surface,
         name,
         title,
-        field=((M, rate), *touch.state),
+        field=((M, rate), *kinematics.state),
         definitions=definitions,
-        relations=touch.relations,
+        relations=kinematics.relations,
         momentum=M,
         start=((M, _momentum(balance) + at_start), *_circulations(balance)),
         contact_law="without slipping (marble contact)",
@@ -114,9 +114,9 @@ def marble(balance: Balance, surface: Surface, name: str, title: str) -> System:
 
 def rubber(balance: Balance, surface: Surface, name: str, title: str) -> System:
     """The body neither slips nor spins; its state is ω, γ and N of each fluid."""
-    touch = balance.touch
+    kinematics = balance.kinematics
     B, acceleration = Vector("gammatilde"), balance.solve(X)
-    spin_rate = dot(omega, touch.gammadot) if not isinstance(surface, Plane) else sp.S.Zero
+    spin_rate = dot(omega, kinematics.gammadot) if not isinstance(surface, Plane) else sp.S.Zero
     definitions = (
         *balance.definitions,
         *balance.motion_of_fluids,
@@ -131,9 +131,9 @@ def rubber(balance: Balance, surface: Surface, name: str, title: str) -> System:
         surface,
         name,
         title,
-        field=((omega, omegadot), *touch.state),
+        field=((omega, omegadot), *kinematics.state),
         definitions=definitions,
-        relations=(*touch.relations, dot(omega, gamma)),
+        relations=(*kinematics.relations, dot(omega, gamma)),
         momentum=M,
         start=_circulations(balance),
         contact_law="with neither slipping nor spinning (rubber contact)",
@@ -147,12 +147,12 @@ def rubber(balance: Balance, surface: Surface, name: str, title: str) -> System:
 
 def _free_torque(balance: Balance) -> MatrixExpr:
     """Right-hand side of Ĩ ω̇ without the torque λ₀γ, (1.18)."""
-    touch = balance.touch
+    kinematics = balance.kinematics
     return (
         cross(M, omega)
         + cross(balance.rotors, omega)
-        - m * cross(touch.r, cross(omega, touch.rdot))
-        - cross(touch.r, balance.force)
+        - m * cross(kinematics.r, cross(omega, kinematics.rdot))
+        - cross(kinematics.r, balance.force)
         + balance.torque
         - balance.rate_of_fluids
     )
@@ -181,14 +181,16 @@ def _system(
     observables: tuple[Observable, ...],
     source: str,
 ) -> System:
-    touch = balance.touch
-    r = touch.r
+    kinematics = balance.kinematics
+    r = kinematics.r
     fluids, reaction = balance.fluids, balance.reaction
     kinetic = sp.Rational(1, 2) * dot(momentum - balance.momentum_of_fluids, omega)
     kinetic = sp.Add(kinetic, *(fluid.energy for fluid in fluids))
-    acceleration = cross(touch.rdot, omega) + cross(r, omegadot) + cross(omega, cross(r, omega))
+    acceleration = (
+        cross(kinematics.rdot, omega) + cross(r, omegadot) + cross(omega, cross(r, omega))
+    )
     definitions += ((reaction, m * acceleration - balance.force),)
-    guards = touch.guards
+    guards = kinematics.guards
     if balance.force != zero:
         guards += (
             Guard("contact", dot(reaction, gamma), "the normal force changes sign", lift_off=True),
@@ -221,7 +223,7 @@ def _system(
             Observable("friction_force", friction, "friction force", "N", "body", "(1.17)"),
         ),
         guards=guards,
-        reconstruction=motion_in_space(touch, surface, tilting=balance.force != zero),
+        reconstruction=motion_in_space(kinematics, surface, tilting=balance.force != zero),
         source=source,
         summary=f"A {what} rolls {contact_law} on {surface.words}.",
         start=start,

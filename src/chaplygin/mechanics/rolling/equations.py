@@ -187,17 +187,17 @@ def roll(
 def _balance(whole: AnyBody, surface: Surface, field: Forces) -> Balance:
     fluids = fluids_of(whole)
     body = equivalent_body(whole)
-    touch = contact_of(body.shape, surface)
+    kinematics = contact_of(body.shape, surface)
     inertia = Diagonal("I") if body.principal else Symmetric("I")
     of_fluids = tuple(p for fluid in fluids for p in fluid.parameters)
-    parameters = body_parameters(body, inertia) + of_fluids + touch.parameters
-    r, rotors = touch.r, k if any(body.gyrostat) else zero
+    parameters = body_parameters(body, inertia) + of_fluids + kinematics.parameters
+    r, rotors = kinematics.r, k if any(body.gyrostat) else zero
 
     # the inverse of I + m r² − m r⊗r, by Sherman and Morrison from the one of J = I + m r²
     J, A = type(inertia)("J"), type(inertia)("A")
     definitions = (
-        *touch.definitions,
-        (J, inertia + m * touch.square * identity),
+        *kinematics.definitions,
+        (J, inertia + m * kinematics.square * identity),
         (A, J**-1),
     )
 
@@ -211,7 +211,7 @@ def _balance(whole: AnyBody, surface: Surface, field: Forces) -> Balance:
     if field.gravity:
         parameters += (Parameter(g, "acceleration of gravity", field.gravity, "m/s^2", (g >= 0,)),)
         force = -m * g * vertical
-        height = touch.height if vertical is gamma else dot(a * gamma - r, zeta)
+        height = kinematics.height if vertical is gamma else dot(a * gamma - r, zeta)
         energy = m * g * height
     if field.potential != 0:
         parameters += tuple(
@@ -221,9 +221,9 @@ def _balance(whole: AnyBody, surface: Surface, field: Forces) -> Balance:
         _check_potential(potential, parameters)
         definitions += ((U, potential),)
         energy = energy + U
-        torque = cross(gamma, touch.pull(gradient(potential, gamma)))
+        torque = cross(gamma, kinematics.pull(gradient(potential, gamma)))
     return Balance(
-        touch=touch,
+        kinematics=kinematics,
         definitions=definitions,
         inertia=inertia,
         solve=solve,

@@ -66,8 +66,8 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
     """
     body, field = rolling.equivalent.body, rolling.field
     fluids = fluids_of(rolling.body)
-    touch = contact_of(body.shape, rolling.surface)
-    place, moving = by_dependence(touch.definitions, omega.symbols)
+    kinematics = contact_of(body.shape, rolling.surface)
+    place, moving = by_dependence(kinematics.definitions, omega.symbols)
     swinging = dict(flat_pairs(moving))
     inertia = Diagonal("I") if body.principal else Symmetric("I")
     spin = inertia * omega
@@ -76,10 +76,11 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
         kinetic = kinetic + dot(k, omega)
     kinetic = sp.Add(kinetic, *(fluid.kinetic_energy for fluid in fluids))
     rates = {
-        n: expand(to_components(rate), swinging) if swinging else rate for n, rate in touch.state
+        n: expand(to_components(rate), swinging) if swinging else rate
+        for n, rate in kinematics.state
     }
     potential: sp.Expr = sp.S.Zero
-    relations = touch.relations
+    relations = kinematics.relations
     if field.gravity and isinstance(rolling.surface, Plane):
         rates[R_3] = dot(gamma, v)
         potential = m * g * R_3
@@ -88,7 +89,7 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
         rates[zeta] = cross(zeta, omega)
         relations = (*relations, norm_squared(zeta) - 1)
         potential = m * g * dot(X, zeta)
-    constraints: tuple[sp.Basic, ...] = (v + cross(omega, touch.r),)
+    constraints: tuple[sp.Basic, ...] = (v + cross(omega, kinematics.r),)
     if rolling.contact == "rubber":
         constraints += (dot(omega, gamma),)
     return Mechanism(
@@ -103,8 +104,8 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
         lagrangian=kinetic - potential - field.potential,
         constraints=constraints,
         definitions=(*place, *(pair for fluid in fluids for pair in fluid.solid_inertia)),
-        parameters=_parameters(rolling, inertia, touch.parameters),
-        guards=tuple(_guard(guard, swinging) for guard in touch.guards),
+        parameters=_parameters(rolling, inertia, kinematics.parameters),
+        guards=tuple(_guard(guard, swinging) for guard in kinematics.guards),
         source="(1.9), (1.14), (1.15)",
     )
 
@@ -125,7 +126,7 @@ def _guard(guard: Guard, swinging: dict[sp.Symbol, sp.Expr]) -> Guard:
 
 
 def _parameters(
-    rolling: Rolling, inertia: Diagonal | Symmetric, touch: tuple[Parameter, ...]
+    rolling: Rolling, inertia: Diagonal | Symmetric, of_contact: tuple[Parameter, ...]
 ) -> tuple[Parameter, ...]:
     body, field = rolling.equivalent.body, rolling.field
     parameters = [Parameter(m, "mass", body.mass, "kg", (m > 0,))]
@@ -140,4 +141,4 @@ def _parameters(
     if field.gravity:
         parameters.append(Parameter(g, "acceleration of gravity", field.gravity, "m/s^2"))
     parameters += [Parameter(s, "parameter of the potential", x, "SI") for s, x in field.values]
-    return (*parameters, *touch)
+    return (*parameters, *of_contact)

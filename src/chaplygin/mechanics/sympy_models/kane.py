@@ -266,10 +266,10 @@ class Kane:
 
     def _deficient(self, tape: Tape, matrix: Sequence[Sequence[sp.Expr]]) -> bool:
         """Whether a matrix is singular at a generic point."""
-        dice = random.Random(2007)
+        rng = random.Random(2007)
         with mpmath.workdps(DIGITS):
             values: dict[sp.Symbol, mpmath.mpf] = {
-                s: mpmath.mpf(dice.randint(-999, 999)) / 1000 + mpmath.mpf(1) / 7001
+                s: mpmath.mpf(rng.randint(-999, 999)) / 1000 + mpmath.mpf(1) / 7001
                 for s in (*self.coordinates, *self.speeds, TIME)
             }
             values |= {p.symbol: mpmath.mpf(repr(p.default)) for p in self.words.parameters}

@@ -1,4 +1,4 @@
-"""What a user decides about the events of a motion in contact."""
+"""The rules for events of a motion in contact: impacts, lift-off, Painlevé's paradox."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ COARSEST_WITH_FRICTION = 1e-10
 
 @arguments_checked
 @dataclass(frozen=True)
-class Rules:
+class EventRules:
     """What happens where a body leaves its support, lands, or has no motion in contact.
 
     Parameters
@@ -42,8 +42,8 @@ class Rules:
 
     Examples
     --------
-    >>> from chaplygin.contact import Rules
-    >>> Rules(restitution=0.6).on_liftoff
+    >>> from chaplygin.contact import EventRules
+    >>> EventRules(restitution=0.6).on_liftoff
     'fly'
     """
 

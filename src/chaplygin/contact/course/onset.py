@@ -1,4 +1,4 @@
-"""The beginning of sliding or rolling, which are zero at first, in a direction to be found.
+"""The onset of sliding or rolling: a slip that is zero at first, in a direction to be found.
 
 With the direction of friction prescribed as a polynomial of the time, the motion is smooth; the
 coefficients follow from the demand that the slip, or the rolling, has this direction at Chebyshev
@@ -41,7 +41,7 @@ _MOST_STEPS, _LARGEST_TURN = 500, 3.0
 #: Changes of the coefficients at most, and the step of the differences.
 _MOST_CHANGES, _STEP = 20, 1e-5
 
-#: The length of a beginning is divided by four at most so many times.
+#: The duration of an onset is divided by four at most so many times.
 _ATTEMPTS = 12
 
 
@@ -50,7 +50,7 @@ _NOISE, _GROWN = 4e-15, 1e5
 
 
 @dataclass(frozen=True, eq=False)
-class Beginning:
+class Onset:
     """Sliding over a short time from zero slip.
 
     Attributes
@@ -67,7 +67,7 @@ class Beginning:
     state: FloatArray
 
     def samples(self, time: float, state: FloatArray, moments: list[float]) -> FloatArray:
-        """States at moments within the beginning, the clock as last column."""
+        """States at moments within the onset, the clock as last column."""
         if not moments:
             return np.empty((0, len(state) + 1))
         start = np.append(state, 0.0)
@@ -142,7 +142,7 @@ def _cross(a: FloatArray, b: FloatArray) -> FloatArray:
     return np.stack([y * w - z * v, z * u - x * w, x * v - y * u], axis=1)
 
 
-def beginning(
+def onset_of_sliding(
     contact: CompiledContact,
     time: float,
     state: FloatArray,
@@ -150,7 +150,7 @@ def beginning(
     direction: FloatArray,
     spin_sign: float,
     longest: float,
-) -> Beginning | None:
+) -> Onset | None:
     """Sliding from zero slip along a first direction; None if it stops again at once.
 
     Parameters
@@ -185,10 +185,12 @@ def beginning(
     stand_in = prescribed_direction(law, mode.range)
     laws = tuple(stand_in if item is law else item for item in situation.laws)
     integrator = with_values(contact.mode(mode, replace(situation, laws=laws)), values)
-    return _shorter_and_shorter(_Trial(integrator, first, latitude, patch), time, state, longest)
+    return _with_shortened_duration(
+        _Trial(integrator, first, latitude, patch), time, state, longest
+    )
 
 
-def beginning_of_rolling(
+def onset_of_rolling(
     contact: CompiledContact,
     time: float,
     state: FloatArray,
@@ -196,7 +198,7 @@ def beginning_of_rolling(
     couple: FloatArray,
     run_values: Mapping[str, float],
     longest: float,
-) -> Beginning | None:
+) -> Onset | None:
     """Rolling from rest against the couple that held it; None if it stops again at once.
 
     Parameters
@@ -226,7 +228,9 @@ def beginning_of_rolling(
     def rolling(states: FloatArray) -> FloatArray:
         return np.array([contact.numbers(row[: contact.size]).rolling for row in states])
 
-    return _shorter_and_shorter(_Trial(integrator, first, rolling=rolling), time, state, longest)
+    return _with_shortened_duration(
+        _Trial(integrator, first, rolling=rolling), time, state, longest
+    )
 
 
 def _first_values(first: FloatArray) -> dict[str, float]:
@@ -257,10 +261,10 @@ def _direction_of_couple(
     return first(float(brentq(across, middle - half, middle + half, xtol=1e-16)))
 
 
-def _shorter_and_shorter(
+def _with_shortened_duration(
     trial: _Trial, time: float, state: FloatArray, longest: float
-) -> Beginning | None:
-    """The beginning over the longest time, or as short a part of it as it takes."""
+) -> Onset | None:
+    """The onset over the longest time, or as short a part of it as it takes."""
     duration = longest
     for _ in range(_ATTEMPTS):
         result = _collocation(trial, time, state, duration)
@@ -289,10 +293,8 @@ def _first_jacobian(responses: list[FloatArray]) -> FloatArray:
     return np.array(columns).T
 
 
-def _collocation(
-    trial: _Trial, time: float, state: FloatArray, duration: float
-) -> Beginning | None:
-    """The beginning of a duration; None if there is no such motion."""
+def _collocation(trial: _Trial, time: float, state: FloatArray, duration: float) -> Onset | None:
+    """The onset of a duration; None if there is no such motion."""
     start = np.append(state, 0.0)
     count = DEGREE * (2 if trial.patch else 1)
     coefficients = np.zeros(count)
@@ -355,4 +357,4 @@ def _collocation(
     if not grows or along[-1] < _GROWN * noise or aside.any():
         return None
     integrator, states = course(coefficients)
-    return Beginning(integrator, float(duration), states[-1, :-1])
+    return Onset(integrator, float(duration), states[-1, :-1])

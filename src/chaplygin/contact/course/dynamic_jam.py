@@ -1,4 +1,4 @@
-"""Where B tends to zero: the normal force grows beyond measure, in a finite time (dynamic jam).
+"""Dynamic jam: the normal force grows beyond all bounds in a finite time, as B tends to zero.
 
 B is the normal acceleration of the contact for each unit of normal force.  With N ∝ 1/B the square
 of B is linear in time, and the impulse ∫N dt that is left is finite.
@@ -17,7 +17,7 @@ from .mode_integrator import ModeIntegrator
 _JAMMING = 1e-3
 
 
-def jams(integrator: ModeIntegrator, numbers: ContactNumbers, state: FloatArray) -> bool:
+def ends_in_jam(integrator: ModeIntegrator, numbers: ContactNumbers, state: FloatArray) -> bool:
     """Whether integration ended where B falls to zero, faster than time is resolved.
 
     Parameters
@@ -28,12 +28,12 @@ def jams(integrator: ModeIntegrator, numbers: ContactNumbers, state: FloatArray)
     state : array (size,)
     """
     response = _response(integrator, numbers, state)
-    touch = numbers.mobility
-    least = _JAMMING * float(touch.gamma @ touch.A @ touch.gamma)
+    mobility = numbers.mobility
+    least = _JAMMING * float(mobility.gamma @ mobility.A @ mobility.gamma)
     return bool(np.isfinite(state).all()) and response is not None and response < least
 
 
-def after_jam(
+def state_after_jam(
     integrator: ModeIntegrator,
     numbers: ContactNumbers,
     state: FloatArray,
@@ -76,5 +76,5 @@ def _response(
     if "paradox" not in names:
         return None
     margin = float(integrator.guard_values(state)[names.index("paradox")])
-    touch = numbers.mobility
-    return margin + JAM * float(touch.gamma @ touch.A @ touch.gamma)
+    mobility = numbers.mobility
+    return margin + JAM * float(mobility.gamma @ mobility.A @ mobility.gamma)

@@ -1,11 +1,11 @@
-"""Why a motion in contact ends before its time."""
+"""The reasons for which a motion in contact ends early."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Literal
 
-Ending = Literal[
+EndReason = Literal[
     "",
     "lift-off",
     "paradox",
@@ -22,8 +22,8 @@ Ending = Literal[
     "impact",
 ]
 
-#: Endings in words, in the order of their codes in datasets.
-ENDINGS: Mapping[Ending, str] = {
+#: Reasons in words, in the order of their codes in datasets.
+END_REASONS: Mapping[EndReason, str] = {
     "": "the last time was reached",
     "lift-off": "the body left the support",
     "paradox": "no motion in contact is possible (Painlevé's paradox)",
@@ -49,9 +49,9 @@ class EndError(Exception):
     Attributes
     ----------
     ending : str
-        One of `ENDINGS`.
+        One of `END_REASONS`.
     """
 
-    def __init__(self, ending: Ending, message: str) -> None:
+    def __init__(self, ending: EndReason, message: str) -> None:
         super().__init__(message)
         self.ending = ending
