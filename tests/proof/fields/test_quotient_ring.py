@@ -12,6 +12,7 @@ from hypothesis import given, settings, strategies as st
 from chaplygin.formulas.errors import NeedMoreGeneratorsError, NoRealValueError, OutOfReachError
 from chaplygin.proof.fields.budget import Budget
 from chaplygin.proof.fields.function_field import FunctionField
+from chaplygin.proof.fields.quotient_ring import QuotientRing, initial_of
 
 
 def plain(names="xyz", **options):
@@ -194,3 +195,14 @@ def test_reduction_leaves_the_class_unchanged():
         expected *= a * point["x"] + b * point["y"] + c
     assert evaluated(element, point) == expected
     assert int(element.poly.degrees()[field.names.index("x")]) < 2
+
+
+def test_initial_against_sympy():
+    ring, symbols = QuotientRing("xyz").ring, sp.symbols("x y z")
+    dice = random.Random(5)
+    for _ in range(30):
+        monomials = [tuple(dice.randrange(4) for _ in symbols) for _ in range(8)]
+        poly = ring.from_dict({m: dice.randint(1, 9) for m in monomials})
+        for position, symbol in enumerate(symbols):
+            right = sp.LC(sp.sympify(str(poly)), symbol)
+            assert sp.sympify(str(initial_of(poly, position))).equals(right)

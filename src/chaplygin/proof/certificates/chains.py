@@ -9,7 +9,7 @@ from flint import fmpq_mpoly_ctx
 
 from ...formulas.errors import OutOfReachError
 from ..fields.budget import Budget
-from ..fields.quotient_ring import Poly, coefficient
+from ..fields.quotient_ring import Poly, initial_of
 from .groebner import Multiples
 from .sign_reasons import Reasons, monic
 
@@ -109,7 +109,7 @@ class Chains:
 
     def _step(self, combination: Combination, main: int) -> Step:
         degree = int(combination.poly.degrees()[main])
-        return Step(main, combination, degree, coefficient(combination.poly, main, degree))
+        return Step(main, combination, degree, initial_of(combination.poly, main))
 
     def _in_order(self, chain: list[Step]) -> list[Step]:
         order = _order_of_mains([(step.main, step.combination.poly) for step in chain])
@@ -119,7 +119,7 @@ class Chains:
 
     def _merit(self, poly: Poly, main: int, nonzero: Sequence[Poly]) -> tuple[int, int, int]:
         degree = int(poly.degrees()[main])
-        lead = coefficient(poly, main, degree)
+        lead = initial_of(poly, main)
         if lead.is_constant():
             kind = 0 if degree == 1 else degree - 1
         else:
@@ -144,7 +144,7 @@ class Chains:
         for number, step in enumerate(chain):
             variable = self.ring.gen(step.main)
             while poly and (height := int(poly.degrees()[step.main])) >= step.degree:
-                top = coefficient(poly, step.main, height)
+                top = initial_of(poly, step.main)
                 factor, remainder = divmod(top, step.lead)
                 if remainder:
                     shared = top.gcd(step.lead)

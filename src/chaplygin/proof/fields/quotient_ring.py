@@ -229,19 +229,17 @@ class QuotientRing:
         """Remainder in the variable `main`, up to powers of the leading coefficient."""
         position = self.names.index(main)
         degree = int(relation.degrees()[position])
-        lead = coefficient(relation, position, degree)
+        lead = initial_of(relation, position)
         variable = self.generators[main]
         while poly and (height := int(poly.degrees()[position])) >= degree:
-            top = coefficient(poly, position, height)
+            top = initial_of(poly, position)
             poly = lead * poly - top * variable ** (height - degree) * relation
             self.budget.spend(poly)
         return poly
 
 
-def coefficient(poly: Poly, position: int, degree: int) -> Poly:
-    """The coefficient of a power of one generator."""
-    terms = {}
-    for exponents, number in poly.to_dict().items():
-        if exponents[position] == degree:
-            terms[(*exponents[:position], 0, *exponents[position + 1 :])] = number
-    return poly.context().from_dict(terms)
+def initial_of(poly: Poly, position: int) -> Poly:
+    """The coefficient of the highest power of a generator in a polynomial that is not zero."""
+    generator = poly.context().gen(position)
+    # every other term is less than the divisor, and falls to the remainder
+    return divmod(poly, generator ** int(poly.degrees()[position]))[0]

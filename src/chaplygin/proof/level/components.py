@@ -20,7 +20,7 @@ from typing import TypeAlias
 
 from ...formulas.errors import EmptyLevelError, OutOfReachError
 from ..fields.function_field import FunctionField
-from ..fields.quotient_ring import Poly, coefficient
+from ..fields.quotient_ring import Poly, initial_of
 from ..fields.signs import Signs
 from .triangular_set import chain
 
@@ -231,7 +231,7 @@ class Decomposition:
         initials: dict[str, Poly] = {}
         for main, poly in triangular:
             position = self.draft.names.index(main)
-            lead = coefficient(poly, position, int(poly.degrees()[position]))
+            lead = initial_of(poly, position)
             if not lead.is_constant():
                 for part, _ in lead.factor()[1]:
                     if not self.signs.never_zero(part):

@@ -9,7 +9,7 @@ from flint import fmpq
 
 from ...formulas.errors import EmptyLevelError, OutOfReachError
 from ..fields.function_field import FunctionField
-from ..fields.quotient_ring import Element, Poly, coefficient
+from ..fields.quotient_ring import Element, Poly, initial_of
 
 #: A polynomial as a mapping of named exponents to coefficients, in whatever order of variables.
 Terms = Mapping[tuple[tuple[str, int], ...], fmpq]
@@ -128,7 +128,7 @@ def _merit(draft: FunctionField, poly: Poly, name: str, moving: set[str]) -> tup
     """The merit of a variable as the main one of a relation; smaller is better."""
     position = draft.names.index(name)
     degree = int(poly.degrees()[position])
-    lead = coefficient(poly, position, degree)
+    lead = initial_of(poly, position)
     if lead.is_constant():
         kind = 0 if degree == 1 else degree - 1
     else:
