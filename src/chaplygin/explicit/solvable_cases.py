@@ -24,7 +24,7 @@ from ..catalogue import entry
 from ..catalogue.entry import bruns_factor
 from ..core.isomorphism import Isomorphism
 from ..core.system import System, flat_pairs
-from ..core.vectors import real_symbol, to_components
+from ..core.vectors import Diagonal, real_symbol, to_components
 from ..formulas.balls import ball, ball_values, exact
 from ..formulas.relative_zero import RESOLUTION, ROUNDING
 from ..mechanics.rolling.equations import Rolling
@@ -331,6 +331,20 @@ def _solve_lagrange_top(problem: Problem) -> Solution | None:
     return solve_top(problem.system, problem.start, problem.parameters)
 
 
+def _solve_free_body(problem: Problem) -> Solution | None:
+    from .euler_top.solution import solve_free_body
+
+    moments = [problem.parameters.get(symbol) for symbol in Diagonal("I").symbols]
+    if [str(name) for name in problem.system.state] != ["M", "gamma"] or None in moments:
+        return None
+    free = entry("free-body").system()
+    numbers = {symbol: exact(value) for symbol, value in problem.parameters.items()}
+    inertia = {symbol: numbers[symbol] for symbol in Diagonal("I").symbols}
+    if not same_field(problem.system, numbers, free, inertia):
+        return None
+    return solve_free_body(problem.system, problem.start, problem.parameters, moments)
+
+
 def _solve_in_three_dimensions(problem: Problem) -> Solution | None:
     from .three_dimensions import solve_in_three_dimensions
 
@@ -340,6 +354,7 @@ def _solve_in_three_dimensions(problem: Problem) -> Solution | None:
 RECOGNISERS: tuple[Recogniser, ...] = (
     _solve_in_three_dimensions,
     _solve_lagrange_top,
+    _solve_free_body,
     _solve_body_of_revolution,
     _solve_in_principal_axes,
     _solve_separable,

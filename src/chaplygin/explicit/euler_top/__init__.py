@@ -1,0 +1,1 @@
+"""Euler's top, the free rigid body, in elliptic functions."""
