@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from chaplygin.catalogue import from_catalogue
+from chaplygin.errors import InputError
 from chaplygin.explicit import solve
 from chaplygin.explicit.base.no_closed_form import NoClosedFormError
 from chaplygin.flow.integrator import integrate
@@ -54,7 +55,42 @@ def test_balls_of_a_rigorous_state_contain_the_one_in_doubles():
     assert solution.states([1.5])[0] == pytest.approx(exact, abs=1e-14)
 
 
-@pytest.mark.parametrize("given", [{"dimension": 4}, {"mass_tensor": np.eye(3).tolist()}])
+#: Of a body whose axes are not principal.
+TENSOR = [[0.5, 0.1, -0.05], [0.1, 0.7, 0.02], [-0.05, 0.02, 0.9]]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "tensor"),
+    [
+        ("veselova-nd", TENSOR),
+        ("chaplygin-ball-nd", TENSOR),
+        ("rubber-chaplygin-ball-nd", TENSOR),
+        ("veselova-nd", np.diag([0.5, 0.7, 0.9]).tolist()),
+        ("veselova-nd", np.eye(3).tolist()),
+        ("chaplygin-ball-nd", np.diag([0.5, 0.5, 0.9]).tolist()),
+    ],
+)
+def test_a_mass_tensor_is_turned_to_its_principal_axes(name, tensor):
+    system = from_catalogue(name, mass_tensor=tensor)
+    begin = start(twists=name == "chaplygin-ball-nd")
+    solution = solve(system, begin)
+    motion = integrate(system, begin, TIMES)
+    states = solution.states(TIMES)
+    assert solution.system.symbols == motion.system.symbols
+    assert np.abs(states - motion.states).max() < 1e-12
+    if name == "veselova-nd":
+        exact = [float(x) for x in solution.rigorous(20, 20)]
+        assert states[-1] == pytest.approx(exact, abs=1e-13)
+
+
+def test_a_mass_tensor_with_equal_eigenvalues_off_its_axes_is_refused():
+    tensor = [[0.75, 0.25, 0], [0.25, 0.75, 0], [0, 0, 1]]
+    with pytest.raises(InputError, match="coincide"):
+        solve(from_catalogue("veselova-nd", mass_tensor=tensor), start(twists=False))
+
+
+@pytest.mark.parametrize("given", [{"dimension": 4}])
 def test_what_is_not_solved_is_refused(given):
     system = from_catalogue("veselova-nd", **given)
     state = {

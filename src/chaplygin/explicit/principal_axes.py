@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
+import sympy as sp
 from flint import acb_mat, arb, arb_mat, ctx
 
 from ..arguments import NumberOrText, arguments_checked
+from ..catalogue import entry
 from ..core.arrays import FloatArray
 from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric
@@ -18,13 +20,15 @@ from ..formulas.balls import ball, exact, number
 from ..mechanics.rolling.equations import Rolling
 from ..mechanics.shapes.shapes import Ball
 from .base.derived_solution import DerivedSolution
-from .base.problem import Problem
+from .base.problem import Problem, same_field
 from .base.solution import Solution
 from .one_degree.vectors import quaternion_products
 
 #: Digits with which principal axes are computed.
 DIGITS = 220
 SPACE, QUATERNION = 3, 4
+#: Systems about a fixed point that are solved in principal axes.
+ABOUT_FIXED_POINT = ("free-body", "veselova")
 
 
 @dataclass(frozen=True, repr=False)
@@ -81,8 +85,8 @@ def in_principal_axes(problem: Problem) -> tuple[Problem, arb_mat] | None:
             ]
             axes = arb_mat([[int(i == row) for i in order] for row in range(SPACE)])
         else:
-            entries = [ball(exact(problem.parameters[s])) for s in Symmetric("I").symbols]
-            moments, axes = _axes(entries)
+            a, b, c, d, e, f = (ball(exact(problem.parameters[s])) for s in Symmetric("I").symbols)
+            moments, axes = principal_axes([[a, b, c], [b, d, e], [c, e, f]])
         lifted = problem.system.lifted() if problem.system.reconstruction else problem.system
         matrix = _blocks(lifted, axes)
         column = arb_mat([[ball(exact(x))] for x in problem.start])
@@ -98,6 +102,58 @@ def in_principal_axes(problem: Problem) -> tuple[Problem, arb_mat] | None:
             **dict(zip(Diagonal("I").symbols, moments, strict=True)),
         }
         return Problem(system, parameters, start, principal), matrix
+
+
+def about_fixed_point(problem: Problem) -> tuple[Problem, arb_mat] | None:
+    """A free body or one of the Veselova system with a full tensor of inertia, in principal axes.
+
+    Recognised by its equations.
+
+    Returns
+    -------
+    Problem, arb_mat
+        As `in_principal_axes`; None for any other system.
+
+    Raises
+    ------
+    InputError
+        If two principal moments are so near that they do not tell the axes.
+    """
+    system, full = problem.system, Symmetric("I")
+    if problem.rolling is not None or set(full.symbols) != set(problem.parameters):
+        return None
+    numbers = {s: exact(x) for s, x in problem.parameters.items()}
+    tensors = {Diagonal("I"): full, Diagonal("A"): Symmetric("A")}
+    for name in ABOUT_FIXED_POINT:
+        principal = entry(name).system()
+        definitions = [(_in(s, tensors), _in(f, tensors)) for s, f in principal.definitions]
+        same = replace(
+            principal,
+            parameters=system.parameters,
+            definitions=definitions,
+            laws=(),
+            observables=(),
+            start=(),
+        )
+        if system.state != principal.state or not same_field(system, numbers, same, numbers):
+            continue
+        with ctx.workdps(DIGITS):
+            a, b, c, d, e, f = (ball(numbers[s]) for s in full.symbols)
+            moments, axes = principal_axes([[a, b, c], [b, d, e], [c, e, f]])
+            lifted = system.lifted() if system.reconstruction else system
+            matrix = _blocks(lifted, axes)
+            column = arb_mat([[ball(exact(x))] for x in problem.start])
+            start = tuple(row[0] for row in (matrix.transpose() * column).tolist())
+        if system.reconstruction is None:
+            principal = replace(principal, reconstruction=None)
+        parameters = dict(zip(Diagonal("I").symbols, moments, strict=True))
+        return Problem(principal, parameters, start), matrix
+    return None
+
+
+def _in(formula: sp.Basic, tensors: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
+    """A formula with some tensors in place of others."""
+    return formula.xreplace(dict(tensors))
 
 
 def _order(problem: Problem, rolling: Rolling) -> tuple[int, int, int] | None:
@@ -135,10 +191,23 @@ def _along_columns(vector: Sequence[float], axes: FloatArray) -> tuple[float, fl
     return x, y, z
 
 
-def _axes(entries: Sequence[arb]) -> tuple[list[arb], arb_mat]:
-    """Principal moments, increasing, and the matrix whose columns are the axes, right-handed."""
-    a, b, c, d, e, f = entries
-    tensor = acb_mat([[a, b, c], [b, d, e], [c, e, f]])
+def principal_axes(rows: Sequence[Sequence[arb]]) -> tuple[list[arb], arb_mat]:
+    """Principal moments, increasing, and the matrix whose columns are the axes, right-handed.
+
+    Parameters
+    ----------
+    rows : 3×3 arb
+        A symmetric tensor; one that is diagonal keeps its axes and their order.
+
+    Raises
+    ------
+    InputError
+        If two principal moments are so near that they do not tell the axes.
+    """
+    if all(rows[i][j] == 0 for i in range(SPACE) for j in range(SPACE) if i != j):
+        unit = arb_mat([[int(i == j) for j in range(SPACE)] for i in range(SPACE)])
+        return [rows[i][i] for i in range(SPACE)], unit
+    tensor = acb_mat([list(row) for row in rows])
     try:
         values, vectors = tensor.eig(right=True)
     except ValueError:

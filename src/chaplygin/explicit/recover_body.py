@@ -13,10 +13,12 @@ from ..catalogue import CATALOGUE
 from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric
 from ..errors import InputError
+from ..formulas.balls import exact
 from ..mechanics.rolling.body import Body
 from ..mechanics.rolling.equations import ContactModel, Forces, Rolling
 from ..mechanics.shapes.shapes import Ball
 from ..mechanics.shapes.surfaces import Plane, Sphere, Surface
+from .base.problem import same_field
 
 MODELS: tuple[ContactModel, ContactModel] = ("marble", "rubber")
 
@@ -25,7 +27,8 @@ def rolling_of(system: System, values: Mapping[sp.Symbol, NumberOrText]) -> Roll
     """The rolling body of which a system holds the equations, with its numbers.
 
     Bodies of the catalogue and balls with any inertia tensor are tried; the equations that they
-    lead to must be those of the system, formula by formula, and their numbers its numbers.
+    lead to must be those of the system, formula by formula or in rational numbers at random
+    points, and their numbers its numbers.
 
     Parameters
     ----------
@@ -43,13 +46,17 @@ def rolling_of(system: System, values: Mapping[sp.Symbol, NumberOrText]) -> Roll
             # a body and a surface that do not fit
             continue
         own = {str(symbol): float(value) for symbol, value in system_of_body.defaults.items()}
-        formulas = (system_of_body.field, system_of_body.definitions) == (
-            system.field,
-            system.definitions,
-        )
-        if formulas and own == numbers:
+        if own == numbers and _same(system_of_body, system, values):
             return rolling
     return None
+
+
+def _same(first: System, second: System, values: Mapping[sp.Symbol, NumberOrText]) -> bool:
+    """Whether two systems with the same parameters have one field, written alike or not."""
+    if (first.field, first.definitions) == (second.field, second.definitions):
+        return True
+    exactly = {symbol: exact(value) for symbol, value in values.items()}
+    return first.state == second.state and same_field(second, exactly, first, exactly)
 
 
 def _candidates(numbers: Mapping[str, float]) -> Iterator[Rolling]:

@@ -28,13 +28,13 @@ from ..core.vectors import Diagonal, real_symbol, to_components
 from ..formulas.balls import ball, ball_values, exact
 from ..formulas.relative_zero import RESOLUTION, ROUNDING
 from ..mechanics.rolling.equations import Rolling
-from ..mechanics.rolling.fluid import fluids_of
 from .base.no_closed_form import Condition, degenerate, refusal
 from .base.problem import Problem, rational, same_field
 from .base.solution import Solution
+from .body_with_fluid import circulations, solve_with_fluid
 from .change_of_symbols import in_symbols_of, translation
 from .genus_two.separation import SeparatedSystem
-from .principal_axes import in_principal_axes, to_original_axes
+from .principal_axes import about_fixed_point, in_principal_axes, to_original_axes
 from .recover_body import rolling_of
 
 #: A motion in closed form, or None where it is not of this kind.
@@ -61,8 +61,11 @@ def solution_of(problem: Problem) -> Solution:
         If none is known; the message says what is.
     """
     problem = problem.well_posed()
-    if problem.rolling is not None and fluids_of(problem.rolling.body):
-        raise refusal(problem)
+    if circulations(problem.system):
+        solution = solve_with_fluid(problem, solution_of)
+        if solution is None:
+            raise refusal(problem)
+        return solution
     if problem.rolling is None:
         problem = replace(problem, rolling=rolling_of(problem.system, problem.parameters))
     for recogniser in RECOGNISERS:
@@ -312,6 +315,13 @@ def _solve_in_principal_axes(problem: Problem) -> Solution | None:
     )
 
 
+def _solve_about_fixed_point(problem: Problem) -> Solution | None:
+    turned = about_fixed_point(problem)
+    if turned is None:
+        return None
+    return to_original_axes(problem, solution_of(turned[0]), turned[1])
+
+
 def _solve_body_of_revolution(problem: Problem) -> Solution | None:
     from .revolution import solve_rolling
 
@@ -334,14 +344,16 @@ def _solve_lagrange_top(problem: Problem) -> Solution | None:
 def _solve_free_body(problem: Problem) -> Solution | None:
     from .euler_top.solution import solve_free_body
 
-    moments = [problem.parameters.get(symbol) for symbol in Diagonal("I").symbols]
-    if [str(name) for name in problem.system.state] != ["M", "gamma"] or None in moments:
+    symbols = Diagonal("I").symbols
+    if [str(name) for name in problem.system.state] != ["M", "gamma"]:
+        return None
+    if not set(symbols) <= set(problem.parameters):
         return None
     free = entry("free-body").system()
     numbers = {symbol: exact(value) for symbol, value in problem.parameters.items()}
-    inertia = {symbol: numbers[symbol] for symbol in Diagonal("I").symbols}
-    if not same_field(problem.system, numbers, free, inertia):
+    if not same_field(problem.system, numbers, free, {s: numbers[s] for s in symbols}):
         return None
+    moments = [problem.parameters[symbol] for symbol in symbols]
     return solve_free_body(problem.system, problem.start, problem.parameters, moments)
 
 
@@ -357,5 +369,6 @@ RECOGNISERS: tuple[Recogniser, ...] = (
     _solve_free_body,
     _solve_body_of_revolution,
     _solve_in_principal_axes,
+    _solve_about_fixed_point,
     _solve_separable,
 )

@@ -12,15 +12,16 @@ from flint import arb, arb_mat, ctx
 
 from ..arguments import NumberOrText, arguments_checked
 from ..catalogue import entry
-from ..catalogue.so_n.three_dimensions import NAME, SIZE, state_in_three_dimensions
+from ..catalogue.so_n.three_dimensions import NAME, SIZE, TARGETS, state_in_three_dimensions
 from ..core.arrays import FloatArray
 from ..core.isomorphism import Isomorphism
+from ..core.matrices import Skew, SymmetricMatrix
 from ..core.system import System, flat_pairs
 from ..formulas.balls import array_function, ball, ball_values, exact, number
 from .base.derived_solution import DerivedSolution
 from .base.problem import Problem
 from .base.solution import Solution
-from .principal_axes import DIGITS, quaternion_of
+from .principal_axes import DIGITS, principal_axes, quaternion_of, to_original_axes
 
 
 @dataclass(frozen=True, repr=False)
@@ -68,7 +69,10 @@ def solve_in_three_dimensions(
     """
     law = next((law for law in problem.system.laws if law.name == NAME), None)
     if not isinstance(law, Isomorphism):
-        return None
+        turned = _with_moments(problem)
+        if turned is None:
+            return None
+        return to_original_axes(problem, solve(turned[0]), turned[1])
     # with its own isomorphisms, by which some are solved
     target, system = entry(law.target.name).system(), problem.system
     lifted = system.lifted() if system.reconstruction else system
@@ -90,6 +94,65 @@ def solve_in_three_dimensions(
     return ThreeDimensionsSolution(
         lifted, problem.parameters, inner, tuple(back[s] for s in lifted.symbols)
     )
+
+
+def _with_moments(problem: Problem) -> tuple[Problem, arb_mat] | None:
+    """A body given by a mass tensor, n = 3, in its principal axes, where it has moments.
+
+    Returns
+    -------
+    Problem, arb_mat
+        The same motion in those axes, and the orthogonal matrix that takes its lifted states
+        back; None for any other system.
+    """
+    system, numbers = problem.system, {str(s): exact(x) for s, x in problem.parameters.items()}
+    J = SymmetricMatrix("J", SIZE)
+    names = [str(s) for s in J.symbols]
+    if system.name not in TARGETS or not set(names) <= set(numbers) or "J_44" in numbers:
+        return None
+    family = entry(system.name)
+    own = family.system({"dimension": SIZE} | {n: float(x) for n, x in numbers.items()})
+    if (own.field, own.definitions) != (system.field, system.definitions):
+        return None
+    with ctx.workdps(DIGITS):
+        entries = [[ball(numbers[str(J.entries[i, j])]) for j in range(SIZE)] for i in range(SIZE)]
+        eigenvalues, axes = principal_axes(entries)
+        a, b, c = eigenvalues
+        moments = {"I_12": a + b, "I_13": a + c, "I_23": b + c}
+        rest = {name: float(x) for name, x in numbers.items() if name not in names}
+        rounded = {name: number(x) for name, x in moments.items()}
+        target = family.system({"dimension": SIZE} | rounded | rest)
+        lifted = system.lifted() if system.reconstruction else system
+        if system.reconstruction is None:
+            target = replace(target, reconstruction=None)
+        matrix = _turn_of_states(lifted, axes)
+        column = arb_mat([[ball(exact(x))] for x in problem.start])
+        start = tuple(row[0] for row in (matrix.transpose() * column).tolist())
+        parameters: dict[sp.Symbol, NumberOrText] = {
+            p.symbol: moments.get(str(p.symbol), numbers.get(str(p.symbol), p.default))
+            for p in target.parameters
+        }
+    return Problem(target, parameters, start), matrix
+
+
+def _turn_of_states(lifted: System, axes: arb_mat) -> arb_mat:
+    """The matrix that takes lifted states in principal axes to those in the body's own."""
+    S = axes.tolist()
+    size = len(lifted.symbols)
+    matrix = [[arb(int(i == j)) for j in range(size)] for i in range(size)]
+    planes = [(0, 1), (0, 2), (1, 2)]
+    for name, place in lifted.slices:
+        first = place.start
+        if isinstance(name, Skew):
+            for r, (i, j) in enumerate(planes):
+                for c, (k, m) in enumerate(planes):
+                    matrix[first + r][first + c] = S[i][k] * S[j][m] - S[i][m] * S[j][k]
+        elif str(name) != "contact":
+            # vectors, and the rows of the attitude, which are vectors of space seen from the body
+            for corner in range(first, place.stop, SIZE):
+                for i in range(SIZE):
+                    matrix[corner + i][corner : corner + SIZE] = S[i]
+    return arb_mat(matrix)
 
 
 def _lift(whole: System, start: Mapping[str, NumberOrText]) -> dict[sp.Symbol, NumberOrText]:

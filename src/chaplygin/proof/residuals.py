@@ -187,23 +187,21 @@ def _solution(field: Field, matrix: Sequence[Row], right: Row) -> list[FieldElem
 
 @residuals.register
 def _(law: Symmetry, level: LevelSet, field: Field) -> Residuals:
-    partial = level.partial(field)
     given = components(law.field, level)
     symbols = level.system.symbols
-    rates = [partial(rate) for rate in level.system.rates]
     if strange := set(given) - set(symbols):
         raise InputError(
             f"the law {law.name!r} gives a component along {', '.join(sorted(map(str, strange)))}, "
             f"which is no state variable of {level.system.name}"
         )
-    push = [partial(given.get(s, sp.S.Zero)) for s in symbols]
+    # derivatives along both fields alone: a shift of a variable that the rates do not contain
+    # leaves nothing to compute
+    along, across = level.along(field), level.along_field(field, given)
     for condition in level.moving:
-        yield f"u({condition})", _lie_derivative(field, partial(condition), push)
-    for symbol, rate, shift in zip(symbols, rates, push, strict=True):
-        yield (
-            f"[u, v] in {symbol}",
-            _lie_derivative(field, rate, push) - _lie_derivative(field, shift, rates),
-        )
+        yield f"u({condition})", across.slope(condition)
+    for symbol, rate in zip(symbols, level.system.rates, strict=True):
+        change = along.slope(given.get(symbol, sp.S.Zero))
+        yield f"[u, v] in {symbol}", across.slope(rate) - change
 
 
 # --- Poisson structures --------------------------------------------------------------------

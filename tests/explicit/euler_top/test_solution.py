@@ -55,7 +55,12 @@ CASES: dict[str, tuple[Sequence[Any], dict[str, float], str]] = {
 }
 
 
-@pytest.mark.parametrize("name", CASES)
+SLOW = ("separatrix", "near the middle axis")
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=pytest.mark.slow) if n in SLOW else n for n in CASES]
+)
 def test_both_evaluators_and_the_equations_agree(name: str) -> None:
     momentum, moments, words = CASES[name]
     solution = solved(momentum, moments)
@@ -89,6 +94,7 @@ def followed(moments: np.ndarray, momentum: np.ndarray, time: float) -> np.ndarr
     return kept
 
 
+@pytest.mark.slow
 def test_random_bodies_against_an_integration_of_the_attitude_matrix() -> None:
     rng = np.random.default_rng(5)
     for _ in range(20):
@@ -125,9 +131,7 @@ def test_the_components_of_the_momentum_are_elliptic_functions() -> None:
         low = (ratio - inverse[1]) / (inverse[2] - inverse[1])
         low, high = sorted((low, high))
         modulus = (high - low) / high
-        pace = mpmath.sqrt(
-            square * high * (inverse[0] - inverse[2]) * (inverse[1] - inverse[2])
-        )
+        pace = mpmath.sqrt(square * high * (inverse[0] - inverse[2]) * (inverse[1] - inverse[2]))
         assert abs(float(form["k^2"].value) - modulus) < 1e-15
         assert abs(float(form["w"].value) - pace) < 1e-15
         quarter = mpmath.ellipk(modulus)
@@ -139,6 +143,7 @@ def test_the_components_of_the_momentum_are_elliptic_functions() -> None:
             assert abs(mpmath.mpf(str(ball.mid().str(35, radius=False))) - exact) < 1e-30
 
 
+@pytest.mark.slow
 def test_a_motion_on_the_separatrix_goes_from_one_rotation_to_the_opposite_one() -> None:
     solution = solved(separatrix())
     length = float(mpmath.sqrt(sum(x * x for x in separatrix())))
@@ -174,6 +179,7 @@ def test_a_start_off_the_phase_space_is_refused() -> None:
         solved((0.3, 0.2, -1.1), rest=(1, 0, 0, 1, 0, 0, 0))
 
 
+@pytest.mark.slow
 def test_the_motion_is_recognised_by_its_equations() -> None:
     """Chaplygin's ball with three equal moments is none, though its letters are the same."""
     ball = from_catalogue("chaplygin-ball", I_1=1.0, I_2=1.0, I_3=1.0)

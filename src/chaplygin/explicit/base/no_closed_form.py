@@ -13,11 +13,13 @@ from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure
 from ...errors import InputError
 from ...formulas.relative_zero import ROUNDING
 from ...mechanics.rolling.equations import Rolling
-from ...mechanics.rolling.fluid import fluids_of
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
 from ...printing.formula import text
 from .problem import Problem
+
+#: Names of circulation vectors, of one cavity and of several.
+CIRCULATIONS = ("N", *(f"N{i}" for i in range(1, 100)))
 
 #: A condition so short is written out.
 SHORT = 30
@@ -124,6 +126,9 @@ def _condition_text(problem: Problem, condition: Condition) -> str:
 
 
 def _obstacle(problem: Problem) -> _Obstacle:
+    fluid = _fluid(problem)
+    if fluid is not None:
+        return fluid
     obstacles = (rule(problem, problem.rolling) for rule in _RULES if problem.rolling is not None)
     plain = _Obstacle(_title_in_sentence(problem.system.title), _family(problem))
     return next((obstacle for obstacle in obstacles if obstacle is not None), plain)
@@ -155,10 +160,13 @@ def _title_in_sentence(title: str) -> str:
 Rule = Callable[[Problem, Rolling], _Obstacle | None]
 
 
-def _fluid(problem: Problem, rolling: Rolling) -> _Obstacle | None:
-    if not fluids_of(rolling.body):
+def _fluid(problem: Problem) -> _Obstacle | None:
+    if not any(str(name) in CIRCULATIONS for name in problem.system.state):
         return None
-    return _Obstacle("a body with fluid in a cavity", "may be the same body without fluid")
+    return _Obstacle(
+        "the motion of a body whose fluid has vorticity in a cavity that is no sphere",
+        "may be the same body with the fluid in potential flow, fluid = −Cω in each such cavity",
+    )
 
 
 def _rotors(problem: Problem, rolling: Rolling) -> _Obstacle | None:
@@ -205,7 +213,7 @@ def _ratio(problem: Problem, rolling: Rolling) -> _Obstacle | None:
     )
 
 
-_RULES: tuple[Rule, ...] = (_fluid, _shape, _rotors, _potential, _gravity_on_sphere, _ratio)
+_RULES: tuple[Rule, ...] = (_shape, _rotors, _potential, _gravity_on_sphere, _ratio)
 
 
 def _body(rolling: Rolling) -> str:

@@ -129,9 +129,9 @@ def same_field(
         return False
     compared = False
     try:
-        for point in _points(second, second_numbers):
+        for point in rational_points(second, second_numbers):
             compared = True
-            if _rates(first, point, first_numbers) != _rates(second, point, second_numbers):
+            if rates_at(first, point, first_numbers) != rates_at(second, point, second_numbers):
                 return False
     except (NotExactError, OutOfReachError, UnknownSymbolError, ZeroDivisionError):
         # a field with roots or functions, or singular elsewhere, is none of those that are known
@@ -151,7 +151,7 @@ def rational(system: System, numbers: Numbers) -> bool:
         with contextlib.suppress(
             NotExactError, OutOfReachError, UnknownSymbolError, ZeroDivisionError
         ):
-            _rates(system, point, numbers)
+            rates_at(system, point, numbers)
             return True
     return False
 
@@ -163,12 +163,13 @@ def _evaluator(system: System, point: Sequence[fmpq], numbers: Numbers) -> Evalu
     return Evaluator(Rationals({}), seeds.get, dict(system.scalar_definitions))
 
 
-def _rates(system: System, point: Sequence[fmpq], numbers: Numbers) -> list[fmpq]:
+def rates_at(system: System, point: Sequence[fmpq], numbers: Numbers) -> list[fmpq]:
+    """The rates of a system at a rational state, exact."""
     evaluate = _evaluator(system, point, numbers)
     return [evaluate.value(rate) for rate in system.rates]
 
 
-def _points(system: System, numbers: Numbers) -> Iterator[list[fmpq]]:
+def rational_points(system: System, numbers: Numbers) -> Iterator[list[fmpq]]:
     """Rational points of a phase space of two vectors u and n, n² = 1, and perhaps (u, n) = 0."""
     if len(system.symbols) != 2 * SIZE:
         return
@@ -180,7 +181,7 @@ def _points(system: System, numbers: Numbers) -> Iterator[list[fmpq]]:
             values = _evaluator(system, point, numbers)
             try:
                 on_it = all(values.value(relation) == 0 for relation in relations)
-                if on_it and _rates(system, point, numbers):
+                if on_it and rates_at(system, point, numbers):
                     yield point
                     count += 1
                     break

@@ -54,7 +54,7 @@ def _stability(moments: Vector, axis: Vector) -> str:
 
 def form_of(top: Top, motion: QuadratureMotion) -> ClosedForm:
     """The form of a motion on which M moves in the body; the working precision must suffice."""
-    I, axis = top.moments[2], top.axis + 1
+    axis = top.axis + 1
     inertia, component = real_symbol(f"I_{axis}"), sp.Function(f"M_{axis}")(t)
     modulus, pace = top.elliptic_parameters
     energy = top.energy_ratio * top.G**2 / 2
@@ -80,7 +80,7 @@ def form_of(top: Top, motion: QuadratureMotion) -> ClosedForm:
             "the future (separatrix)"
         )
         return _form(words, equations, constants, (oval,))
-    half, own, turn = motion.advances(FAST)
+    half, _, turn = motion.advances(FAST)
     constants += [
         NamedConstant("k^2", modulus, "square of the modulus"),
         NamedConstant("w", pace, "argument of dn by time", "rad/s"),

@@ -63,10 +63,10 @@ def solve_free_body(
     lifted = system.lifted() if system.reconstruction else system
     with ctx.workprec(BITS):
         numbers = [exact_time(x) for x in start]
-        momentum, vertical = numbers[:AXES], numbers[AXES : 2 * AXES]
+        momentum = numbers[:AXES]
         in_space = system.reconstruction is not None
-        attitude = numbers[2 * AXES :] if in_space else [arb(x) for x in UNTURNED]
-        vertical, attitude = _on_phase_space(vertical, attitude, in_space)
+        turn = numbers[2 * AXES :] if in_space else [arb(x) for x in UNTURNED]
+        vertical, attitude = _on_phase_space(numbers[AXES : 2 * AXES], turn, in_space)
         fixed = product(attitude, vertical)
         inertia = [exact_time(x) for x in moments]
         G = dot(momentum, momentum).sqrt()
@@ -97,9 +97,7 @@ def solve_free_body(
         )
 
 
-def _on_phase_space(
-    vertical: Vector, attitude: Vector, in_space: bool
-) -> tuple[Vector, Vector]:
+def _on_phase_space(vertical: Vector, attitude: Vector, in_space: bool) -> tuple[Vector, Vector]:
     """A unit vector γ and a unit quaternion, γ being the vertical of the attitude."""
     length, size = (square(x).sqrt() for x in (vertical, attitude))
     w, x, y, z = attitude
@@ -133,7 +131,7 @@ def _uniform_rotations(moments: Vector, momentum: Vector) -> tuple[Rotation, Rot
         along = [i for i in range(AXES) if not vanishes(momentum[i], size)]
         if len(along) > 1:
             return None
-        omega = [x / I if i in along else arb(0) for i, (x, I) in enumerate(zip(momentum, moments))]
+        omega = [momentum[i] / moments[i] if i in along else arb(0) for i in range(AXES)]
         return Rotation.from_vector([arb(0)] * AXES), Rotation.from_vector(omega)
     axis = equal.index(True)
     across = moments[axis - 1]

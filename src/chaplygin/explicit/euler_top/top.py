@@ -124,6 +124,4 @@ def top_of(moments: Vector, momentum: Vector, G: arb) -> Top:
     separatrix = vanishes(middle, size)
     axis = order[0] if middle > 0 and not separatrix else order[2]
     turned = [(axis + 1 + i) % AXES for i in range(AXES)]
-    return Top(
-        [moments[i] for i in turned], [direction[i] for i in turned], G, axis, separatrix
-    )
+    return Top([moments[i] for i in turned], [direction[i] for i in turned], G, axis, separatrix)

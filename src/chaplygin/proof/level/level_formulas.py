@@ -217,6 +217,16 @@ class LevelFormulas:
         rates = dict(zip(self.system.symbols, self.system.rates, strict=True))
         return self._with_slopes(plain, lambda symbol: {-1: plain.value(rates[symbol])}, True)
 
+    def along_field(self, field: Field, components: Mapping[sp.Symbol, sp.Expr]) -> Evaluator:
+        """Values with their derivatives along another field, given by its components."""
+        plain = self.evaluator(field)
+
+        def slopes(symbol: sp.Symbol) -> dict[int, FieldElement]:
+            component = sp.sympify(components.get(symbol, 0))
+            return {} if component == 0 else {-1: plain.value(component)}
+
+        return self._with_slopes(plain, slopes)
+
     def partial(self, field: Field) -> Evaluator:
         """Values with their partial derivatives by the state variables, numbered."""
         number = {s: i for i, s in enumerate(self.system.symbols)}
