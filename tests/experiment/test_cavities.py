@@ -10,6 +10,7 @@ from chaplygin.experiment.closed_form import solution_of_study
 from chaplygin.experiment.dataset import to_dataset
 from chaplygin.experiment.models.experiment import loads
 from chaplygin.experiment.study import prepare
+from chaplygin.flow.integrator import integrate
 from chaplygin.proof.prover import prove
 
 BODY = """
@@ -217,8 +218,16 @@ def test_a_mistake_with_the_catalogue_is_one_sentence(case):
     assert str(caught.value) == sentence
 
 
-def test_no_closed_form_of_the_rigid_body_is_taken_for_it():
+def test_a_body_with_a_sphere_of_fluid_is_solved_as_the_rigid_body():
     text = SYSTEM.format("rubber-body-of-revolution").replace("0.5, 0.4, 0.3", "0.1, 0.1, 0.1")
     study = prepare(loads(text))
-    with pytest.raises(InputError, match="a body with fluid in a cavity is not solved"):
-        solution_of_study(study)
+    solution = solution_of_study(study)
+    motion = integrate(study.system, study.start, [0.0, 1.0, 10.0])
+    assert solution.system.symbols == motion.system.symbols
+    assert np.abs(solution.states(motion.times) - motion.states).max() < 1e-10
+
+
+def test_no_closed_form_of_the_rigid_body_is_taken_for_a_body_with_vorticity():
+    text = SYSTEM.format("rubber-body-of-revolution").replace("0.5, 0.4, 0.3", "0.1, 0.1, 0.11")
+    with pytest.raises(InputError, match="fluid has vorticity in a cavity that is no sphere"):
+        solution_of_study(prepare(loads(text)))

@@ -45,7 +45,7 @@ CASES: dict[str, tuple[Sequence[Any], dict[str, float], str]] = {
     "near an axis": ((1e-9, 1e-5, 1.0), MOMENTS, "greatest"),
     "near the middle axis": ((1e-7, 1.0, 1e-6), MOMENTS, "circles"),
     "moments nearly equal": ((0.4, 0.5, 0.6), {"I_1": 1.0, "I_2": 1.0001, "I_3": 1.5}, "circles"),
-    "separatrix": (separatrix(), MOMENTS, "asymptotic"),
+    "separatrix": (separatrix(), MOMENTS, "separatrix"),
     "rotation about the middle": ((0, 2, 0), MOMENTS, "middle moment, unstable"),
     "rotation about the least": ((-2, 0, 0), MOMENTS, "least moment, stable"),
     "two equal moments": ((0.3, 0.2, -1.1), {"I_1": 1.0, "I_2": 1.0, "I_3": 1.7}, "precession"),

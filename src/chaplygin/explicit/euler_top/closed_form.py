@@ -75,10 +75,7 @@ def form_of(top: Top, motion: QuadratureMotion) -> ClosedForm:
     edge = NamedConstant("u_2", low if top.direction[2] < 0 else high, "cos θ nearest to the axis")
     if top.separatrix:
         constants += [edge, NamedConstant("w", pace, "rate of approach", "1/s")]
-        words = (
-            "asymptotic to the rotations about the axis of the middle moment, in the past and in "
-            "the future (separatrix)"
-        )
+        words = "separatrix: from one rotation about the axis of the middle moment to the opposite"
         return _form(words, equations, constants, (oval,))
     half, _, turn = motion.advances(FAST)
     constants += [
@@ -89,10 +86,7 @@ def form_of(top: Top, motion: QuadratureMotion) -> ClosedForm:
         NamedConstant("<psi'>", turn / half, "mean rate of precession about M", "rad/s"),
     ]
     name = "least" if top.slopes[0] < 0 else "greatest"
-    words = (
-        f"the momentum circles the axis of the {name} moment in the body, which precesses about "
-        "it in space, with two frequencies"
-    )
+    words = f"the momentum circles the axis of the {name} moment, with two frequencies"
     return _form(words, equations, constants, (oval,))
 
 
