@@ -34,7 +34,7 @@ from .closed_form import form_of, steady_form
 from .top import AXES, Top, Vector, top_of
 
 #: The quaternion of no rotation.
-UNTURNED = (1, 0, 0, 0)
+IDENTITY = (1, 0, 0, 0)
 
 
 def solve_free_body(
@@ -65,7 +65,7 @@ def solve_free_body(
         numbers = [exact_time(x) for x in start]
         momentum = numbers[:AXES]
         in_space = system.reconstruction is not None
-        turn = numbers[2 * AXES :] if in_space else [arb(x) for x in UNTURNED]
+        turn = numbers[2 * AXES :] if in_space else [arb(x) for x in IDENTITY]
         vertical, attitude = _on_phase_space(numbers[AXES : 2 * AXES], turn, in_space)
         fixed = product(attitude, vertical)
         inertia = [exact_time(x) for x in moments]
