@@ -101,6 +101,38 @@ class Series:
             b[k] = (a[k] - b[1:k] @ b[k - 1 : 0 : -1]) / (2.0 * b[0])
         return Series(b)
 
+    def __pow__(self, exponent: float) -> Series:
+        if exponent == int(exponent) and exponent >= 0:
+            product = Series.constant(self.c[0] * 0 + 1, len(self.c))
+            for _ in range(int(exponent)):
+                product = product * self
+            return product
+        a = self.c
+        b = np.zeros_like(a)
+        b[0] = a[0] ** exponent
+        for k in range(1, len(a)):
+            j = np.arange(1, k + 1)
+            b[k] = ((exponent * j - (k - j)) * a[1 : k + 1] * b[k - 1 :: -1][:k]).sum() / (k * a[0])
+        return Series(b)
+
+    def exp(self) -> Series:
+        """Exponential function."""
+        b = np.zeros_like(self.c)
+        b[0] = np.exp(self.c[0])
+        for k in range(1, len(b)):
+            j = np.arange(1, k + 1)
+            b[k] = (j * self.c[1 : k + 1] * b[k - 1 :: -1][:k]).sum() / k
+        return Series(b)
+
+    def shifted(self, orders: int) -> Series:
+        """Series times a power of `t`, which may be negative; coefficients that leave are lost."""
+        c = np.zeros_like(self.c)
+        if orders >= 0:
+            c[orders:] = self.c[: len(c) - orders]
+        else:
+            c[:orders] = self.c[-orders:]
+        return Series(c)
+
     def integral(self, start: float) -> Series:
         """Integral from 0 with value `start` there; the last coefficient is dropped."""
         c = np.empty_like(self.c)
@@ -130,7 +162,9 @@ def root(x: Any) -> Any:
 
 
 def exponential(x: Any) -> Any:
-    """Exponential function of a number."""
+    """Exponential function."""
+    if isinstance(x, Series):
+        return x.exp()
     return np.exp(x) if isinstance(x, np.longdouble) else math.exp(x)
 
 

@@ -96,9 +96,12 @@ class Body:
             self.form = (np.eye(3) * self.radius**2).tolist()
         else:
             turn = float(shape.get("turn", 0.0))
+            # a disk is an ellipsoid without thickness
+            flat = [float(shape.get("radius", 0.0))] * 2 + [0.0]
+            axes = flat if shape["kind"] == "disk" else shape["axes"]
             c, s = math.cos(turn), math.sin(turn)
             frame = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-            squares = np.diag(np.array(shape["axes"], dtype=float) ** 2)
+            squares = np.diag(np.array(axes, dtype=float) ** 2)
             self.form = (frame @ squares @ frame.T).tolist()
         self.size = math.sqrt(max(np.linalg.eigvalsh(np.array(self.form))))
 

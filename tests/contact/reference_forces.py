@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
-from contact.power_series import Number, arcsine, root, solution
+from contact.power_series import Number, Series, arcsine, exponential, root, solution
 from contact.reference_bodies import (
     AXES,
     UP,
@@ -41,6 +41,12 @@ class Law:
     rolling: float = 0.0
     rolling_viscous: float = 0.0
     contour: float = 0.0
+    slip_order: float = 1.0
+    force: str = ""
+    couple: str = ""
+    mu_static: float = 0.0
+    values: Mapping[str, float] = field(default_factory=dict)
+    air: float = 0.0
     restitution: float = 0.0
     impact_law: str = "stronge"
 
@@ -48,6 +54,61 @@ class Law:
     def coupled(self) -> bool:
         """Whether sliding and spinning friction come from one patch."""
         return self.patch > 0.0 and self.mu > 0.0
+
+    @property
+    def pointed(self) -> bool:
+        """Whether friction at a point is taken as a size times a direction, not as smooth."""
+        return bool(self.mu or self.force or self.slip_order < 1.0)
+
+    @property
+    def static(self) -> float:
+        """Coefficient up to which friction holds the contact."""
+        return max(self.mu, self.mu_static)
+
+    def formula(self, text: str, speed: Number, spin: Number = 0.0, normal: Number = 1.0) -> Any:
+        """Value of a formula of the user at a slip speed, a spin and a normal force."""
+        names = {"slip_speed": speed, "spin": abs(spin), "normal_force": normal}
+        functions = {"exp": exponential, "sqrt": root}
+        return eval(text, {"__builtins__": {}}, {**functions, **self.values, **names})
+
+    def with_limits(self) -> Law:
+        """The law with what its formulas are at rest as coefficients."""
+        mu = float(self.formula(self.force, 0.0)) if self.force else self.mu
+        arm = float(self.formula(self.couple, 0.0)) if self.couple else self.spin_arm
+        return replace(self, mu=mu, spin_arm=arm)
+
+    def against_slip(self, speed: Number, spin: Number, normal: Number) -> Any:
+        """Force against the slip for a unit normal force, at a point."""
+        size = self.formula(self.force, speed, spin, normal) if self.force else self.mu
+        if self.slip:
+            size = size + self.slip * power_of_speed(speed, self.slip_order)
+        return size
+
+    def against_spin(self, speed: Number, spin: Number) -> Any:
+        """Couple against the spin for a unit normal force, besides that of a patch."""
+        return self.formula(self.couple, speed, spin) if self.couple else self.spin_arm
+
+
+def power_of_speed(speed: Number, order: float) -> Any:
+    """Power of a slip speed, which as a series begins with the square of the time."""
+    if not isinstance(speed, Series):
+        return speed**order
+    if order == 1.0:
+        return speed
+    if 2.0 * order != int(2.0 * order):
+        raise ArithmeticError("this power of a slip that begins has no Taylor series")
+    if not speed.c[2] > 0.0:
+        return 0.0 * speed
+    return (speed.shifted(-2) ** order).shifted(int(2.0 * order))
+
+
+def speed_of(slip: Vector) -> Any:
+    """Size of a slip velocity, which as a series begins with the square of the time."""
+    square = dot(slip, slip)
+    if not isinstance(square, Series):
+        return root(square)
+    inner = square.shifted(-4)
+    return root(inner).shifted(2) if inner.c[0] > 0.0 else 0.0 * square
 
 
 def hypergeometric(a: float, b: float, c: float, x: Number) -> Any:
@@ -160,7 +221,7 @@ class Problem:
     ) -> None:
         self.body = Body(body, number)
         self.surface = Surface(surface)
-        self.law = Law(**contact)
+        self.law = Law(**contact).with_limits()
         self.gravity = gravity
         self.guess: list[float] | None = None
 
@@ -176,7 +237,34 @@ class Problem:
         return turn, n, gap, arm, omega
 
     def response(self, y: Vector, mode: Mode, given: Direction = BY_VELOCITY) -> Response:
+        """Forces and accelerations of a body in contact.
+
+        Friction that is not in proportion to the normal force is that of the normal force which
+        follows from it.
+        """
+        if "normal_force" not in self.law.force or mode.slide_held:
+            return self.response_with(y, mode, given, 1.0)
+        before: Number = self.body.mass * self.gravity
+        found = self.response_with(y, mode, given, before)
+        if isinstance(found.normal, Series):
+            # the friction of a slip that begins depends on the normal force from its square on
+            for _ in range(len(found.normal.c)):
+                found = self.response_with(y, mode, given, found.normal)
+            return found
+        last = found.normal - before
+        now: Number = found.normal
+        for _ in range(60):
+            found = self.response_with(y, mode, given, now)
+            miss = found.normal - now
+            if abs(miss) <= 4e-16 * abs(now) or miss == last:
+                return found
+            now, before, last = now - miss * (now - before) / (miss - last), now, miss
+        return found
+
+    def response_with(self, y: Vector, mode: Mode, given: Direction, supposed: Number) -> Response:
         """Forces and accelerations of a body in contact, from one dense linear system.
+
+        `supposed` is the normal force in the formula of the user.
 
         Unknowns: angular acceleration (body components), then the normal force, or the three
         components of the whole force where sliding is held, and the couples that hold.
@@ -215,9 +303,14 @@ class Problem:
         spin = dot(against_support, n)
         over = minus(against_support, times(spin, n))
 
-        force, couple = self._per_normal_force(slip, spin, over, n, spread, mode, given)
+        force, couple = self._per_normal_force(slip, spin, over, n, spread, mode, given, supposed)
         steady_force = times(-law.viscous, slip) if law.viscous else [0.0, 0.0, 0.0]
         steady_couple = times(-law.spin_viscous * spin, n)
+        if law.air and not mode.turn_held:
+            radius = body.size
+            tilt = root(gamma[0] * gamma[0] + gamma[1] * gamma[1])
+            film = 0.25 * math.pi * law.air * radius**3 / (tilt * tilt * tilt)
+            steady_couple = minus(steady_couple, times(film, over))
 
         # columns: (force, couple about the centre of mass) of each unknown multiplier
         columns_of: list[tuple[Vector, Vector]] = []
@@ -300,6 +393,7 @@ class Problem:
         spread: Callable[[Vector], list[Any]],
         mode: Mode,
         given: Direction,
+        supposed: Number,
     ) -> tuple[list[Any], list[Any]]:
         """Friction force and couple for a unit normal force, where the contact moves."""
         law = self.law
@@ -314,13 +408,20 @@ class Problem:
                 )
                 force = times(law.mu, f)
                 couple = times(law.mu * law.patch * c, n)
-            elif law.mu:
+                if law.slip:
+                    ratio = law.slip * power_of_speed(length(slip), law.slip_order - 1.0)
+                    force = minus(force, times(ratio, slip))
+            elif law.pointed:
                 e = slip if given.slip is None else given.slip
-                force = times(-law.mu / length(e), e)
-            if law.slip:
-                force = minus(force, times(law.slip, slip))
-        if law.spin_arm and not mode.spin_held:
-            couple = minus(couple, times(law.spin_arm * mode.sign, n))
+                size = law.against_slip(speed_of(slip), spin, supposed)
+                force = times(-size / length(e), e)
+            elif law.slip:
+                size = law.slip * length(slip) ** (law.slip_order - 1.0)
+                force = times(-size, slip)
+        if (law.spin_arm or law.couple) and not mode.spin_held:
+            speed = 0.0 if mode.slide_held else speed_of(slip)
+            sign = mode.sign if law.spin_arm else math.copysign(1.0, spin)
+            couple = minus(couple, times(law.against_spin(speed, spin) * sign, n))
         if law.rolling and not mode.turn_held:
             e = over if given.turn is None else given.turn
             couple = minus(couple, times(law.rolling / length(e), e))

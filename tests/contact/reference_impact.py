@@ -70,9 +70,11 @@ def impact(problem: Problem, y: list[float], rtol: float) -> tuple[bool, bool, b
         """Impulses (1, 2, couple) for a unit normal impulse."""
         g = np.zeros(3, dtype=z.dtype)
         if not slide_held:
-            if law.mu and e is not None:
-                g[:2] = -law.mu * e
-            g[:2] -= law.slip * state[1:3]
+            if law.pointed and e is not None:
+                g[:2] = -law.against_slip(np.hypot(state[1], state[2]), 0.0, 1.0) * e
+            elif law.slip:
+                speed = np.hypot(state[1], state[2])
+                g[:2] -= law.slip * speed ** (law.slip_order - 1.0) * state[1:3]
         if not spin_held:
             g[2] = -law.spin_arm * way
         rows = ([0, 1] if slide_held else []) + ([2] if spin_held else [])
@@ -131,7 +133,7 @@ def impact(problem: Problem, y: list[float], rtol: float) -> tuple[bool, bool, b
                     return e
         return None
 
-    state_kind = "sliding" if law.mu else "free"
+    state_kind = "sliding" if law.pointed else "free"
     fixed: Array | None = None
     if law.mu and math.hypot(z[1], z[2]) < 1e-12:
         state_kind = "stopped"
@@ -151,7 +153,7 @@ def impact(problem: Problem, y: list[float], rtol: float) -> tuple[bool, bool, b
         if state_kind == "stopped":
             held_slide, fixed, held_spin, sign = after_stop(held_spin, sign)
             state_kind = "held" if held_slide else "restarted"
-            if state_kind == "restarted" and law.slip:
+            if state_kind == "restarted" and (law.slip or law.force):
                 # friction that grows with the speed turns it: no direction lasts
                 z[1:3], state_kind = math.exp(-40.0) * np.array(fixed), "sliding"
         blown = state_kind == "sliding"

@@ -120,7 +120,8 @@ class Motion:
             if law.coupled:
                 values.append(self.coupled_limit(found)[0] * found.normal / weight)
             else:
-                values.append((law.mu * found.normal - float(length(found.friction))) / weight)
+                held = float(length(found.friction))
+                values.append((law.static * found.normal - held) / weight)
         if mode.spin_held and not law.coupled:
             values.append((law.spin_arm * found.normal - abs(found.spin_couple)) / weight)
         if mode.turn_held:
@@ -559,15 +560,18 @@ class Motion:
         to the holding force. If w is known to order k - 1, the motion to order k is an affine
         function of the next coefficient, which is found from ``x parallel to w``.
         """
-        mode = self.mode
+        mode, law = self.mode, self.problem.law
         found = self.problem.response(self.y, mode)
-        coupled = kind == "slide" and self.problem.law.coupled
+        coupled = kind == "slide" and law.coupled
         if kind == "turn":
             first = times(-1.0 / length(found.turn_couple), found.turn_couple)
             mode = replace(mode, turn_held=False)
         else:
             first = times(-1.0 / length(found.friction), found.friction)
             mode = replace(mode, slide_held=False, spin_held=mode.spin_held and not coupled)
+        if kind == "slide" and law.static > law.mu:
+            self.start_at_once(mode, kind)
+            return
         size = 3 if coupled else 2
         dtype = type(self.y[0])
         zero_w = np.zeros((TERMS, size), dtype=dtype)
@@ -654,13 +658,7 @@ class Motion:
         along = zero_w[0] @ x
         if along[2] <= 0.0:
             # slips nearby turn away from this direction, or shrink along it: another grows at once
-            e = self.exit(mode, kind)
-            if e is None or self.problem.response(self.y, mode, self.given(kind, e)).normal <= 0.0:
-                # nothing slides: it is no slip, but a lift-off if anything
-                self.events.pop()
-                self.leave()
-                return
-            self.mode, self.dying = mode, Dying(kind, LAST + math.log(SMALL), e)
+            self.start_at_once(mode, kind)
             return
         growing = Series(along[: TERMS - 2])
         for k in range(TERMS - 5, TERMS - 2):
@@ -681,6 +679,16 @@ class Motion:
         self.t += h
         self.mode = mode
         self.dying = Dying(kind, logarithm(size_now), e)
+
+    def start_at_once(self, mode: Mode, kind: str) -> None:
+        """Begin to slide (or to roll) in a direction along which the velocity grows at once."""
+        e = self.exit(mode, kind)
+        if e is None or self.problem.response(self.y, mode, self.given(kind, e)).normal <= 0.0:
+            # nothing slides: it is no slip, but a lift-off if anything
+            self.events.pop()
+            self.leave()
+            return
+        self.mode, self.dying = mode, Dying(kind, LAST + math.log(SMALL), e)
 
     reach_factor = 1.0
     """Part of the trusted reach of the series that is used; to be varied in checks."""

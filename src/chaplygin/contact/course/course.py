@@ -187,6 +187,8 @@ class Course(RollingTransitions):
                     "the support would have to pull the rolling body, which left alone would be "
                     "pressed into it: neither rolling nor leaving is possible",
                 )
+            if self._numbers().normal_rate >= 0:
+                raise EndError("lifted", _NO_RETURN)
             raise EndError("neither", "the contact can neither be held nor slide in any direction")
         if kind and kind != "stick":
             self.mode = FLIGHT

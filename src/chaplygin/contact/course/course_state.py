@@ -160,6 +160,7 @@ class CourseState:
         if outcome.guard == "failure" or stalls:
             if ends_in_jam(integrator, self._numbers(), self.state):
                 return "paradox"
+            self._require_smooth(integrator)
             raise EndError("singular", "; ".join(filter(None, (SINGULAR, self._extremes()))))
         if self._idle > _MOST_AT_ONE_INSTANT or len(self.events) > self.rules.most_events:
             raise EndError(
@@ -175,6 +176,13 @@ class CourseState:
             done = (self.time - float(self.moments[0])) / length
             self._pace.check(done, f"to follow a motion for {length:g} s")
         return outcome.guard or (PAUSE if self.time < last else "")
+
+    def _require_smooth(self, integrator: ModeIntegrator) -> None:
+        """End the motion with the reason why a law is not smooth here, if one is not."""
+        values = integrator.guard_values(self.state)
+        for guard, value in zip(integrator.system.guards, values, strict=True):
+            if guard.name == "creep" and value <= 0:
+                raise EndError("guard", guard.message)
 
     @property
     def _usual_time(self) -> float:
@@ -262,14 +270,18 @@ class CourseState:
             )
         )
 
-    def _amend(self) -> None:
-        """Let the last event lead to the present mode and state, where these were decided later."""
-        if not self.events or self.events[-1].time != self.time:
+    def _amend(self, time: float) -> None:
+        """Let an event at a time lead to the present mode and state, if these were decided later.
+
+        The state after it stays where the motion has gone on since.
+        """
+        if not self.events or self.events[-1].time != time:
             return
         last, kind = self.events[-1], self.events[-1].kind
+        after = self.state.copy() if self.time == time else last.after
         if kind in ("stick", "rolling stop") and self.mode.name == "rest":
             kind = "rest"
-        self.events[-1] = replace(last, kind=kind, mode=self.mode.name, after=self.state.copy())
+        self.events[-1] = replace(last, kind=kind, mode=self.mode.name, after=after)
 
     def _range_of(self, numbers: ContactNumbers) -> Range:
         if not self._dry.patch:

@@ -8,6 +8,7 @@ with X(n) = H n, H > 0, and ends for good where there is none.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 
@@ -15,11 +16,11 @@ from ...core.arrays import FloatArray
 from .compiled import OMEGA, VELOCITY, ContactNumbers
 from .mode_integrator import ModeIntegrator
 
-#: Directions from which one is looked for that keeps itself, and steps of the search.
-_STARTS, _STEPS = 8, 200
+#: Angles between which directions are looked for that rolling keeps.
+_ANGLES = 72
 
-#: A direction keeps itself to this accuracy.
-_ACCURACY = 1e-9
+#: A direction keeps itself to this accuracy, which rounding leaves at small angular velocities.
+_ACCURACY = 1e-6
 
 
 def state_with_rolling(
@@ -82,24 +83,37 @@ def rolling_restart(
     """
     tangents = numbers.mobility.tangents
 
-    def rate(n: FloatArray) -> FloatArray:
-        there = state_with_rolling(numbers, state, size * (n @ tangents), slips)
-        turning = integrator.rates(there)[OMEGA]
-        return tangents @ rolling_rate(numbers, turning)
-
-    for angle in 2 * math.pi * np.arange(_STARTS) / _STARTS:
+    def along_and_across(angle: float) -> tuple[float, float]:
+        """Components of the rate along a direction, and across it."""
         n = np.array([math.cos(angle), math.sin(angle)])
-        for _ in range(_STEPS):
-            X = rate(n)
-            length = float(np.hypot(*X))
-            if not length:
-                break
-            aim = X / length
-            if float(np.abs(aim - n).max()) <= _ACCURACY:
-                return n @ tangents, length
-            n = n + 0.7 * (aim - n)
-            norm = float(np.hypot(*n))
-            if norm < 1e-3:
-                break
-            n = n / norm
-    return None
+        there = state_with_rolling(numbers, state, size * (n @ tangents), slips)
+        x, y = tangents @ rolling_rate(numbers, integrator.rates(there)[OMEGA])
+        return float(n[0] * x + n[1] * y), float(n[0] * y - n[1] * x)
+
+    def across(angle: float) -> float:
+        return along_and_across(angle)[1]
+
+    angles = (2 * math.pi * np.arange(_ANGLES + 1) / _ANGLES).tolist()
+    values = [across(angle) for angle in angles]
+    found: list[tuple[float, float]] = []
+    for angle, after, value, next_value in zip(
+        angles[:-1], angles[1:], values[:-1], values[1:], strict=True
+    ):
+        # rolling in nearby directions turns towards those between a plus and a minus
+        if value > 0 >= next_value:
+            kept = _root(across, angle, after)
+            growth, rest = along_and_across(kept)
+            if growth > 0 and abs(rest) <= _ACCURACY * growth:
+                found.append((growth, kept))
+    if not found:
+        return None
+    growth, angle = max(found)
+    return np.array([math.cos(angle), math.sin(angle)]) @ tangents, growth
+
+
+def _root(function: Callable[[float], float], low: float, high: float) -> float:
+    """Where a function changes its sign."""
+    # imported where rolling ends, since it takes longer than most motions
+    from scipy.optimize import brentq
+
+    return float(brentq(function, low, high, xtol=1e-15))

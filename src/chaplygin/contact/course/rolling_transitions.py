@@ -35,10 +35,10 @@ class RollingTransitions(SpinTransitions, ABC):
 
     def _decide_on_rolling(self) -> None:
         """Hold a rolling that is zero, or let it begin, after what has just happened."""
-        before = self.mode
+        before, time = self.mode, self.time
         self._begin_to_roll()
         if self.mode != before:
-            self._amend()
+            self._amend(time)
 
     def _begin_to_roll(self) -> None:
         """Hold a rolling that is zero, or let it begin."""

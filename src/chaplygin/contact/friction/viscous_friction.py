@@ -208,4 +208,8 @@ class PowerFriction(FrictionLaw):
 def creep_guard(law: str) -> Guard:
     """The slip, for a law without threshold that is not smooth where the slip vanishes."""
     margin = slip_speed - slip_floor
-    return Guard("creep", margin, f"the slip has come to zero, where {law} is not smooth")
+    return Guard(
+        "creep",
+        margin,
+        f"the slip is zero, where {law} is not smooth: no motion is followed through it",
+    )
