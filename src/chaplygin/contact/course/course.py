@@ -17,7 +17,7 @@ from ..slip.stopping import WEAK, finish_stop
 from .compiled import WORK
 from .course_state import NO_SLIP, SLIP_FLOOR
 from .dynamic_jam import state_after_jam
-from .end_reasons import SINGULAR, EndError
+from .end_reasons import NO_RETURN, SINGULAR, EndError
 from .events import EventKind
 from .mode_integrator import PAUSE
 from .near_rest import (
@@ -43,12 +43,6 @@ _WEAK_FLOOR = 1e-3
 _PARADOX = (
     "no motion in contact is possible here (Painlevé's paradox: the friction of any normal force "
     "would press the body into the support)"
-)
-
-
-_NO_RETURN = (
-    "friction that does not depend on the normal force lifts the body, which without it would be "
-    "pressed into the support: neither contact nor flight is possible"
 )
 
 
@@ -188,7 +182,7 @@ class Course(RollingTransitions):
                     "pressed into it: neither rolling nor leaving is possible",
                 )
             if self._numbers().normal_rate >= 0:
-                raise EndError("lifted", _NO_RETURN)
+                raise EndError("lifted", NO_RETURN)
             raise EndError("neither", "the contact can neither be held nor slide in any direction")
         if kind and kind != "stick":
             self.mode = FLIGHT
@@ -253,7 +247,7 @@ class Course(RollingTransitions):
             return
         strength = float(np.linalg.norm(self._numbers().free_acceleration))
         if self._numbers().unheld_rise < -_LEVEL * strength:
-            raise EndError("lifted", _NO_RETURN)
+            raise EndError("lifted", NO_RETURN)
         self._take_off()
 
     def _take_off(self) -> None:

@@ -42,6 +42,11 @@ END_REASONS: Mapping[EndReason, str] = {
 
 SINGULAR = "the motion comes to a singular end: its state stops being a number"
 
+NO_RETURN = (
+    "friction that does not depend on the normal force lifts the body, which without it would be "
+    "pressed into the support: neither contact nor flight is possible"
+)
+
 
 class EndError(Exception):
     """A motion that cannot go on.
