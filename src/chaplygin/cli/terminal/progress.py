@@ -18,13 +18,14 @@ if TYPE_CHECKING:
 LOG = logging.getLogger("chaplygin")
 LOG.setLevel(logging.INFO)
 
-#: Seconds after which a command begins to say what it is doing, and between two lines of a log.
-PATIENCE, BETWEEN = 0.8, 10.0
+#: Seconds after which a task begins to say what it is doing, and between two lines of a log.  To
+#: start takes a quarter of a second, and a short task may come first: it is within a second in all.
+PATIENCE, BETWEEN = 0.4, 10.0
 
 
 @contextmanager
 def progress(task: str) -> Iterator[Report]:
-    """Say what is being done and how much of it, as soon as it takes about a second.
+    """Say what is being done and how much of it, as soon as it takes about half a second.
 
     Parameters
     ----------
@@ -43,7 +44,7 @@ def progress(task: str) -> Iterator[Report]:
 
 @contextmanager
 def waiting(task: str) -> Iterator[None]:
-    """Say on a terminal what is waited for, as soon as it takes about a second."""
+    """Say on a terminal what is waited for, as soon as it takes about half a second."""
     if not sys.stderr.isatty():
         yield
         return
