@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 
 from chaplygin.catalogue import CATALOGUE, Entry, Start
-from chaplygin.catalogue.entry import Numbers
+from chaplygin.catalogue.catalogue_entry import Numbers
 from chaplygin.core.laws import Integral, Measure
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import (

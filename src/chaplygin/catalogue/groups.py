@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from .entry import Entry
+if TYPE_CHECKING:
+    from .catalogue_entry import Entry
 
 
 @dataclass(frozen=True)
@@ -124,6 +126,9 @@ GROUPS = (
         ),
     ),
 )
+
+NAMES = tuple(name for group in GROUPS for name in group.names)
+"""The names of all systems; to know them nothing is imported."""
 
 #: What is proven integrable with the suggested parameters: docs/hierarchy.md has the reasons.
 INTEGRABLE = frozenset(

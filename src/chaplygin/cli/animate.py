@@ -65,7 +65,7 @@ def command(
         raise InputError(f"--speed {speed:g}: it must be a positive number")
     check_output("--output", output, force, False, what)
     if suffix != ".glb":
-        from ..report.film.encode import require_encoder
+        from ..report.film.encoders import require_encoder
 
         require_encoder(suffix)
     study = study_of(what, overrides)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
@@ -12,7 +13,22 @@ from .terminal.output_destination import check_figure, check_output
 from .terminal.progress import waiting
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ..explicit.base.problem import Problem
     from ..explicit.bifurcation import Diagram
+    from ..explicit.revolution.diagram import Diagram as RevolutionDiagram
+
+#: Planes that are no systems of the catalogue.
+PLANES = ("chaplygin-ball-area", "bruns")
+
+
+class _Answer(NamedTuple):
+    """The facts of a diagram, their text, and its figure."""
+
+    facts: dict[str, Any]
+    lines: list[str]
+    draw: Callable[[], Figure]
 
 
 def command(
@@ -41,42 +57,114 @@ def command(
     if figure is not None:
         check_figure("--output", figure)
         check_output("--output", figure, force, json, what)
-    with waiting(f"computing the diagram of {what}"):
-        diagram, mark = _diagram(what, overrides)
+    answer = _answer(what, overrides)
     if figure is not None:
         from ..report.drawing.files import save
-        from ..report.figures.bifurcation import draw_bifurcation_diagram
 
-        save(draw_bifurcation_diagram(diagram, mark), figure)
-    result = _result(diagram, mark)
+        save(answer.draw(), figure)
     if json:
-        print_json(result | {"figure": None if figure is None else str(figure)})
+        print_json(answer.facts | {"figure": None if figure is None else str(figure)})
         return
-    _print(result)
+    for line in answer.lines:
+        typer.echo(line)
     if figure is not None:
         inform(f"figure: {figure}")
 
 
-def _diagram(what: str, overrides: list[str] | None) -> tuple[Diagram, tuple[float, float] | None]:
+def _answer(what: str, overrides: list[str] | None) -> _Answer:
     """The diagram of an experiment with its motion in it, or that of a plane."""
     from ..errors import InputError
-    from ..experiment.single_system import single_system
-    from ..explicit.base.problem import Problem
-    from ..explicit.bifurcation import bifurcation_diagram
-    from ..explicit.bifurcation.families import PLANES
-    from ..explicit.bifurcation.motion_diagram import diagram_of_motion
 
+    task = f"computing the diagram of {what}"
     if what in PLANES:
-        return bifurcation_diagram(what, _numbers(overrides or [])), None
+        with waiting(task):
+            from ..explicit.bifurcation import bifurcation_diagram
+
+            return _of_tori(bifurcation_diagram(what, _numbers(overrides or [])), None)
     study = study_of(what, overrides)
-    system = single_system(study)
-    diagram = diagram_of_motion(Problem(system, system.defaults, study.start, study.rolling))
+    with waiting(task):
+        from ..experiment.single_system import single_system
+        from ..explicit.base.problem import Problem
+        from ..explicit.bifurcation.motion_diagram import diagram_of_motion
+        from ..explicit.revolution.motion_diagram import diagram_of_body_of_revolution
+
+        system = single_system(study)
+        problem = Problem(system, system.defaults, study.start, study.rolling)
+        if (revolution := diagram_of_body_of_revolution(problem)) is not None:
+            return _of_revolution(*revolution, problem)
+        diagram = diagram_of_motion(problem)
     if diagram is None:
         raise InputError(
             f"no bifurcation diagram of {system.title} is known at this start: its motions do not "
             "separate on a plane of two integrals (docs/bifurcations.md lists those that do)"
         )
-    return diagram
+    return _of_tori(*diagram)
+
+
+def _of_tori(diagram: Diagram, mark: tuple[float, float] | None) -> _Answer:
+    from ..report.figures.bifurcation import draw_bifurcation_diagram
+
+    facts = _facts(diagram, mark)
+    return _Answer(facts, _lines(facts), lambda: draw_bifurcation_diagram(diagram, mark))
+
+
+def _of_revolution(
+    diagram: RevolutionDiagram, mark: tuple[float, float], problem: Problem
+) -> _Answer:
+    """Permanent rotations of a body of revolution, and the motions between them."""
+    from ..explicit.revolution.motion_diagram import column_of
+    from ..report.figures.bifurcation_revolution import draw_revolution_diagram
+
+    h, K = mark
+    column = column_of(problem, K)
+    facts: dict[str, Any] = {
+        "title": problem.system.title,
+        "axes": [
+            {"symbol": "h", "meaning": "energy", "unit": "J"},
+            {
+                "symbol": "K",
+                "meaning": "integral (5.1), linear in the angular velocity",
+                "unit": "kg^0.5 m/s",
+            },
+        ],
+        "motion": mark,
+        "motions": None if column is None else column.motions_at(h),
+        "rotations": [
+            {"cos_theta": float(rest.u), "h": float(rest.h), "stable": rest.stable}
+            for rest in (column.rests if column else ())
+        ],
+        "families": [
+            {
+                "stable": stable,
+                "K": [float(curve[0, 1]), float(curve[-1, 1])],
+                "cos_theta": [float(curve[0, 2]), float(curve[-1, 2])],
+            }
+            for curve, stable in zip(diagram.curves, diagram.stable, strict=True)
+        ],
+    }
+    lines = [problem.system.title]
+    lines += [f"    {axis['symbol']}  {axis['meaning']} ({axis['unit']})" for axis in facts["axes"]]
+    lines += ["", "  families of permanent rotations, by |K|:"]
+    for family in facts["families"]:
+        (first, last), (begin, end) = family["K"], family["cos_theta"]
+        spins = f"|K| = {first:.6g} to {last:.6g}"
+        lines.append(f"    {_kind(family)}: {spins}, cos θ = {begin:.6g} to {end:.6g}")
+    if facts["rotations"]:
+        lines.append("  permanent rotations with the K of this motion:")
+    lines += [
+        f"    {_kind(rest)}: cos θ = {rest['cos_theta']:.6g}, h = {rest['h']:.9g}"
+        for rest in facts["rotations"]
+    ]
+    count = facts["motions"]
+    shared = (
+        "" if count is None else f"; {_count_text(count, 'motion', 'motions')} with these values"
+    )
+    lines.append(f"  this motion: h = {h:.9g}, K = {K:.9g}{shared}")
+    return _Answer(facts, lines, lambda: draw_revolution_diagram(diagram, [mark]))
+
+
+def _kind(item: dict[str, Any]) -> str:
+    return "stable" if item["stable"] else "unstable"
 
 
 def _numbers(overrides: list[str]) -> dict[str, str]:
@@ -96,7 +184,7 @@ def _numbers(overrides: list[str]) -> dict[str, str]:
     return numbers
 
 
-def _result(diagram: Diagram, mark: tuple[float, float] | None) -> dict[str, Any]:
+def _facts(diagram: Diagram, mark: tuple[float, float] | None) -> dict[str, Any]:
     from ..printing.formula import text
 
     here = None if mark is None else diagram.region(*mark)
@@ -133,32 +221,32 @@ def _result(diagram: Diagram, mark: tuple[float, float] | None) -> dict[str, Any
     }
 
 
-def _print(result: dict[str, Any]) -> None:
-    typer.echo(result["title"])
-    for axis in result["axes"]:
+def _lines(facts: dict[str, Any]) -> list[str]:
+    lines = [facts["title"]]
+    for axis in facts["axes"]:
         unit = f" ({axis['unit']})" if axis["unit"] else ""
-        typer.echo(f"    {axis['symbol']}  {axis['meaning']}{unit}".rstrip())
-    typer.echo("")
-    for region in result["regions"]:
-        here = " — this motion" if region["number"] == result["region_of_motion"] else ""
-        typer.echo(
-            f"  region {region['number']}: {_count_text(region['tori'], 'torus', 'tori')}{here}"
-        )
-    for boundary in result["boundaries"]:
-        kind = "stable" if boundary["stable"] else "unstable"
+        lines.append(f"    {axis['symbol']}  {axis['meaning']}{unit}".rstrip())
+    lines.append("")
+    for region in facts["regions"]:
+        here = " — this motion" if region["number"] == facts["region_of_motion"] else ""
+        count = _count_text(region["tori"], "torus", "tori")
+        lines.append(f"  region {region['number']}: {count}{here}")
+    for boundary in facts["boundaries"]:
         circles = _count_text(boundary["circles"], "circle", "circles")
-        typer.echo(f"  {boundary['motions']}: {circles}, {kind}; {boundary['curve']}")
-    for equilibrium in result["equilibria"]:
-        kind = "stable" if equilibrium["stable"] else "unstable"
+        lines.append(f"  {boundary['motions']}: {circles}, {_kind(boundary)}; {boundary['curve']}")
+    for equilibrium in facts["equilibria"]:
         place = ", ".join(f"{x:.6g}" for x in equilibrium["place"])
-        typer.echo(f"  equilibrium on axis {equilibrium['axis']}: {kind}; at ({place})")
-    if result["motion"] is not None:
+        lines.append(
+            f"  equilibrium on axis {equilibrium['axis']}: {_kind(equilibrium)}; at ({place})"
+        )
+    if facts["motion"] is not None:
         values = ", ".join(
             f"{axis['symbol']} = {value:.9g}"
-            for axis, value in zip(result["axes"], result["motion"], strict=True)
+            for axis, value in zip(facts["axes"], facts["motion"], strict=True)
         )
-        place = "" if result["region_of_motion"] else ", on a boundary"
-        typer.echo(f"  this motion: {values}{place}")
+        place = "" if facts["region_of_motion"] else ", on a boundary"
+        lines.append(f"  this motion: {values}{place}")
+    return lines
 
 
 def _count_text(number: int, one: str, many: str) -> str:

@@ -65,12 +65,16 @@ def command(
     the formulas of --let. With friction it is a number of the file, such as mu or
     omega_3, or a new name.
     """
+    from ..analysis.scans.axis_text import axis_parts
+
     picture = output.with_suffix(".png") if figure is None else figure
     check_store(output)
     check_figure("--figure", picture)
     check_picture(output, picture, force, by_user=figure is not None)
     client, chosen = check_workers(workers), device_of(device)
     formulas = dict(_assignment(item) for item in let or ())
+    for text, option in ((x, "--x"), (y, "--y")):
+        axis_parts(text, option)
     study = study_of(what, overrides)
     from ..analysis.scans.grid import axis
     from ..experiment.friction_ensembles.chart_task import chart_task

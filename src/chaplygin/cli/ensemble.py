@@ -7,7 +7,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .terminal.options import Force, Json, Override, What, inform, print_json, study_of
+from .terminal.options import (
+    Force,
+    Json,
+    Override,
+    Tolerance,
+    What,
+    at_least_one,
+    inform,
+    print_json,
+    study_of,
+)
 from .terminal.progress import progress
 from .terminal.stores import (
     OnDevice,
@@ -33,7 +43,11 @@ def command(
     what: What,
     output: Annotated[Path, typer.Option("-o", "--output", help="Zarr store to write, FILE.zarr.")],
     starts: Annotated[
-        int, typer.Option(help="Number of starts to draw at random; needs --level or --draw.")
+        int,
+        typer.Option(
+            help="Number of starts to draw at random; needs --level or --draw.",
+            callback=at_least_one,
+        ),
     ] = 1,
     level: Annotated[
         str | None,
@@ -61,7 +75,7 @@ def command(
         list[str] | None,
         typer.Option(metavar="NAME", help="Also record this observable or integral."),
     ] = None,
-    tolerance: Annotated[float, typer.Option(help="Error tolerance of one step.")] = 1e-13,
+    tolerance: Tolerance = 1e-13,
     workers: Workers = None,
     device: OnDevice = "cpu",
     overrides: Override = None,
@@ -75,8 +89,12 @@ def command(
     the integrals; the times are those of the experiment. With friction, numbers
     of the file are drawn from ranges.
     """
+    from ..analysis.scans.axis_text import axis_parts
+
     check_store(output)
     client, chosen = check_workers(workers), device_of(device)
+    for text in over or ():
+        axis_parts(text, "--over")
     study = study_of(what, overrides)
     from ..flow.ensemble.computation import compute
 
@@ -167,8 +185,6 @@ def _numbers(
             f"--level {level}: with friction no integrals remain; draw numbers of the file from "
             "ranges, as in --draw omega_3=0:10"
         )
-    if starts < 1:
-        raise InputError(f"--starts {starts}: there must be one at least")
     if starts > 1 and not draw:
         raise InputError(
             f"--starts {starts}: it is not said what differs; --draw NAME=A:B draws a number"
@@ -211,8 +227,6 @@ def _members(study: Study, starts: int, level: str | None, seed: int, over: list
     from ..errors import InputError
     from ..flow.ensemble.members import grid, random_starts, single
 
-    if starts < 1:
-        raise InputError(f"--starts {starts}: there must be one at least")
     if level is not None:
         everyone = random_starts(starts, level_of(level), seed)
     elif starts == 1:

@@ -9,7 +9,8 @@ from typing import Annotated
 import typer
 
 from ..interruption import CODE, ending
-from .terminal.options import Override, study_of
+from .terminal.options import Override, is_name, study_of
+from .terminal.progress import waiting
 
 #: Where pages are served unless another port is asked for.
 PORT = 8714
@@ -40,6 +41,9 @@ def command(
     """
     from ..errors import InputError
 
+    if not 0 <= port < 65536:
+        raise InputError(f"--port {port}: it must be a number from 0 to 65535")
+    named = is_name(what)
     try:
         import starlette  # noqa: F401
         import uvicorn  # noqa: F401
@@ -47,13 +51,13 @@ def command(
         raise InputError(
             "the laboratory needs Starlette and uvicorn: pip install 'chaplygin[lab]'"
         ) from None
-    from ..catalogue import CATALOGUE
-    from ..lab.element import front_end
-    from ..lab.server.folder import Folder
-    from ..lab.server.serve import serve
+    with waiting("preparing the laboratory"):
+        from ..lab.element import front_end
+        from ..lab.server.folder import Folder
+        from ..lab.server.serve import serve
 
-    front_end()
-    if what in CATALOGUE and not overrides:
+        front_end()
+    if named and not overrides:
         folder, name = Folder(Path.cwd()), what
     else:
         study = study_of(what, overrides)

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from .terminal.options import Json, console, print_json
+from .terminal.progress import waiting
 
 #: Columns of a terminal that has room for names, titles and sources.
 WIDE = 110
@@ -40,12 +41,13 @@ def command(
 
     Bruns' field, in some titles, is the quadratic potential U = ½ K (γ, I γ).
     """
-    from ..catalogue import CATALOGUE
     from ..catalogue.groups import GROUPS, INTEGRABLE, in_section, sections
     from ..errors import InputError
 
     if contact is not None and contact not in CONTACTS:
         raise InputError(f"--contact {contact}: it must be one of {', '.join(CONTACTS)}")
+    with waiting("reading the catalogue"):
+        from ..catalogue import CATALOGUE
     if section is not None and not any(in_section(i, section) for i in CATALOGUE.values()):
         known = ", ".join(sections(CATALOGUE))
         raise InputError(f"--section {section}: nothing is from there; there are {known}, 6.1, …")

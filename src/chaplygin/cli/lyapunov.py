@@ -8,7 +8,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from ..interruption import CODE, NOTHING, ending, say
-from .terminal.options import Force, Json, Override, What, console, inform, print_json, study_of
+from .terminal.options import (
+    Force,
+    Json,
+    Override,
+    Tolerance,
+    What,
+    console,
+    inform,
+    print_json,
+    study_of,
+)
 from .terminal.output_destination import STANDARD_OUTPUT, beside, check_output, deliver, name_of
 from .terminal.progress import progress
 from .terminal.stores import OnDevice, device_of, level_of
@@ -36,7 +46,7 @@ def command(
         ),
     ] = None,
     seed: Annotated[int, typer.Option(help="Seed of the random start.")] = 0,
-    tolerance: Annotated[float, typer.Option(help="Error tolerance of one step.")] = 1e-13,
+    tolerance: Tolerance = 1e-13,
     device: OnDevice = "cpu",
     output: Annotated[
         Path | None, typer.Option("-o", "--output", help="NetCDF file to write.")

@@ -8,7 +8,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from ..interruption import NOTHING, ending
-from .terminal.options import Force, Json, Override, What, inform, print_json, study_of
+from .terminal.options import (
+    Direction,
+    Force,
+    Json,
+    Override,
+    Tolerance,
+    What,
+    inform,
+    print_json,
+    study_of,
+)
 from .terminal.output_destination import check_figure, check_output, deliver
 from .terminal.progress import progress
 
@@ -27,9 +37,7 @@ def command(
         ),
     ],
     value: Annotated[float, typer.Option(help="Value of QUANTITY on the section.")] = 0.0,
-    direction: Annotated[
-        str, typer.Option(help="Crossings to count: rising, falling or both.")
-    ] = "rising",
+    direction: Direction = "rising",
     angle: Annotated[
         bool, typer.Option("--angle", help="QUANTITY is an angle: take it modulo 2π.")
     ] = False,
@@ -48,7 +56,7 @@ def command(
             help="Continue the orbit as this integral or parameter goes to VALUE.",
         ),
     ] = None,
-    tolerance: Annotated[float, typer.Option(help="Error tolerance of one step.")] = 1e-15,
+    tolerance: Tolerance = 1e-15,
     output: Annotated[
         Path | None,
         typer.Option(
@@ -89,8 +97,6 @@ def command(
     from ..experiment.single_system import without_reconstruction
     from ..report.drawing.files import save
 
-    if direction not in DIRECTIONS:
-        raise InputError(f"--direction {direction}: it must be one of {', '.join(DIRECTIONS)}")
     system = without_reconstruction(study)
     begin = [float(x) for x in study.start[: len(system.symbols)]]
     where = (on, value, DIRECTIONS[direction], angle)

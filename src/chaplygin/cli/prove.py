@@ -110,9 +110,9 @@ def _attempts(claims: list[tuple[System, Law]], effort: int, certificates: bool)
 
 def _claims(what: str, overrides: list[str] | None) -> list[tuple[System, Law]]:
     """The laws of the system, and of its general form if it has one."""
+    claims = list(study_of(what, overrides).claims)
     from ..catalogue import CATALOGUE
 
-    claims = list(study_of(what, overrides).claims)
     general = CATALOGUE[what].general if what in CATALOGUE else None
     if general is not None:
         wide = general()

@@ -7,7 +7,19 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .terminal.options import Force, Json, Override, What, console, inform, print_json, study_of
+from .terminal.options import (
+    Direction,
+    Force,
+    Json,
+    Override,
+    Tolerance,
+    What,
+    at_least_one,
+    console,
+    inform,
+    print_json,
+    study_of,
+)
 from .terminal.output_destination import STANDARD_OUTPUT
 from .terminal.progress import progress
 from .terminal.stores import (
@@ -45,9 +57,7 @@ def command(
         ),
     ],
     value: Annotated[float, typer.Option(help="Value of QUANTITY on the section.")] = 0.0,
-    direction: Annotated[
-        str, typer.Option(help="Crossings to count: rising, falling or both.")
-    ] = "rising",
+    direction: Direction = "rising",
     angle: Annotated[
         bool, typer.Option("--angle", help="QUANTITY is an angle: take it modulo 2π.")
     ] = False,
@@ -55,10 +65,15 @@ def command(
         list[str] | None,
         typer.Option(metavar="QUANTITY<WIDTH", help="Count only points with |QUANTITY| < WIDTH."),
     ] = None,
-    points: Annotated[int, typer.Option(help="Number of points of each motion.")] = 1000,
+    points: Annotated[
+        int, typer.Option(help="Number of points of each motion.", callback=at_least_one)
+    ] = 1000,
     starts: Annotated[
         int,
-        typer.Option(help="Number of motions; if several, they start at random on a level."),
+        typer.Option(
+            help="Number of motions; if several, they start at random on a level.",
+            callback=at_least_one,
+        ),
     ] = 1,
     level: Annotated[
         str | None,
@@ -81,7 +96,7 @@ def command(
             help="Time limit of a motion; default: the experiment's duration for each point."
         ),
     ] = None,
-    tolerance: Annotated[float, typer.Option(help="Error tolerance of one step.")] = 1e-13,
+    tolerance: Tolerance = 1e-13,
     workers: Workers = None,
     device: OnDevice = "cpu",
     overrides: Override = None,

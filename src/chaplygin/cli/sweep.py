@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import typer
 
 from .ensemble import given_start
-from .terminal.options import Force, Json, Override, What, inform, print_json, study_of
+from .terminal.options import Force, Json, Override, Tolerance, What, inform, print_json, study_of
 from .terminal.output_destination import check_figure
 from .terminal.progress import progress
 from .terminal.stores import (
@@ -49,7 +49,7 @@ def command(
         ),
     ] = None,
     figure: Annotated[Path | None, typer.Option(help="Figure to write; default: FILE.png.")] = None,
-    tolerance: Annotated[float, typer.Option(help="Error tolerance of one step.")] = 1e-13,
+    tolerance: Tolerance = 1e-13,
     workers: Workers = None,
     overrides: Override = None,
     force: Force = False,
@@ -60,13 +60,20 @@ def command(
     Every motion has the start and the times of the experiment and is streamed to
     a store, like the motions of an ensemble.
     """
+    from ..analysis.scans.axis_text import axis_parts
+
     check_store(output)
     client = check_workers(workers)
     picture = output.with_suffix(".png") if figure is None else figure
     check_figure("--figure", picture)
     check_picture(output, picture, force, by_user=figure is not None)
-    values = [values_of(text) for text in over]
+    for text in over:
+        if ":" in text:
+            axis_parts(text, "--over")
+        else:
+            values_of(text)
     study = study_of(what, overrides)
+    values = [values_of(text) for text in over]
     from dataclasses import replace
 
     from ..experiment.single_system import without_reconstruction
@@ -124,11 +131,12 @@ def values_of(text: str) -> tuple[str, list[float]]:
     InputError
         If it is not written so.
     """
-    from ..analysis.scans.grid import axis
     from ..errors import InputError
 
     name, _, span = (part.strip() for part in text.partition("="))
     if ":" in span:
+        from ..analysis.scans.grid import axis
+
         chosen = axis(text, "--over")
         return chosen.name, [float(value) for value in chosen.values]
     try:

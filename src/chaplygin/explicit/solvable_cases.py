@@ -21,7 +21,7 @@ from flint import arb, ctx, fmpq
 
 from ..arguments import NumberOrText
 from ..catalogue import entry
-from ..catalogue.entry import bruns_factor
+from ..catalogue.catalogue_entry import bruns_factor
 from ..core.isomorphism import Isomorphism
 from ..core.system import System, flat_pairs
 from ..core.vectors import Diagonal, real_symbol, to_components

@@ -14,8 +14,11 @@ import pytest
 import xarray as xr
 
 from chaplygin.borisov_mamaev.audit import TITLES
-from chaplygin.cli import audit, main
+from chaplygin.cli import audit, bifurcation, main
+from chaplygin.cli.terminal import options
 from chaplygin.experiment.dataset import read
+from chaplygin.experiment.poincare import DIRECTIONS
+from chaplygin.explicit.bifurcation.families import PLANES
 
 Ask = Callable[..., tuple[int, str, str]]
 
@@ -202,12 +205,31 @@ def test_a_picture_that_was_named_is_not_replaced_unasked(ask: Ask, tmp_path: Pa
         ("ensemble", "veselova", "-o", "x.zarr", "--workers", "0"),
         ("chart", "veselova", "--of", "n", "--x", "x", "--y", "y", "-o", "there.nc"),
         ("find", "something", "veselova"),
+        ("run", "no-such-system", "-o", "new.nc"),
+        ("find", "integrals", "no-such-system"),
+        ("bifurcation", "no-such-system"),
+        ("prove", "no-such-system"),
+        ("lab", "no-such-system"),
+        ("lab", "--port", "99999"),
+        ("list", "--contact", "glue"),
+        ("lyapunov", "veselova", "--tolerance", "0"),
+        ("orbit", "veselova", "--on", "gamma_3", "--tolerance", "nan"),
+        ("orbit", "veselova", "--on", "gamma_3", "--direction", "up"),
+        ("section", "veselova", "--on", "gamma_3", "-o", "x.zarr", "--points", "0"),
+        ("section", "veselova", "--on", "gamma_3", "-o", "x.zarr", "--starts", "0"),
+        ("section", "veselova", "--on", "gamma_3", "-o", "full.zarr"),
+        ("chart", "veselova", "--of", "n", "--x", "x=0:1", "--y", "y=0:1:2", "-o", "x.zarr"),
+        ("sweep", "veselova", "--over", "I_1", "-o", "x.zarr"),
+        ("sweep", "veselova", "--over", "I_1=0:1:0", "-o", "x.zarr"),
+        ("ensemble", "veselova", "--over", "I_1=1,2", "-o", "x.zarr"),
     ],
 )
 def test_mistakes_that_cost_nothing_are_told_before_anything_heavy_is_imported(
     tmp_path: Path, arguments: tuple[str, ...]
 ) -> None:
     (tmp_path / "there.nc").write_text("mine")
+    (tmp_path / "full.zarr").mkdir()
+    (tmp_path / "full.zarr" / "mine").touch()
     heavy = "{'sympy', 'numpy', 'xarray', 'heyoka', 'matplotlib', 'scipy', 'zarr'}"
     script = (
         "import sys\nfrom chaplygin.__main__ import main\n"
@@ -222,20 +244,67 @@ def test_mistakes_that_cost_nothing_are_told_before_anything_heavy_is_imported(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("what", ["no-such-system", "mine.toml"])
-def test_mistakes_in_names_and_files_are_told_before_the_integrators_are_imported(
-    tmp_path: Path, what: str
-) -> None:
+def test_mistakes_in_files_are_told_before_the_integrators_are_imported(tmp_path: Path) -> None:
     (tmp_path / "mine.toml").write_text('[system]\nnam = "veselova"\n')
     script = (
         "import sys\nfrom chaplygin.__main__ import main\n"
         "try: main()\nfinally: print(sorted({'heyoka', 'xarray', 'matplotlib', 'scipy'} & "
         "set(sys.modules)))"
     )
-    run = program("run", what, "-o", "new.nc", folder=tmp_path, script=script)
+    run = program("run", "mine.toml", "-o", "new.nc", folder=tmp_path, script=script)
     out, err = run.communicate()
     assert (run.returncode, err[:7]) == (2, b"error: ")
     assert out.decode().strip() == "[]"
+
+
+#: Ends a command where it first says what it does; prints that, and what was imported before.
+FIRST_WORDS = """
+import sys
+from chaplygin.__main__ import main
+from chaplygin.cli.terminal import progress
+class First:
+    def __init__(self, task):
+        heavy = {'sympy', 'numpy', 'xarray', 'heyoka', 'matplotlib', 'scipy', 'zarr'}
+        print(task, sorted(heavy & set(sys.modules)))
+        raise SystemExit(0)
+progress._Log = progress._Bar = First
+sys.stderr.isatty = lambda: True
+main()
+"""
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("list",),
+        ("show", "veselova"),
+        ("run", "veselova", "-o", "x.nc"),
+        ("study", "trailers"),
+        ("solve", "veselova"),
+        ("find", "integrals", "veselova"),
+        ("prove", "veselova"),
+        ("ensemble", "veselova", "--over", "I_1=1:2:2", "-o", "x.zarr"),
+        ("sweep", "veselova", "--over", "I_1=1:2:2", "-o", "x.zarr"),
+        ("section", "veselova", "--on", "gamma_3", "-o", "x.zarr"),
+        ("orbit", "veselova", "--on", "gamma_3"),
+        ("bifurcation", "veselova"),
+        ("bifurcation", "bruns"),
+        ("lyapunov", "veselova"),
+        ("chart", "veselova", "--of", "n", "--x", "x=0:1:2", "--y", "y=0:1:2", "-o", "x.zarr"),
+        ("animate", "veselova", "-o", "x.gif"),
+        ("audit",),
+    ],
+)
+def test_a_command_says_what_it_does_before_anything_heavy_is_imported(
+    tmp_path: Path, arguments: tuple[str, ...]
+) -> None:
+    out, err = program(*arguments, folder=tmp_path, script=FIRST_WORDS).communicate()
+    assert out.decode().endswith(" []\n"), err.decode()
+
+
+def test_the_choices_of_options_are_those_of_what_computes() -> None:
+    assert tuple(DIRECTIONS) == options.DIRECTIONS
+    assert tuple(PLANES) == bifurcation.PLANES
 
 
 def test_the_sections_of_the_audit_are_those_of_the_paper() -> None:
@@ -296,7 +365,7 @@ def test_a_start_that_the_surface_cannot_hold_is_refused(ask: Ask, tmp_path: Pat
 
 @pytest.mark.slow
 def test_a_file_gives_its_system_a_name(ask: Ask, tmp_path: Path) -> None:
-    egg = Path(__file__).parents[2] / "examples" / "egg.toml"
+    egg = Path(__file__).parents[3] / "examples" / "egg.toml"
     code, out, _ = ask("run", egg, "-o", "egg.nc", "--set", "run.until=0.1", "--json")
     assert code == 0
     assert json.loads(out)["system"] == "rubber-egg"

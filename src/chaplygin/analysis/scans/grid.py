@@ -26,6 +26,7 @@ from ...flow.level_projection import project_to_level
 from ...formulas.array_evaluation import formula
 from ...formulas.array_formulas import Formulas
 from ...parsing import nearest, parse
+from .axis_text import axis_parts
 from .system_quantities import quantities_by_name
 
 #: Why a cell has no motion or no number; −1 in a store is what is not computed yet.
@@ -35,8 +36,6 @@ REASONS: Mapping[int, str] = {
     INADMISSIBLE: "the parameters are not admissible",
     NO_NUMBER: "the number could not be formed",
 }
-#: Cells along an axis, at most.
-MOST = 100_000
 
 
 @arguments_checked
@@ -71,22 +70,13 @@ def axis(text: str, where: str = "") -> Axis:
     InputError
         If it is not written so.
     """
-    name, equals, span = (part.strip() for part in text.partition("="))
-    parts = span.split(":")
-    if not equals or not name.isidentifier() or len(parts) != 3:
-        raise InputError(
-            f"{text}: an axis is written NAME=FIRST:LAST:COUNT, such as k=-2:2:300", where
-        )
-    first, last = (float(parse(part, {}, where)) for part in parts[:2])
-    if not parts[2].strip().isdecimal() or not 1 <= int(parts[2]) <= MOST:
-        raise InputError(
-            f"{text}: the last number, the count, must be a whole number from 1 to {MOST}", where
-        )
-    if (first == last) != (int(parts[2]) == 1):
+    name, *ends, count = axis_parts(text, where)
+    first, last = (float(parse(end, {}, where)) for end in ends)
+    if (first == last) != (count == 1):
         raise InputError(
             f"{text}: a count above 1 needs two ends that differ, and a count of 1 one end", where
         )
-    return Axis(name, first, last, int(parts[2]))
+    return Axis(name, first, last, count)
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,9 @@ from ...core.vectors import norm_squared, vectors
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
+from ..catalogue_entry import Entry, Numbers, Start, bruns_factor, laws_for
 from ..chaplygin_ball.chaplygin_ball import BRUNS, MOMENTUM_UNIT, K
 from ..chaplygin_ball.chaplygin_bracket import DET_IQ
-from ..entry import Entry, Numbers, Start, bruns_factor, laws_for
 from . import ball_on_sphere
 from .bruns_field import HALF, SOURCE
 

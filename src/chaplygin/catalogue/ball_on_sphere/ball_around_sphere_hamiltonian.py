@@ -18,8 +18,8 @@ from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral
 from ...core.system import Guard, Parameter, System
 from ...core.vectors import Diagonal, dot, identity, norm_squared, real_symbol, to_components, zero
+from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import Gamma, M, e3_system
-from ..entry import Entry, Numbers, Start
 from . import ball_around_sphere_chaplygin as chaplygin, ball_on_sphere_equations as ball
 
 J = Diagonal("J")

@@ -13,7 +13,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Rolling
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
-from ..entry import Entry, Numbers, Start, laws_for
+from ..catalogue_entry import Entry, Numbers, Start, laws_for
 from .ball_around_sphere_coordinates import coordinates_around_sphere
 from .ball_on_sphere_equations import equations_on_sphere
 

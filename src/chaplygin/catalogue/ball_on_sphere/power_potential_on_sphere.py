@@ -15,7 +15,7 @@ from ...core.laws import Integral
 from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, dot, norm_squared, real_symbol
 from ...errors import InputError
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 from .rubber_ball_on_e3 import DET_J, J, M, gamma, k, on_e3
 
 A = Diagonal("A")

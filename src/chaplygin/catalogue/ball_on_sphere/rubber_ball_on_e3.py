@@ -28,7 +28,7 @@ from ...core.vectors import (
 )
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 
 M, gamma = vectors("M gamma")
 J = Diagonal("J")

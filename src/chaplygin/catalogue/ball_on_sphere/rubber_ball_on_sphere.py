@@ -14,7 +14,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Sphere
-from ..entry import Entry, Numbers, Start, laws_for
+from ..catalogue_entry import Entry, Numbers, Start, laws_for
 from . import ball_on_sphere, rubber_ball_ratio
 
 omega, gamma = vectors("omega gamma")

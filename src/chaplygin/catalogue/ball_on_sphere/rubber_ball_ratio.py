@@ -33,7 +33,7 @@ from ...core.vectors import (
 )
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 from . import power_potential_on_sphere, rubber_ball_on_e3
 from .rubber_ball_on_e3 import DEFAULTS, parameters
 

@@ -17,7 +17,7 @@ from ...core.system import Guard, System
 from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, vectors
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 from . import rubber_ball_on_e3, rubber_ball_ratio as ratio
 from .rubber_ball_ratio import DET_J, RHO_SQUARED, A, J, k
 from .rubber_ball_sphero_conical import CANONICAL, cubic

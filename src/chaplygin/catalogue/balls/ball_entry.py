@@ -8,7 +8,7 @@ from dataclasses import replace
 from ...core.laws import Law
 from ...core.system import System
 from ...mechanics.ball.ball import RollingBall
-from ..entry import Entry, Numbers, Start, Values
+from ..catalogue_entry import Entry, Numbers, Start, Values
 from .ball_laws import known_ball_laws
 
 #: Meaning and unit of the variables in which the start of a ball is given.

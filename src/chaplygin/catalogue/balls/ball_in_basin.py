@@ -13,7 +13,7 @@ from ...core.system import Parameter
 from ...core.vectors import cross, dot, real_symbol, unit_vector, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.surface import ImplicitSurface
-from ..entry import Numbers
+from ..catalogue_entry import Numbers
 from .ball_entry import ball_entry
 from .ball_laws import meridian_law
 from .ball_on_any_surface import any_marble, any_supported_marble, any_supported_rubber

@@ -17,7 +17,7 @@ from ...core.vectors import dot, gradient, norm_squared, to_components, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
 from ...mechanics.ball.surface import Cone
-from ..entry import Numbers
+from ..catalogue_entry import Numbers
 from .ball_entry import ball_entry
 from .ball_laws import ROLLING
 

@@ -24,7 +24,7 @@ from ...core.vectors import (
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
 from ...mechanics.ball.surface import EllipsoidSurface
-from ..entry import Numbers
+from ..catalogue_entry import Numbers
 from .ball_entry import ball_entry
 from .ball_laws import ROLLING, quadratic
 from .ball_on_any_surface import TANGENT, any_rubber, particle

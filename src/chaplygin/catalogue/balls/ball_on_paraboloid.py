@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.surface import Paraboloid
-from ..entry import Numbers
+from ..catalogue_entry import Numbers
 from .ball_entry import ball_entry
 
 

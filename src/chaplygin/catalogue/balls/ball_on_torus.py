@@ -15,7 +15,7 @@ from ...core.vectors import real_symbol, unit_vector, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
 from ...mechanics.ball.surface import Ring
-from ..entry import Numbers
+from ..catalogue_entry import Numbers
 from .ball_entry import ball_entry
 from .ball_laws import meridian_law
 

@@ -24,7 +24,7 @@ from ...core.vectors import constant, cross, dot, real_symbol, unit_vector, vect
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
 from ...mechanics.ball.surface import Paraboloid
-from ..entry import Numbers
+from ..catalogue_entry import Numbers
 from ..vector_rates import rate
 from .ball_entry import ball_entry
 from .ball_on_any_surface import TANGENT, particle, tangential

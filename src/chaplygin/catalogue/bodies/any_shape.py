@@ -27,7 +27,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import ContactModel, Forces, Rolling
 from ...mechanics.shapes.shapes import Ellipsoid
 from ...mechanics.shapes.surfaces import Sphere
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 
 omega, gamma, r, rdot, gammadot = vectors("omega gamma r rdot gammadot")
 M, dh, torque, c = vectors("M dh torque c")

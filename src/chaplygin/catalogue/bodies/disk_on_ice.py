@@ -37,7 +37,7 @@ from ...mechanics.rolling.attitude import (
     unit_length,
 )
 from ...mechanics.rolling.body import check_inertia, check_mass
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 
 omega, gamma, xi, y, N, v, L = vectors("omega gamma xi y N v L")
 place = Vector("place", 2)

@@ -9,7 +9,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.shapes.shapes import Disk
 from ...mechanics.shapes.surfaces import Plane
-from ..entry import Entry, Numbers, Start, laws_for
+from ..catalogue_entry import Entry, Numbers, Start, laws_for
 
 M, gamma = vectors("M gamma")
 m, R, I_1, I_2, I_3 = (real_symbol(name) for name in ("m", "R", "I_1", "I_2", "I_3"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.shapes.shapes import Ellipsoid
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 
 
 def build(p: Numbers) -> Rolling:

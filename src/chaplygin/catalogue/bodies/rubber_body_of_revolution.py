@@ -17,7 +17,7 @@ from ...mechanics.shapes.implicit import Implicit
 from ...mechanics.shapes.revolution import Revolution
 from ...mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
 from ...mechanics.shapes.surfaces import Plane
-from ..entry import Entry, Numbers, Start, laws_for
+from ..catalogue_entry import Entry, Numbers, Start, laws_for
 from .rubber_profile import HEIGHT, POTENTIAL, from_support, profile_system
 
 M, omega, gamma, r, c = vectors("M omega gamma r c")

@@ -50,8 +50,8 @@ from ...mechanics.rolling.attitude import (
     rotation,
     unit_length,
 )
+from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import inertia_parameters, lie_poisson
-from ..entry import Entry, Numbers, Start
 from .disk_on_ice import AXIS, HALF, INERTIA, MOMENTUM, disk_parameters, flat, lift_off
 
 M, omega, gamma, b, bdot, X = vectors("M omega gamma b bdot X")

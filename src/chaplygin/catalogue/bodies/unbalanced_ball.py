@@ -11,7 +11,7 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import ContactModel, Rolling
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane, Sphere
-from ..entry import Entry, Numbers, Start, laws_for
+from ..catalogue_entry import Entry, Numbers, Start, laws_for
 
 M, omega, gamma, r, c = vectors("M omega gamma r c")
 m, R = real_symbol("m"), real_symbol("R")

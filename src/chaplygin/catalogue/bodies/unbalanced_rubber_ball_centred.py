@@ -38,7 +38,7 @@ from ...core.vectors import (
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
 from ..ball_on_sphere.rubber_ball_sphero_conical import cubic, normal, square
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 
 omega, gamma, kappa, M, X = vectors("omega gamma kappa M X")
 J, K, A = Diagonal("J"), Diagonal("K"), Diagonal("A")

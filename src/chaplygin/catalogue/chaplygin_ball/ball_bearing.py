@@ -38,8 +38,8 @@ from ...core.vectors import (
     vectors,
 )
 from ...mechanics.rolling.body import check_inertia
+from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import inertia_parameters
-from ..entry import Entry, Numbers, Start
 from . import chaplygin_ball_unreduced
 
 M, omega, alpha, beta, gamma = vectors("M omega alpha beta gamma")

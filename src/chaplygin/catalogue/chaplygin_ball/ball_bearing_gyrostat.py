@@ -13,7 +13,7 @@ import sympy as sp
 from ...core.laws import Integral, Law, Measure
 from ...core.system import System
 from ...core.vectors import Diagonal, cross, dot, real_symbol, vectors
-from ..entry import Entry, Numbers
+from ..catalogue_entry import Entry, Numbers
 from ..parameter_conditions import holding
 from ..rotors_and_field import rotors_and_field
 from . import ball_bearing

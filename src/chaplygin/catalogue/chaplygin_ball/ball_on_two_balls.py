@@ -29,8 +29,8 @@ from ...core.vectors import (
     vectors,
 )
 from ...mechanics.rolling.body import check_inertia
+from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import inertia_parameters, lie_poisson
-from ..entry import Entry, Numbers, Start
 from ..parameter_conditions import holding
 from ..rotors_and_field import rotors_and_field
 from .chaplygin_bracket import DET_J, A, I, J

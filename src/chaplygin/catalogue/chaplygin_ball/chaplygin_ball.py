@@ -18,8 +18,8 @@ from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane
+from ..catalogue_entry import Entry, Numbers, Start, bruns_factor, laws_for
 from ..e3 import lie_poisson
-from ..entry import Entry, Numbers, Start, bruns_factor, laws_for
 from .chaplygin_ball_clebsch import onto_clebsch, onto_fedorov
 from .chaplygin_bracket import DET_IQ, D, hamiltonian_form
 

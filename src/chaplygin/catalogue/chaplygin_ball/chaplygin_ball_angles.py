@@ -24,7 +24,7 @@ from ...core.vectors import (
     vectors,
     zero,
 )
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 from .chaplygin_bracket import (
     DET_IQ,
     DET_J,

@@ -15,8 +15,8 @@ from ...core.laws import Integral
 from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, constant, cross, dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.body import check_inertia
+from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import Gamma, M as CLEBSCH_MOMENTUM, inertia_parameters
-from ..entry import Entry, Numbers, Start
 from ..fixed_point import clebsch, neumann
 from ..fixed_point.neumann import c
 from .chaplygin_bracket import DET_IQ, DET_J, A, D, J, gamma

@@ -7,7 +7,7 @@ import sympy as sp
 from ...core.laws import Integral, Measure
 from ...core.system import System
 from ...core.vectors import cross, dot, gradient, norm_squared, vectors, zero
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 from .chaplygin_bracket import DET_IQ, PARAMETERS, TENSORS, A, D, with_numbers
 
 M, alpha, beta, gamma, omega = vectors("M alpha beta gamma omega")

@@ -30,8 +30,8 @@ from ...core.vectors import (
     zero,
 )
 from ...mechanics.rolling.body import check_inertia, check_mass
+from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import lie_poisson
-from ..entry import Entry, Numbers, Start
 
 L, gamma, k, u = vectors("L gamma k u")
 I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")

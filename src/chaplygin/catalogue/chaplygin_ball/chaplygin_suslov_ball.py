@@ -30,7 +30,7 @@ from ...mechanics.rolling.attitude import (
     unit_length,
 )
 from ...mechanics.rolling.body import check_inertia, check_mass
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 from ..vector_rates import rate
 
 omega, gamma, e, X, p, q = vectors("omega gamma e X p q")

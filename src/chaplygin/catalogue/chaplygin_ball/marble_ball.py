@@ -15,7 +15,7 @@ from ...core.laws import Identity, Integral, Law
 from ...core.system import Observable, Parameter, System
 from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, unit_vector, vectors
 from ...mechanics.rolling.body import check_inertia, check_mass
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 from ..vector_rates import rate
 
 R, omega, v, r, N, F = vectors("R omega v r N F")

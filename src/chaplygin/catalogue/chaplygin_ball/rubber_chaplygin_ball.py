@@ -13,7 +13,7 @@ from ...core.vectors import Diagonal, cross, dot, norm_squared, vectors, zero
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane
-from ..entry import Entry, Numbers, Start, bruns_factor, laws_for
+from ..catalogue_entry import Entry, Numbers, Start, bruns_factor, laws_for
 from ..fixed_point import veselova
 from . import chaplygin_ball
 

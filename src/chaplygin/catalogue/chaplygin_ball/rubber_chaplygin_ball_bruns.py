@@ -10,7 +10,7 @@ from ...core.system import System
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.shapes.shapes import Ball
 from ...mechanics.shapes.surfaces import Plane
-from ..entry import Entry, Numbers, bruns_factor, laws_for
+from ..catalogue_entry import Entry, Numbers, bruns_factor, laws_for
 from ..fixed_point import veselova
 from . import chaplygin_ball, rubber_chaplygin_ball
 

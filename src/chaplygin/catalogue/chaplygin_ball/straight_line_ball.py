@@ -24,8 +24,8 @@ from ...core.system import Observable, Parameter, System, Theorem
 from ...core.vectors import Components, Diagonal, cross, dot, real_symbol, vectors
 from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
 from ...mechanics.rolling.body import check_inertia, check_mass
+from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import inertia_parameters
-from ..entry import Entry, Numbers, Start
 
 omega, alpha, beta, gamma, M, X, q = vectors("omega alpha beta gamma M X q")
 I, A = Diagonal("I"), Diagonal("A")

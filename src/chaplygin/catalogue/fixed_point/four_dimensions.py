@@ -26,7 +26,7 @@ from ...core.laws import Integral, Measure
 from ...core.system import Parameter, System, Theorem
 from ...core.vectors import real_symbol
 from ...mechanics.rolling.body import check_mass
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 
 PAIRS = tuple(combinations(range(4), 2))
 gamma, u, p, f = (

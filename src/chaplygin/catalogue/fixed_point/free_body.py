@@ -21,7 +21,7 @@ from ...mechanics.rolling.attitude import (
 )
 from ...mechanics.rolling.body import check_inertia
 from .. import e3
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 
 M, omega, gamma = vectors("M omega gamma")
 I, A = Diagonal("I"), Diagonal("A")

@@ -23,8 +23,8 @@ from ...core.laws import (
 from ...core.system import Parameter, System
 from ...core.vectors import constant, cross, dot, real_symbol, to_components, unit_vector
 from ...mechanics.rolling.body import check_inertia
+from ..catalogue_entry import Entry, Numbers, Start
 from ..e3 import Gamma, M, e3_system
-from ..entry import Entry, Numbers, Start
 
 I_1, I_3, P = sp.symbols("I_1 I_3 P", real=True)
 theta, phi, psi = sp.symbols("theta phi psi", real=True)

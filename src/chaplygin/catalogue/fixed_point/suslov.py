@@ -32,7 +32,7 @@ from ...mechanics.rolling.attitude import (
     unit_length,
 )
 from ...mechanics.rolling.body import check_inertia
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 from . import suslov_bracket
 
 omega, gamma, X = vectors("omega gamma X")

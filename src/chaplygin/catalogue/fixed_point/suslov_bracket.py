@@ -13,7 +13,7 @@ import sympy as sp
 from ...core.laws import ConformallyHamiltonian, Integral, Measure, PoissonStructure
 from ...core.system import Parameter, System
 from ...core.vectors import Components, Vector, constant, norm_squared
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 
 gamma = Vector("gamma")
 p_1, p_2, d = sp.symbols("p_1 p_2 d", real=True)

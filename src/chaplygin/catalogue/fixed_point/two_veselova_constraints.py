@@ -27,7 +27,7 @@ from ...core.laws import Integral, Law, Measure
 from ...core.system import Observable, Parameter, System
 from ...core.vectors import Diagonal, cross, dot, norm_squared, real_symbol, vectors
 from .. import e3
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 from ..parameter_conditions import holding
 from ..rotors_and_field import rotors_and_field
 from .veselova import moments

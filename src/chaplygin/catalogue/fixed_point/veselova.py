@@ -39,7 +39,7 @@ from ...mechanics.rolling.attitude import (
 )
 from ...mechanics.rolling.body import check_inertia
 from .. import e3
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 from ..sphero_conical import cubic, sphero_conical_coordinates, u, v
 from . import neumann
 from .veselova_geodesic import in_potential

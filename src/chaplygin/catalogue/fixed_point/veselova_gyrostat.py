@@ -24,7 +24,7 @@ from ...core.vectors import (
     vectors,
 )
 from .. import e3
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 from ..parameter_conditions import holding
 from ..rotors_and_field import rotors_and_field
 from . import veselova

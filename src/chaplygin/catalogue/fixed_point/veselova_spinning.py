@@ -8,7 +8,7 @@ from ...core.laws import Integral
 from ...core.system import System
 from ...core.vectors import dot
 from .. import e3
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 from .veselova import (
     ANY,
     FREE,

@@ -26,8 +26,8 @@ from ...core.system import Observable, Parameter, System
 from ...errors import InputError
 from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.rolling.body import check_mass
+from ..catalogue_entry import Entry, Numbers, Start
 from ..chaplygin_ball import generalised_chaplygin as chaplygin
-from ..entry import Entry, Numbers, Start
 
 x, y, phi, v, u, Omega = sp.symbols("x y phi v u Omega", real=True)
 m, I, a, b, J = sp.symbols("m I a b J", real=True)

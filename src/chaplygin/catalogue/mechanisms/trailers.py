@@ -21,7 +21,7 @@ from ...core.vectors import real_symbol
 from ...mechanics.lagrangian.mechanism import Frame, Mechanism
 from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.lagrangian.poincare_suslov import equations
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 from ..positive_numbers import positive
 
 x, y, theta, u, v, m, J = (real_symbol(name) for name in ("x", "y", "theta", "u", "v", "m", "J"))

@@ -18,7 +18,7 @@ from ...errors import InputError
 from ...mechanics.lagrangian.mechanism import Frame, Mechanism
 from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.lagrangian.poincare_suslov import equations
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 from ..positive_numbers import positives
 
 x, y, theta, psi = (real_symbol(name) for name in ("x", "y", "theta", "psi"))

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from ...contact.invariants import sliding_ball as ball
 from ...core.system import System
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 from ..positive_numbers import positive
 
 TITLE = "Homogeneous ball that slides"

@@ -9,7 +9,7 @@ from ...contact.invariants.free_contact import free_contact, jellett
 from ...core.system import Parameter, System
 from ...mechanics.rolling.body import Body, check_mass
 from ...mechanics.shapes.shapes import Ball
-from ..entry import Entry, Numbers, Start
+from ..catalogue_entry import Entry, Numbers, Start
 from ..positive_numbers import positive
 
 TITLE = "Tippe top that slides"

@@ -20,7 +20,7 @@ from ...core.laws import Integral, Law, Measure
 from ...core.matrices import Column, Jacobian, MatrixProduct, wedge
 from ...core.system import Parameter, System
 from ...core.vectors import norm_squared
-from ..entry import Values
+from ..catalogue_entry import Values
 from .chaplygin_ball import Delta, momentum_of, velocity_steps
 from .entry_of_dimension import (
     SOURCE,

@@ -27,7 +27,7 @@ from ...core.matrices import Column, Skew
 from ...core.system import Observable, Parameter, Reconstruction, System
 from ...core.vectors import Components, dot, real_symbol, to_components
 from ...errors import InputError
-from ..entry import Numbers
+from ..catalogue_entry import Numbers
 from .chaplygin_ball import DENSITY, ChaplyginBall, Delta, momentum_of
 from .entry_of_dimension import SOURCE, D, Family, R
 from .equal_radii import bracket, hamiltonian

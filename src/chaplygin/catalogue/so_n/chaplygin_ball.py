@@ -25,7 +25,7 @@ from ...core.matrices import Column, Jacobian, MatrixProduct, Skew, SymmetricMat
 from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
 from ...core.vectors import outer, real_symbol, to_components
-from ..entry import Values
+from ..catalogue_entry import Values
 from .elimination import solution
 from .entry_of_dimension import MOMENTUM, SOURCE, D, Family, R, cycle, direction
 from .inertia import Inertia, MassTensor, Moments, pairs

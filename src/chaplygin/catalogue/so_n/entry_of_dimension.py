@@ -12,7 +12,7 @@ from ...core.parameters import require_parameters
 from ...core.system import Parameter, System
 from ...core.vectors import real_symbol
 from ...errors import InputError
-from ..entry import Entry, Numbers, Start, Values
+from ..catalogue_entry import Entry, Numbers, Start, Values
 from .inertia import (
     LARGEST,
     SMALLEST,

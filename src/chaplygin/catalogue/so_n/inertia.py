@@ -16,7 +16,7 @@ from ...core.named_formulas import Pairs
 from ...core.system import Parameter
 from ...core.vectors import real_symbol, to_components
 from ...errors import InputError
-from ..entry import Numbers
+from ..catalogue_entry import Numbers
 
 #: Dimensions whose indices are single digits.
 SMALLEST, LARGEST = 3, 9

@@ -34,7 +34,7 @@ from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
 from ...core.vectors import Vector, dot, norm_squared, real_symbol
 from ...errors import InputError
-from ..entry import Numbers, Values
+from ..catalogue_entry import Numbers, Values
 from .entry_of_dimension import (
     SOURCE,
     SQUARE,

@@ -12,7 +12,7 @@ from ...core.rotations import Matrix, finite_numbers, rotation_near, upright_mat
 from ...core.system import System, flat_pairs
 from ...errors import InputError
 from ...mechanics.rolling.initial_state import SLACK, evaluate
-from ..entry import Family
+from ..catalogue_entry import Family
 from .inertia import labels, pairs
 from .motion_in_space import omega_of
 

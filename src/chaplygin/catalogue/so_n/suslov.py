@@ -28,7 +28,7 @@ from ...core.matrices import Blocks, Column, SymmetricMatrix
 from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
 from ...core.vectors import Components, dot, norm_squared, to_components
-from ..entry import Values
+from ..catalogue_entry import Values
 from .elimination import elimination
 from .entry_of_dimension import SOURCE, Family, cycle, direction
 from .inertia import Inertia, MassTensor, Moments

@@ -17,8 +17,8 @@ from ...core.system import System, flat_pairs
 from ...core.vectors import Components, Vector, to_components, vectors
 from ...mechanics.rolling.attitude import rotation
 from ..ball_on_sphere import ball_on_sphere, rubber_ball_on_sphere
+from ..catalogue_entry import Entry
 from ..chaplygin_ball import chaplygin_ball, rubber_chaplygin_ball
-from ..entry import Entry
 from ..fixed_point import veselova
 from .entry_of_dimension import SOURCE
 from .inertia import Inertia, Moments

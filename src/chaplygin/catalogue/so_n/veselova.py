@@ -27,7 +27,7 @@ from ...core.matrices import Column, Jacobian, SymmetricMatrix, wedge
 from ...core.named_formulas import Pairs
 from ...core.system import Parameter, System
 from ...core.vectors import dot, norm_squared, real_symbol, to_components
-from ..entry import Values
+from ..catalogue_entry import Values
 from .elimination import solution
 from .entry_of_dimension import (
     SOURCE,

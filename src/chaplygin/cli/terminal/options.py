@@ -19,6 +19,10 @@ if TYPE_CHECKING:
 
 NO_LAWS = "No laws of it are known."
 PRECISIONS = ("double", "quad")
+DIRECTIONS = ("rising", "falling", "both")
+
+#: Bounds of the tolerance of one step.
+FINEST, COARSEST = 1e-16, 0.1
 
 What = Annotated[
     str,
@@ -49,6 +53,41 @@ Force = Annotated[bool, typer.Option("--force", help="Replace files that exist a
 Precision = Annotated[
     str | None,
     typer.Option(help="double (16 digits) or quad (34 digits); short for --set run.precision=…."),
+]
+
+
+def _checked_tolerance(value: float) -> float:
+    from ...errors import InputError
+
+    if not FINEST <= value <= COARSEST:
+        raise InputError(f"--tolerance {value:g}: it must lie between {FINEST:g} and {COARSEST:g}")
+    return value
+
+
+def _checked_direction(value: str) -> str:
+    from ...errors import InputError
+
+    if value not in DIRECTIONS:
+        raise InputError(f"--direction {value}: it must be one of {', '.join(DIRECTIONS)}")
+    return value
+
+
+def at_least_one(option: typer.CallbackParam, value: int) -> int:
+    """The number of an option that counts, or an InputError."""
+    from ...errors import InputError
+
+    if value < 1:
+        raise InputError(f"{option.opts[0]} {value}: there must be one at least")
+    return value
+
+
+# What costs nothing to check is refused before anything is imported.
+Tolerance = Annotated[
+    float, typer.Option(help="Error tolerance of one step.", callback=_checked_tolerance)
+]
+Direction = Annotated[
+    str,
+    typer.Option(help="Crossings to count: rising, falling or both.", callback=_checked_direction),
 ]
 
 
@@ -96,6 +135,29 @@ def operations(effort: float) -> int:
     return max(1, round(effort * EFFORT))
 
 
+def is_name(what: str) -> bool:
+    """Whether NAME or FILE means a system of the catalogue; what it means is there.
+
+    Raises
+    ------
+    InputError
+        If there is no such file or system.
+    """
+    from ...catalogue.groups import NAMES
+    from ...catalogue.names import lookup
+    from ...errors import InputError
+
+    if not what.strip():
+        raise InputError("NAME|FILE is empty: a catalogue name or a file is needed")
+    path = Path(what)
+    named = path.suffix not in (".py", ".toml") and len(path.parts) == 1 and not path.is_file()
+    if named:
+        lookup(dict.fromkeys(NAMES, True), what)
+    elif not path.exists():
+        raise InputError(f"{what}: there is no such file")
+    return named
+
+
 def study_of(what: str, overrides: list[str] | None, precision: str | None = None) -> Study:
     """Make ready the experiment that NAME or FILE means.
 
@@ -106,12 +168,7 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
     """
     from ...errors import InputError
 
-    if not what.strip():
-        raise InputError("NAME|FILE is empty: a catalogue name or a file is needed")
-    path = Path(what)
-    named = path.suffix not in (".py", ".toml") and len(path.parts) == 1 and not path.is_file()
-    if not named and not path.exists():
-        raise InputError(f"{what}: there is no such file")
+    path, named = Path(what), is_name(what)
     options = list(overrides or [])
     if precision is not None:
         if precision not in PRECISIONS:

@@ -93,7 +93,9 @@ def check_store(output: Path) -> None:
     if output.suffix != ".zarr":
         raise InputError(f"--output {output}: its name must end in .zarr")
     status = status_of_target(output)
-    if status is not None and not S_ISDIR(status.st_mode):
+    # a store that cannot be opened is said to be none as well, when Zarr is imported
+    foreign = output.is_dir() and any(output.iterdir()) and not (output / "zarr.json").exists()
+    if foreign or (status is not None and not S_ISDIR(status.st_mode)):
         raise InputError(f"{output} is no store of a computation in blocks: choose another name")
 
 

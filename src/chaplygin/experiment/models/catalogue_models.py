@@ -6,7 +6,6 @@ from typing import Any
 
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
-from ...catalogue import CATALOGUE, entry
 from ...catalogue.fixed_point.fluid_filled_bodies import refusal
 from ...mechanics.rolling.cavity import Cavity
 from ..file.tables import FilledBodyTable, StateTable, SystemRunTable, SystemStartTable, SystemTable
@@ -33,6 +32,8 @@ class CatalogueExperiment(ExperimentBase):
         system = tables.get("system")
         if not isinstance(system, dict):
             return tables
+        from ...catalogue import CATALOGUE
+
         item, own = CATALOGUE.get(str(system.get("name"))), system.get("parameters", {})
         if item is None or item.family is None or not isinstance(own, dict):
             return tables
@@ -41,6 +42,8 @@ class CatalogueExperiment(ExperimentBase):
 
     def complete_tables(self) -> dict[str, Any]:
         """All tables, with every parameter of the system."""
+        from ...catalogue import entry
+
         parameters = entry(self.system.name).settings(self.system.parameters)
         system = {**self.system.model_dump(), "parameters": parameters}
         return super().complete_tables() | {"system": system}

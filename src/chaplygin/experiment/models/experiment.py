@@ -17,12 +17,11 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import get_args
+from typing import TYPE_CHECKING, get_args
 
 from pydantic import ValidationError
 
 from ...arguments import arguments_checked
-from ...catalogue import CATALOGUE, Entry, entry
 from ...errors import InputError
 from ...parsing import nearest
 from ..file.ball_tables import SmoothTable
@@ -35,6 +34,9 @@ from .ball_model import BallExperiment
 from .catalogue_models import StateExperiment, SystemExperiment
 from .described_models import EquationsExperiment, MechanismExperiment
 from .rolling_model import FrictionExperiment, RollingExperiment
+
+if TYPE_CHECKING:
+    from ...catalogue import Entry
 
 #: Tables that describe a system by themselves.
 DESCRIPTION_TABLES = ("lagrangian", "equations")
@@ -163,6 +165,8 @@ def catalogue_experiment(name: str, overrides: Iterable[str] = ()) -> Experiment
     InputError
         If there is no such system, or for all that is wrong in the overrides.
     """
+    from ...catalogue import entry
+
     tables = {"system": {"name": entry(name).name}}
     return _read(Source(name, "", tuple(overrides), tables))
 
@@ -239,7 +243,12 @@ def _item(tables: Tables) -> Entry | None:
     """The entry of the catalogue that tables name, if there is one of that name."""
     table = tables.get("system")
     name = table.get("name") if isinstance(table, dict) else None
-    return CATALOGUE.get(name) if isinstance(name, str) else None
+    if not isinstance(name, str):
+        return None
+    # the systems take a while to import, and a file with a body of its own needs none
+    from ...catalogue import CATALOGUE
+
+    return CATALOGUE.get(name)
 
 
 def _model(tables: Tables) -> type[Experiment]:

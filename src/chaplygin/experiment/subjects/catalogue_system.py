@@ -8,7 +8,7 @@ from typing import cast
 import mpmath
 
 from ...catalogue import Entry, entry, known_laws_of
-from ...catalogue.entry import Family
+from ...catalogue.catalogue_entry import Family
 from ...catalogue.fixed_point.fluid_filled_bodies import with_fluid
 from ...catalogue.so_n.start import (
     ATTITUDE,

@@ -53,7 +53,7 @@ def serve(folder: Folder, what: str, port: int, announce: Callable[[str], None])
     Raises
     ------
     InputError
-        If the port is taken or not allowed.
+        If the port is taken.
     """
     listening = listen(port)
     place = listening.getsockname()[1]
@@ -101,10 +101,8 @@ def listen(port: int) -> socket.socket:
     Raises
     ------
     InputError
-        If the port is taken or not allowed.
+        If the port is taken.
     """
-    if not 0 <= port < 65536:
-        raise InputError(f"--port {port}: it must be a number from 0 to 65535")
     listening = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
     listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:

@@ -8,37 +8,13 @@ from pathlib import Path
 
 import numpy as np
 
-from ...errors import InputError
 from ...experiment.files import atomic_file
 from ..drawing.style import TIME_COLOURS
+from .encoders import ENCODERS
 from .frames import Picture, Size
-
-#: The encoder of each kind of film, its pixels and its settings.
-ENCODERS = {
-    ".mp4": ("libx264", {"crf": "20", "preset": "medium", "movflags": "+faststart"}),
-    ".webm": ("libvpx-vp9", {"crf": "32", "b": "0", "row-mt": "1", "cpu-used": "2"}),
-}
 
 #: Colours of the first frame in a film of type GIF; the others are those of paths.
 _COLOURS = 160
-
-
-def require_encoder(suffix: str) -> None:
-    """Raise InputError unless films of this kind can be encoded here."""
-    if suffix == ".gif":
-        return
-    name, _ = ENCODERS[suffix]
-    try:
-        import av
-    except ImportError:
-        raise InputError(
-            f"a film of type {suffix} needs PyAV: pip install 'chaplygin[film]'; .gif and .glb "
-            "need nothing further"
-        ) from None
-    if name not in av.codecs_available:
-        raise InputError(
-            f"this copy of PyAV has no encoder {name} for {suffix}: .gif and .glb need none"
-        )
 
 
 def write_film(frames: Iterable[Picture], path: Path, rate: int, size: Size) -> None:

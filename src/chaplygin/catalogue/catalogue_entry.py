@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import difflib
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import wraps
 from typing import Any, Protocol, SupportsFloat, TypeAlias
@@ -223,29 +222,6 @@ class Family(Protocol):
 
     def admissible(self, omega: Sequence[Sequence[Any]], gamma: Sequence[Any]) -> list[list[Any]]:
         """The nearest ω that the constraint admits, as a skew matrix."""
-
-
-class UnknownSystemError(InputError, KeyError):
-    """A name that no system of the catalogue has; a KeyError too, as of any mapping."""
-
-
-def lookup(catalogue: Mapping[str, Entry], name: object) -> Entry:
-    """The entry of that name, or an InputError that names the nearest one."""
-    if not isinstance(name, str):
-        raise UnknownSystemError(
-            f"a system of the catalogue is asked for by its name in quotes, not by {name!r}"
-        )
-    if (item := catalogue.get(name)) is None:
-        raise UnknownSystemError(
-            f"no system {name!r} in the catalogue{_nearest(name, catalogue)}; "
-            "`chaplygin list` and `chaplygin.CATALOGUE` show all of them"
-        )
-    return item
-
-
-def _nearest(name: str, names: Iterable[str]) -> str:
-    close = difflib.get_close_matches(name, list(names), n=1)
-    return f" (did you mean {close[0]!r}?)" if close else ""
 
 
 def bruns_factor(potential: sp.Expr) -> sp.Expr | None:
