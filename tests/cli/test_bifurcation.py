@@ -41,7 +41,9 @@ def test_a_rubber_body_of_revolution(ask: Ask) -> None:
     assert code == 0, err
     assert "K  integral (5.1), linear in the angular velocity (kg^0.5 m/s)" in out
     assert "    unstable: cos θ = 0.218882, h = 10.5204752" in out
-    assert out.endswith("this motion: h = 8.980045, K = -0.994029786; 2 motions with these values\n")
+    assert out.endswith(
+        "this motion: h = 8.980045, K = -0.994029786; 2 motions with these values\n"
+    )
     assert max(map(len, out.splitlines())) <= 80
     assert Path("disk.png").stat().st_size > 10_000
     level = ["--set", "start.omega=[0.3, 0, 0]", "--set", "start.gamma=[0, 0.8, 0.6]"]
