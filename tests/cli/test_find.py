@@ -187,3 +187,42 @@ def test_what_is_special() -> None:
     assert special(ball) == ("I_1 = I_2", "I_1 = I_3")
     assert special(from_catalogue("rattleback")) == ("c_1 = 0", "c_2 = 0")
     assert special(from_catalogue("chaplygin-ball")) == ()
+
+
+SLEIGH = """
+title = "sleigh"
+parameters = {m = 1.0, I = 0.7, a = 0.3}
+constraints = {velocity = ["v"]}
+start = {u = -1.0, omega = 0.05}
+
+[frame]
+coordinates = ["x", "y", "phi"]
+velocities = ["u", "v", "omega"]
+rates = {x = "u*cos(phi) - v*sin(phi)", y = "u*sin(phi) + v*cos(phi)", phi = "omega"}
+
+[lagrangian]
+kinetic = "m*(u**2 + (v + a*omega)**2)/2 + I*omega**2/2"
+"""
+
+
+@pytest.mark.slow
+def test_a_measure_is_decided_besides_the_search(find: Ask) -> None:
+    Path("sleigh.toml").write_text(SLEIGH)
+    code, out, _ = find("measure", "sleigh.toml", "--json")
+    answer = json.loads(out)
+    assert code == 0
+    assert answer["existence"]["decision"] == "conditional"
+    assert "it exists if and only if a = 0" in answer["existence"]["statement"]
+    code, out, _ = find("measure", "rattleback")
+    assert code == 1
+    found, decided = out.split("\n\n")[1:]
+    assert found.strip() == "none of this form"
+    assert "has no smooth invariant measure" in decided
+    assert max(map(len, out.splitlines())) <= 100
+
+
+@pytest.mark.slow
+def test_without_body_or_mechanism_nothing_is_decided(find: Ask) -> None:
+    code, out, _ = find("measure", "suslov", "--json")
+    assert code == 1
+    assert "existence" not in json.loads(out)

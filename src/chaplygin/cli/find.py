@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 import time
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -17,6 +18,8 @@ if TYPE_CHECKING:
     import sympy as sp
 
     from ..core.system import Parameter, System
+    from ..experiment.study import Study
+    from ..measures.result import Existence
     from ..search import Question, SearchResult
 
 _TITLES = {
@@ -27,7 +30,7 @@ _TITLES = {
 #: What no result means.
 _NOTHING = {
     "integrals": "none of this form",
-    "measure": "none of this form; whether there is any other: chaplygin show, its row measure",
+    "measure": "none of this form",
     "symmetries": "none of this form",
 }
 _NOTHING_ELSE = {
@@ -125,10 +128,13 @@ def command(
     )
     with concluding("the results found so far are about to be printed"):
         results, complete = _results(kind, question)
+        decision = _existence(study) if kind == "measure" and complete else None
         elapsed = time.monotonic() - began
         if json:
             print_json(
-                _as_json(kind, question, results, complete, elapsed) | {"at": list(conditions)}
+                _as_json(kind, question, results, complete, elapsed)
+                | {"at": list(conditions)}
+                | ({} if decision is None else {"existence": _existence_json(decision)})
             )
         else:
             if at is None and conditions:
@@ -137,9 +143,12 @@ def command(
                     "searches for arbitrary parameters"
                 )
             typer.echo(_as_text(kind, question, results, complete))
+            if decision is not None:
+                lines = str(decision).splitlines()
+                typer.echo("\n" + "\n".join(_filled(line) for line in lines))
     if not complete:
         raise typer.Exit(CODE)
-    raise typer.Exit(0 if results else 1)
+    raise typer.Exit(0 if results or decision else 1)
 
 
 def special(system: System) -> tuple[str, ...]:
@@ -173,6 +182,31 @@ def _results(kind: str, question: Question) -> tuple[list[SearchResult], bool]:
         say("the results found up to then follow")
         return results, False
     return results, True
+
+
+def _existence(study: Study) -> Existence | None:
+    """The decision whether a density on the configuration exists, where the model is known."""
+    from ..errors import InputError
+    from ..formulas.errors import OutOfReachError
+    from ..measures.existence import measure_exists
+
+    model = study.subject.model
+    if model is None:
+        return None
+    try:
+        with progress("deciding whether a density on the configuration exists"):
+            return measure_exists(model, study.system.title)
+    except (InputError, OutOfReachError, ZeroDivisionError):
+        # constraints of another kind, or numbers at which the derivation fails
+        return None
+
+
+def _filled(line: str) -> str:
+    return textwrap.fill(line, 100, initial_indent="  ", subsequent_indent="      ")
+
+
+def _existence_json(decision: Existence) -> dict[str, object]:
+    return {"decision": decision.decision, "statement": str(decision)}
 
 
 def _names(symbols: Iterable[object]) -> list[str]:
