@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from ..core.system import Parameter, System
     from ..experiment.study import Study
-    from ..measures.result import Existence
+    from ..measures.result import MeasureExistence
     from ..search import Question, SearchResult
 
 _TITLES = {
@@ -184,7 +184,7 @@ def _results(kind: str, question: Question) -> tuple[list[SearchResult], bool]:
     return results, True
 
 
-def _existence(study: Study) -> Existence | None:
+def _existence(study: Study) -> MeasureExistence | None:
     """The decision whether a density on the configuration exists, where the model is known."""
     from ..errors import InputError
     from ..formulas.errors import OutOfReachError
@@ -205,7 +205,7 @@ def _filled(line: str) -> str:
     return textwrap.fill(line, 100, initial_indent="  ", subsequent_indent="      ")
 
 
-def _existence_json(decision: Existence) -> dict[str, object]:
+def _existence_json(decision: MeasureExistence) -> dict[str, object]:
     return {"decision": decision.decision, "statement": str(decision)}
 
 
