@@ -145,7 +145,7 @@ def command(
             typer.echo(_as_text(kind, question, results, complete))
             if decision is not None:
                 lines = str(decision).splitlines()
-                typer.echo("\n" + "\n".join(_filled(line) for line in lines))
+                typer.echo("\n" + "\n".join(_paragraph(line) for line in lines))
     if not complete:
         raise typer.Exit(CODE)
     raise typer.Exit(0 if results or decision else 1)
@@ -201,7 +201,7 @@ def _existence(study: Study) -> MeasureExistence | None:
         return None
 
 
-def _filled(line: str) -> str:
+def _paragraph(line: str) -> str:
     return textwrap.fill(line, 100, initial_indent="  ", subsequent_indent="      ")
 
 
