@@ -55,7 +55,7 @@ def package_of(module: str) -> str:
 
 
 #: Those with formulas; implicit shapes and what shapes share have none.
-CHANGED = ("attitude", "revolution", "shapes", "contact", "equations", "motion_in_space")
+CHANGED = ("attitude", "revolution", "shapes", "contact", "equations")
 LOADED = (
     "surfaces",
     "rays",
@@ -70,7 +70,6 @@ LOADED = (
     "fluid",
     "contact",
     "attitude",
-    "motion_in_space",
     "contact_models",
     "equations",
     "initial_state",

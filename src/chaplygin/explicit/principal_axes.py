@@ -57,7 +57,7 @@ class PrincipalAxesSolution(DerivedSolution):
             return tuple(row[0] for row in (self.matrix * column).tolist())
 
 
-def in_principal_axes(problem: Problem) -> tuple[Problem, arb_mat] | None:
+def in_principal_axes(problem: Problem, rolling: Rolling) -> tuple[Problem, arb_mat] | None:
     """A ball in its principal axes; the axis of symmetry of a rubber ball is last.
 
     Returns
@@ -72,8 +72,7 @@ def in_principal_axes(problem: Problem) -> tuple[Problem, arb_mat] | None:
     InputError
         If two principal moments of a full tensor are so near that they do not tell the axes.
     """
-    rolling = problem.rolling
-    if rolling is None or not isinstance(rolling.body.shape, Ball):
+    if not isinstance(rolling.body.shape, Ball):
         return None
     order = _order(problem, rolling) if rolling.body.principal else None
     if rolling.body.principal and order is None:

@@ -23,6 +23,7 @@ from ..arguments import NumberOrText
 from ..catalogue import entry
 from ..catalogue.catalogue_entry import bruns_factor
 from ..core.isomorphism import Isomorphism
+from ..core.matrices import NamedMatrix
 from ..core.system import System, flat_pairs
 from ..core.vectors import Diagonal, real_symbol, to_components
 from ..formulas.balls import ball, ball_values, exact
@@ -307,12 +308,12 @@ def _axisymmetric(
 
 
 def _solve_in_principal_axes(problem: Problem) -> Solution | None:
-    principal = in_principal_axes(problem)
-    return (
-        None
-        if principal is None
-        else to_original_axes(problem, solution_of(principal[0]), principal[1])
-    )
+    if problem.rolling is None:
+        return None
+    principal = in_principal_axes(problem, problem.rolling)
+    if principal is None:
+        return None
+    return to_original_axes(problem, solution_of(principal[0]), principal[1])
 
 
 def _solve_about_fixed_point(problem: Problem) -> Solution | None:
@@ -360,6 +361,8 @@ def _solve_free_body(problem: Problem) -> Solution | None:
 def _solve_in_three_dimensions(problem: Problem) -> Solution | None:
     from .three_dimensions import solve_in_three_dimensions
 
+    if not any(isinstance(name, NamedMatrix) for name in problem.system.state):
+        return None
     return solve_in_three_dimensions(problem, solution_of)
 
 

@@ -1,14 +1,22 @@
-"""Attitude as a unit quaternion (w, x, y, z) that turns body axes into space axes."""
+"""Attitude and motion in space of a rolling body.
+
+The attitude is a unit quaternion (w, x, y, z) that turns body axes into space axes.
+"""
 
 from __future__ import annotations
 
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.system import Observable, System, flat_pairs
-from ...core.vectors import Vector, constant, to_components
+from ...core.named_formulas import Pairs
+from ...core.system import Observable, Reconstruction, System, flat_pairs
+from ...core.vectors import Vector, constant, cross, real_symbol, to_components
+from ..shapes.surfaces import Plane, Surface
+from .contact import Contact
 
-attitude = Vector("attitude", 4)
+attitude, place = Vector("attitude", 4), Vector("place", 2)
+omega, gamma, zeta = (Vector(name) for name in ("omega", "gamma", "zeta"))
+a = real_symbol("a")
 
 _HALF = sp.Rational(1, 2)
 
@@ -61,6 +69,47 @@ def attitude_observable() -> Observable:
         "attitude quaternion, body to space",
         frame="quaternion",
         source="(1.13)",
+    )
+
+
+def motion_in_space(contact: Contact, surface: Surface, tilting: bool) -> Reconstruction:
+    """The equations for attitude and place of a rolling body, driven by its reduced motion.
+
+    Parameters
+    ----------
+    contact : Contact
+    surface : Plane or Sphere
+    tilting : bool
+        Whether ζ, the vertical in body axes, belongs to the state on a sphere.
+    """
+    turn = rotation()
+    reach = turn * to_components(contact.r)
+    if isinstance(surface, Plane):
+        # the centre's velocity is r×ω in body axes; its height follows from the position
+        velocity = turn * to_components(cross(contact.r, omega))
+        x, y = place.symbols
+        centre = constant([x, y, contact.height])
+        point = constant([x + reach[0], y + reach[1], 0])
+        field: Pairs = (
+            (attitude, quaternion_rate(omega)),
+            (place, constant(velocity[:2])),
+        )
+        relations = (unit_length(), *attitude_relations(gamma))
+    else:
+        point = a * turn * to_components(gamma)
+        centre = point - reach
+        field = ((attitude, quaternion_rate(omega)),)
+        relations = (unit_length(),)
+        if tilting:
+            relations += attitude_relations(zeta)
+    return Reconstruction(
+        field=field,
+        relations=relations,
+        observables=(
+            attitude_observable(),
+            Observable("centre", centre, "centre of mass", "m", "space", "(1.17)"),
+            Observable("contact", point, "contact point", "m", "space", "(1.14)"),
+        ),
     )
 
 

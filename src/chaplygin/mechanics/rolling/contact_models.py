@@ -18,9 +18,9 @@ from ...core.named_formulas import Pairs, by_dependence
 from ...core.system import Guard, Observable, Parameter, System
 from ...core.vectors import Vector, cross, dot, norm_squared, real_symbol, zero
 from ..shapes.surfaces import Plane, Surface
+from .attitude import motion_in_space
 from .contact import Contact
 from .fluid import Fluid, total
-from .motion_in_space import motion_in_space
 
 M, omega, gamma, zeta = (Vector(name) for name in ("M", "omega", "gamma", "zeta"))
 X, omegadot, N, f = (Vector(name) for name in ("X", "omegadot", "N", "f"))
